@@ -1,0 +1,59 @@
+//! How a layer answers a sinusoidal load on its surface.
+
+use crate::{Base, Elastic, ModulusLaw, Refusal};
+use std::fmt::Debug;
+
+/// The elastic layer as the flexibility plugins see it, in its own units (see the crate's page).
+#[derive(Debug)]
+pub struct LayerModel {
+    /// Modulus over depth.
+    pub law: Box<dyn ModulusLaw>,
+    /// Elastic constants, the same at each depth.
+    pub elastic: Elastic,
+    /// What it stands on.
+    pub base: Base,
+}
+
+/// Surface flexibility at one wave number, scaled: the entries of `s F(s)/A0`.
+///
+/// For `p = P cos(sx)`, `q = Q sin(sx)`: `v = (Fvv P + Fuv Q) cos(sx)`, `u = (Fuv P + Fuu Q) sin(sx)`.
+/// All three are of order one at each `s`: they tend to `1`, `1`, `-beta` as `s` grows, and to 0 like
+/// `s` at the origin when the base is rigid.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SurfaceFlexibility {
+    /// `s Fvv/A0`: indentation by pressure.
+    pub vv: f64,
+    /// `s Fuu/A0`: tangential displacement by shear.
+    pub uu: f64,
+    /// `s Fuv/A0`: the coupling.
+    pub uv: f64,
+}
+
+/// Config half: how `F(s)` is got (`layer` by `transfer-matrix`, `compliance`, ...).
+#[typetag::serde(tag = "type")]
+pub trait Flexibility: dyn_clone::DynClone + Debug + Send + Sync {
+    /// Prepares the layer; refuses a base or law that the method cannot treat.
+    fn respond<'a>(&self, layer: &'a LayerModel) -> Result<Box<dyn LayerResponse + 'a>, Refusal>;
+}
+dyn_clone::clone_trait_object!(Flexibility);
+
+/// Run-time half: the surface flexibility of one layer.
+pub trait LayerResponse: Send + Sync {
+    /// `out[i] = s F/A0` at `s = wave_numbers[i] >= 0`, in units of `1/h`.
+    ///
+    /// # Panics
+    /// When the slices differ in length.
+    fn surface_into(&self, wave_numbers: &[f64], out: &mut [SurfaceFlexibility]) -> Result<(), Refusal>;
+
+    /// Elastic constants at the surface.
+    fn elastic(&self) -> Elastic;
+
+    /// Coefficient of `1/s` in `s F/A0` as `s` grows, beyond its limit (`vv`, `uu`, `uv`); `None` where
+    /// the law does not tell its gradient at the surface. A homogeneous surface has zeros.
+    fn leading_tail(&self) -> Option<SurfaceFlexibility>;
+
+    /// Depth `d` below which the surface feels something that its own derivatives do not tell (a base,
+    /// a kink): what is left of `s F` after its series in `1/s` decays like `exp(-2 s d)`. `None` when
+    /// `s F` equals its limit at every `s`: a homogeneous half-plane.
+    fn depth(&self) -> Option<f64>;
+}

@@ -1,0 +1,42 @@
+//! Contracts of slipzone: what a grading, a punch, a flexibility, a kernel strategy and a quadrature are.
+//!
+//! Every family is a pair. The *config half* ([`Grading`], [`PunchProfile`], [`Flexibility`],
+//! [`KernelStrategy`], [`Quadrature`]) is small, serialisable and read from a scene by its `type` key.
+//! It is turned once into a *run-time half* ([`ModulusLaw`], [`PunchShape`], [`LayerResponse`],
+//! [`KernelTable`], [`Rule`]) that holds tables and scratch. Beside each plugin stands a [`PluginInfo`]
+//! record, so that tools can list, explain and try it.
+//!
+//! # Units
+//! The run-time halves work in the layer's own units: lengths in its thickness `h` (in the user's unit
+//! of length on an infinite solid), stresses in the surface shear modulus `mu1`. Signs and symbols are
+//! those of `docs/theory.md`: `y` points into the solid, `p` and `q` act on it along +y and +x.
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
+pub mod double_exponential;
+mod elastic;
+mod flexibility;
+mod friction;
+mod grading;
+mod kernel;
+mod number;
+mod punch;
+mod quadrature;
+pub mod reference;
+mod refusal;
+mod registry;
+#[cfg(feature = "testkit")]
+pub mod testkit;
+
+pub use elastic::{Base, Elastic, Plane};
+pub use flexibility::{Flexibility, LayerModel, LayerResponse, SurfaceFlexibility};
+pub use friction::Friction;
+pub use grading::{Grading, ModulusLaw};
+pub use kernel::{Component, KernelRequest, KernelStrategy, KernelTable, Parts};
+pub use number::{NotAllowed, Poisson, Positive};
+pub use punch::{PunchProfile, PunchShape};
+pub use quadrature::{Density, Edge, Parity, Quadrature, Rule, Span, Station};
+pub use refusal::Refusal;
+pub use registry::{Family, Parameter, PluginInfo, find, plugins};
+
+#[doc(hidden)]
+pub use inventory;

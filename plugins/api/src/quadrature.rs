@@ -1,0 +1,118 @@
+//! How a singular integral equation becomes matrix rows.
+
+use crate::{Component, KernelTable, Refusal};
+use std::fmt::Debug;
+
+/// A point of the contact: its abscissa, and its distance to the nearer end kept exactly.
+///
+/// `half_width - |x|` loses all digits near the end; a point that knows its gap does not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Station {
+    /// Abscissa.
+    pub x: f64,
+    /// Distance to the nearer end of the interval, `>= 0`.
+    pub gap: f64,
+}
+
+/// Symmetry of a density about the middle of its interval.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Parity {
+    /// `f(-x) = f(x)`, like the pressure of a symmetric punch.
+    Even,
+    /// `f(-x) = -f(x)`, like the shear that it causes.
+    Odd,
+}
+
+/// What a density does at the ends of its interval.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edge {
+    /// Unbounded like `1/sqrt(gap)`: a sharp corner. The equations leave one number free (the resultant).
+    Sharp,
+    /// Vanishing like `sqrt(gap)`: a contact that ends smoothly. One condition too many (contact size).
+    Smooth,
+    /// Finite: the traction goes on beyond the end, known there, as in a stick zone amid slip. One
+    /// condition too many, as for [`Edge::Smooth`]; see [`Rule::carrier_into`].
+    Continued,
+}
+
+/// A density to be resolved: where it lives and how it behaves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span {
+    /// The interval `[c1, c2]`.
+    pub interval: [f64; 2],
+    /// Symmetry about its middle, when there is one; it halves the unknowns.
+    pub parity: Option<Parity>,
+    /// Behaviour at both ends.
+    pub edge: Edge,
+}
+
+impl Span {
+    /// The interval `[-half_width, half_width]`.
+    pub fn symmetric(half_width: f64, parity: Parity, edge: Edge) -> Self {
+        Self { interval: [-half_width, half_width], parity: Some(parity), edge }
+    }
+}
+
+/// A density in the terms of a rule: its unknowns, and the multiple of the carrier that is added.
+#[derive(Clone, Copy, Debug)]
+pub struct Density<'a> {
+    /// One number per unknown of the rule.
+    pub unknowns: &'a [f64],
+    /// Value at the upper end of a [`Edge::Continued`] density; 0 otherwise.
+    pub carrier: f64,
+}
+
+/// Config half: the discretisation (`gauss-chebyshev`, ...).
+#[typetag::serde(tag = "type")]
+pub trait Quadrature: dyn_clone::DynClone + Debug + Send + Sync {
+    /// Lays out nodes and collocation points for one density.
+    fn rule(&self, span: &Span) -> Result<Box<dyn Rule>, Refusal>;
+
+    /// The same scheme at a resolution `2^level` times as fine.
+    fn refined(&self, level: u32) -> Box<dyn Quadrature>;
+
+    /// Whether the scene itself fixed the resolution.
+    fn is_pinned(&self) -> bool;
+}
+dyn_clone::clone_trait_object!(Quadrature);
+
+/// Run-time half: one density on one interval.
+///
+/// The operator is `(1/pi) PV int f(r)/(x - r) dr + (1/pi) int f(r) k(x - r) dr`. Its kernel comes in
+/// three parts ([`crate::Parts`]); a rule says in its documentation which of them it integrates exactly.
+pub trait Rule: Send + Sync {
+    /// Number of unknowns, after symmetry.
+    fn unknowns(&self) -> usize;
+
+    /// Points at which the equation is collocated, ascending; with a parity only those at `x >= 0`
+    /// that are not satisfied by symmetry. One fewer than the unknowns for [`Edge::Sharp`] even
+    /// densities, as many for [`Edge::Smooth`] even and one more for [`Edge::Continued`] odd ones.
+    fn collocation(&self) -> &[Station];
+
+    /// The operator: `rows[i * unknowns + j]`, rows = collocation points, columns = unknowns.
+    /// `kernel` is `None` on a half-plane, where only the Cauchy part is left.
+    fn operator_into(&self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]);
+
+    /// The operator applied to the carrier, at each collocation point.
+    ///
+    /// A [`Edge::Continued`] density is the sum of what the unknowns describe and of its value at the
+    /// end times a carrier that is one there. Rules that need no such help leave the zeros.
+    fn carrier_into(&self, kernel: Option<(&dyn KernelTable, Component)>, out: &mut [f64]) {
+        let _ = kernel;
+        out.fill(0.0);
+    }
+
+    /// Row of the resultant: `int f dx = sum row[j] unknowns[j]`.
+    fn resultant_into(&self, row: &mut [f64]);
+
+    /// The density at a point strictly inside its interval.
+    fn value(&self, density: Density, at: Station) -> f64;
+
+    /// `lim f sqrt(gap (c2 - c1 - gap))` at the upper end; 0 unless the edge is [`Edge::Sharp`].
+    fn edge_factor(&self, unknowns: &[f64]) -> f64;
+
+    /// `(1/pi) int f(r) k(x - r) dr` (no Cauchy part) at any `targets` within the interval, ends
+    /// included; not only at collocation points. Sign and log parts are resolved at least to the order
+    /// of the rule itself.
+    fn potential_into(&self, unknowns: &[f64], kernel: (&dyn KernelTable, Component), targets: &[f64], out: &mut [f64]);
+}

@@ -1,0 +1,111 @@
+//! Which plugins are linked into this program.
+
+use serde::Serialize;
+
+/// The five families of plugins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Family {
+    /// [`crate::Grading`], `layer.grading`.
+    Grading,
+    /// [`crate::PunchProfile`], `[punch]`.
+    Punch,
+    /// [`crate::Flexibility`], `solver.flexibility`.
+    Flexibility,
+    /// [`crate::KernelStrategy`], `solver.kernel`.
+    Kernel,
+    /// [`crate::Quadrature`], `solver.quadrature`.
+    Quadrature,
+}
+
+impl Family {
+    /// All families, in the order in which a scene names them.
+    pub const ALL: [Self; 5] = [Self::Grading, Self::Punch, Self::Flexibility, Self::Kernel, Self::Quadrature];
+
+    /// Name in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Grading => "grading",
+            Self::Punch => "punch",
+            Self::Flexibility => "flexibility",
+            Self::Kernel => "kernel",
+            Self::Quadrature => "quadrature",
+        }
+    }
+}
+
+/// One key of a plugin's table: enough for an editor, a chart or a random scene to fill it in.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Parameter {
+    /// The key.
+    pub name: &'static str,
+    /// Meaning and unit, in a few words.
+    pub summary: &'static str,
+    /// Whether the key must be there.
+    pub required: bool,
+    /// Values that make sense, smallest first.
+    pub samples: &'static [f64],
+}
+
+/// The record beside each plugin.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PluginInfo {
+    /// Family.
+    pub family: Family,
+    /// The `type` under which a scene names it.
+    pub name: &'static str,
+    /// What it is, in one line.
+    pub summary: &'static str,
+    /// A table body (TOML, `type` included) that parses.
+    pub example: &'static str,
+    /// Keys besides `type`.
+    pub parameters: &'static [Parameter],
+    /// Paper and equation, or where the formula was derived.
+    pub source: &'static str,
+    /// The crate that brings it.
+    pub krate: &'static str,
+}
+inventory::collect!(PluginInfo);
+
+/// Every linked plugin, sorted by family and name (`inventory` promises no order).
+pub fn plugins() -> Vec<&'static PluginInfo> {
+    let mut all: Vec<_> = inventory::iter::<PluginInfo>.into_iter().collect();
+    all.sort_unstable_by_key(|info| (info.family, info.name));
+    all
+}
+
+/// The plugin of a family with that name.
+pub fn find(family: Family, name: &str) -> Option<&'static PluginInfo> {
+    plugins().into_iter().find(|info| info.family == family && info.name == name)
+}
+
+/// Records a plugin: put it beside the `#[typetag::serde]` implementation.
+///
+/// ```
+/// slipzone_api::register!(Punch, "needle", "a punch with no width",
+///     example: "type = \"needle\"\nlength = 1.0",
+///     parameters: [("length", "length of the needle", true, [0.5, 1.0])],
+///     source: "none");
+/// assert!(slipzone_api::find(slipzone_api::Family::Punch, "needle").is_some());
+/// ```
+#[macro_export]
+macro_rules! register {
+    ($family:ident, $name:literal, $summary:literal,
+     example: $example:literal,
+     parameters: [$(($key:literal, $about:literal, $required:literal, [$($sample:expr),* $(,)?])),* $(,)?],
+     source: $source:literal $(,)?) => {
+        $crate::inventory::submit! {
+            $crate::PluginInfo {
+                family: $crate::Family::$family,
+                name: $name,
+                summary: $summary,
+                example: $example,
+                parameters: &[$($crate::Parameter {
+                    name: $key, summary: $about, required: $required, samples: &[$($sample),*],
+                }),*],
+                source: $source,
+                krate: env!("CARGO_PKG_NAME"),
+            }
+        }
+    };
+}

@@ -1,0 +1,22 @@
+//! Flexibilities: how the surface flexibility `F(s)` of a layer is got. One file per plugin.
+
+mod compliance;
+mod transfer_matrix;
+
+pub use compliance::Compliance;
+pub use transfer_matrix::TransferMatrix;
+
+/// Names every module that registers a plugin, so that no linker drops this crate.
+pub fn link() {
+    compliance::link();
+    transfer_matrix::link();
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn plugins_conform() {
+        super::link();
+        slipzone_api::testkit::check_crate(env!("CARGO_PKG_NAME"));
+    }
+}

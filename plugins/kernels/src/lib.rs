@@ -1,0 +1,19 @@
+//! Kernel strategies: how the contact kernels `k(t)` are got from `F(s)`. One file per plugin.
+
+mod truncated;
+
+pub use truncated::Truncated;
+
+/// Names every module that registers a plugin, so that no linker drops this crate.
+pub fn link() {
+    truncated::link();
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn plugins_conform() {
+        super::link();
+        slipzone_api::testkit::check_crate(env!("CARGO_PKG_NAME"));
+    }
+}

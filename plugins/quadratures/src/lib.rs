@@ -1,0 +1,19 @@
+//! Quadratures: how a singular integral equation becomes matrix rows. One file per plugin.
+
+mod gauss_chebyshev;
+
+pub use gauss_chebyshev::GaussChebyshev;
+
+/// Names every module that registers a plugin, so that no linker drops this crate.
+pub fn link() {
+    gauss_chebyshev::link();
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn plugins_conform() {
+        super::link();
+        slipzone_api::testkit::check_crate(env!("CARGO_PKG_NAME"));
+    }
+}

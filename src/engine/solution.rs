@@ -1,0 +1,180 @@
+//! The result of a scene (docs: `docs/formats.md`). Lengths, stresses and forces in the scene's units.
+
+use crate::scene::{Scene, Units};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// How a solve ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Status {
+    /// Every number is within the error stated.
+    Converged,
+    /// The best numbers found; their error estimate exceeds the tolerance.
+    NotConverged,
+    /// The numbers solve the equations, but a condition that the model rests on fails.
+    AssumptionViolated,
+    /// No numbers: the method or the combination is out of reach.
+    Refused,
+}
+
+/// A solved scene. The keys of its JSON are stable: added to, never renamed.
+#[derive(Clone, Debug, Serialize)]
+pub struct Solution {
+    /// Version of the result format; 1.
+    pub format: u32,
+    /// What solved it.
+    pub program: Program,
+    /// The scene as solved, defaults filled in.
+    pub scene: Scene,
+    /// Labels of the units.
+    pub units: Units,
+    /// How it ended.
+    pub status: Status,
+    /// What failed, where, and what to do; `None` when converged.
+    pub reason: Option<String>,
+    /// Force, contact size, indentation.
+    pub load: LoadReport,
+    /// Pressure at a few points.
+    pub pressure: PressureReport,
+    /// Stress intensity at the contact's edge.
+    pub edge: EdgeReport,
+    /// The stick zone; `None` without friction.
+    pub stick: Option<StickReport>,
+    /// How sure the numbers are.
+    pub error: ErrorReport,
+    /// How they were got.
+    pub plan: Plan,
+    /// Tractions along the contact.
+    pub profile: Profile,
+    /// What the model takes for granted.
+    pub assumptions: Vec<String>,
+}
+
+/// Name and version of the program.
+#[derive(Clone, Debug, Serialize)]
+pub struct Program {
+    /// `slipzone`.
+    pub name: &'static str,
+    /// Its version.
+    pub version: &'static str,
+}
+
+/// Load and what it does.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct LoadReport {
+    /// Normal force per unit length.
+    pub force: Option<f64>,
+    /// Half-width of the contact.
+    pub half_width: Option<f64>,
+    /// Depth of the punch; `None` on a half-plane, where it is undefined.
+    pub indentation: Option<f64>,
+}
+
+/// Pressure at a few points.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct PressureReport {
+    /// At `x = 0`.
+    pub centre: Option<f64>,
+    /// Force over contact width.
+    pub mean: Option<f64>,
+    /// The largest; `None` where it is unbounded.
+    pub peak: Option<f64>,
+}
+
+/// The edge of the contact.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct EdgeReport {
+    /// `lim sqrt(2 (b - x)) p(x)`; 0 at a smooth edge.
+    pub stress_intensity: Option<f64>,
+    /// `stress_intensity sqrt(b)/P`, the `F_I/F_0` of CC13 Table 1.
+    pub ratio: Option<f64>,
+}
+
+/// Direction in which the surface slides beside the stick zone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Slip {
+    /// Towards the middle: `q = +eta p` for `x > a`.
+    Inward,
+    /// Away from the middle: `q = -eta p` for `x > a`.
+    Outward,
+}
+
+/// The stick zone.
+#[derive(Clone, Debug, Serialize)]
+pub struct StickReport {
+    /// `a`.
+    pub half_width: Option<f64>,
+    /// `a/b`.
+    pub ratio: Option<f64>,
+    /// `1 - a/b`, without cancellation.
+    pub one_minus_ratio: Option<f64>,
+    /// Direction of slip.
+    pub slip: Option<Slip>,
+}
+
+/// Error estimates, relative.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct ErrorReport {
+    /// The largest of `each`; `None` when refused.
+    pub estimate: Option<f64>,
+    /// One estimate for each number reported, by its path, such as `edge.ratio`.
+    pub each: BTreeMap<String, f64>,
+    /// How they were got, in words.
+    pub how: String,
+}
+
+/// How the numbers were got.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Plan {
+    /// Grading, by its `type`.
+    pub grading: String,
+    /// Flexibility, by its `type`.
+    pub flexibility: String,
+    /// Kernel strategy, by its `type`.
+    pub kernel: String,
+    /// Quadrature, by its `type`.
+    pub quadrature: String,
+    /// Unknowns of the finest pressure problem.
+    pub unknowns: usize,
+    /// Wave numbers at which the flexibility was evaluated, all resolutions together.
+    pub flexibility_evaluations: usize,
+    /// Matrices factorised, all resolutions together.
+    pub factorisations: usize,
+    /// Why each choice was made.
+    pub reasons: Vec<String>,
+}
+
+/// Tractions along the contact, equally spaced unless the scene lists its own points.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Profile {
+    /// Abscissae.
+    pub x: Vec<f64>,
+    /// Pressure; `None` where it is unbounded.
+    pub pressure: Vec<Option<f64>>,
+    /// Shear traction on the surface along +x; absent without friction.
+    pub shear: Option<Vec<Option<f64>>>,
+}
+
+impl Solution {
+    /// A solution without numbers: everything that the scene alone tells, and the reason.
+    pub(crate) fn refused(scene: &Scene, reason: String) -> Self {
+        Self {
+            format: 1,
+            program: Program { name: env!("CARGO_PKG_NAME"), version: env!("CARGO_PKG_VERSION") },
+            scene: scene.clone(),
+            units: scene.units.clone(),
+            status: Status::Refused,
+            reason: Some(reason),
+            load: LoadReport::default(),
+            pressure: PressureReport::default(),
+            edge: EdgeReport::default(),
+            stick: None,
+            error: ErrorReport::default(),
+            plan: Plan::default(),
+            profile: Profile::default(),
+            assumptions: Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,1 @@
+//! A solution as text, JSON, CSV and SVG. Nothing here computes physics.
