@@ -1,6 +1,8 @@
 //! Kernel strategies: how the contact kernels `k(t)` are got from `F(s)`. One file per plugin.
 
+mod even_series;
 mod truncated;
+mod wave_numbers;
 
 pub use truncated::Truncated;
 

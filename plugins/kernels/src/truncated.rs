@@ -1,15 +1,30 @@
 //! The Fourier integrals of CC13, cut at a finite wave number.
 
+use crate::even_series::EvenSeries;
+use crate::wave_numbers::WaveNumbers;
 use serde::{Deserialize, Serialize};
-use slipzone_api::{KernelRequest, KernelStrategy, KernelTable, LayerResponse, Positive, Refusal};
+use slipzone_api::{
+    Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Parts, Positive, Refusal, SurfaceFlexibility,
+};
+use spec_math::cephes64::sici;
+use std::f64::consts::FRAC_PI_2;
 
-/// CC13 eqs. 43, 44 over `[0, S]`, the leading `1/s` of the tail beyond in closed form.
+/// CC13 eqs. 43, 44 over `[0, S]`, and the leading `1/s` of the tail beyond in closed form.
+///
+/// What is left of the tail falls like `1/s^2`, so the kernel's error falls like `1/S` in a
+/// neighbourhood `|t| < 1/S` of the origin and like `1/S^2` in the tractions. The leading term brings the
+/// jump of the odd kernels and the logarithm of the even one:
+/// `int_S^inf sin(st)/s ds = pi/2 sign(t) - Si(St)`, `int_S^inf cos(st)/s ds = Cin(St) - euler - ln S - ln|t|`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Truncated {
-    /// `S h`; left out, the solver raises it until the error estimate is met.
+    /// `S` times the depth that the surface feels (the thickness of a homogeneous or exponential
+    /// layer); left out, the solver raises it until the error estimate is met.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cutoff: Option<Positive>,
+    /// Added refinements, chosen by the solver.
+    #[serde(skip)]
+    level: u32,
 }
 
 slipzone_api::register!(Kernel, "truncated", "Fourier integral cut at a finite wave number, leading tail in closed form",
@@ -17,19 +32,151 @@ slipzone_api::register!(Kernel, "truncated", "Fourier integral cut at a finite w
     parameters: [("cutoff", "wave number times thickness at which the integral is cut", false, [40.0, 80.0, 320.0])],
     source: "CC13 eqs. 43, 44");
 
+/// Cut-off at level 0: `exp(-2 S d)` is then far below round-off.
+const FIRST_CUTOFF: f64 = 40.0;
+/// Nodes per panel of wave numbers at level 0; each level adds two, so that a twin judges the panels too.
+const FIRST_NODES: usize = 14;
+/// Most interpolation nodes per kernel: what a thin layer may cost.
+const MOST_NODES: usize = 4096;
+
 #[typetag::serde(name = "truncated")]
 impl KernelStrategy for Truncated {
     fn tabulate(&self, response: &dyn LayerResponse, request: &KernelRequest) -> Result<Box<dyn KernelTable>, Refusal> {
-        let _ = (response, request);
-        todo!()
+        let Some(depth) = response.depth() else {
+            return Err(Refusal::NotBuilt {
+                what: "a kernel of a homogeneous half-plane, which has none,".into(),
+                remedy: "solve it by its Cauchy part alone".into(),
+            });
+        };
+        let scale = f64::from(1_u32 << self.level.min(20));
+        let cutoff = self.cutoff.map_or(FIRST_CUTOFF, Positive::get) * scale / depth;
+        let band = cutoff * request.reach;
+        // Chebyshev coefficients of cos(band x) fall off beyond k = band, over a width of band^(1/3).
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
+        let nodes = (0.5 * (band + 8.0 * band.cbrt()) + 14.0).ceil() as usize;
+        if nodes > MOST_NODES {
+            return Err(Refusal::OutOfReach {
+                method: "truncated",
+                why: format!(
+                    "the kernel up to |t| = {:.3e} thicknesses, cut at S = {cutoff:.3e}/h, needs {nodes} nodes (at most {MOST_NODES})",
+                    request.reach
+                ),
+                remedy: "the contact is too wide for this layer: take a thicker layer, a coarser tolerance or a smaller cutoff",
+            });
+        }
+        let per_panel = FIRST_NODES + 2 * self.level as usize;
+        let grid = WaveNumbers::up_to(cutoff, depth, request.reach, per_panel);
+        let mut flexibility = vec![SurfaceFlexibility::default(); grid.s.len()];
+        response.surface_into(&grid.s, &mut flexibility)?;
+        let integral = Integral {
+            grid: &grid,
+            flexibility: &flexibility,
+            beta: response.elastic().beta(),
+            tail: response.leading_tail().unwrap_or_default(),
+            cutoff,
+        };
+        let tables = request.components.iter().map(|&c| (c, integral.tabulate(c, request.reach, nodes))).collect();
+        Ok(Box::new(Table { tables, flexibility_evaluations: grid.s.len() }))
     }
 
-    fn refined(&self, _level: u32) -> Box<dyn KernelStrategy> {
-        todo!()
+    fn refined(&self, level: u32) -> Box<dyn KernelStrategy> {
+        Box::new(Self { level: self.level + level, ..self.clone() })
     }
 
     fn is_pinned(&self) -> bool {
         self.cutoff.is_some()
+    }
+}
+
+/// One layer's flexibility on the wave numbers, and what is known beyond them.
+struct Integral<'a> {
+    grid: &'a WaveNumbers,
+    flexibility: &'a [SurfaceFlexibility],
+    beta: f64,
+    tail: SurfaceFlexibility,
+    cutoff: f64,
+}
+
+impl Integral<'_> {
+    fn tabulate(&self, component: Component, reach: f64, nodes: usize) -> Kernel {
+        let weighted = |value: &dyn Fn(&SurfaceFlexibility, f64) -> f64| -> Vec<f64> {
+            let grid = self.grid.s.iter().zip(&self.grid.weight);
+            grid.zip(self.flexibility).map(|((s, w), f)| w * value(f, *s)).collect()
+        };
+        let (m, tail) = match component {
+            Component::NormalSlope => (weighted(&|f, _| f.vv - 1.0), self.tail.vv),
+            Component::ShearStrain => (weighted(&|f, _| f.uu - 1.0), self.tail.uu),
+            Component::Coupling => (weighted(&|f, _| f.uv + self.beta), self.tail.uv),
+            // [M_vv + exp(-s)]/s = [s Fvv/A0 + (exp(-s) - 1)]/s; the rest of G is in `Kernel::parts`.
+            Component::Depth => (weighted(&|f, s| (f.vv + (-s).exp_m1()) / s), self.tail.vv),
+        };
+        let cutoff = self.cutoff;
+        let smooth = |t: f64| match component {
+            Component::NormalSlope | Component::ShearStrain => {
+                (self.transform(&m, |s| (s * t).sin()) - tail * sici(cutoff * t).0) / t
+            }
+            Component::Coupling => {
+                // Cin(St) - euler - ln S = ln t - Ci(St)
+                self.transform(&m, |s| (s * t).cos()) + tail * (t.ln() - sici(cutoff * t).1)
+            }
+            Component::Depth => {
+                let beyond = (cutoff * t).cos() / cutoff + t * sici(cutoff * t).0;
+                self.transform(&m, |s| (s * t).cos()) + tail * beyond
+            }
+        };
+        let values: Vec<f64> = EvenSeries::nodes(reach, nodes).into_iter().map(smooth).collect();
+        Kernel { component, tail, smooth: EvenSeries::through(reach, &values) }
+    }
+
+    fn transform(&self, weighted: &[f64], wave: impl Fn(f64) -> f64) -> f64 {
+        self.grid.s.iter().zip(weighted).map(|(&s, m)| m * wave(s)).sum()
+    }
+}
+
+/// One kernel: the interpolant of its smooth part (over `t` for an odd kernel) and its leading tail.
+struct Kernel {
+    component: Component,
+    tail: f64,
+    smooth: EvenSeries,
+}
+
+impl Kernel {
+    fn parts(&self, t: f64, even: f64) -> Parts {
+        match self.component {
+            Component::NormalSlope | Component::ShearStrain => {
+                Parts { smooth: t * even, sign: self.tail * FRAC_PI_2, log: 0.0 }
+            }
+            Component::Coupling => Parts { smooth: even, sign: 0.0, log: -self.tail },
+            // int_0^inf [1 - exp(-s)] cos(st)/s ds = 1/2 log(1 + 1/t^2), the length being the thickness.
+            Component::Depth => {
+                Parts { smooth: even + 0.5 * (t * t).ln_1p(), sign: -self.tail * FRAC_PI_2 * t, log: -1.0 }
+            }
+        }
+    }
+}
+
+/// The tabulated kernels of one layer.
+struct Table {
+    tables: Vec<(Component, Kernel)>,
+    flexibility_evaluations: usize,
+}
+
+impl KernelTable for Table {
+    fn parts_into(&self, component: Component, distances: &[f64], out: &mut [Parts]) {
+        assert_eq!(distances.len(), out.len(), "one set of parts for each distance");
+        let kernel = self.tables.iter().find(|(c, _)| *c == component);
+        let (_, kernel) = kernel.unwrap_or_else(|| panic!("{component:?} was not requested"));
+        let mut even = [0.0; 64];
+        for (t, out) in distances.chunks(even.len()).zip(out.chunks_mut(even.len())) {
+            kernel.smooth.eval_into(t, &mut even[..t.len()]);
+            for ((t, even), out) in t.iter().zip(even).zip(out) {
+                *out = kernel.parts(*t, even);
+            }
+        }
+    }
+
+    fn flexibility_evaluations(&self) -> usize {
+        self.flexibility_evaluations
     }
 }
 

@@ -1,15 +1,55 @@
 //! The published discretisation: Gauss-Chebyshev after Erdogan, Gupta and Cook.
 
+mod grid;
+
+use grid::{Grid, Kind};
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Quadrature, Refusal, Rule, Span};
+use slipzone_api::{Component, Density, Edge, KernelTable, Parity, Parts, Quadrature, Refusal, Rule, Span, Station};
+use std::f64::consts::PI;
 
 /// Gauss-Chebyshev nodes and staggered collocation points (CC13 eqs. 55-60, 64-67).
+///
+/// * Sharp edges: `f = F(t)/sqrt(1 - t^2)`, nodes `cos((2j-1) pi/2n)`, collocation at `cos(m pi/n)`.
+/// * Smooth edges: `f = F(t) sqrt(1 - t^2)`, nodes `cos(l pi/(n+1))`, collocation at
+///   `cos((2i-1) pi/2(n+1))`.
+/// * Continued (odd) densities: a smooth one plus the carrier `t`, whose Cauchy integral is
+///   `t ln((1+t)/(1-t)) - 2` (CC13 eqs. 49, 50).
+///
+/// The Cauchy part is exact for polynomials `F` of degree `2n`. The kernel is summed at the nodes as if
+/// it were smooth: a homogeneous layer converges exponentially, a graded one like `n^-2`, because of the
+/// jump and the logarithm of its kernel and the `gap log gap` in its density.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct GaussChebyshev {
     /// Number of nodes over the whole interval, even; left out, the solver chooses.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub n: Option<usize>,
+    n: Option<EvenCount>,
+    /// Added refinements, chosen by the solver.
+    #[serde(skip)]
+    level: u32,
+}
+
+/// An even number of nodes, so that symmetry halves it and no node lies in the middle.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[serde(try_from = "usize", into = "usize")]
+struct EvenCount(usize);
+
+impl TryFrom<usize> for EvenCount {
+    type Error = String;
+
+    fn try_from(n: usize) -> Result<Self, String> {
+        if n.is_multiple_of(2) && (4..=MOST_NODES).contains(&n) {
+            Ok(Self(n))
+        } else {
+            Err(format!("expected an even number of nodes from 4 to {MOST_NODES}, found {n}"))
+        }
+    }
+}
+
+impl From<EvenCount> for usize {
+    fn from(n: EvenCount) -> usize {
+        n.0
+    }
 }
 
 slipzone_api::register!(Quadrature, "gauss-chebyshev", "the published scheme; treats the kernel as smooth",
@@ -17,19 +57,227 @@ slipzone_api::register!(Quadrature, "gauss-chebyshev", "the published scheme; tr
     parameters: [("n", "nodes over the whole contact, even", false, [8.0, 60.0, 200.0])],
     source: "CC13 eqs. 55-60, 64-67; F. Erdogan, G. D. Gupta, T. S. Cook (1973)");
 
+/// Nodes at level 0.
+const FIRST_NODES: usize = 16;
+/// Most nodes that one interval may get; a dense factorisation of half as many takes about a second.
+const MOST_NODES: usize = 4096;
+
 #[typetag::serde(name = "gauss-chebyshev")]
 impl Quadrature for GaussChebyshev {
     fn rule(&self, span: &Span) -> Result<Box<dyn Rule>, Refusal> {
-        let _ = span;
-        todo!()
+        let [lower, upper] = span.interval;
+        let parity = match (span.parity, span.edge) {
+            (Some(Parity::Even), Edge::Continued) | (None, _) => {
+                return Err(Refusal::NotBuilt {
+                    what: format!(
+                        "gauss-chebyshev for a density of {:?} parity and {:?} edges",
+                        span.parity, span.edge
+                    ),
+                    remedy: "only symmetric contacts are solved".into(),
+                });
+            }
+            (Some(parity), _) => parity,
+        };
+        let n = self.n.map_or(FIRST_NODES, |n| n.0).saturating_mul(1 << self.level.min(30));
+        if n > MOST_NODES {
+            return Err(Refusal::OutOfReach {
+                method: "gauss-chebyshev",
+                why: format!("{n} nodes asked for, {MOST_NODES} are the most it takes"),
+                remedy: "ask for a coarser tolerance or fewer nodes",
+            });
+        }
+        let kind = if span.edge == Edge::Sharp { Kind::First } else { Kind::Second };
+        Ok(Box::new(ChebyshevRule::new(0.5 * (upper - lower), parity, span.edge, Grid::new(kind, n))))
     }
 
-    fn refined(&self, _level: u32) -> Box<dyn Quadrature> {
-        todo!()
+    fn refined(&self, level: u32) -> Box<dyn Quadrature> {
+        Box::new(Self { level: self.level + level, ..self.clone() })
     }
 
     fn is_pinned(&self) -> bool {
         self.n.is_some()
+    }
+}
+
+/// One density of a given parity on `[-half_width, half_width]`; unknowns are `F` at the positive nodes.
+struct ChebyshevRule {
+    half_width: f64,
+    parity: Parity,
+    edge: Edge,
+    grid: Grid,
+    /// Angles of the collocation points, `x = half_width cos(angle)`, descending.
+    angles: Vec<f64>,
+    stations: Vec<Station>,
+}
+
+impl ChebyshevRule {
+    fn new(half_width: f64, parity: Parity, edge: Edge, grid: Grid) -> Self {
+        // The equation has the parity opposite to the density's: an odd one says nothing at x = 0.
+        let mut angles = grid.staggered_angles();
+        if parity == Parity::Odd {
+            angles.push(0.5 * PI);
+        }
+        angles.reverse();
+        let station =
+            |a: &f64| Station { x: half_width * middle_exact_cos(*a), gap: 2.0 * half_width * (0.5 * a).sin().powi(2) };
+        let stations = angles.iter().map(station).collect();
+        Self { half_width, parity, edge, grid, angles, stations }
+    }
+
+    /// `+1` or `-1`: the value at `-t` over the value at `t`.
+    fn mirror(&self) -> f64 {
+        if self.parity == Parity::Even { 1.0 } else { -1.0 }
+    }
+
+    /// `out[j] = k(x - c t_j) + mirror k(x + c t_j)` with `reduce` applied to each kernel value.
+    fn folded_kernel(
+        &self,
+        (table, component): (&dyn KernelTable, Component),
+        x: f64,
+        reduce: impl Fn(Parts, f64) -> f64,
+        scratch: &mut Scratch,
+    ) {
+        let n = self.grid.t.len();
+        for (j, t) in self.grid.t.iter().enumerate() {
+            scratch.distances[j] = x - self.half_width * t;
+            scratch.distances[n + j] = x + self.half_width * t;
+        }
+        table.parts_into(component, &scratch.distances, &mut scratch.parts);
+        for j in 0..n {
+            let value = |k: usize| reduce(scratch.parts[k], scratch.distances[k]);
+            scratch.folded[j] = value(j) + self.mirror() * value(n + j);
+        }
+    }
+
+    fn scratch(&self) -> Scratch {
+        let n = self.grid.t.len();
+        Scratch { distances: vec![0.0; 2 * n], parts: vec![Parts::default(); 2 * n], folded: vec![0.0; n] }
+    }
+}
+
+/// Room for one row of kernel values.
+struct Scratch {
+    distances: Vec<f64>,
+    parts: Vec<Parts>,
+    folded: Vec<f64>,
+}
+
+/// `cos(angle)`, exactly 0 at the middle, where rounding of `pi/2` would leave 6e-17.
+fn middle_exact_cos(angle: f64) -> f64 {
+    (0.5 * PI - angle).sin()
+}
+
+impl Rule for ChebyshevRule {
+    fn unknowns(&self) -> usize {
+        self.grid.t.len()
+    }
+
+    fn collocation(&self) -> &[Station] {
+        &self.stations
+    }
+
+    fn operator_into(&self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]) {
+        let n = self.unknowns();
+        assert_eq!(rows.len(), n * self.stations.len(), "rows = collocation points, columns = unknowns");
+        let mut scratch = self.scratch();
+        for ((row, alpha), station) in rows.chunks_mut(n).zip(&self.angles).zip(&self.stations) {
+            if let Some(kernel) = kernel {
+                self.folded_kernel(kernel, station.x, Parts::value, &mut scratch);
+            }
+            for (j, entry) in row.iter_mut().enumerate() {
+                let theta = self.grid.angle[j];
+                // cos a - cos b without cancellation.
+                let minus = -2.0 * (0.5 * (alpha + theta)).sin() * (0.5 * (alpha - theta)).sin();
+                let plus = 2.0 * (0.5 * (alpha + theta)).cos() * (0.5 * (alpha - theta)).cos();
+                let cauchy = 1.0 / minus + self.mirror() / plus;
+                *entry = self.grid.weight[j] / PI * (cauchy + self.half_width * scratch.folded[j]);
+            }
+        }
+    }
+
+    fn carrier_into(&self, kernel: Option<(&dyn KernelTable, Component)>, out: &mut [f64]) {
+        assert_eq!(out.len(), self.stations.len(), "one value per collocation point");
+        out.fill(0.0);
+        if self.edge != Edge::Continued {
+            return;
+        }
+        let plain = self.grid.plain_weights();
+        let mut scratch = self.scratch();
+        for ((out, alpha), station) in out.iter_mut().zip(&self.angles).zip(&self.stations) {
+            let t = middle_exact_cos(*alpha);
+            let cauchy = -2.0 * t * (0.5 * alpha).tan().ln() - 2.0;
+            let smooth = kernel.map_or(0.0, |kernel| {
+                self.folded_kernel(kernel, station.x, Parts::value, &mut scratch);
+                plain.iter().zip(&self.grid.t).zip(&scratch.folded).map(|((w, t), k)| w * t * k).sum()
+            });
+            *out = (cauchy + self.half_width * smooth) / PI;
+        }
+    }
+
+    fn resultant_into(&self, row: &mut [f64]) {
+        assert_eq!(row.len(), self.unknowns(), "one entry per unknown");
+        for (entry, weight) in row.iter_mut().zip(&self.grid.weight) {
+            *entry = self.half_width * weight * (1.0 + self.mirror());
+        }
+    }
+
+    fn value(&self, density: Density, at: Station) -> f64 {
+        let t = at.x / self.half_width;
+        let relative_gap = at.gap / self.half_width;
+        let root = (relative_gap * (2.0 - relative_gap)).sqrt();
+        let smooth = self.grid.interpolate(density.unknowns, self.mirror(), t);
+        match self.edge {
+            Edge::Sharp => smooth / root,
+            Edge::Smooth | Edge::Continued => smooth * root + density.carrier * t,
+        }
+    }
+
+    fn edge_factor(&self, unknowns: &[f64]) -> f64 {
+        match self.edge {
+            Edge::Sharp => self.half_width * self.grid.interpolate(unknowns, self.mirror(), 1.0),
+            Edge::Smooth | Edge::Continued => 0.0,
+        }
+    }
+
+    fn potential_into(
+        &self,
+        unknowns: &[f64],
+        kernel: (&dyn KernelTable, Component),
+        targets: &[f64],
+        out: &mut [f64],
+    ) {
+        assert_eq!(targets.len(), out.len(), "one value per target");
+        // Jump and logarithm at the origin are integrated term by term against the Chebyshev series of
+        // the density; what is left of the kernel is continuous and summed at the nodes.
+        let mut origin = [Parts::default()];
+        kernel.0.parts_into(kernel.1, &[0.0], &mut origin);
+        let Parts { sign: jump, log, .. } = origin[0];
+        let reduced = |parts: Parts, t: f64| {
+            if t == 0.0 {
+                parts.smooth
+            } else {
+                Parts { sign: parts.sign - jump, log: parts.log - log, ..parts }.value(t)
+            }
+        };
+        let series = if jump == 0.0 && log == 0.0 { Vec::new() } else { self.grid.series(unknowns, self.mirror()) };
+        let mut scratch = self.scratch();
+        for (out, x) in out.iter_mut().zip(targets) {
+            self.folded_kernel(kernel, *x, reduced, &mut scratch);
+            let summed: f64 =
+                unknowns.iter().zip(&self.grid.weight).zip(&scratch.folded).map(|((u, w), k)| u * w * k).sum();
+            let alpha = (x / self.half_width).clamp(-1.0, 1.0).acos();
+            let mut exact = 0.0;
+            for (k, a) in series.iter().enumerate() {
+                let (on_jump, on_log) = if k == 0 {
+                    (PI - 2.0 * alpha, PI * (0.5 * self.half_width).ln())
+                } else {
+                    let order = k as f64;
+                    (-2.0 * (order * alpha).sin() / order, -PI * (order * alpha).cos() / order)
+                };
+                exact += a * (jump * on_jump + log * on_log);
+            }
+            *out = self.half_width * (summed + exact) / PI;
+        }
     }
 }
 

@@ -1,0 +1,124 @@
+//! Chebyshev nodes at `t > 0`, their weights, and interpolation through them.
+
+use std::f64::consts::PI;
+
+/// Which Chebyshev polynomial has its zeros at the nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// `T_n`, for densities `F/sqrt(1 - t^2)`.
+    First,
+    /// `U_n`, for densities `F sqrt(1 - t^2)`.
+    Second,
+}
+
+/// The positive half of `n` nodes (`n` even).
+pub(super) struct Grid {
+    kind: Kind,
+    /// Angles of the nodes, ascending.
+    pub(super) angle: Vec<f64>,
+    /// Nodes, `cos(angle)`, descending.
+    pub(super) t: Vec<f64>,
+    /// Gauss weights of the density's edge factor: `int F w dt = sum weight (F(t) + F(-t))`.
+    pub(super) weight: Vec<f64>,
+}
+
+impl Grid {
+    pub(super) fn new(kind: Kind, n: usize) -> Self {
+        let step = step(kind, n);
+        let angle: Vec<f64> = (1..=n / 2)
+            .map(|j| match kind {
+                Kind::First => (j as f64 - 0.5) * step,
+                Kind::Second => j as f64 * step,
+            })
+            .collect();
+        let t = angle.iter().map(|a| a.cos()).collect();
+        let weight = angle
+            .iter()
+            .map(|a| match kind {
+                Kind::First => step,
+                Kind::Second => step * a.sin().powi(2),
+            })
+            .collect();
+        Self { kind, angle, t, weight }
+    }
+
+    fn n(&self) -> usize {
+        2 * self.t.len()
+    }
+
+    /// Angles half way between the nodes, those of `t > 0`, ascending.
+    pub(super) fn staggered_angles(&self) -> Vec<f64> {
+        let step = step(self.kind, self.n());
+        match self.kind {
+            Kind::First => (1..self.n() / 2).map(|m| m as f64 * step).collect(),
+            Kind::Second => (1..=self.n() / 2).map(|i| (i as f64 - 0.5) * step).collect(),
+        }
+    }
+
+    /// Weights of a function without edge factor, `int g dt = sum weight (g(t) + g(-t))`: Fejer's second
+    /// rule (nodes of the second kind).
+    pub(super) fn plain_weights(&self) -> Vec<f64> {
+        debug_assert_eq!(self.kind, Kind::Second);
+        let step = step(self.kind, self.n());
+        let weight = |a: &f64| {
+            let sum: f64 = (1..=self.n() / 2).map(|m| ((2 * m - 1) as f64 * a).sin() / (2 * m - 1) as f64).sum();
+            4.0 / PI * step * a.sin() * sum
+        };
+        self.angle.iter().map(weight).collect()
+    }
+
+    /// `F(t)` from its values at the positive nodes and its mirror factor (barycentric).
+    pub(super) fn interpolate(&self, values: &[f64], mirror: f64, t: f64) -> f64 {
+        let (mut above, mut below) = (0.0, 0.0);
+        let mut sign = 1.0;
+        for ((value, node), angle) in values.iter().zip(&self.t).zip(&self.angle) {
+            if t == *node {
+                return *value;
+            }
+            if t == -*node {
+                return mirror * value;
+            }
+            let weight = sign * if self.kind == Kind::First { angle.sin() } else { angle.sin().powi(2) };
+            // n is even, so the mirrored node has the opposite weight.
+            let (here, there) = (weight / (t - node), -weight / (t + node));
+            above += value * (here + mirror * there);
+            below += here + there;
+            sign = -sign;
+        }
+        above / below
+    }
+
+    /// Chebyshev coefficients `a_k` of `F w sqrt(1 - t^2) = sum a_k T_k`, `w` being the edge factor.
+    pub(super) fn series(&self, values: &[f64], mirror: f64) -> Vec<f64> {
+        let n = self.n();
+        let scale = 2.0 * step(self.kind, n) / PI;
+        // Sum over both halves of the nodes: twice the positive half where the parities agree, else 0.
+        let project = |k: usize, wave: &dyn Fn(f64) -> f64| -> f64 {
+            let even = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+            if even * mirror < 0.0 {
+                return 0.0;
+            }
+            2.0 * scale * values.iter().zip(&self.angle).map(|(v, a)| v * wave(*a)).sum::<f64>()
+        };
+        match self.kind {
+            Kind::First => {
+                (0..n).map(|k| project(k, &|a| (k as f64 * a).cos()) * if k == 0 { 0.5 } else { 1.0 }).collect()
+            }
+            Kind::Second => {
+                // F = sum b_l U_l, and U_l sin^2 = (T_l - T_{l+2})/2.
+                let b: Vec<f64> = (0..n).map(|l| project(l, &|a| a.sin() * ((l + 1) as f64 * a).sin())).collect();
+                (0..n + 2)
+                    .map(|k| 0.5 * (b.get(k).copied().unwrap_or(0.0) - if k < 2 { 0.0 } else { b[k - 2] }))
+                    .collect()
+            }
+        }
+    }
+}
+
+/// Angle between neighbouring nodes.
+fn step(kind: Kind, n: usize) -> f64 {
+    match kind {
+        Kind::First => PI / n as f64,
+        Kind::Second => PI / (n + 1) as f64,
+    }
+}
