@@ -1,6 +1,8 @@
 //! Flexibilities: how the surface flexibility `F(s)` of a layer is got. One file per plugin.
 
 mod compliance;
+mod slice;
+mod surface_tail;
 mod transfer_matrix;
 
 pub use compliance::Compliance;
