@@ -1,6 +1,7 @@
 //! Partial-slip contact between a rigid punch and an elastic graded layer of finite thickness.
 
 pub mod engine;
+mod plan;
 pub mod report;
 pub mod scene;
 

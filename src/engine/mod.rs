@@ -2,7 +2,18 @@
 //!
 //! It knows the traits of `slipzone-api` and no plugin by name, prints nothing and reads no file.
 
+mod checks;
+mod contact;
+mod contact_size;
+mod error_estimate;
+mod layer;
+mod lu;
+mod normal;
+mod problem;
+mod refine;
 mod solution;
+mod stick;
+mod stick_search;
 
 pub use solution::{
     EdgeReport, ErrorReport, LoadReport, Plan, PressureReport, Profile, Program, Slip, Solution, Status, StickReport,
@@ -12,5 +23,14 @@ use crate::scene::Scene;
 
 /// Solves a scene. Whatever happens is in the solution's `status` and `reason`.
 pub fn solve(scene: &Scene) -> Solution {
-    Solution::refused(scene, "not built yet".into())
+    let (scene, plan) = crate::plan::fill_in(scene);
+    match refine::to_tolerance(&scene, plan.clone()) {
+        Ok(solution) => solution,
+        Err(refusal) => Solution::refused(&scene, plan, refusal.to_string()),
+    }
+}
+
+/// Which methods would solve a scene, and why.
+pub fn plan(scene: &Scene) -> Plan {
+    crate::plan::fill_in(scene).1
 }

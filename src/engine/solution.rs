@@ -1,7 +1,11 @@
 //! The result of a scene (docs: `docs/formats.md`). Lengths, stresses and forces in the scene's units.
 
+use super::contact::Contact;
+use super::problem::Problem;
+use super::refine::{Judged, worst};
 use crate::scene::{Scene, Units};
 use serde::Serialize;
+use slipzone_api::{Base, Friction, Plane, Refusal, Station};
 use std::collections::BTreeMap;
 
 /// How a solve ended.
@@ -159,7 +163,7 @@ pub struct Profile {
 
 impl Solution {
     /// A solution without numbers: everything that the scene alone tells, and the reason.
-    pub(crate) fn refused(scene: &Scene, reason: String) -> Self {
+    pub(super) fn refused(scene: &Scene, plan: Plan, reason: String) -> Self {
         Self {
             format: 1,
             program: Program { name: env!("CARGO_PKG_NAME"), version: env!("CARGO_PKG_VERSION") },
@@ -172,9 +176,111 @@ impl Solution {
             edge: EdgeReport::default(),
             stick: None,
             error: ErrorReport::default(),
-            plan: Plan::default(),
+            plan,
             profile: Profile::default(),
-            assumptions: Vec::new(),
+            assumptions: assumptions(scene),
         }
     }
+}
+
+/// A solved contact in the scene's units.
+pub(super) fn assemble(
+    scene: &Scene,
+    plan: Plan,
+    problem: &Problem,
+    judged: &Judged,
+    status: Status,
+    reason: Option<String>,
+) -> Result<Solution, Refusal> {
+    let (length, stress) = (problem.length, problem.stress);
+    let number = |path: &str, unit: f64| judged.numbers.get(path).map(|value| value * unit);
+    let solution = Solution {
+        status,
+        reason,
+        load: LoadReport {
+            force: number("load.force", stress * length),
+            half_width: number("load.half_width", length),
+            indentation: number("load.indentation", length),
+        },
+        pressure: PressureReport {
+            centre: number("pressure.centre", stress),
+            mean: number("pressure.mean", stress),
+            peak: number("pressure.peak", stress),
+        },
+        edge: EdgeReport {
+            stress_intensity: number("edge.stress_intensity", stress * length.sqrt()),
+            ratio: number("edge.ratio", 1.0),
+        },
+        stick: judged.contact.friction.as_ref().map(|_| StickReport {
+            half_width: number("stick.half_width", length),
+            ratio: number("stick.ratio", 1.0),
+            one_minus_ratio: number("stick.one_minus_ratio", 1.0),
+            slip: judged.contact.slip(),
+        }),
+        error: ErrorReport {
+            estimate: Some(worst(&judged.errors).1),
+            each: judged.errors.clone(),
+            how: judged.how.clone(),
+        },
+        profile: profile(scene, problem, &judged.contact),
+        ..Solution::refused(scene, plan, String::new())
+    };
+    let plain = judged.numbers.values().chain(judged.errors.values());
+    if plain.chain(&solution.profile.x).all(|v| v.is_finite()) { Ok(solution) } else { Err(not_finite()) }
+}
+
+fn not_finite() -> Refusal {
+    Refusal::OutOfReach {
+        method: "engine",
+        why: "a number of the result is not finite".into(),
+        remedy: "check the sizes of the scene's numbers against each other",
+    }
+}
+
+/// Tractions at the points that the scene asks for.
+fn profile(scene: &Scene, problem: &Problem, contact: &Contact) -> Profile {
+    let b = contact.pressure.half_width;
+    let relative: Vec<f64> = scene.output.x.clone().unwrap_or_else(|| {
+        let last = scene.output.points - 1;
+        // Both halves from the same numbers, so that the samples are exactly symmetric.
+        (0..=last).map(|i| (2.0 * i as f64 - last as f64) / last as f64).collect()
+    });
+    let station = |x: &f64| Station { x: x * b, gap: (1.0 - x.abs()) * b };
+    let bounded = |value: f64| value.is_finite().then_some(value * problem.stress);
+    let sharp = contact.pressure.edge_factor != 0.0;
+    let sample = |at: &dyn Fn(Station) -> f64| -> Vec<Option<f64>> {
+        let one = |station: Station| match (station.gap > 0.0, sharp) {
+            (true, _) => bounded(at(station)),
+            (false, true) => None,
+            (false, false) => Some(0.0),
+        };
+        relative.iter().map(station).map(one).collect()
+    };
+    Profile {
+        x: relative.iter().map(|x| x * b * problem.length).collect(),
+        pressure: sample(&|station| contact.pressure.at(station)),
+        shear: contact.friction.as_ref().map(|stick| sample(&|station| stick.shear.at(&contact.pressure, station))),
+    }
+}
+
+/// What the numbers rest on.
+fn assumptions(scene: &Scene) -> Vec<String> {
+    let plane = match scene.layer.plane {
+        Plane::Strain => "plane strain",
+        Plane::Stress => "plane stress",
+    };
+    let base = match scene.layer.base {
+        Base::Rigid => "bonded to a rigid base",
+        Base::Frictionless => "resting on a rigid base without friction",
+        Base::HalfPlane { .. } => "bonded to an elastic half-plane",
+        Base::Infinite => "no base: the solid goes on for ever; the indentation is undefined",
+    };
+    let friction = match scene.friction {
+        Some(Friction::Goodman { .. }) => {
+            "Goodman: q does not change p; one stick zone, slip in one direction on either side; force grown from zero"
+        }
+        None => "no friction",
+    };
+    let common = "linear elasticity, small strains, rigid punch, symmetric normal load";
+    [plane, base, friction, common].map(String::from).to_vec()
 }

@@ -38,11 +38,13 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// The kernel's value at `t != 0`.
+    /// The kernel's value at `t`; at `t = 0` the mean of both sides, logarithm left out.
     pub fn value(self, t: f64) -> f64 {
-        let jump = if self.sign == 0.0 { 0.0 } else { self.sign * t.signum() };
+        if t == 0.0 {
+            return self.smooth;
+        }
         let log = if self.log == 0.0 { 0.0 } else { self.log * t.abs().ln() };
-        self.smooth + jump + log
+        self.smooth + self.sign * t.signum() + log
     }
 }
 

@@ -1,7 +1,7 @@
 //! The Fourier integrals of CC13, cut at a finite wave number.
 
 use crate::even_series::EvenSeries;
-use crate::wave_numbers::WaveNumbers;
+use crate::wave_numbers::Samples;
 use serde::{Deserialize, Serialize};
 use slipzone_api::{
     Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Parts, Positive, Refusal, SurfaceFlexibility,
@@ -15,7 +15,7 @@ use std::f64::consts::FRAC_PI_2;
 /// neighbourhood `|t| < 1/S` of the origin and like `1/S^2` in the tractions. The leading term brings the
 /// jump of the odd kernels and the logarithm of the even one:
 /// `int_S^inf sin(st)/s ds = pi/2 sign(t) - Si(St)`, `int_S^inf cos(st)/s ds = Cin(St) - euler - ln S - ln|t|`.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Truncated {
     /// `S` times the depth that the surface feels (the thickness of a homogeneous or exponential
@@ -50,33 +50,19 @@ impl KernelStrategy for Truncated {
         };
         let scale = f64::from(1_u32 << self.level.min(20));
         let cutoff = self.cutoff.map_or(FIRST_CUTOFF, Positive::get) * scale / depth;
-        let band = cutoff * request.reach;
+        let per_panel = FIRST_NODES + 2 * self.level as usize;
+        let samples = Samples::up_to(cutoff, response, depth, request.reach, per_panel)?;
+        let band = samples.cutoff * request.reach;
         // Chebyshev coefficients of cos(band x) fall off beyond k = band, over a width of band^(1/3).
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
         let nodes = (0.5 * (band + 8.0 * band.cbrt()) + 14.0).ceil() as usize;
         if nodes > MOST_NODES {
-            return Err(Refusal::OutOfReach {
-                method: "truncated",
-                why: format!(
-                    "the kernel up to |t| = {:.3e} thicknesses, cut at S = {cutoff:.3e}/h, needs {nodes} nodes (at most {MOST_NODES})",
-                    request.reach
-                ),
-                remedy: "the contact is too wide for this layer: take a thicker layer, a coarser tolerance or a smaller cutoff",
-            });
+            return Err(too_wide(request.reach, cutoff));
         }
-        let per_panel = FIRST_NODES + 2 * self.level as usize;
-        let grid = WaveNumbers::up_to(cutoff, depth, request.reach, per_panel);
-        let mut flexibility = vec![SurfaceFlexibility::default(); grid.s.len()];
-        response.surface_into(&grid.s, &mut flexibility)?;
-        let integral = Integral {
-            grid: &grid,
-            flexibility: &flexibility,
-            beta: response.elastic().beta(),
-            tail: response.leading_tail().unwrap_or_default(),
-            cutoff,
-        };
+        let integral =
+            Integral { samples: &samples, beta: response.elastic().beta(), tail: response.leading_tail().unwrap_or_default() };
         let tables = request.components.iter().map(|&c| (c, integral.tabulate(c, request.reach, nodes))).collect();
-        Ok(Box::new(Table { tables, flexibility_evaluations: grid.s.len() }))
+        Ok(Box::new(Table { tables, flexibility_evaluations: samples.s.len() }))
     }
 
     fn refined(&self, level: u32) -> Box<dyn KernelStrategy> {
@@ -88,20 +74,27 @@ impl KernelStrategy for Truncated {
     }
 }
 
+/// The refusal of a contact so wide beside the layer that its kernel would cost too much.
+pub(crate) fn too_wide(reach: f64, cutoff: f64) -> Refusal {
+    Refusal::OutOfReach {
+        method: "truncated",
+        why: format!("a kernel up to |t| = {reach:.2e} h cut at S = {cutoff:.2e}/h takes more work than it is worth"),
+        remedy: "ask for a coarser tolerance or a smaller cutoff, or make the layer thicker beside the contact",
+    }
+}
+
 /// One layer's flexibility on the wave numbers, and what is known beyond them.
 struct Integral<'a> {
-    grid: &'a WaveNumbers,
-    flexibility: &'a [SurfaceFlexibility],
+    samples: &'a Samples,
     beta: f64,
     tail: SurfaceFlexibility,
-    cutoff: f64,
 }
 
 impl Integral<'_> {
     fn tabulate(&self, component: Component, reach: f64, nodes: usize) -> Kernel {
         let weighted = |value: &dyn Fn(&SurfaceFlexibility, f64) -> f64| -> Vec<f64> {
-            let grid = self.grid.s.iter().zip(&self.grid.weight);
-            grid.zip(self.flexibility).map(|((s, w), f)| w * value(f, *s)).collect()
+            let nodes = self.samples.s.iter().zip(&self.samples.weight);
+            nodes.zip(&self.samples.flexibility).map(|((s, w), f)| w * value(f, *s)).collect()
         };
         let (m, tail) = match component {
             Component::NormalSlope => (weighted(&|f, _| f.vv - 1.0), self.tail.vv),
@@ -110,7 +103,7 @@ impl Integral<'_> {
             // [M_vv + exp(-s)]/s = [s Fvv/A0 + (exp(-s) - 1)]/s; the rest of G is in `Kernel::parts`.
             Component::Depth => (weighted(&|f, s| (f.vv + (-s).exp_m1()) / s), self.tail.vv),
         };
-        let cutoff = self.cutoff;
+        let cutoff = self.samples.cutoff;
         let smooth = |t: f64| match component {
             Component::NormalSlope | Component::ShearStrain => {
                 (self.transform(&m, |s| (s * t).sin()) - tail * sici(cutoff * t).0) / t
@@ -129,7 +122,7 @@ impl Integral<'_> {
     }
 
     fn transform(&self, weighted: &[f64], wave: impl Fn(f64) -> f64) -> f64 {
-        self.grid.s.iter().zip(weighted).map(|(&s, m)| m * wave(s)).sum()
+        self.samples.s.iter().zip(weighted).map(|(&s, m)| m * wave(s)).sum()
     }
 }
 

@@ -1,12 +1,17 @@
-//! Gauss panels over the wave numbers `[0, S]`.
+//! The flexibility on Gauss panels of wave numbers.
 
+use crate::truncated::too_wide;
 use bilby::GaussLegendre;
+use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
 
-/// Nodes and weights of an integral over the wave number.
+/// Nodes and weights of an integral over wave numbers `[0, cutoff]`, and the flexibility at each.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct WaveNumbers {
+pub(crate) struct Samples {
     pub(crate) s: Vec<f64>,
     pub(crate) weight: Vec<f64>,
+    pub(crate) flexibility: Vec<SurfaceFlexibility>,
+    /// Where the last panel ends.
+    pub(crate) cutoff: f64,
 }
 
 /// Where the refinement towards `s = 0` stops, in `1/depth`.
@@ -15,39 +20,50 @@ pub(crate) struct WaveNumbers {
 /// is a Taylor polynomial even at modulus ratios of 1e6.
 const SMALLEST_PANEL: f64 = 1.0 / 256.0;
 
-impl WaveNumbers {
+/// A panel on which nothing but the tail is left, to this absolute size, is the last one.
+const NOTHING_LEFT: f64 = 2.0 * f64::EPSILON;
+
+/// Most wave numbers for one table.
+const MOST_SAMPLES: usize = 1 << 14;
+
+impl Samples {
     /// Panels that double in width from the origin, no wider than what `per_panel` nodes resolve of
-    /// `cos(s t)` for `|t| <= reach`; the last one ends at `cutoff`.
-    pub(crate) fn up_to(cutoff: f64, depth: f64, reach: f64, per_panel: usize) -> Self {
+    /// `cos(s t)` for `|t| <= reach`. They end at `cutoff`, or before it where the flexibility has
+    /// already settled on its tail (a homogeneous layer does so at about `20/depth`).
+    pub(crate) fn up_to(
+        cutoff: f64,
+        response: &dyn LayerResponse,
+        depth: f64,
+        reach: f64,
+        per_panel: usize,
+    ) -> Result<Self, Refusal> {
         // Gauss with n nodes takes cos(k x) on [-1, 1] to round-off for k up to about n/2.
         let widest = per_panel as f64 / reach;
         let rule = GaussLegendre::new(per_panel).expect("at least one node");
-        let mut grid = Self::default();
-        let mut lower = 0.0;
-        while lower < cutoff {
+        let (beta, tail) = (response.elastic().beta(), response.leading_tail().unwrap_or_default());
+        let mut samples = Self::default();
+        while samples.cutoff < cutoff {
+            let lower = samples.cutoff;
             let doubled = if lower == 0.0 { SMALLEST_PANEL / depth } else { lower };
             let upper = (lower + doubled.min(widest)).min(cutoff);
-            let (middle, half) = (0.5 * (lower + upper), 0.5 * (upper - lower));
-            for (node, weight) in rule.rule().nodes.iter().zip(&rule.rule().weights) {
-                grid.s.push(middle + half * node);
-                grid.weight.push(half * weight);
+            if samples.s.len() > MOST_SAMPLES {
+                return Err(too_wide(reach, cutoff));
             }
-            lower = upper;
+            let (middle, half) = (0.5 * (lower + upper), 0.5 * (upper - lower));
+            let from = samples.s.len();
+            samples.s.extend(rule.rule().nodes.iter().map(|node| middle + half * node));
+            samples.weight.extend(rule.rule().weights.iter().map(|weight| half * weight));
+            samples.flexibility.resize(samples.s.len(), SurfaceFlexibility::default());
+            response.surface_into(&samples.s[from..], &mut samples.flexibility[from..])?;
+            samples.cutoff = upper;
+            let left = samples.s[from..].iter().zip(&samples.flexibility[from..]).fold(0.0_f64, |most, (s, f)| {
+                let rest = [f.vv - 1.0 - tail.vv / s, f.uu - 1.0 - tail.uu / s, f.uv + beta - tail.uv / s];
+                rest.iter().fold(most, |most, r| most.max(r.abs()))
+            });
+            if left < NOTHING_LEFT {
+                break;
+            }
         }
-        grid
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn integrates_an_oscillating_decay() {
-        let (cutoff, reach) = (40.0, 10.0);
-        let grid = WaveNumbers::up_to(cutoff, 1.0, reach, 16);
-        let got: f64 = grid.s.iter().zip(&grid.weight).map(|(s, w)| w * (-s).exp() * (s * reach).cos()).sum();
-        let exact = 1.0 / (1.0 + reach * reach); // what lies beyond the cut-off is below exp(-40)
-        assert!((got - exact).abs() < 1e-15, "{got} against {exact}");
+        Ok(samples)
     }
 }

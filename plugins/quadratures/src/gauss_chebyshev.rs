@@ -18,7 +18,7 @@ use std::f64::consts::PI;
 /// The Cauchy part is exact for polynomials `F` of degree `2n`. The kernel is summed at the nodes as if
 /// it were smooth: a homogeneous layer converges exponentially, a graded one like `n^-2`, because of the
 /// jump and the logarithm of its kernel and the `gap log gap` in its density.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct GaussChebyshev {
     /// Number of nodes over the whole interval, even; left out, the solver chooses.

@@ -1,0 +1,156 @@
+//! What the model takes for granted, checked on the solution.
+
+use super::layer::Layer;
+use super::normal::Pressure;
+use super::stick::{OddPair, Shear};
+use slipzone_api::double_exponential;
+use slipzone_api::{Component, Station};
+use std::f64::consts::PI;
+
+/// Points at which a traction is checked over each zone.
+const SAMPLES: usize = 200;
+/// Relative excess that rounding and discretisation may cause.
+const MARGIN: f64 = 1e-3;
+/// Nodes on either side of the grids on which the slip is integrated.
+const SLIP_NODES: usize = 16;
+/// Nodes on either side of the grids over which the tractions are.
+const SOURCE_NODES: usize = 80;
+
+/// Where the pressure pulls: `(x/b, p/mean)` of its lowest point, if it is negative anywhere.
+pub(crate) fn tension(pressure: &Pressure) -> Option<(f64, f64)> {
+    let b = pressure.half_width;
+    let mean = pressure.force / (2.0 * b);
+    let lowest = (0..SAMPLES)
+        .map(|i| {
+            // Cosine spacing: a dip beside a sharp edge is as narrow as the edge field.
+            let angle = 0.5 * PI * i as f64 / SAMPLES as f64;
+            let gap = 2.0 * b * (0.25 * PI - 0.5 * angle).sin().powi(2);
+            (angle.sin(), pressure.at(Station { x: b * angle.sin(), gap }) / mean)
+        })
+        .min_by(|one, other| one.1.total_cmp(&other.1))?;
+    (lowest.1 < -1e-9).then_some(lowest)
+}
+
+/// Where friction cannot hold: `(x/b, |q|/(eta p))` of the worst point of the stick zone, if above 1.
+pub(crate) fn overload(pressure: &Pressure, shear: &Shear) -> Option<(f64, f64)> {
+    let (a, b) = (shear.zone.half_width, pressure.half_width);
+    let worst = (1..SAMPLES)
+        .map(|i| {
+            let angle = 0.5 * PI * i as f64 / SAMPLES as f64;
+            let gap = 2.0 * a * (0.25 * PI - 0.5 * angle).sin().powi(2);
+            let x = a * angle.sin();
+            let limit = shear.friction.abs() * pressure.at(Station { x, gap: gap + shear.zone.slip_width });
+            (x / b, shear.in_stick(Station { x, gap }).abs() / limit)
+        })
+        .max_by(|one, other| one.1.total_cmp(&other.1))?;
+    (worst.1 > 1.0 + MARGIN).then_some(worst)
+}
+
+/// Where the surface slides the wrong way beside the stick zone: `x/b` of the worst point.
+///
+/// Friction opposes sliding: `u(x) - u(a)` has the sign of `-q`, `x > a`.
+pub(crate) fn wrong_slip(layer: &Layer, pressure: &Pressure, shear: &Shear) -> Option<f64> {
+    let zone = shear.zone;
+    let targets = double_exponential::nodes(zone.slip_width, SLIP_NODES);
+    let strain = SlipStrain::new(layer, pressure, shear, &targets);
+    let mut slip = 0.0;
+    let slips: Vec<(f64, f64)> = targets
+        .iter()
+        .enumerate()
+        .map(|(i, node)| {
+            // Trapezoidal rule in the grid's own variable, up to this node.
+            let step = node.weight * strain.at(i, node);
+            let here = slip + 0.5 * step;
+            slip += step;
+            ((zone.half_width + node.from_lower) / pressure.half_width, here * shear.friction.signum())
+        })
+        .collect();
+    let most = slips.iter().fold(0.0_f64, |most, s| most.max(s.1.abs()));
+    let worst = slips.into_iter().max_by(|one, other| one.1.total_cmp(&other.1))?;
+    (worst.1 > MARGIN * most).then_some(worst.0)
+}
+
+/// `u'(x)/A0` in the slip zone.
+///
+/// With `q = eta p sign(x) + z`, `z` living on the stick zone, the principal value over `p` comes from the
+/// normal equation and only regular integrals are left (docs/theory.md, "Direction of slip").
+struct SlipStrain<'a> {
+    layer: &'a Layer<'a>,
+    pressure: &'a Pressure,
+    shear: &'a Shear,
+    by_normal: Vec<f64>,
+    by_shear: Vec<f64>,
+    by_coupling: Vec<f64>,
+    /// Sources in the stick zone: abscissa, distance to its edge, weight times `z`, weight times `p`.
+    stick: Vec<[f64; 4]>,
+    /// Sources in the slip zone: abscissa, weight times `p`.
+    slip: Vec<[f64; 2]>,
+}
+
+impl<'a> SlipStrain<'a> {
+    fn new(
+        layer: &'a Layer<'a>,
+        pressure: &'a Pressure,
+        shear: &'a Shear,
+        targets: &[double_exponential::Node],
+    ) -> Self {
+        let zone = shear.zone;
+        let x: Vec<f64> = targets.iter().map(|node| zone.half_width + node.from_lower).collect();
+        let stick = double_exponential::nodes(zone.half_width, SOURCE_NODES)
+            .iter()
+            .map(|node| {
+                let station = Station { x: node.from_lower, gap: node.to_upper };
+                let p = pressure.at(Station { x: station.x, gap: station.gap + zone.slip_width });
+                let z = shear.in_stick(station) - shear.friction * p;
+                [station.x, station.gap, node.weight * z, node.weight * p]
+            })
+            .collect();
+        let slip = double_exponential::nodes(zone.slip_width, SOURCE_NODES)
+            .iter()
+            .map(|node| [zone.half_width + node.from_lower, node.weight * pressure.at(zone.in_slip(node))])
+            .collect();
+        Self {
+            layer,
+            pressure,
+            shear,
+            by_normal: pressure.potential(layer, Component::NormalSlope, &x),
+            by_shear: pressure.potential(layer, Component::ShearStrain, &x),
+            by_coupling: pressure.potential(layer, Component::Coupling, &x),
+            stick,
+            slip,
+        }
+    }
+
+    fn at(&self, i: usize, node: &double_exponential::Node) -> f64 {
+        let zone = self.shear.zone;
+        let x = zone.half_width + node.from_lower;
+        let eta = self.shear.friction;
+        let a0 = self.layer.problem.elastic.a0();
+        let beta = self.layer.problem.elastic.beta();
+
+        // (1/pi) PV int p/(x - r) dr from the normal equation.
+        let principal = self.layer.problem.slope(x) / a0 - self.by_normal[i];
+        // Both halves of q = eta p sign(r) + z: 1/(x - r) and the kernel, folded.
+        let mut odd = OddPair::new(self.layer, Component::ShearStrain, self.stick.len());
+        let folded = odd.at(x, self.stick.iter().map(|s| s[0]));
+        let by_z: f64 = self
+            .stick
+            .iter()
+            .zip(folded)
+            .map(|(&[r, gap, z, _], k)| z * (2.0 * r / ((node.from_lower + gap) * (x + r)) + k))
+            .sum();
+        let mirrored = |r: f64, p: f64| p * (1.0 / (x + r) + self.kernel_at(x + r));
+        let by_mirror: f64 = self.stick.iter().map(|s| mirrored(s[0], s[3])).sum::<f64>()
+            + self.slip.iter().map(|s| mirrored(s[0], s[1])).sum::<f64>();
+
+        let p = self.pressure.at(zone.in_slip(node));
+        -(eta * (principal + self.by_shear[i]) + (by_z - 2.0 * eta * by_mirror) / PI + beta * p - self.by_coupling[i])
+    }
+
+    fn kernel_at(&self, t: f64) -> f64 {
+        let Some((table, component)) = self.layer.kernel(Component::ShearStrain) else { return 0.0 };
+        let mut parts = [slipzone_api::Parts::default()];
+        table.parts_into(component, &[t], &mut parts);
+        parts[0].value(t)
+    }
+}

@@ -1,0 +1,183 @@
+//! One scene at one resolution: pressure, stick zone, and the numbers reported.
+
+use super::checks;
+use super::error_estimate::Numbers;
+use super::layer::Layer;
+use super::normal::{Pressure, SharpPunch};
+use super::problem::LoadInLayerUnits;
+use super::stick::Shear;
+use super::stick_search::{Found, FrictionCurve};
+use super::{Slip, contact_size};
+use slipzone_api::{Refusal, Station};
+
+/// Resolutions at which the whole friction curve is scanned for roots; finer ones follow those found.
+const SCANNED_LEVELS: u32 = 3;
+/// Nodes on either side of the slip zone's grid: at the coarsest resolution, and added per level.
+const SLIP_NODES: (usize, usize) = (40, 16);
+
+/// A solved contact in layer units.
+pub(crate) struct Contact {
+    pub(crate) pressure: Pressure,
+    pub(crate) friction: Option<Stick>,
+}
+
+/// What friction makes of it.
+pub(crate) struct Stick {
+    /// The shear traction reported.
+    pub(crate) shear: Shear,
+    /// How it came about.
+    pub(crate) verdict: Verdict,
+    /// The roots, for the next resolution.
+    pub(crate) found: Found,
+}
+
+/// Whether a stick zone was found, and whether it holds.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Verdict {
+    /// A root at which both conditions of friction hold.
+    Holds,
+    /// Roots, but each fails a condition: what the best of them fails, and where.
+    Fails(String),
+    /// No root; the stick zone is narrower than what was looked for.
+    TooNarrow,
+    /// No root; the slip zone is narrower than what the resolution can tell.
+    TooWide,
+    /// No root in between: the direction of slip changes along the contact.
+    None,
+}
+
+impl Contact {
+    /// Solves at one resolution; `coarser` is the same scene at half of it.
+    pub(crate) fn solve(layer: &mut Layer, level: u32, coarser: Option<&Self>) -> Result<Self, Refusal> {
+        let pressure = match layer.problem.fixed_half_width() {
+            Some(half_width) => {
+                let punch = SharpPunch::new(layer, half_width)?;
+                let force = match layer.problem.load {
+                    LoadInLayerUnits::Force(force) => force,
+                    LoadInLayerUnits::Indentation(depth) => punch.force_at(depth).unwrap_or(f64::NAN),
+                    LoadInLayerUnits::HalfWidth(_) => f64::NAN,
+                };
+                if !(force.is_finite() && force > 0.0) {
+                    return Err(Refusal::OutOfReach {
+                        method: "load",
+                        why: "no pressing force belongs to it under a punch of this width".into(),
+                        remedy: "prescribe the force",
+                    });
+                }
+                punch.under(force)
+            }
+            None => contact_size::pressed(layer, coarser.map(|c| c.pressure.half_width))?,
+        };
+        let friction = match layer.problem.friction {
+            Some(eta) => {
+                let coarse = coarser.and_then(|c| c.friction.as_ref()).filter(|_| level >= SCANNED_LEVELS);
+                Some(Stick::solve(layer, &pressure, eta, level, coarse)?)
+            }
+            None => None,
+        };
+        Ok(Self { pressure, friction })
+    }
+
+    /// The numbers reported, in layer units, by their path in the result.
+    pub(crate) fn numbers(&self) -> Numbers {
+        let p = &self.pressure;
+        let b = p.half_width;
+        let mut numbers = Numbers::from([
+            ("load.force", p.force),
+            ("load.half_width", b),
+            ("pressure.centre", p.at(Station { x: 0.0, gap: b })),
+            ("pressure.mean", p.force / (2.0 * b)),
+            ("edge.stress_intensity", p.edge_factor / b.sqrt()),
+            ("edge.ratio", p.edge_factor / p.force),
+        ]);
+        if let Some(depth) = p.indentation {
+            numbers.insert("load.indentation", depth);
+        }
+        if let Some(peak) = self.peak() {
+            numbers.insert("pressure.peak", peak);
+        }
+        if let Some(stick) = &self.friction {
+            let zone = stick.shear.zone;
+            numbers.insert("stick.half_width", zone.half_width);
+            numbers.insert("stick.ratio", zone.half_width / b);
+            numbers.insert("stick.one_minus_ratio", zone.slip_width / b);
+        }
+        numbers
+    }
+
+    /// The largest pressure; `None` where it is unbounded.
+    fn peak(&self) -> Option<f64> {
+        const SAMPLES: usize = 400;
+        if self.pressure.edge_factor > 0.0 {
+            return None;
+        }
+        let b = self.pressure.half_width;
+        let step = b / SAMPLES as f64;
+        let p = |i: usize| self.pressure.at(Station { x: i as f64 * step, gap: b - i as f64 * step });
+        let top = (0..SAMPLES).max_by(|&i, &j| p(i).total_cmp(&p(j)))?;
+        if top == 0 || top == SAMPLES - 1 {
+            return Some(p(top));
+        }
+        // Vertex of the parabola through the highest sample and its neighbours.
+        let (left, middle, right) = (p(top - 1), p(top), p(top + 1));
+        let slope = 0.5 * (right - left);
+        Some(middle + 0.5 * slope * slope / (2.0 * middle - left - right))
+    }
+
+    /// Direction of slip of the shear reported.
+    pub(crate) fn slip(&self) -> Option<Slip> {
+        let stick = self.friction.as_ref()?;
+        Some(if stick.shear.friction < 0.0 { Slip::Outward } else { Slip::Inward })
+    }
+}
+
+impl Stick {
+    fn solve(
+        layer: &Layer,
+        pressure: &Pressure,
+        eta: f64,
+        level: u32,
+        coarse: Option<&Self>,
+    ) -> Result<Self, Refusal> {
+        let slip_nodes = SLIP_NODES.0 + SLIP_NODES.1 * level as usize;
+        let curve = FrictionCurve { layer, pressure, slip_nodes };
+        let found = match coarse {
+            Some(coarse) => curve.follow(eta, &coarse.found)?,
+            None => curve.scan(eta)?,
+        };
+        let mut failure = None;
+        for &(lambda, _) in &found.roots {
+            let shear = curve.shear(lambda)?;
+            match violation(layer, pressure, &shear) {
+                None => return Ok(Self { shear, verdict: Verdict::Holds, found }),
+                Some(what) => failure = failure.or(Some((shear, what))),
+            }
+        }
+        if let Some((shear, what)) = failure {
+            return Ok(Self { shear, verdict: Verdict::Fails(what), found });
+        }
+        let (narrow, wide) = (found.samples.first(), found.samples.last());
+        let (lambda, verdict) = match (narrow, wide) {
+            (Some(narrow), _) if narrow.1.abs() > eta => (narrow.0, Verdict::TooNarrow),
+            (_, Some(wide)) if wide.1.abs() < eta => (wide.0, Verdict::TooWide),
+            (Some(narrow), _) => (narrow.0, Verdict::None),
+            (None, _) => (curve.widest(), Verdict::None),
+        };
+        let shear = curve.shear(lambda)?;
+        Ok(Self { shear, verdict, found })
+    }
+}
+
+/// The condition of friction that a stick zone fails, and where.
+fn violation(layer: &Layer, pressure: &Pressure, shear: &Shear) -> Option<String> {
+    let direction = if shear.friction < 0.0 { "outward" } else { "inward" };
+    let ratio = shear.zone.half_width / pressure.half_width;
+    if let Some((x, load)) = checks::overload(pressure, shear) {
+        return Some(format!(
+            "with {direction} slip and a/b = {ratio:.6}, |q| reaches {load:.3} eta p at x = {x:.4} b inside the stick zone"
+        ));
+    }
+    checks::wrong_slip(layer, pressure, shear).map(|x| {
+        format!("with {direction} slip and a/b = {ratio:.6}, the surface slides the other way at x = {x:.4} b")
+    })
+}

@@ -1,0 +1,82 @@
+//! How wide a growing contact becomes under a load.
+
+use super::layer::Layer;
+use super::normal::{Pressure, smooth_punch};
+use super::problem::{LoadInLayerUnits, Problem};
+use basin::{RootError, Toms748Root};
+use slipzone_api::Refusal;
+use std::f64::consts::{FRAC_PI_2, LN_2};
+
+/// Steps of the walk towards a sign change; each is at least a factor of 2 at the coarsest resolution.
+const MOST_STEPS: u32 = 200;
+/// First half-width tried on a layer: wider ones cost more, and the walk gets there when it must.
+const WIDEST_START: f64 = 2.0;
+
+/// The pressure under a punch whose contact grows, at the load of the problem.
+///
+/// `known`: the half-width at a coarser resolution, where there was one.
+pub(crate) fn pressed(layer: &mut Layer, known: Option<f64>) -> Result<Pressure, Refusal> {
+    let target = match layer.problem.load {
+        LoadInLayerUnits::HalfWidth(b) => return smooth_punch(layer, b),
+        LoadInLayerUnits::Force(target) | LoadInLayerUnits::Indentation(target) => target,
+    };
+    let by_force = matches!(layer.problem.load, LoadInLayerUnits::Force(_));
+    let (start, step) = match known {
+        Some(b) => (b, 0.01),
+        None if layer.has_depth() => (half_plane_size(layer.problem, target, by_force).min(WIDEST_START), LN_2),
+        None => (half_plane_size(layer.problem, target, by_force), LN_2),
+    };
+    // ln(reached/target) is nearly linear in ln b for any punch.
+    let mut excess = |log_b: f64| -> Result<f64, Refusal> {
+        let pressure = smooth_punch(layer, log_b.exp())?;
+        let reached = if by_force { Some(pressure.force) } else { pressure.indentation };
+        match reached {
+            Some(reached) if reached > 0.0 => Ok((reached / target).ln()),
+            _ => Err(no_size(format!("a contact of half-width {:.3e} h bears no load", log_b.exp()))),
+        }
+    };
+    let (lower, upper) = bracket(&mut excess, start.ln(), step)?;
+    let root = Toms748Root::new(lower, upper).with_absolute_position_tolerance(1e-14).solve(&mut excess);
+    match root {
+        Ok(root) => smooth_punch(layer, root.root().exp()),
+        Err(RootError::Evaluation(refusal)) => Err(refusal),
+        Err(other) => Err(no_size(other.to_string())),
+    }
+}
+
+/// Walks from `start` towards the sign change of an increasing function, in growing steps.
+fn bracket(excess: &mut impl FnMut(f64) -> Result<f64, Refusal>, start: f64, mut step: f64) -> Result<(f64, f64), Refusal> {
+    let from = excess(start)?;
+    let direction = if from > 0.0 { -1.0 } else { 1.0 };
+    let mut here = start;
+    for _ in 0..MOST_STEPS {
+        let next = here + direction * step;
+        if excess(next)? * direction >= 0.0 {
+            return Ok((here.min(next), here.max(next)));
+        }
+        here = next;
+        step = (2.0 * step).min(2.0 * LN_2);
+    }
+    Err(no_size(format!("no half-width between {:.3e} h and {:.3e} h bears the load", start.exp(), here.exp())))
+}
+
+/// The half-width on a half-plane, within a factor of 2; exact formulas for the cylinder
+/// (`P = pi b g'(b)/(2 A0)`), and of the right size for other convex shapes.
+fn half_plane_size(problem: &Problem, target: f64, by_force: bool) -> f64 {
+    let reached = |b: f64| {
+        if by_force { FRAC_PI_2 * b * problem.slope(b) / problem.elastic.a0() } else { 2.0 * problem.height(b) }
+    };
+    let mut b = problem.natural_length();
+    // Each loop ends: b leaves the range of floating point numbers after 2100 steps at the latest.
+    while reached(b) > target && b > f64::MIN_POSITIVE {
+        b *= 0.5;
+    }
+    while reached(b) < target && b < f64::MAX / 4.0 {
+        b *= 2.0;
+    }
+    b
+}
+
+fn no_size(why: String) -> Refusal {
+    Refusal::OutOfReach { method: "contact size", why, remedy: "check the load against the punch and the layer" }
+}

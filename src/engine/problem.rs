@@ -1,0 +1,84 @@
+//! A scene in the layer's own units: lengths in the thickness, stresses in the surface modulus.
+
+use crate::scene::{Load, Scene};
+use slipzone_api::{Base, Elastic, Friction, LayerModel, PunchShape, Refusal};
+
+/// What the engine solves.
+pub(crate) struct Problem {
+    /// The elastic layer.
+    pub(crate) layer: LayerModel,
+    /// Its constants.
+    pub(crate) elastic: Elastic,
+    /// The punch, in the scene's units; see [`Self::height`], [`Self::slope`].
+    shape: Box<dyn PunchShape>,
+    /// The scene's length of one layer unit.
+    pub(crate) length: f64,
+    /// The scene's stress of one layer unit.
+    pub(crate) stress: f64,
+    /// The load in layer units.
+    pub(crate) load: LoadInLayerUnits,
+    /// Coulomb's coefficient; `None` when frictionless.
+    pub(crate) friction: Option<f64>,
+}
+
+/// The load: force in `mu1 h`, lengths in `h`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum LoadInLayerUnits {
+    Force(f64),
+    HalfWidth(f64),
+    Indentation(f64),
+}
+
+impl Problem {
+    /// Scales the scene; refuses what no method here can solve.
+    pub(crate) fn new(scene: &Scene) -> Result<Self, Refusal> {
+        let shape = scene.punch.shape()?;
+        let layer = &scene.layer;
+        let infinite = layer.base == Base::Infinite;
+        let law = layer.grading.law(layer.thickness.filter(|_| !infinite))?;
+        // An infinite homogeneous solid has no length of its own.
+        let length = layer.thickness.filter(|_| !infinite).map_or_else(|| shape.natural_length(), |h| h.get());
+        let stress = law.surface_modulus();
+        let load = match scene.load {
+            Load::Force(force) => LoadInLayerUnits::Force(force.get() / stress / length),
+            Load::HalfWidth(b) => LoadInLayerUnits::HalfWidth(b.get() / length),
+            Load::Indentation(depth) => LoadInLayerUnits::Indentation(depth.get() / length),
+        };
+        let friction = scene.friction.map(|Friction::Goodman { coefficient }| coefficient.get());
+        if friction.is_some() && shape.fixed_half_width().is_none() {
+            return Err(Refusal::NotBuilt {
+                what: format!("friction under a punch whose contact grows (`{}`)", scene.punch.typetag_name()),
+                remedy: "its shear depends on the loading history, which is not solved yet: take away [friction], or \
+                         use a flat punch of the same half-width (its stick ratio is the same)"
+                    .into(),
+            });
+        }
+        let elastic = Elastic::new(layer.plane, layer.poisson);
+        Ok(Self { layer: LayerModel { law, elastic, base: layer.base }, elastic, shape, length, stress, load, friction })
+    }
+
+    /// Half-width that the punch's corners fix, in layer units.
+    pub(crate) fn fixed_half_width(&self) -> Option<f64> {
+        self.shape.fixed_half_width().map(|b| b / self.length)
+    }
+
+    /// `g(x)` in layer units.
+    pub(crate) fn height(&self, x: f64) -> f64 {
+        self.shape.height(x * self.length) / self.length
+    }
+
+    /// `g'(x)`.
+    pub(crate) fn slope(&self, x: f64) -> f64 {
+        self.shape.slope(x * self.length)
+    }
+
+    /// A length of the punch, in layer units.
+    pub(crate) fn natural_length(&self) -> f64 {
+        self.shape.natural_length() / self.length
+    }
+
+    /// Whether the punch is convex.
+    pub(crate) fn is_convex(&self) -> bool {
+        self.shape.is_convex()
+    }
+}
