@@ -6,7 +6,11 @@ fn main() {
     let t = std::time::Instant::now();
     let s = slipzone::engine::solve(&scene);
     let dt = t.elapsed();
-    let mut s2 = s.clone(); s2.profile = Default::default();
-    println!("{:#?} {:#?} {:#?} {:#?} {:#?} {:?} {:?} {:#?}", s.load, s.pressure, s.edge, s.stick, s.error, s.status, s.reason, s.plan);
+    let mut s2 = s.clone();
+    s2.profile = Default::default();
+    println!(
+        "{:#?} {:#?} {:#?} {:#?} {:#?} {:?} {:?} {:#?}",
+        s.load, s.pressure, s.edge, s.stick, s.error, s.status, s.reason, s.plan
+    );
     println!("{dt:?}");
 }

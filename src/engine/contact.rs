@@ -132,13 +132,7 @@ impl Contact {
 }
 
 impl Stick {
-    fn solve(
-        layer: &Layer,
-        pressure: &Pressure,
-        eta: f64,
-        level: u32,
-        coarse: Option<&Self>,
-    ) -> Result<Self, Refusal> {
+    fn solve(layer: &Layer, pressure: &Pressure, eta: f64, level: u32, coarse: Option<&Self>) -> Result<Self, Refusal> {
         let slip_nodes = SLIP_NODES.0 + SLIP_NODES.1 * level as usize;
         let curve = FrictionCurve { layer, pressure, slip_nodes };
         let found = match coarse {

@@ -45,7 +45,11 @@ pub(crate) fn pressed(layer: &mut Layer, known: Option<f64>) -> Result<Pressure,
 }
 
 /// Walks from `start` towards the sign change of an increasing function, in growing steps.
-fn bracket(excess: &mut impl FnMut(f64) -> Result<f64, Refusal>, start: f64, mut step: f64) -> Result<(f64, f64), Refusal> {
+fn bracket(
+    excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
+    start: f64,
+    mut step: f64,
+) -> Result<(f64, f64), Refusal> {
     let from = excess(start)?;
     let direction = if from > 0.0 { -1.0 } else { 1.0 };
     let mut here = start;

@@ -5,31 +5,40 @@ use std::collections::BTreeMap;
 /// Reported numbers at one resolution, by their path in the result.
 pub(crate) type Numbers = BTreeMap<&'static str, f64>;
 
-/// Differences shrink at least by this factor from one resolution to the next before they are trusted to
-/// go on shrinking: a scheme of second order gives 1/4, with logarithms up to 0.4.
-const SLOWEST: f64 = 0.5;
-/// Factor on what the extrapolation of the differences gives.
+/// Error of a second-order scheme over the difference to the result at half the resolution, `1/(4 - 1)`.
+const SECOND_ORDER: f64 = 1.0 / 3.0;
+/// A difference that shrinks by less than this factor says nothing of the next one.
+const NOT_SHRINKING: f64 = 0.5;
+/// Two successive differences that both shrink by more than this factor converge exponentially.
+const EXPONENTIAL: f64 = 1.0 / 16.0;
+/// Factor on what the differences give.
 const SAFETY: f64 = 2.0;
-/// An estimate falls at most by this factor below the one before: differences may vanish by chance.
-const LARGEST_DROP: f64 = 64.0;
 /// No number is claimed to be better than this: rounding of a dense solve of a few hundred unknowns.
 const ROUNDING: f64 = 1e-13;
 
 /// Relative error estimates of the last of a sequence of results, each at twice the resolution.
 ///
-/// With differences `d1`, `d2` between the last three, a geometric sequence has the limit
-/// `d2 r/(1 - r)`, `r = d2/d1`, away from its last member. `None` with fewer than three results.
+/// Two errors of second order, of the kernel and of the quadrature, may cancel in one difference by
+/// chance, so the last two are consulted: `d2/3` and `d1/12` are what each alone would give. Only where
+/// three differences shrink ever faster is the scheme taken to converge exponentially, with the error
+/// `d2 (d2/d1)` at most. `None` with fewer than three results.
 pub(crate) fn extrapolated(history: &[Numbers]) -> Option<BTreeMap<String, f64>> {
-    let ([.., first, second, third], n) = (history, history.len()) else { return None };
-    let before = if n > 3 { extrapolated(&history[..n - 1]) } else { None };
+    let [earlier @ .., first, second, third] = history else { return None };
     let estimate = |name: &'static str, value: f64| {
-        let at = |numbers: &Numbers| numbers.get(name).copied();
-        let (Some(first), Some(second)) = (at(first), at(second)) else { return 1.0 };
-        let (d1, d2) = (relative(second, first, value), relative(value, second, value));
-        let ratio = if d1 > 0.0 { d2 / d1 } else { SLOWEST };
-        let left = if ratio < SLOWEST { d2 * ratio / (1.0 - ratio) } else { 2.0 * d2 };
-        let floor = before.as_ref().and_then(|b| b.get(name)).map_or(0.0, |e| e / LARGEST_DROP);
-        (SAFETY * left).max(floor.min(d2)).max(ROUNDING)
+        let difference = |one: &Numbers, other: &Numbers| match (one.get(name), other.get(name)) {
+            (Some(one), Some(other)) => relative(*one, *other, value),
+            _ => 1.0, // a number that comes and goes between resolutions is not known at all
+        };
+        let (d1, d2) = (difference(first, second), difference(second, third));
+        let d0 = earlier.last().map_or(f64::INFINITY, |zeroth| difference(zeroth, first));
+        let left = if d1 < EXPONENTIAL * d0 && d2 < EXPONENTIAL * d1 && d0.is_finite() {
+            d2 * (d2 / d1)
+        } else if d2 > NOT_SHRINKING * d1 {
+            d2.max(d1)
+        } else {
+            SECOND_ORDER * d2.max(d1 / 4.0)
+        };
+        (SAFETY * left).max(ROUNDING)
     };
     Some(third.iter().map(|(name, value)| ((*name).to_owned(), estimate(name, *value))).collect())
 }

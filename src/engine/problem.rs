@@ -54,7 +54,15 @@ impl Problem {
             });
         }
         let elastic = Elastic::new(layer.plane, layer.poisson);
-        Ok(Self { layer: LayerModel { law, elastic, base: layer.base }, elastic, shape, length, stress, load, friction })
+        Ok(Self {
+            layer: LayerModel { law, elastic, base: layer.base },
+            elastic,
+            shape,
+            length,
+            stress,
+            load,
+            friction,
+        })
     }
 
     /// Half-width that the punch's corners fix, in layer units.

@@ -27,7 +27,8 @@ pub(super) struct Judged {
 /// Solves a scene whose methods are all filled in.
 pub(super) fn to_tolerance(scene: &Scene, mut plan: Plan) -> Result<Solution, Refusal> {
     let problem = Problem::new(scene)?;
-    let missing = || Refusal::NotBuilt { what: "a scene without methods".into(), remedy: "fill in the plan first".into() };
+    let missing =
+        || Refusal::NotBuilt { what: "a scene without methods".into(), remedy: "fill in the plan first".into() };
     let flexibility = scene.solver.flexibility.as_ref().ok_or_else(missing)?;
     let kernel = scene.solver.kernel.as_ref().ok_or_else(missing)?;
     let quadrature = scene.solver.quadrature.as_ref().ok_or_else(missing)?;
@@ -88,7 +89,9 @@ fn refined(
             }
         }
     }
-    let (Some(contact), Some(numbers)) = (contact, history.pop()) else { unreachable!("level 0 returned or was pushed") };
+    let (Some(contact), Some(numbers)) = (contact, history.pop()) else {
+        unreachable!("level 0 returned or was pushed")
+    };
     let how = format!("differences between {} resolutions, each twice the one before, extrapolated", history.len() + 1);
     Ok(Judged { contact, numbers, errors, how, stopped })
 }

@@ -34,6 +34,9 @@ slipzone_api::register!(Kernel, "truncated", "Fourier integral cut at a finite w
 
 /// Cut-off at level 0: `exp(-2 S d)` is then far below round-off.
 const FIRST_CUTOFF: f64 = 40.0;
+/// At level 0 the cut-off resolves at least this phase over the reach: what is left of the tail beyond
+/// ripples with wavelength `2 pi/S`, which must be short beside the contact.
+const FIRST_BAND: f64 = 32.0;
 /// Nodes per panel of wave numbers at level 0; each level adds two, so that a twin judges the panels too.
 const FIRST_NODES: usize = 14;
 /// Most interpolation nodes per kernel: what a thin layer may cost.
@@ -49,7 +52,8 @@ impl KernelStrategy for Truncated {
             });
         };
         let scale = f64::from(1_u32 << self.level.min(20));
-        let cutoff = self.cutoff.map_or(FIRST_CUTOFF, Positive::get) * scale / depth;
+        let chosen = (FIRST_CUTOFF / depth).max(FIRST_BAND / request.reach);
+        let cutoff = self.cutoff.map_or(chosen, |cutoff| cutoff.get() / depth) * scale;
         let per_panel = FIRST_NODES + 2 * self.level as usize;
         let samples = Samples::up_to(cutoff, response, depth, request.reach, per_panel)?;
         let band = samples.cutoff * request.reach;
@@ -59,8 +63,11 @@ impl KernelStrategy for Truncated {
         if nodes > MOST_NODES {
             return Err(too_wide(request.reach, cutoff));
         }
-        let integral =
-            Integral { samples: &samples, beta: response.elastic().beta(), tail: response.leading_tail().unwrap_or_default() };
+        let integral = Integral {
+            samples: &samples,
+            beta: response.elastic().beta(),
+            tail: response.leading_tail().unwrap_or_default(),
+        };
         let tables = request.components.iter().map(|&c| (c, integral.tabulate(c, request.reach, nodes))).collect();
         Ok(Box::new(Table { tables, flexibility_evaluations: samples.s.len() }))
     }

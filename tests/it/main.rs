@@ -1,0 +1,4 @@
+//! All integration tests, in one binary: on two cores linking dominates.
+
+mod accuracy;
+mod scenes;

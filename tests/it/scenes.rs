@@ -1,0 +1,71 @@
+//! Scenes in one line, for the tests.
+
+use slipzone::engine::{Solution, solve};
+use slipzone::scene::Scene;
+
+/// A flat punch of half-width 1 or a cylinder of radius 1 on a layer with surface modulus 1.
+#[derive(Clone, Debug)]
+pub(crate) struct Sketch {
+    /// Thickness; `None` for an infinite solid.
+    pub(crate) h: Option<f64>,
+    /// `mu1/mu3`.
+    pub(crate) ratio: f64,
+    pub(crate) nu: f64,
+    pub(crate) flat: bool,
+    pub(crate) eta: Option<f64>,
+    /// `key = value` of the load.
+    pub(crate) load: &'static str,
+    /// Further lines: `[solver]`, `[output]`.
+    pub(crate) rest: String,
+}
+
+impl Sketch {
+    pub(crate) fn flat(h: f64, ratio: f64, nu: f64) -> Self {
+        Self { h: Some(h), ratio, nu, flat: true, eta: None, load: "force = 1.0", rest: String::new() }
+    }
+
+    pub(crate) fn half_plane(nu: f64) -> Self {
+        Self { h: None, ..Self::flat(1.0, 1.0, nu) }
+    }
+
+    pub(crate) fn cylinder(self) -> Self {
+        Self { flat: false, load: "half_width = 1.0", ..self }
+    }
+
+    pub(crate) fn rubbing(self, eta: f64) -> Self {
+        Self { eta: Some(eta), ..self }
+    }
+
+    pub(crate) fn with(self, rest: &str) -> Self {
+        Self { rest: format!("{}\n{rest}", self.rest), ..self }
+    }
+
+    pub(crate) fn text(&self) -> String {
+        let layer = match self.h {
+            Some(h) => format!("thickness = {h:?}"),
+            None => "base = { type = \"infinite\" }".into(),
+        };
+        let grading = if self.ratio == 1.0 {
+            "type = \"homogeneous\", modulus = 1.0".into()
+        } else {
+            format!("type = \"exponential\", surface = 1.0, base = {:?}", 1.0 / self.ratio)
+        };
+        let punch = if self.flat { "type = \"flat\"\nhalf_width = 1.0" } else { "type = \"cylinder\"\nradius = 1.0" };
+        let friction =
+            self.eta.map_or(String::new(), |eta| format!("[friction]\ntype = \"goodman\"\ncoefficient = {eta:?}\n"));
+        format!(
+            "format = 1\n[layer]\n{layer}\npoisson = {:?}\ngrading = {{ {grading} }}\n[punch]\n{punch}\n{friction}[load]\n{}\n{}",
+            self.nu, self.load, self.rest
+        )
+    }
+
+    pub(crate) fn scene(&self) -> Scene {
+        slipzone::link_plugins();
+        let text = self.text();
+        toml::from_str(&text).unwrap_or_else(|e| panic!("{e}\n{text}"))
+    }
+
+    pub(crate) fn solve(&self) -> Solution {
+        solve(&self.scene())
+    }
+}
