@@ -1,0 +1,423 @@
+//! The tractions as a figure fit to print.
+
+use crate::engine::{Slip, Solution, Status, StickReport};
+use crate::report::labels::{Labels, one_line, with_unit};
+use crate::report::number::{digits, short, significant};
+use crate::report::scene_line::{GREEK, scene_parts};
+use kuva::backend::svg::SvgBackend;
+use kuva::plot::{LegendEntry, LegendPosition, LegendShape, LinePlot, LineStyle};
+use kuva::render::annotations::ShadedRegion;
+use kuva::render::color::Color;
+use kuva::render::layout::{ComputedLayout, Layout, TickFormat};
+use kuva::render::plots::Plot;
+use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
+use slipzone_api::Friction;
+use std::sync::Arc;
+
+/// Why there is no figure.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum FigureError {
+    /// The scene was refused, so there are no numbers; the reason is the solution's.
+    #[error("no figure: the scene was refused: {0}")]
+    Refused(String),
+    /// Without contact half-width and mean pressure there are no axes.
+    #[error("no figure: the solution has no contact half-width or no mean pressure")]
+    NoScale,
+    /// A curve needs two points.
+    #[error("no figure: the pressure is known and bounded at {0} point(s) of the profile; a curve takes at least 2")]
+    NoProfile(usize),
+}
+
+/// Canvas in px; the letters are legible when it is printed 85 mm wide, the column of a journal.
+const SIZE: (f64, f64) = (620.0, 500.0);
+/// Half the range of `x/b`: room beside the contact for the markers of its edges.
+const HALF_RANGE: f64 = 1.2;
+/// Where an unbounded pressure is cut off, in mean pressures.
+const TOP_UNBOUNDED: f64 = 2.5;
+/// Where any pressure is cut off, in mean pressures.
+const TOP: f64 = 6.0;
+
+/// How a curve is drawn. The dashes tell the curves apart where the colours are lost in print.
+struct Stroke {
+    name: &'static str,
+    color: &'static str,
+    width: f64,
+    /// Lengths of dashes and gaps, px.
+    dashes: &'static str,
+}
+
+const PRESSURE: Stroke = Stroke { name: "pressure p", color: "#1f4e8c", width: 2.4, dashes: "none" };
+const SHEAR: Stroke = Stroke { name: "shear q", color: "#b5401c", width: 2.4, dashes: "8 4" };
+const LIMIT: Stroke = Stroke { name: "friction limit ±ηp", color: "#555555", width: 1.3, dashes: "1.5 3" };
+
+const INK: &str = "#222222";
+const GRID: &str = "#d5d5d5";
+const STICK: &str = "#dbe4ef";
+const SLIP: &str = "#f9f1e4";
+const ALARM: &str = "#b00020";
+
+/// The tractions over the contact as an SVG figure (UTF-8): pressure and shear in mean pressures over `x/b`, zones
+/// of stick and slip shaded and named, the scene in a line under its title. The same solution always gives the
+/// same text. A pressure that is unbounded leaves the frame at its top.
+pub fn svg(solution: &Solution) -> Result<String, FigureError> {
+    if solution.status == Status::Refused {
+        return Err(FigureError::Refused(solution.reason.clone().unwrap_or_default()));
+    }
+    let (Some(b), Some(mean)) = (solution.load.half_width, solution.pressure.mean) else {
+        return Err(FigureError::NoScale);
+    };
+    let curves = Curves::new(solution, b, mean)?;
+    let frame = curves.frame();
+
+    let mut layout = layout(solution, b, mean, frame, curves.legend());
+    for (from, to, color) in zones(solution.stick.as_ref()) {
+        layout = layout.with_shaded_region(ShadedRegion::vertical(from, to).with_color(color).with_opacity(1.0));
+    }
+    // Room between subtitle and frame for the names of the zones and, if need be, for the alarm.
+    let (names, alarm) = (names(solution), alarm(solution));
+    let lines = f64::from(u8::from(!names.is_empty()) + u8::from(alarm.is_some()));
+    let plain = ComputedLayout::from_layout(&layout);
+    let layout = layout.with_force_margins_y(plain.margin_top + lines * LINE, plain.margin_bottom);
+    let computed = ComputedLayout::from_layout(&layout);
+
+    let mut plots = rules(solution.stick.as_ref(), frame);
+    plots.extend(curves.plots(frame));
+    let mut scene = render_multiple(plots, layout);
+    for (x, name) in names {
+        write(&mut scene, computed.map_x(x), computed.margin_top - 0.4 * LINE, name, INK, false);
+    }
+    if let Some(alarm) = alarm {
+        let middle = computed.margin_left + computed.plot_width() / 2.0;
+        write(&mut scene, middle, computed.margin_top - (lines - 0.6) * LINE, alarm, ALARM, true);
+    }
+    outline(&mut scene, &computed);
+    name_clip(&mut scene);
+    Ok(SvgBackend::new().with_pretty(true).render_scene(&scene))
+}
+
+/// Height of a line of annotations, px.
+const LINE: f64 = 20.0;
+
+/// The range of the ordinate, in mean pressures, and the distance of its ticks.
+#[derive(Clone, Copy)]
+struct Frame {
+    bottom: f64,
+    top: f64,
+    step: f64,
+}
+
+/// Titles, axes and legend.
+fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame, legend: Vec<LegendEntry>) -> Layout {
+    let labels = Labels::new(&solution.units);
+    let title = solution.scene.title.as_deref().map(one_line).filter(|title| !title.is_empty());
+    let title = title.unwrap_or_else(|| {
+        if solution.stick.is_some() { "Pressure and shear under the punch" } else { "Pressure under the punch" }.into()
+    });
+    let own = |path: &str, value: f64, unit: &str| {
+        let supported = solution.error.each.get(path).map_or(SCALE_DIGITS, |e| digits(*e).min(SCALE_DIGITS));
+        with_unit(&short(value, supported), unit)
+    };
+    Layout::new((-HALF_RANGE, HALF_RANGE), (frame.bottom, frame.top))
+        .with_width(SIZE.0)
+        .with_height(SIZE.1)
+        .with_x_axis_min(-HALF_RANGE)
+        .with_x_axis_max(HALF_RANGE)
+        .with_y_axis_min(frame.bottom)
+        .with_y_axis_max(frame.top)
+        .with_x_tick_step(0.5)
+        .with_y_tick_step(frame.step)
+        .with_tick_format(TickFormat::Custom(Arc::new(|v| format!("{v:.1}").replace('-', "\u{2212}"))))
+        .with_box_axes()
+        .with_show_grid(false)
+        .with_font_family("Helvetica, Arial, 'DejaVu Sans', sans-serif")
+        .with_title(literal(&title))
+        .with_title_size(17)
+        .with_title_wrap(64)
+        .with_subtitle(literal(&scene_parts(solution, &GREEK).join(", ")))
+        .with_subtitle_size(12)
+        .with_subtitle_wrap(92)
+        .with_label_size(15)
+        .with_tick_size(14)
+        .with_body_size(14)
+        .with_x_label(literal(&format!("x / b     (b = {})", own("load.half_width", b, &labels.length))))
+        .with_y_label(literal(&format!(
+            "traction / mean pressure     (mean {})",
+            own("pressure.mean", mean, &labels.stress)
+        )))
+        .with_legend_entries(legend)
+        .with_legend_position(LegendPosition::OutsideBottomColumns)
+        .with_legend_box(false)
+}
+
+/// Digits of the scales on the axes' labels, at most.
+const SCALE_DIGITS: usize = 5;
+
+/// Text that kuva shall not take for a formula.
+fn literal(text: &str) -> String {
+    text.replace('$', "\\$")
+}
+
+/// `a/b` where a stick zone was found.
+fn stick_ratio(stick: Option<&StickReport>) -> Option<f64> {
+    stick?.ratio.filter(|ratio| *ratio > 0.0 && *ratio <= 1.0)
+}
+
+/// Shaded zones: from, to, colour.
+fn zones(stick: Option<&StickReport>) -> Vec<(f64, f64, &'static str)> {
+    match stick_ratio(stick) {
+        Some(a) => vec![(-1.0, -a, SLIP), (-a, a, STICK), (a, 1.0, SLIP)],
+        None => Vec::new(),
+    }
+}
+
+/// Names of the zones over the frame, where no curve can cross them: middle (x/b), text.
+fn names(solution: &Solution) -> Vec<(f64, String)> {
+    let Some((stick, a)) = solution.stick.as_ref().and_then(|stick| Some((stick, stick_ratio(Some(stick))?))) else {
+        return Vec::new();
+    };
+    // Arrows point where the surface slides.
+    let (left, right) = match stick.slip {
+        Some(Slip::Inward) => ("slip \u{2192}", "\u{2190} slip"),
+        Some(Slip::Outward) => ("\u{2190} slip", "slip \u{2192}"),
+        None => ("slip", "slip"),
+    };
+    let shown = |path: &str, value: f64| {
+        let supported = solution.error.each.get(path).map_or(4, |e| digits(*e).min(4));
+        power_of_ten(&significant(value, supported))
+    };
+    let size = match stick.one_minus_ratio {
+        // 0.9999 would hide how wide the slip zone is.
+        Some(rest) if rest < 0.01 => format!("1 \u{2212} a/b = {}", shown("stick.one_minus_ratio", rest)),
+        _ => format!("a/b = {}", shown("stick.ratio", a)),
+    };
+    let slip = f64::midpoint(a, 1.0);
+    vec![(-slip, left.into()), (0.0, format!("stick, {size}")), (slip, right.into())]
+}
+
+/// `2.1e-5` as `2.1×10⁻⁵`.
+fn power_of_ten(number: &str) -> String {
+    let Some((mantissa, exponent)) = number.split_once('e') else { return number.replace('-', "\u{2212}") };
+    let raised = |c: char| match c.to_digit(10) {
+        Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
+        None => '⁻',
+    };
+    format!("{mantissa}×10{}", exponent.chars().map(raised).collect::<String>())
+}
+
+/// What is wrong with the numbers, if anything, as far as it fits into a line.
+fn alarm(solution: &Solution) -> Option<String> {
+    const LONGEST: usize = 70;
+    let status = match solution.status {
+        Status::Converged | Status::Refused => return None,
+        Status::NotConverged => "NOT CONVERGED",
+        Status::AssumptionViolated => "ASSUMPTION VIOLATED",
+    };
+    let text = match &solution.reason {
+        Some(reason) => format!("{status}: {}", one_line(reason)),
+        None => status.to_owned(),
+    };
+    let short = if text.chars().count() > LONGEST { text.chars().take(LONGEST).chain(['…']).collect() } else { text };
+    Some(literal(&short))
+}
+
+/// Grid, edges of the contact and of the stick zone: under the curves, none in the legend.
+fn rules(stick: Option<&StickReport>, frame: Frame) -> Vec<Plot> {
+    let rule = |from: (f64, f64), to: (f64, f64), color: &str, width: f64, style: LineStyle| {
+        Plot::Line(
+            LinePlot::new().with_data([from, to]).with_color(color).with_stroke_width(width).with_line_style(style),
+        )
+    };
+    let level = |y: f64, color: &str| rule((-HALF_RANGE, y), (HALF_RANGE, y), color, 0.8, LineStyle::Solid);
+    let upright = |x: f64, width: f64, style: LineStyle| rule((x, frame.bottom), (x, frame.top), INK, width, style);
+
+    let mut rules: Vec<Plot> = (1..)
+        .map(|i| frame.bottom + f64::from(i) * frame.step)
+        .take_while(|y| *y < frame.top - 0.5 * frame.step)
+        .map(|y| level(y, GRID))
+        .collect();
+    rules.push(level(0.0, INK));
+    rules.extend([-1.0, 1.0].map(|x| upright(x, 1.0, LineStyle::Solid)));
+    if let Some(a) = stick_ratio(stick) {
+        rules.extend([-a, a].map(|x| upright(x, 1.0, LineStyle::Custom("9 3 2 3".into()))));
+    }
+    rules
+}
+
+/// The curves, in units of the half-width and of the mean pressure, from left to right.
+struct Curves {
+    pressure: Vec<(f64, f64)>,
+    shear: Vec<(f64, f64)>,
+    /// Coefficient of friction.
+    eta: Option<f64>,
+    /// Whether the pressure is unbounded anywhere.
+    unbounded: bool,
+}
+
+impl Curves {
+    fn new(solution: &Solution, b: f64, mean: f64) -> Result<Self, FigureError> {
+        let profile = &solution.profile;
+        let scaled = |values: &[Option<f64>]| {
+            let mut points: Vec<(f64, Option<f64>)> =
+                profile.x.iter().zip(values).map(|(x, value)| (x / b, value.map(|v| v / mean))).collect();
+            // A scene may list its points in any order.
+            points.sort_by(|left, right| left.0.total_cmp(&right.0));
+            points
+        };
+        let pressure = scaled(&profile.pressure);
+        let unbounded = pressure.iter().any(|point| point.1.is_none());
+        let pressure = to_the_edges(&pressure);
+        if pressure.len() < 2 {
+            return Err(FigureError::NoProfile(pressure.len()));
+        }
+        let shear = profile.shear.as_deref().map(|values| to_the_edges(&scaled(values))).unwrap_or_default();
+        let eta = solution.scene.friction.as_ref().map(|Friction::Goodman { coefficient }| coefficient.get());
+        Ok(Self { pressure, shear, eta, unbounded })
+    }
+
+    /// A range that shows all of a bounded pressure, most of an unbounded one, and the shear beside it.
+    fn frame(&self) -> Frame {
+        let highest = self.pressure.iter().map(|point| point.1).fold(0.0, f64::max);
+        let top = if self.unbounded { TOP_UNBOUNDED } else { (1.05 * highest).min(TOP) };
+        // What goes on while the pressure is in the frame: the shear near a sharp edge leaves it too.
+        let visible = self.pressure.iter().filter(|point| point.1 <= top).map(|point| point.0);
+        let (left, right) = visible.fold((1.0, -1.0), |(l, r): (f64, f64), x| (l.min(x), r.max(x)));
+        let lowest = (self.shear.iter().filter(|point| point.0 >= left && point.0 <= right))
+            .chain(&self.pressure)
+            .map(|point| point.1)
+            .fold(0.0, f64::min)
+            .max(-top);
+        let step = if top - lowest > 5.0 {
+            1.0
+        } else if top - lowest > 1.5 {
+            0.5
+        } else {
+            0.2
+        };
+        Frame { bottom: (1.05 * lowest / step).floor() * step, top: (top / step).ceil() * step, step }
+    }
+
+    /// Limit of friction below, then shear, then pressure on top.
+    fn plots(&self, frame: Frame) -> Vec<Plot> {
+        // Far outside the frame nothing is seen, and some viewers stumble over huge coordinates.
+        let (low, high) = (frame.bottom - FAR, frame.top + FAR);
+        let curve = |points: &[(f64, f64)], factor: f64, stroke: &Stroke| {
+            let line = LinePlot::new()
+                .with_data(points.iter().map(|(x, y)| (*x, (factor * y).clamp(low, high))))
+                .with_color(stroke.color)
+                .with_stroke_width(stroke.width)
+                .with_line_style(LineStyle::Custom(stroke.dashes.into()));
+            Plot::Line(line)
+        };
+        let mut plots = Vec::new();
+        if let Some(eta) = self.eta {
+            plots.extend([eta, -eta].map(|factor| curve(&self.pressure, factor, &LIMIT)));
+        }
+        plots.extend([curve(&self.shear, 1.0, &SHEAR), curve(&self.pressure, 1.0, &PRESSURE)]);
+        plots
+    }
+
+    fn legend(&self) -> Vec<LegendEntry> {
+        let mut strokes = vec![PRESSURE];
+        if !self.shear.is_empty() {
+            strokes.push(SHEAR);
+        }
+        if self.eta.is_some() {
+            strokes.push(LIMIT);
+        }
+        let entry = |stroke: Stroke| LegendEntry {
+            label: stroke.name.into(),
+            color: stroke.color.into(),
+            shape: LegendShape::Line,
+            dasharray: Some(stroke.dashes.into()),
+        };
+        strokes.into_iter().map(entry).collect()
+    }
+}
+
+/// In mean pressures.
+const FAR: f64 = 1e3;
+
+/// The bounded points, with the curve between each edge and the sample next to it.
+///
+/// Tractions end as the inverse square root of the distance to a sharp edge (an unbounded sample) and as the
+/// square root at a smooth one (a sample of 0). So drawn, the curve leaves the frame instead of stopping short
+/// of the edge, and meets a smooth edge without a corner. Nothing else is interpolated.
+fn to_the_edges(points: &[(f64, Option<f64>)]) -> Vec<(f64, f64)> {
+    /// Shares of the distance between the edge and the sample next to it.
+    const SHARES: [f64; 9] = [0.8, 0.6, 0.4, 0.25, 0.1, 0.03, 0.01, 0.001, 1e-4];
+    let bounded = |points: &[(f64, Option<f64>)]| -> Vec<(f64, f64)> {
+        points.iter().filter_map(|(x, y)| Some((*x, (*y)?))).collect()
+    };
+    let [first, inner @ .., last] = points else { return bounded(points) };
+    let mut curve = bounded(inner);
+    let (Some(left), Some(right)) = (curve.first().copied(), curve.last().copied()) else { return bounded(points) };
+    let towards = |edge: &(f64, Option<f64>), (x, y): (f64, f64)| -> Vec<(f64, f64)> {
+        let along = |power: fn(f64) -> f64| SHARES.map(|share| (edge.0 + (x - edge.0) * share, y * power(share)));
+        match edge.1 {
+            None => along(|share| share.sqrt().recip()).into(),
+            Some(0.0) => along(f64::sqrt).into_iter().chain([(edge.0, 0.0)]).collect(),
+            Some(value) => vec![(edge.0, value)],
+        }
+    };
+    curve.splice(..0, towards(first, left).into_iter().rev());
+    curve.extend(towards(last, right));
+    curve
+}
+
+/// Centred text at a place on the canvas.
+fn write(scene: &mut Scene, x: f64, y: f64, content: String, color: &str, bold: bool) {
+    let (size, anchor, color) = (14, TextAnchor::Middle, Some(Color::from(color)));
+    scene.add(Primitive::Text { x, y, content, size, anchor, rotate: None, bold, color });
+}
+
+/// The frame once more: the shading has covered the inner half of its lines.
+fn outline(scene: &mut Scene, computed: &ComputedLayout) {
+    scene.add(Primitive::Rect {
+        x: computed.margin_left,
+        y: computed.margin_top,
+        width: computed.plot_width(),
+        height: computed.plot_height(),
+        fill: Color::None,
+        stroke: Some(Color::from(INK)),
+        stroke_width: Some(1.0),
+        opacity: None,
+    });
+}
+
+/// kuva numbers its clip paths through the life of the process; the same solution shall give the same text.
+fn name_clip(scene: &mut Scene) {
+    const NAME: &str = "frame";
+    for element in &mut scene.elements {
+        if let Primitive::ClipStart { id, .. } = element {
+            for definition in &mut scene.defs {
+                *definition = definition.replace(id.as_str(), NAME);
+            }
+            NAME.clone_into(id);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::samples;
+
+    #[test]
+    fn look() {
+        let mut violated = samples::cylinder_without_friction();
+        violated.status = Status::NotConverged;
+        violated.scene.title = Some("A <&>\" title that $costs$ much".into());
+        for (name, solution) in [
+            ("flat", samples::flat_with_friction()),
+            ("cylinder", samples::cylinder_without_friction()),
+            ("alarm", violated),
+            ("outward", samples::flat(0.2815, 0.1, Slip::Outward, 201)),
+            ("tiny", samples::flat(0.02, 0.3, Slip::Inward, 201)),
+            ("wide", samples::flat(0.985, 0.6, Slip::Inward, 201)),
+            ("nearly", samples::flat(1.0 - 2.1e-5, 0.9, Slip::Inward, 201)),
+            ("sparse", samples::flat(0.5, 0.3, Slip::Outward, 11)),
+        ] {
+            std::fs::write(format!("/tmp/figs/{name}.svg"), svg(&solution).unwrap()).unwrap();
+        }
+    }
+}
