@@ -21,7 +21,7 @@ impl Labels {
         // Half a compound label would be wrong, so it takes both.
         let (force, intensity) = match (stress.as_str(), length.as_str()) {
             ("", _) | (_, "") => Default::default(),
-            ("MPa", "mm") | ("N/mm^2" | "N/mm²", "mm") => ("N/mm".into(), format!("{stress} mm^1/2")),
+            ("MPa" | "N/mm^2" | "N/mm²", "mm") => ("N/mm".into(), format!("{stress} mm^1/2")),
             ("Pa", "m") => ("N/m".into(), "Pa m^1/2".into()),
             _ => (format!("{stress} {length}"), format!("{stress} {length}^1/2")),
         };

@@ -36,7 +36,7 @@ pub(super) fn scene_parts(solution: &Solution, letters: &Alphabet) -> Vec<String
     let mut parts = layer(&scene.layer, solution.load.half_width, &labels, letters);
     parts.push(format!("{} = {}", letters.nu, short(scene.layer.poisson.get(), DIGITS)));
     parts.push(plane(scene.layer.plane).into());
-    parts.extend(base(&scene.layer.base, &labels, letters));
+    parts.push(base(&scene.layer.base, &labels, letters));
     parts.push(punch(&scene.punch));
     parts.push(match &scene.friction {
         None => "frictionless".into(),
@@ -108,18 +108,18 @@ fn fraction(ratio: f64) -> String {
     if inverse > 1.5 && inverse < 1e4 && whole { format!("1/{inverse:.0}") } else { short(ratio, DIGITS) }
 }
 
-fn base(base: &Base, labels: &Labels, letters: &Alphabet) -> Option<String> {
+fn base(base: &Base, labels: &Labels, letters: &Alphabet) -> String {
     match base {
-        Base::Rigid => Some("bonded to a rigid base".into()),
-        Base::Frictionless => Some("on a frictionless rigid base".into()),
-        Base::HalfPlane { shear, poisson } => Some(format!(
+        Base::Rigid => "bonded to a rigid base".into(),
+        Base::Frictionless => "on a frictionless rigid base".into(),
+        Base::HalfPlane { shear, poisson } => format!(
             "bonded to a half-plane ({} = {}, {} = {})",
             letters.mu,
             with_unit(&short(shear.get(), DIGITS), &labels.stress),
             letters.nu,
             short(poisson.get(), DIGITS)
-        )),
-        Base::Infinite => Some("half-plane".into()),
+        ),
+        Base::Infinite => "half-plane".into(),
     }
 }
 

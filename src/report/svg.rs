@@ -1,6 +1,7 @@
 //! The tractions as a figure fit to print.
 
 use crate::engine::{Slip, Solution, Status, StickReport};
+use crate::report::finite::first_not_finite;
 use crate::report::labels::{Labels, one_line, with_unit};
 use crate::report::number::{digits, short};
 use crate::report::scene_line::{GREEK, scene_parts};
@@ -20,6 +21,9 @@ pub enum FigureError {
     /// The scene was refused, so there are no numbers; the reason is the solution's.
     #[error("no figure: the scene was refused: {0}")]
     Refused(String),
+    /// A number is not finite; see [`first_not_finite`].
+    #[error("no figure: {0}")]
+    NotFinite(String),
     /// Without contact half-width and mean pressure there are no axes.
     #[error("no figure: the solution has no contact half-width or no mean pressure")]
     NoScale,
@@ -63,9 +67,11 @@ pub fn svg(solution: &Solution) -> Result<String, FigureError> {
     if solution.status == Status::Refused {
         return Err(FigureError::Refused(solution.reason.clone().unwrap_or_default()));
     }
-    let (Some(b), Some(mean)) = (solution.load.half_width, solution.pressure.mean) else {
-        return Err(FigureError::NoScale);
-    };
+    if let Some(found) = first_not_finite(solution) {
+        return Err(FigureError::NotFinite(found));
+    }
+    let positive = |value: Option<f64>| value.filter(|v| *v > 0.0).ok_or(FigureError::NoScale);
+    let (b, mean) = (positive(solution.load.half_width)?, positive(solution.pressure.mean)?);
     let curves = Curves::new(solution, b, mean)?;
     let frame = curves.frame();
 
@@ -87,8 +93,7 @@ pub fn svg(solution: &Solution) -> Result<String, FigureError> {
         write(&mut scene, computed.map_x(x), computed.margin_top - 0.4 * LINE, name, INK, false);
     }
     if let Some(alarm) = alarm {
-        let middle = computed.margin_left + computed.plot_width() / 2.0;
-        write(&mut scene, middle, computed.margin_top - (lines - 0.6) * LINE, alarm, ALARM, true);
+        write(&mut scene, SIZE.0 / 2.0, computed.margin_top - (lines - 0.6) * LINE, alarm, ALARM, true);
     }
     outline(&mut scene, &computed);
     legend(&mut scene, &computed, &curves.strokes());
@@ -137,7 +142,7 @@ fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
         .with_font_family("Helvetica, Arial, 'DejaVu Sans', sans-serif")
         .with_title(literal(&title))
         .with_title_size(17)
-        .with_title_wrap(64)
+        .with_title_wrap(52)
         .with_subtitle(literal(&lines(&scene_parts(solution, &GREEK))))
         .with_subtitle_size(12)
         .with_subtitle_wrap(SUBTITLE)
@@ -231,7 +236,7 @@ fn power_of_ten(number: &str) -> String {
 
 /// What is wrong with the numbers, if anything, as far as it fits into a line.
 fn alarm(solution: &Solution) -> Option<String> {
-    const LONGEST: usize = 70;
+    const LONGEST: usize = 68;
     let status = match solution.status {
         Status::Converged | Status::Refused => return None,
         Status::NotConverged => "NOT CONVERGED",
@@ -247,6 +252,8 @@ fn alarm(solution: &Solution) -> Option<String> {
 
 /// Grid, edges of the contact and of the stick zone: under the curves, none in the legend.
 fn rules(stick: Option<&StickReport>, frame: Frame) -> Vec<Plot> {
+    /// More than any frame holds.
+    const MOST_LEVELS: u8 = 64;
     let rule = |from: (f64, f64), to: (f64, f64), color: &str, width: f64, style: LineStyle| {
         Plot::Line(
             LinePlot::new().with_data([from, to]).with_color(color).with_stroke_width(width).with_line_style(style),
@@ -255,7 +262,7 @@ fn rules(stick: Option<&StickReport>, frame: Frame) -> Vec<Plot> {
     let level = |y: f64, color: &str| rule((-HALF_RANGE, y), (HALF_RANGE, y), color, 0.8, LineStyle::Solid);
     let upright = |x: f64, width: f64, style: LineStyle| rule((x, frame.bottom), (x, frame.top), INK, width, style);
 
-    let mut rules: Vec<Plot> = (1..)
+    let mut rules: Vec<Plot> = (1..MOST_LEVELS)
         .map(|i| frame.bottom + f64::from(i) * frame.step)
         .take_while(|y| *y < frame.top - 0.5 * frame.step)
         .map(|y| level(y, GRID))
@@ -386,7 +393,9 @@ fn to_the_edges(points: &[(f64, Option<f64>)]) -> Vec<(f64, f64)> {
 
 /// Centred text at a place on the canvas.
 fn write(scene: &mut Scene, x: f64, y: f64, content: String, color: &str, bold: bool) {
-    let (size, anchor, color) = (LETTERS, TextAnchor::Middle, Some(Color::from(color)));
+    // Bold letters are wider.
+    let size = if bold { LETTERS - 2 } else { LETTERS };
+    let (anchor, color) = (TextAnchor::Middle, Some(Color::from(color)));
     scene.add(Primitive::Text { x, y, content, size, anchor, rotate: None, bold, color });
 }
 
@@ -557,6 +566,8 @@ mod tests {
         assert_eq!(svg(&solution), Err(FigureError::NoProfile(1)));
         solution.pressure.mean = None;
         assert_eq!(svg(&solution), Err(FigureError::NoScale));
+        solution.profile.x[0] = f64::NAN;
+        assert_eq!(svg(&solution), Err(FigureError::NotFinite("`profile.x[0]` is NaN".into())));
     }
 
     /// Writes the figures to look at: `SLIPZONE_FIGURES=folder cargo test figures_to_look_at -- --ignored`.
@@ -567,7 +578,11 @@ mod tests {
         let mut alarm = samples::flat(0.1, 1.0, Slip::Inward, 201);
         alarm.status = Status::AssumptionViolated;
         alarm.reason = Some("the shear exceeds the friction limit in the stick zone at x = 0.0312, by 1.7".into());
+        let mut long = samples::flat(0.5, 0.3, Slip::Inward, 201);
+        long.scene.title =
+            Some("A title of the kind that does not end before everything has been said about it".into());
         for (name, solution) in [
+            ("long", long),
             ("flat", samples::flat_with_friction()),
             ("cylinder", samples::cylinder_without_friction()),
             ("alarm", alarm),

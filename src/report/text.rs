@@ -39,7 +39,7 @@ pub fn text(solution: &Solution) -> String {
 }
 
 /// A status in words.
-pub(super) fn status(status: Status) -> &'static str {
+fn status(status: Status) -> &'static str {
     match status {
         Status::Converged => "converged",
         Status::NotConverged => "NOT CONVERGED: the best numbers found miss the tolerance",
@@ -86,16 +86,15 @@ fn rows(solution: &Solution) -> Vec<Row> {
         row("edge.stress_intensity", "edge stress intensity", "K", edge.stress_intensity, "not computed", intensity),
         row("edge.ratio", "edge ratio", "K sqrt(b)/P", edge.ratio, "not computed", none()),
     ];
-    match &solution.stick {
-        Some(stick) => rows.extend([
+    if let Some(stick) = &solution.stick {
+        rows.extend([
             row("stick.half_width", "stick half-width", "a", stick.half_width, "not found", length),
             row("stick.ratio", "stick ratio", "a/b", stick.ratio, "not found", none()),
             row("stick.one_minus_ratio", "slip share", "1 - a/b", stick.one_minus_ratio, "not found", none()),
-        ]),
-        None => {
-            let absent = if solution.scene.friction.is_none() { "none: frictionless" } else { "not computed" };
-            rows.push(row("stick", "stick zone", "", None, absent, none()));
-        }
+        ]);
+    } else {
+        let absent = if solution.scene.friction.is_none() { "none: frictionless" } else { "not computed" };
+        rows.push(row("stick", "stick zone", "", None, absent, none()));
     }
     rows
 }
