@@ -149,11 +149,12 @@ fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
         .with_label_size(15)
         .with_tick_size(14)
         .with_body_size(14)
-        .with_x_label(literal(&format!("x / b     (b = {})", own("load.half_width", b, &labels.length))))
+        .with_x_label(literal(&format!("x / b (b = {})", own("load.half_width", b, &labels.length))))
         .with_y_label(literal(&format!(
-            "traction / mean pressure     (mean {})",
+            "traction / mean pressure (mean {})",
             own("pressure.mean", mean, &labels.stress)
         )))
+        .with_y_label_wrap(24)
         .with_x_label_offset(0.0, -LEGEND)
 }
 
@@ -501,7 +502,7 @@ mod tests {
         let figure = svg(&solution).unwrap();
         assert!(texts(&figure).contains(&title.to_owned()), "{:?}", texts(&figure));
         solution.units.length = Some("<m>".into());
-        assert!(texts(&svg(&solution).unwrap()).contains(&"x / b     (b = 1 <m>)".to_owned()));
+        assert!(texts(&svg(&solution).unwrap()).contains(&"x / b (b = 1 <m>)".to_owned()));
     }
 
     #[test]
