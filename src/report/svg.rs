@@ -1,10 +1,13 @@
 //! The tractions as a figure fit to print.
 
+mod curves;
+
 use crate::engine::{Slip, Solution, Status, StickReport};
 use crate::report::finite::first_not_finite;
 use crate::report::labels::{Labels, one_line, with_unit};
 use crate::report::number::{digits, short};
 use crate::report::scene_line::{GREEK, scene_parts};
+use curves::{Curves, Frame, Stroke};
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::{LinePlot, LineStyle};
 use kuva::render::annotations::ShadedRegion;
@@ -12,7 +15,6 @@ use kuva::render::color::Color;
 use kuva::render::layout::{ComputedLayout, Layout, TickFormat};
 use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
-use slipzone_api::Friction;
 use std::sync::Arc;
 
 /// Why there is no figure.
@@ -36,24 +38,6 @@ pub enum FigureError {
 const SIZE: (f64, f64) = (620.0, 500.0);
 /// Half the range of `x/b`: room beside the contact for the markers of its edges.
 const HALF_RANGE: f64 = 1.2;
-/// Where an unbounded pressure is cut off, in mean pressures.
-const TOP_UNBOUNDED: f64 = 2.5;
-/// Where any pressure is cut off, in mean pressures.
-const TOP: f64 = 6.0;
-
-/// How a curve is drawn. The dashes tell the curves apart where the colours are lost in print.
-struct Stroke {
-    name: &'static str,
-    color: &'static str,
-    width: f64,
-    /// Lengths of dashes and gaps, px.
-    dashes: &'static str,
-}
-
-const PRESSURE: Stroke = Stroke { name: "pressure p", color: "#1f4e8c", width: 2.4, dashes: "none" };
-const SHEAR: Stroke = Stroke { name: "shear q", color: "#b5401c", width: 2.4, dashes: "8 4" };
-const LIMIT: Stroke = Stroke { name: "friction limit ±ηp", color: "#555555", width: 1.3, dashes: "1.5 3" };
-
 const INK: &str = "#222222";
 const GRID: &str = "#d5d5d5";
 const STICK: &str = "#dbe4ef";
@@ -107,14 +91,6 @@ const LINE: f64 = 20.0;
 const LEGEND: f64 = 28.0;
 /// Size of letters beside the axes, px.
 const LETTERS: u32 = 14;
-
-/// The range of the ordinate, in mean pressures, and the distance of its ticks.
-#[derive(Clone, Copy)]
-struct Frame {
-    bottom: f64,
-    top: f64,
-    step: f64,
-}
 
 /// Titles, axes and legend.
 fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
@@ -276,122 +252,6 @@ fn rules(stick: Option<&StickReport>, frame: Frame) -> Vec<Plot> {
     rules
 }
 
-/// The curves, in units of the half-width and of the mean pressure, from left to right.
-struct Curves {
-    pressure: Vec<(f64, f64)>,
-    shear: Vec<(f64, f64)>,
-    /// Coefficient of friction.
-    eta: Option<f64>,
-    /// Whether the pressure is unbounded anywhere.
-    unbounded: bool,
-}
-
-impl Curves {
-    fn new(solution: &Solution, b: f64, mean: f64) -> Result<Self, FigureError> {
-        let profile = &solution.profile;
-        let scaled = |values: &[Option<f64>]| {
-            let mut points: Vec<(f64, Option<f64>)> =
-                profile.x.iter().zip(values).map(|(x, value)| (x / b, value.map(|v| v / mean))).collect();
-            // A scene may list its points in any order.
-            points.sort_by(|left, right| left.0.total_cmp(&right.0));
-            points
-        };
-        let pressure = scaled(&profile.pressure);
-        let unbounded = pressure.iter().any(|point| point.1.is_none());
-        let pressure = to_the_edges(&pressure);
-        if pressure.len() < 2 {
-            return Err(FigureError::NoProfile(pressure.len()));
-        }
-        let shear = profile.shear.as_deref().map(|values| to_the_edges(&scaled(values))).unwrap_or_default();
-        let eta = solution.scene.friction.as_ref().map(|Friction::Goodman { coefficient }| coefficient.get());
-        Ok(Self { pressure, shear, eta, unbounded })
-    }
-
-    /// A range that shows all of a bounded pressure, most of an unbounded one, and the shear beside it.
-    fn frame(&self) -> Frame {
-        let highest = self.pressure.iter().map(|point| point.1).fold(0.0, f64::max);
-        let top = if self.unbounded { TOP_UNBOUNDED } else { (1.05 * highest).min(TOP) };
-        // What goes on while the pressure is in the frame: the shear near a sharp edge leaves it too.
-        let visible = self.pressure.iter().filter(|point| point.1 <= top).map(|point| point.0);
-        let (left, right) = visible.fold((1.0, -1.0), |(l, r): (f64, f64), x| (l.min(x), r.max(x)));
-        let lowest = (self.shear.iter().filter(|point| point.0 >= left && point.0 <= right))
-            .chain(&self.pressure)
-            .map(|point| point.1)
-            .fold(0.0, f64::min)
-            .max(-top);
-        let step = if top - lowest > 5.0 {
-            1.0
-        } else if top - lowest > 1.5 {
-            0.5
-        } else {
-            0.2
-        };
-        Frame { bottom: (1.05 * lowest / step).floor() * step, top: (top / step).ceil() * step, step }
-    }
-
-    /// Limit of friction below, then shear, then pressure on top.
-    fn plots(&self, frame: Frame) -> Vec<Plot> {
-        // Far outside the frame nothing is seen, and some viewers stumble over huge coordinates.
-        let (low, high) = (frame.bottom - FAR, frame.top + FAR);
-        let curve = |points: &[(f64, f64)], factor: f64, stroke: &Stroke| {
-            let line = LinePlot::new()
-                .with_data(points.iter().map(|(x, y)| (*x, (factor * y).clamp(low, high))))
-                .with_color(stroke.color)
-                .with_stroke_width(stroke.width)
-                .with_line_style(LineStyle::Custom(stroke.dashes.into()));
-            Plot::Line(line)
-        };
-        let mut plots = Vec::new();
-        if let Some(eta) = self.eta {
-            plots.extend([eta, -eta].map(|factor| curve(&self.pressure, factor, &LIMIT)));
-        }
-        plots.extend([curve(&self.shear, 1.0, &SHEAR), curve(&self.pressure, 1.0, &PRESSURE)]);
-        plots
-    }
-
-    /// The strokes that are drawn.
-    fn strokes(&self) -> Vec<Stroke> {
-        let mut strokes = vec![PRESSURE];
-        if !self.shear.is_empty() {
-            strokes.push(SHEAR);
-        }
-        if self.eta.is_some() {
-            strokes.push(LIMIT);
-        }
-        strokes
-    }
-}
-
-/// In mean pressures.
-const FAR: f64 = 1e3;
-
-/// The bounded points, with the curve between each edge and the sample next to it.
-///
-/// Tractions end as the inverse square root of the distance to a sharp edge (an unbounded sample) and as the
-/// square root at a smooth one (a sample of 0). So drawn, the curve leaves the frame instead of stopping short
-/// of the edge, and meets a smooth edge without a corner. Nothing else is interpolated.
-fn to_the_edges(points: &[(f64, Option<f64>)]) -> Vec<(f64, f64)> {
-    /// Shares of the distance between the edge and the sample next to it.
-    const SHARES: [f64; 9] = [0.8, 0.6, 0.4, 0.25, 0.1, 0.03, 0.01, 0.001, 1e-4];
-    let bounded = |points: &[(f64, Option<f64>)]| -> Vec<(f64, f64)> {
-        points.iter().filter_map(|(x, y)| Some((*x, (*y)?))).collect()
-    };
-    let [first, inner @ .., last] = points else { return bounded(points) };
-    let mut curve = bounded(inner);
-    let (Some(left), Some(right)) = (curve.first().copied(), curve.last().copied()) else { return bounded(points) };
-    let towards = |edge: &(f64, Option<f64>), (x, y): (f64, f64)| -> Vec<(f64, f64)> {
-        let along = |power: fn(f64) -> f64| SHARES.map(|share| (edge.0 + (x - edge.0) * share, y * power(share)));
-        match edge.1 {
-            None => along(|share| share.sqrt().recip()).into(),
-            Some(0.0) => along(f64::sqrt).into_iter().chain([(edge.0, 0.0)]).collect(),
-            Some(value) => vec![(edge.0, value)],
-        }
-    };
-    curve.splice(..0, towards(first, left).into_iter().rev());
-    curve.extend(towards(last, right));
-    curve
-}
-
 /// Centred text at a place on the canvas.
 fn write(scene: &mut Scene, x: f64, y: f64, content: String, color: &str, bold: bool) {
     // Bold letters are wider.
@@ -465,6 +325,7 @@ fn name_clip(scene: &mut Scene) {
 
 #[cfg(test)]
 mod tests {
+    use super::curves::PRESSURE;
     use super::*;
     use crate::report::samples;
 
@@ -544,6 +405,22 @@ mod tests {
         profile.pressure.reverse();
         profile.shear.as_mut().unwrap().reverse();
         assert_eq!(svg(&sorted).unwrap(), svg(&reversed).unwrap());
+    }
+
+    #[test]
+    fn odd_profiles_still_fit_a_frame() {
+        let mut solution = samples::flat_with_friction();
+        for (x, pressure) in [
+            (vec![-1.0, 1.0], vec![Some(0.0), Some(0.0)]),
+            (vec![-0.9, 0.2], vec![Some(-3.0), Some(1e300)]),
+            (vec![0.5, 0.5, 0.5], vec![Some(1.0), None, Some(1.0)]),
+            (vec![-1.0, 0.0, 1.0], vec![None, Some(1e-300), None]),
+        ] {
+            solution.profile = crate::engine::Profile { shear: Some(pressure.clone()), x, pressure };
+            let figure = svg(&solution).unwrap();
+            texts(&figure);
+            assert!(!figure.contains("NaN") && !figure.contains("inf"), "{:?}: {figure}", solution.profile);
+        }
     }
 
     #[test]
