@@ -1,0 +1,235 @@
+//! No NaN and no infinity in a result.
+//!
+//! `serde_json` writes both as `null`, and a parsed `null` no longer tells. So the solution is serialised once
+//! into nothing, by a serializer that looks at every number on its way: whatever field is added to a solution,
+//! or to a plugin in its scene, is looked at too.
+
+use crate::engine::Solution;
+use serde::ser::{self, Serialize};
+use std::fmt::{self, Display};
+
+/// Path and value of the first number of a solution that is not finite, such as `` `load.force` is NaN ``.
+pub fn first_not_finite(solution: &Solution) -> Option<String> {
+    solution.serialize(&mut Probe::default()).err().map(|found| found.0)
+}
+
+/// For the writers of formats that have no NaN.
+///
+/// # Panics
+/// If a number is not finite.
+pub(super) fn insist(solution: &Solution) {
+    if let Some(found) = first_not_finite(solution) {
+        panic!("a result may hold finite numbers only, but {found}");
+    }
+}
+
+/// Walks through a value and keeps the path to where it is.
+#[derive(Default)]
+struct Probe {
+    path: Vec<String>,
+}
+
+impl Probe {
+    fn step<T: Serialize + ?Sized>(&mut self, name: String, value: &T) -> Result<(), Found> {
+        self.path.push(name);
+        value.serialize(&mut *self)?;
+        self.path.pop();
+        Ok(())
+    }
+}
+
+/// What was found, or what kept the probe from looking.
+#[derive(Debug)]
+struct Found(String);
+
+impl Display for Found {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+impl std::error::Error for Found {}
+impl ser::Error for Found {
+    fn custom<T: Display>(message: T) -> Self {
+        Self(message.to_string())
+    }
+}
+
+/// Scalars that cannot be infinite.
+macro_rules! pass {
+    ($($method:ident: $type:ty),*) => {
+        $(fn $method(self, _: $type) -> Result<(), Found> { Ok(()) })*
+    };
+}
+
+impl<'a> ser::Serializer for &'a mut Probe {
+    type Ok = ();
+    type Error = Found;
+    type SerializeSeq = Inside<'a>;
+    type SerializeTuple = Inside<'a>;
+    type SerializeTupleStruct = Inside<'a>;
+    type SerializeTupleVariant = Inside<'a>;
+    type SerializeMap = Inside<'a>;
+    type SerializeStruct = Inside<'a>;
+    type SerializeStructVariant = Inside<'a>;
+
+    fn serialize_f64(self, v: f64) -> Result<(), Found> {
+        if v.is_finite() { Ok(()) } else { Err(Found(format!("`{}` is {v}", self.path.concat().trim_matches('.')))) }
+    }
+    fn serialize_f32(self, v: f32) -> Result<(), Found> {
+        self.serialize_f64(v.into())
+    }
+    pass!(serialize_bool: bool, serialize_i8: i8, serialize_i16: i16, serialize_i32: i32, serialize_i64: i64,
+          serialize_u8: u8, serialize_u16: u16, serialize_u32: u32, serialize_u64: u64, serialize_char: char,
+          serialize_str: &str, serialize_bytes: &[u8], serialize_unit_struct: &'static str);
+    fn serialize_none(self) -> Result<(), Found> {
+        Ok(())
+    }
+    fn serialize_unit(self) -> Result<(), Found> {
+        Ok(())
+    }
+    fn serialize_unit_variant(self, _: &'static str, _: u32, _: &'static str) -> Result<(), Found> {
+        Ok(())
+    }
+    fn serialize_some<T: Serialize + ?Sized>(self, value: &T) -> Result<(), Found> {
+        value.serialize(self)
+    }
+    fn serialize_newtype_struct<T: Serialize + ?Sized>(self, _: &'static str, value: &T) -> Result<(), Found> {
+        value.serialize(self)
+    }
+    fn serialize_newtype_variant<T: Serialize + ?Sized>(
+        self,
+        _: &'static str,
+        _: u32,
+        variant: &'static str,
+        value: &T,
+    ) -> Result<(), Found> {
+        self.step(format!(".{variant}"), value)
+    }
+    fn serialize_seq(self, _: Option<usize>) -> Result<Inside<'a>, Found> {
+        Ok(Inside::new(self))
+    }
+    fn serialize_tuple(self, _: usize) -> Result<Inside<'a>, Found> {
+        Ok(Inside::new(self))
+    }
+    fn serialize_tuple_struct(self, _: &'static str, _: usize) -> Result<Inside<'a>, Found> {
+        Ok(Inside::new(self))
+    }
+    fn serialize_tuple_variant(self, _: &'static str, _: u32, _: &'static str, _: usize) -> Result<Inside<'a>, Found> {
+        Ok(Inside::new(self))
+    }
+    fn serialize_map(self, _: Option<usize>) -> Result<Inside<'a>, Found> {
+        Ok(Inside::new(self))
+    }
+    fn serialize_struct(self, _: &'static str, _: usize) -> Result<Inside<'a>, Found> {
+        Ok(Inside::new(self))
+    }
+    fn serialize_struct_variant(self, _: &'static str, _: u32, _: &'static str, _: usize) -> Result<Inside<'a>, Found> {
+        Ok(Inside::new(self))
+    }
+}
+
+/// Inside a sequence, a map or a struct.
+struct Inside<'a> {
+    probe: &'a mut Probe,
+    next: usize,
+    key: String,
+}
+
+impl<'a> Inside<'a> {
+    fn new(probe: &'a mut Probe) -> Self {
+        Self { probe, next: 0, key: String::new() }
+    }
+
+    fn item<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Found> {
+        let name = format!("[{}]", self.next);
+        self.next += 1;
+        self.probe.step(name, value)
+    }
+
+    fn field<T: Serialize + ?Sized>(&mut self, name: &str, value: &T) -> Result<(), Found> {
+        self.probe.step(format!(".{name}"), value)
+    }
+}
+
+/// The traits that differ only in the name of their one method.
+macro_rules! items {
+    ($($trait:ident $method:ident),*) => {$(
+        impl ser::$trait for Inside<'_> {
+            type Ok = ();
+            type Error = Found;
+            fn $method<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Found> {
+                self.item(value)
+            }
+            fn end(self) -> Result<(), Found> {
+                Ok(())
+            }
+        }
+    )*};
+}
+items!(SerializeSeq serialize_element, SerializeTuple serialize_element, SerializeTupleStruct serialize_field,
+       SerializeTupleVariant serialize_field);
+
+macro_rules! fields {
+    ($($trait:ident),*) => {$(
+        impl ser::$trait for Inside<'_> {
+            type Ok = ();
+            type Error = Found;
+            fn serialize_field<T: Serialize + ?Sized>(&mut self, name: &'static str, value: &T) -> Result<(), Found> {
+                self.field(name, value)
+            }
+            fn end(self) -> Result<(), Found> {
+                Ok(())
+            }
+        }
+    )*};
+}
+fields!(SerializeStruct, SerializeStructVariant);
+
+impl ser::SerializeMap for Inside<'_> {
+    type Ok = ();
+    type Error = Found;
+    fn serialize_key<T: Serialize + ?Sized>(&mut self, key: &T) -> Result<(), Found> {
+        // Only for the path; keys that are no strings do not occur in a solution.
+        self.key =
+            serde_json::to_value(key).ok().and_then(|k| k.as_str().map(str::to_owned)).unwrap_or_else(|| "?".into());
+        Ok(())
+    }
+    fn serialize_value<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Found> {
+        let key = std::mem::take(&mut self.key);
+        self.field(&key, value)
+    }
+    fn end(self) -> Result<(), Found> {
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::samples;
+
+    #[test]
+    fn sound_solutions_pass() {
+        for solution in [samples::flat_with_friction(), samples::cylinder_without_friction(), samples::refused()] {
+            assert_eq!(first_not_finite(&solution), None);
+        }
+    }
+
+    #[test]
+    fn every_hiding_place_is_looked_at() {
+        let plant = |put: fn(&mut Solution)| {
+            let mut solution = samples::flat_with_friction();
+            put(&mut solution);
+            first_not_finite(&solution).expect("a number that is not finite")
+        };
+        assert_eq!(plant(|s| s.load.force = Some(f64::NAN)), "`load.force` is NaN");
+        assert_eq!(plant(|s| s.profile.x[7] = f64::INFINITY), "`profile.x[7]` is inf");
+        assert_eq!(plant(|s| s.profile.pressure[3] = Some(f64::NEG_INFINITY)), "`profile.pressure[3]` is -inf");
+        assert_eq!(
+            plant(|s| s.stick.as_mut().unwrap().one_minus_ratio = Some(f64::NAN)),
+            "`stick.one_minus_ratio` is NaN"
+        );
+        assert_eq!(plant(|s| s.error.each.extend([("edge.ratio".into(), f64::NAN)])), "`error.each.edge.ratio` is NaN");
+        assert_eq!(plant(|s| s.scene.output.x = Some(vec![0.0, f64::NAN])), "`scene.output.x[1]` is NaN");
+    }
+}

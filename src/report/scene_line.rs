@@ -1,0 +1,172 @@
+//! The scene in one line.
+
+use crate::engine::Solution;
+use crate::report::labels::{Labels, one_line, with_unit};
+use crate::report::number::short;
+use crate::scene::{Layer, Load};
+use serde::Serialize;
+use serde_json::Value;
+use slipzone_api::{Base, Friction, Plane};
+
+/// Letters for the field's symbols.
+pub(super) struct Alphabet {
+    mu: &'static str,
+    mu1: &'static str,
+    mu3: &'static str,
+    gamma: &'static str,
+    nu: &'static str,
+    eta: &'static str,
+    delta: &'static str,
+}
+
+/// For terminals and logs.
+pub(super) const ASCII: Alphabet =
+    Alphabet { mu: "mu", mu1: "mu1", mu3: "mu3", gamma: "gamma", nu: "nu", eta: "eta", delta: "delta" };
+/// For figures.
+#[cfg(feature = "plot")]
+pub(super) const GREEK: Alphabet =
+    Alphabet { mu: "µ", mu1: "µ₁", mu3: "µ₃", gamma: "γ", nu: "ν", eta: "η", delta: "δ" };
+
+/// Digits of the numbers in the line: they remind, they are not data.
+const DIGITS: usize = 4;
+
+/// The scene's parts, widest meaning first: geometry, material, base, punch, friction, load.
+pub(super) fn scene_parts(solution: &Solution, letters: &Alphabet) -> Vec<String> {
+    let (scene, labels) = (&solution.scene, Labels::new(&solution.units));
+    let mut parts = layer(&scene.layer, solution.load.half_width, &labels, letters);
+    parts.push(format!("{} = {}", letters.nu, short(scene.layer.poisson.get(), DIGITS)));
+    parts.push(plane(scene.layer.plane).into());
+    parts.push(base(&scene.layer.base, &labels, letters));
+    parts.push(punch(&scene.punch));
+    parts.push(match &scene.friction {
+        None => "frictionless".into(),
+        Some(Friction::Goodman { coefficient }) => format!("{} = {}", letters.eta, short(coefficient.get(), DIGITS)),
+    });
+    let (symbol, value, unit) = match &scene.load {
+        Load::Force(v) => ("P", v, &labels.force),
+        Load::HalfWidth(v) => ("b", v, &labels.length),
+        Load::Indentation(v) => (letters.delta, v, &labels.length),
+    };
+    parts.push(format!("{symbol} = {}", with_unit(&short(value.get(), DIGITS), unit)));
+    parts
+}
+
+fn plane(plane: Plane) -> &'static str {
+    match plane {
+        Plane::Strain => "plane strain",
+        Plane::Stress => "plane stress",
+    }
+}
+
+/// Thickness and how the modulus varies.
+fn layer(layer: &Layer, half_width: Option<f64>, labels: &Labels, letters: &Alphabet) -> Vec<String> {
+    let mut parts = Vec::new();
+    if let Some(h) = layer.thickness {
+        parts.push(match half_width {
+            Some(b) => format!("h/b = {}", short(h.get() / b, DIGITS)),
+            None => format!("h = {}", with_unit(&short(h.get(), DIGITS), &labels.length)),
+        });
+    }
+    let kind = plugin_type(&layer.grading);
+    // A law that cannot be had (that may be why the scene was refused) still has a name.
+    let Ok(law) = layer.grading.law(layer.thickness) else {
+        parts.push(kind);
+        return parts;
+    };
+    let surface = with_unit(&short(law.surface_modulus(), DIGITS), &labels.stress);
+    match (law.exponent(), layer.thickness) {
+        (Some(0.0), _) => parts.push(format!("{kind}, {} = {surface}", letters.mu)),
+        (_, Some(_)) => {
+            let ratio = law.surface_modulus() / law.modulus(1.0);
+            parts.push(format!(
+                "{kind}, {} = {surface}, {}/{} = {}",
+                letters.mu1,
+                letters.mu1,
+                letters.mu3,
+                fraction(ratio)
+            ));
+        }
+        (Some(gamma), None) => {
+            let per_length = if labels.length.is_empty() { String::new() } else { format!(" /{}", labels.length) };
+            parts.push(format!(
+                "{kind}, {} = {surface}, {} = {}{per_length}",
+                letters.mu1,
+                letters.gamma,
+                short(gamma, DIGITS)
+            ));
+        }
+        (None, None) => parts.push(format!("{kind}, {} = {surface}", letters.mu1)),
+    }
+    parts
+}
+
+/// A ratio, as `1/8` where that is what it is: so it stands in the literature.
+fn fraction(ratio: f64) -> String {
+    let inverse = ratio.recip();
+    // Moduli given with rounding still make a whole number.
+    let whole = (inverse - inverse.round()).abs() < 1e-9 * inverse;
+    if inverse > 1.5 && inverse < 1e4 && whole { format!("1/{inverse:.0}") } else { short(ratio, DIGITS) }
+}
+
+fn base(base: &Base, labels: &Labels, letters: &Alphabet) -> String {
+    match base {
+        Base::Rigid => "bonded to a rigid base".into(),
+        Base::Frictionless => "on a frictionless rigid base".into(),
+        Base::HalfPlane { shear, poisson } => format!(
+            "bonded to a half-plane ({} = {}, {} = {})",
+            letters.mu,
+            with_unit(&short(shear.get(), DIGITS), &labels.stress),
+            letters.nu,
+            short(poisson.get(), DIGITS)
+        ),
+        Base::Infinite => "half-plane".into(),
+    }
+}
+
+/// A plugin by its `type`.
+fn plugin_type(plugin: &impl Serialize) -> String {
+    match serde_json::to_value(plugin) {
+        Ok(Value::Object(table)) => table.get("type").and_then(Value::as_str).map(one_line).unwrap_or_default(),
+        _ => String::new(),
+    }
+}
+
+/// The punch by its `type` and those of its keys that fit into a line.
+fn punch(punch: &impl Serialize) -> String {
+    let Ok(Value::Object(table)) = serde_json::to_value(punch) else { return String::new() };
+    let scalar = |(key, value): (&String, &Value)| {
+        let value = match value {
+            Value::Number(number) => short(number.as_f64()?, DIGITS),
+            Value::String(text) if key != "type" => one_line(text),
+            _ => return None,
+        };
+        Some(format!("{} = {value}", key.replace('_', "-")))
+    };
+    let keys: Vec<_> = table.iter().filter_map(scalar).collect();
+    let name = format!("{} punch", plugin_type(&table));
+    if keys.is_empty() { name } else { format!("{name} ({})", keys.join(", ")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::samples;
+
+    #[test]
+    fn one_line_says_it_all() {
+        assert_eq!(
+            scene_parts(&samples::flat_with_friction(), &ASCII).join(", "),
+            "h/b = 5, exponential, mu1 = 1 MPa, mu1/mu3 = 1/8, nu = 0.3, plane strain, bonded to a rigid base, \
+             flat punch (half-width = 1), eta = 0.3, P = 1 N/mm"
+        );
+        assert_eq!(
+            scene_parts(&samples::cylinder_without_friction(), &ASCII).join(", "),
+            "homogeneous, mu = 1, nu = 0.3, plane strain, half-plane, cylinder punch (radius = 10), frictionless, b = 1"
+        );
+    }
+
+    #[test]
+    fn ratios_read_as_in_the_literature() {
+        assert_eq!([0.125, 1.0 / 3.0, 8.0, 1.0, 0.7].map(fraction), ["1/8", "1/3", "8", "1", "0.7"]);
+    }
+}

@@ -1,0 +1,476 @@
+//! The tractions as a figure fit to print.
+
+mod curves;
+
+use crate::engine::{Slip, Solution, Status, StickReport};
+use crate::report::finite::first_not_finite;
+use crate::report::labels::{Labels, one_line, with_unit};
+use crate::report::number::{digits, short};
+use crate::report::scene_line::{GREEK, scene_parts};
+use curves::{Curves, Frame, Stroke};
+use kuva::backend::svg::SvgBackend;
+use kuva::plot::{LinePlot, LineStyle};
+use kuva::render::annotations::ShadedRegion;
+use kuva::render::color::Color;
+use kuva::render::layout::{ComputedLayout, Layout, TickFormat};
+use kuva::render::plots::Plot;
+use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
+use std::sync::Arc;
+
+/// Why there is no figure.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum FigureError {
+    /// The scene was refused, so there are no numbers; the reason is the solution's.
+    #[error("no figure: the scene was refused: {0}")]
+    Refused(String),
+    /// A number is not finite; see [`first_not_finite`].
+    #[error("no figure: {0}")]
+    NotFinite(String),
+    /// Without contact half-width and mean pressure there are no axes.
+    #[error("no figure: the solution has no contact half-width or no mean pressure")]
+    NoScale,
+    /// A curve needs two points.
+    #[error("no figure: the pressure is known and bounded at {0} point(s) of the profile; a curve takes at least 2")]
+    NoProfile(usize),
+}
+
+/// Canvas in px; the letters are legible when it is printed 85 mm wide, the column of a journal.
+const SIZE: (f64, f64) = (620.0, 500.0);
+/// Half the range of `x/b`: room beside the contact for the markers of its edges.
+const HALF_RANGE: f64 = 1.2;
+const INK: &str = "#222222";
+const GRID: &str = "#d5d5d5";
+const STICK: &str = "#dbe4ef";
+const SLIP: &str = "#f9f1e4";
+const ALARM: &str = "#b00020";
+
+/// The tractions over the contact as an SVG figure (UTF-8): pressure and shear in mean pressures over `x/b`, zones
+/// of stick and slip shaded and named, the scene in a line under its title. The same solution always gives the
+/// same text. A pressure that is unbounded leaves the frame at its top.
+pub fn svg(solution: &Solution) -> Result<String, FigureError> {
+    if solution.status == Status::Refused {
+        return Err(FigureError::Refused(solution.reason.clone().unwrap_or_default()));
+    }
+    if let Some(found) = first_not_finite(solution) {
+        return Err(FigureError::NotFinite(found));
+    }
+    let positive = |value: Option<f64>| value.filter(|v| *v > 0.0).ok_or(FigureError::NoScale);
+    let (b, mean) = (positive(solution.load.half_width)?, positive(solution.pressure.mean)?);
+    let curves = Curves::new(solution, b, mean)?;
+    let frame = curves.frame();
+
+    let mut layout = layout(solution, b, mean, frame);
+    for (from, to, color) in zones(solution.stick.as_ref()) {
+        layout = layout.with_shaded_region(ShadedRegion::vertical(from, to).with_color(color).with_opacity(1.0));
+    }
+    // Room between subtitle and frame for the names of the zones and, if need be, for the alarm.
+    let (names, alarm) = (names(solution), alarm(solution));
+    let lines = f64::from(u8::from(!names.is_empty()) + u8::from(alarm.is_some()));
+    let plain = ComputedLayout::from_layout(&layout);
+    let layout = layout.with_force_margins_y(plain.margin_top + lines * LINE, plain.margin_bottom + LEGEND);
+    let computed = ComputedLayout::from_layout(&layout);
+
+    let mut plots = rules(solution.stick.as_ref(), frame);
+    plots.extend(curves.plots(frame));
+    let mut scene = render_multiple(plots, layout);
+    for (x, name) in names {
+        write(&mut scene, computed.map_x(x), computed.margin_top - 0.4 * LINE, name, INK, false);
+    }
+    if let Some(alarm) = alarm {
+        write(&mut scene, SIZE.0 / 2.0, computed.margin_top - (lines - 0.6) * LINE, alarm, ALARM, true);
+    }
+    outline(&mut scene, &computed);
+    legend(&mut scene, &computed, &curves.strokes());
+    name_clip(&mut scene);
+    Ok(SvgBackend::new().with_pretty(true).render_scene(&scene))
+}
+
+/// Height of a line of annotations, px.
+const LINE: f64 = 20.0;
+/// Height of the legend, px.
+const LEGEND: f64 = 28.0;
+/// Size of letters beside the axes, px.
+const LETTERS: u32 = 14;
+
+/// Titles, axes and legend.
+fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
+    let labels = Labels::new(&solution.units);
+    let title = solution.scene.title.as_deref().map(one_line).filter(|title| !title.is_empty());
+    let title = title.unwrap_or_else(|| {
+        if solution.stick.is_some() { "Pressure and shear under the punch" } else { "Pressure under the punch" }.into()
+    });
+    let own = |path: &str, value: f64, unit: &str| {
+        let supported = solution.error.each.get(path).map_or(SCALE_DIGITS, |e| digits(*e).min(SCALE_DIGITS));
+        with_unit(&short(value, supported), unit)
+    };
+    Layout::new((-HALF_RANGE, HALF_RANGE), (frame.bottom, frame.top))
+        .with_width(SIZE.0)
+        .with_height(SIZE.1)
+        .with_x_axis_min(-HALF_RANGE)
+        .with_x_axis_max(HALF_RANGE)
+        .with_y_axis_min(frame.bottom)
+        .with_y_axis_max(frame.top)
+        .with_x_tick_step(0.5)
+        .with_y_tick_step(frame.step)
+        .with_tick_format(TickFormat::Custom(Arc::new(|v| format!("{v:.1}").replace('-', "\u{2212}"))))
+        .with_box_axes()
+        .with_show_grid(false)
+        .with_font_family("Helvetica, Arial, 'DejaVu Sans', sans-serif")
+        .with_title(literal(&title))
+        .with_title_size(17)
+        .with_title_wrap(52)
+        .with_subtitle(literal(&lines(&scene_parts(solution, &GREEK))))
+        .with_subtitle_size(12)
+        .with_subtitle_wrap(SUBTITLE)
+        .with_label_size(15)
+        .with_tick_size(14)
+        .with_body_size(14)
+        .with_x_label(literal(&format!("x / b (b = {})", own("load.half_width", b, &labels.length))))
+        .with_y_label(literal(&format!(
+            "traction / mean pressure (mean {})",
+            own("pressure.mean", mean, &labels.stress)
+        )))
+        .with_y_label_wrap(24)
+        .with_x_label_offset(0.0, -LEGEND)
+}
+
+/// Characters that a line of the subtitle holds.
+const SUBTITLE: usize = 92;
+
+/// The parts in lines that break between two parts, never within one.
+fn lines(parts: &[String]) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for part in parts {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + part.chars().count() + 3 <= SUBTITLE => {
+                line.push_str(", ");
+                line.push_str(part);
+            }
+            Some(line) => {
+                line.push(',');
+                lines.push(part.clone());
+            }
+            None => lines.push(part.clone()),
+        }
+    }
+    lines.join("\n")
+}
+
+/// Digits of the scales on the axes' labels, at most.
+const SCALE_DIGITS: usize = 5;
+
+/// Text that kuva shall not take for a formula.
+fn literal(text: &str) -> String {
+    text.replace('$', "\\$")
+}
+
+/// `a/b` where a stick zone was found.
+fn stick_ratio(stick: Option<&StickReport>) -> Option<f64> {
+    stick?.ratio.filter(|ratio| *ratio > 0.0 && *ratio <= 1.0)
+}
+
+/// Shaded zones: from, to, colour.
+fn zones(stick: Option<&StickReport>) -> Vec<(f64, f64, &'static str)> {
+    match stick_ratio(stick) {
+        Some(a) => vec![(-1.0, -a, SLIP), (-a, a, STICK), (a, 1.0, SLIP)],
+        None => Vec::new(),
+    }
+}
+
+/// Names of the zones over the frame, where no curve can cross them: middle (x/b), text.
+fn names(solution: &Solution) -> Vec<(f64, String)> {
+    let Some((stick, a)) = solution.stick.as_ref().and_then(|stick| Some((stick, stick_ratio(Some(stick))?))) else {
+        return Vec::new();
+    };
+    // Arrows point where the surface slides.
+    let (left, right) = match stick.slip {
+        Some(Slip::Inward) => ("slip \u{2192}", "\u{2190} slip"),
+        Some(Slip::Outward) => ("\u{2190} slip", "slip \u{2192}"),
+        None => ("slip", "slip"),
+    };
+    let shown = |path: &str, value: f64| {
+        let supported = solution.error.each.get(path).map_or(4, |e| digits(*e).min(4));
+        power_of_ten(&short(value, supported))
+    };
+    let size = match stick.one_minus_ratio {
+        // 0.9999 would hide how wide the slip zone is.
+        Some(rest) if rest < 0.01 => format!("1 \u{2212} a/b = {}", shown("stick.one_minus_ratio", rest)),
+        _ => format!("a/b = {}", shown("stick.ratio", a)),
+    };
+    let slip = f64::midpoint(a, 1.0);
+    vec![(-slip, left.into()), (0.0, format!("stick, {size}")), (slip, right.into())]
+}
+
+/// `2.1e-5` as `2.1×10⁻⁵`.
+fn power_of_ten(number: &str) -> String {
+    let Some((mantissa, exponent)) = number.split_once('e') else { return number.replace('-', "\u{2212}") };
+    let raised = |c: char| match c.to_digit(10) {
+        Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
+        None => '⁻',
+    };
+    format!("{mantissa}×10{}", exponent.chars().map(raised).collect::<String>())
+}
+
+/// What is wrong with the numbers, if anything, as far as it fits into a line.
+fn alarm(solution: &Solution) -> Option<String> {
+    const LONGEST: usize = 68;
+    let status = match solution.status {
+        Status::Converged | Status::Refused => return None,
+        Status::NotConverged => "NOT CONVERGED",
+        Status::AssumptionViolated => "ASSUMPTION VIOLATED",
+    };
+    let text = match &solution.reason {
+        Some(reason) => format!("{status}: {}", one_line(reason)),
+        None => status.to_owned(),
+    };
+    let short = if text.chars().count() > LONGEST { text.chars().take(LONGEST).chain(['…']).collect() } else { text };
+    Some(literal(&short))
+}
+
+/// Grid, edges of the contact and of the stick zone: under the curves, none in the legend.
+fn rules(stick: Option<&StickReport>, frame: Frame) -> Vec<Plot> {
+    /// More than any frame holds.
+    const MOST_LEVELS: u8 = 64;
+    let rule = |from: (f64, f64), to: (f64, f64), color: &str, width: f64, style: LineStyle| {
+        Plot::Line(
+            LinePlot::new().with_data([from, to]).with_color(color).with_stroke_width(width).with_line_style(style),
+        )
+    };
+    let level = |y: f64, color: &str| rule((-HALF_RANGE, y), (HALF_RANGE, y), color, 0.8, LineStyle::Solid);
+    let upright = |x: f64, width: f64, style: LineStyle| rule((x, frame.bottom), (x, frame.top), INK, width, style);
+
+    let mut rules: Vec<Plot> = (1..MOST_LEVELS)
+        .map(|i| frame.bottom + f64::from(i) * frame.step)
+        .take_while(|y| *y < frame.top - 0.5 * frame.step)
+        .map(|y| level(y, GRID))
+        .collect();
+    rules.push(level(0.0, INK));
+    rules.extend([-1.0, 1.0].map(|x| upright(x, 1.0, LineStyle::Solid)));
+    if let Some(a) = stick_ratio(stick) {
+        rules.extend([-a, a].map(|x| upright(x, 1.0, LineStyle::Custom("9 3 2 3".into()))));
+    }
+    rules
+}
+
+/// Centred text at a place on the canvas.
+fn write(scene: &mut Scene, x: f64, y: f64, content: String, color: &str, bold: bool) {
+    // Bold letters are wider.
+    let size = if bold { LETTERS - 2 } else { LETTERS };
+    let (anchor, color) = (TextAnchor::Middle, Some(Color::from(color)));
+    scene.add(Primitive::Text { x, y, content, size, anchor, rotate: None, bold, color });
+}
+
+/// The legend in a line under the axis, centred. (kuva's own samples are too short to show how a line is dashed.)
+fn legend(scene: &mut Scene, computed: &ComputedLayout, strokes: &[Stroke]) {
+    const SAMPLE: f64 = 44.0;
+    const GAP: f64 = 8.0;
+    const BETWEEN: f64 = 30.0;
+    /// Width of an average letter in its height; the viewer chooses the font, so nobody knows better.
+    const LETTER: f64 = 0.55;
+    let width = |stroke: &Stroke| SAMPLE + GAP + LETTER * f64::from(LETTERS) * stroke.name.chars().count() as f64;
+    let total: f64 = strokes.iter().map(width).sum::<f64>() + BETWEEN * (strokes.len() as f64 - 1.0);
+    let mut x = computed.margin_left + (computed.plot_width() - total) / 2.0;
+    let y = computed.height - 0.5 * LEGEND;
+    for stroke in strokes {
+        scene.add(Primitive::Line {
+            x1: x,
+            y1: y,
+            x2: x + SAMPLE,
+            y2: y,
+            stroke: Color::from(stroke.color),
+            stroke_width: stroke.width,
+            stroke_dasharray: Some(stroke.dashes.into()),
+        });
+        scene.add(Primitive::Text {
+            x: x + SAMPLE + GAP,
+            // Half the height of small letters below the middle.
+            y: y + 0.33 * f64::from(LETTERS),
+            content: stroke.name.into(),
+            size: LETTERS,
+            anchor: TextAnchor::Start,
+            rotate: None,
+            bold: false,
+            color: Some(Color::from(INK)),
+        });
+        x += width(stroke) + BETWEEN;
+    }
+}
+
+/// The frame once more: the shading has covered the inner half of its lines.
+fn outline(scene: &mut Scene, computed: &ComputedLayout) {
+    scene.add(Primitive::Rect {
+        x: computed.margin_left,
+        y: computed.margin_top,
+        width: computed.plot_width(),
+        height: computed.plot_height(),
+        fill: Color::None,
+        stroke: Some(Color::from(INK)),
+        stroke_width: Some(1.0),
+        opacity: None,
+    });
+}
+
+/// kuva numbers its clip paths through the life of the process; the same solution shall give the same text.
+fn name_clip(scene: &mut Scene) {
+    const NAME: &str = "frame";
+    for element in &mut scene.elements {
+        if let Primitive::ClipStart { id, .. } = element {
+            for definition in &mut scene.defs {
+                *definition = definition.replace(id.as_str(), NAME);
+            }
+            NAME.clone_into(id);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::curves::PRESSURE;
+    use super::*;
+    use crate::report::samples;
+
+    /// All text of a figure; fails on what is no XML.
+    fn texts(svg: &str) -> Vec<String> {
+        let document = roxmltree::Document::parse(svg).expect("well-formed XML");
+        document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).map(Into::into).collect()
+    }
+
+    /// Ordinates (px) of the solid, thick pressure curve from left to right, and those of the frame's top and bottom.
+    fn pressure_curve(svg: &str) -> (Vec<f64>, [f64; 2]) {
+        let document = roxmltree::Document::parse(svg).unwrap();
+        let path = document
+            .descendants()
+            .find(|n| n.has_tag_name("path") && n.attribute("stroke") == Some(PRESSURE.color))
+            .expect("a pressure curve");
+        let numbers = path.attribute("d").unwrap().split([' ', 'M', 'L']).filter(|s| !s.is_empty());
+        let numbers: Vec<f64> = numbers.map(|s| s.parse().unwrap()).collect();
+        let frame = document.descendants().find(|n| n.has_tag_name("clipPath")).unwrap().first_element_child().unwrap();
+        let side = |name| frame.attribute(name).unwrap().parse::<f64>().unwrap();
+        (numbers.chunks(2).map(|xy| xy[1]).collect(), [side("y"), side("y") + side("height")])
+    }
+
+    #[test]
+    fn the_same_solution_gives_the_same_figure() {
+        let solution = samples::flat_with_friction();
+        assert_eq!(svg(&solution).unwrap(), svg(&solution).unwrap());
+    }
+
+    #[test]
+    fn titles_are_escaped() {
+        let mut solution = samples::flat_with_friction();
+        let title = "a < b & \"c\" > 'd' at $1 or $2";
+        solution.scene.title = Some(format!("{title}\u{1}"));
+        let figure = svg(&solution).unwrap();
+        assert!(texts(&figure).contains(&title.to_owned()), "{:?}", texts(&figure));
+        solution.units.length = Some("<m>".into());
+        assert!(texts(&svg(&solution).unwrap()).contains(&"x / b (b = 1 <m>)".to_owned()));
+    }
+
+    #[test]
+    fn zones_and_curves_are_named() {
+        let found = texts(&svg(&samples::flat_with_friction()).unwrap());
+        let names =
+            ["slip \u{2192}", "stick, a/b = 0.553", "\u{2190} slip", "pressure p", "shear q", "friction limit ±ηp"];
+        for name in names {
+            assert!(found.iter().any(|text| text == name), "{name} in {found:?}");
+        }
+        let found = texts(&svg(&samples::cylinder_without_friction()).unwrap());
+        assert!(!found.iter().any(|text| text.contains("slip") || text.contains("shear")), "{found:?}");
+    }
+
+    #[test]
+    fn a_narrow_slip_zone_shows_how_narrow() {
+        let found = texts(&svg(&samples::flat(1.0 - 2.1e-5, 0.3, Slip::Inward, 201)).unwrap());
+        assert!(found.contains(&"stick, 1 \u{2212} a/b = 2.1×10⁻⁵".to_owned()), "{found:?}");
+    }
+
+    #[test]
+    fn an_unbounded_pressure_leaves_the_frame_at_its_top() {
+        // Also where the samples are far apart.
+        for points in [5, 11, 201] {
+            let (curve, [top, bottom]) = pressure_curve(&svg(&samples::flat(0.5, 0.3, Slip::Inward, points)).unwrap());
+            assert!(curve[0] < top && *curve.last().unwrap() < top, "{points} points: {curve:?}");
+            assert!(curve.iter().all(|y| *y < bottom), "{points} points");
+        }
+        let (curve, [top, bottom]) = pressure_curve(&svg(&samples::cylinder_without_friction()).unwrap());
+        assert!(curve.iter().all(|y| *y >= top && *y <= bottom), "a bounded pressure stays inside");
+    }
+
+    #[test]
+    fn points_in_any_order_draw_the_same_curve() {
+        let sorted = samples::flat_with_friction();
+        let mut reversed = sorted.clone();
+        let profile = &mut reversed.profile;
+        profile.x.reverse();
+        profile.pressure.reverse();
+        profile.shear.as_mut().unwrap().reverse();
+        assert_eq!(svg(&sorted).unwrap(), svg(&reversed).unwrap());
+    }
+
+    #[test]
+    fn odd_profiles_still_fit_a_frame() {
+        let mut solution = samples::flat_with_friction();
+        for (x, pressure) in [
+            (vec![-1.0, 1.0], vec![Some(0.0), Some(0.0)]),
+            (vec![-0.9, 0.2], vec![Some(-3.0), Some(1e300)]),
+            (vec![0.5, 0.5, 0.5], vec![Some(1.0), None, Some(1.0)]),
+            (vec![-1.0, 0.0, 1.0], vec![None, Some(1e-300), None]),
+        ] {
+            solution.profile = crate::engine::Profile { shear: Some(pressure.clone()), x, pressure };
+            let figure = svg(&solution).unwrap();
+            texts(&figure);
+            assert!(!figure.contains("NaN") && !figure.contains("inf"), "{:?}: {figure}", solution.profile);
+        }
+    }
+
+    #[test]
+    fn doubtful_numbers_are_flagged() {
+        let mut solution = samples::flat_with_friction();
+        for (status, flag) in
+            [(Status::NotConverged, "NOT CONVERGED: x & y"), (Status::AssumptionViolated, "ASSUMPTION VIOLATED: x & y")]
+        {
+            (solution.status, solution.reason) = (status, Some("x & y".into()));
+            assert!(texts(&svg(&solution).unwrap()).contains(&flag.to_owned()));
+        }
+    }
+
+    #[test]
+    fn without_numbers_there_is_no_figure() {
+        assert!(
+            matches!(svg(&samples::refused()), Err(FigureError::Refused(reason)) if reason.contains("exponential"))
+        );
+        let mut solution = samples::cylinder_without_friction();
+        solution.profile = crate::engine::Profile { x: vec![0.0], pressure: vec![Some(1.0)], shear: None };
+        assert_eq!(svg(&solution), Err(FigureError::NoProfile(1)));
+        solution.pressure.mean = None;
+        assert_eq!(svg(&solution), Err(FigureError::NoScale));
+        solution.profile.x[0] = f64::NAN;
+        assert_eq!(svg(&solution), Err(FigureError::NotFinite("`profile.x[0]` is NaN".into())));
+    }
+
+    /// Writes the figures to look at: `SLIPZONE_FIGURES=folder cargo test figures_to_look_at -- --ignored`.
+    #[test]
+    #[ignore = "for the eye"]
+    fn figures_to_look_at() {
+        let folder = std::path::PathBuf::from(std::env::var("SLIPZONE_FIGURES").expect("a folder"));
+        let mut alarm = samples::flat(0.1, 1.0, Slip::Inward, 201);
+        alarm.status = Status::AssumptionViolated;
+        alarm.reason = Some("the shear exceeds the friction limit in the stick zone at x = 0.0312, by 1.7".into());
+        let mut long = samples::flat(0.5, 0.3, Slip::Inward, 201);
+        long.scene.title =
+            Some("A title of the kind that does not end before everything has been said about it".into());
+        for (name, solution) in [
+            ("long", long),
+            ("flat", samples::flat_with_friction()),
+            ("cylinder", samples::cylinder_without_friction()),
+            ("alarm", alarm),
+            ("outward", samples::flat(0.2815, 0.1, Slip::Outward, 201)),
+            ("narrow-stick", samples::flat(0.02, 0.3, Slip::Inward, 201)),
+            ("wide-stick", samples::flat(0.985, 0.6, Slip::Inward, 201)),
+            ("full-stick", samples::flat(1.0 - 2.1e-5, 0.9, Slip::Inward, 201)),
+            ("sparse", samples::flat(0.5, 0.3, Slip::Outward, 11)),
+        ] {
+            std::fs::write(folder.join(name).with_extension("svg"), svg(&solution).unwrap()).unwrap();
+        }
+    }
+}

@@ -1,0 +1,246 @@
+//! What a tribologist reads on the terminal.
+
+use crate::engine::{Slip, Solution, Status};
+use crate::report::labels::{Labels, one_line};
+use crate::report::number::{digits, significant};
+use crate::report::scene_line::{ASCII, scene_parts};
+use slipzone_api::Base;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// Digits of a number that comes without an estimate.
+const DIGITS_WITHOUT_ESTIMATE: usize = 6;
+
+/// The solution as a page of aligned text: status first, then every number with its unit and its own error
+/// estimate, with only as many digits as the estimate supports and one more. Never `NaN`: a number that does
+/// not exist is a reason in words. Ends in a line feed.
+pub fn text(solution: &Solution) -> String {
+    let mut page = String::new();
+    if let Some(title) = &solution.scene.title {
+        line(&mut page, &one_line(title));
+        line(&mut page, "");
+    }
+    pair(&mut page, "status", status(solution.status));
+    if let Some(reason) = &solution.reason {
+        pair(&mut page, "reason", &one_line(reason));
+    }
+    pair(&mut page, "scene", &scene_parts(solution, &ASCII).join(", "));
+    if solution.status != Status::Refused {
+        line(&mut page, "");
+        table(&mut page, &rows(solution), &solution.error.each);
+        if let Some(slip) = solution.stick.as_ref().and_then(|stick| stick.slip) {
+            pair(&mut page, "slip", direction(slip));
+        }
+        line(&mut page, "");
+        work(&mut page, solution);
+    }
+    list(&mut page, "assumptions", &solution.assumptions);
+    page
+}
+
+/// A status in words.
+fn status(status: Status) -> &'static str {
+    match status {
+        Status::Converged => "converged",
+        Status::NotConverged => "NOT CONVERGED: the best numbers found miss the tolerance",
+        Status::AssumptionViolated => "ASSUMPTION VIOLATED: the numbers solve equations that do not hold here",
+        Status::Refused => "REFUSED: no numbers",
+    }
+}
+
+fn direction(slip: Slip) -> &'static str {
+    match slip {
+        Slip::Inward => "inward: beside the stick zone the surface slides towards the middle (q = +eta p at x > a)",
+        Slip::Outward => "outward: beside the stick zone the surface slides away from the middle (q = -eta p at x > a)",
+    }
+}
+
+/// A number to be reported.
+struct Row {
+    name: &'static str,
+    symbol: &'static str,
+    value: Option<f64>,
+    /// Why there is no value.
+    absent: &'static str,
+    unit: String,
+    /// Key of `error.each`.
+    path: &'static str,
+}
+
+fn rows(solution: &Solution) -> Vec<Row> {
+    let Labels { length, stress, force, intensity } = Labels::new(&solution.units);
+    let none = String::new;
+    let row = |path, name, symbol, value, absent, unit| Row { name, symbol, value, absent, unit, path };
+    let (load, pressure, edge) = (&solution.load, &solution.pressure, &solution.edge);
+    let depth = match solution.scene.layer.base {
+        Base::Infinite | Base::HalfPlane { .. } => "undefined on a half-plane",
+        Base::Rigid | Base::Frictionless => "not computed",
+    };
+    let mut rows = vec![
+        row("load.half_width", "contact half-width", "b", load.half_width, "not computed", length.clone()),
+        row("load.indentation", "indentation", "delta", load.indentation, depth, length.clone()),
+        row("load.force", "force per length", "P", load.force, "not computed", force),
+        row("pressure.centre", "pressure, centre", "p(0)", pressure.centre, "unbounded", stress.clone()),
+        row("pressure.mean", "pressure, mean", "P/(2b)", pressure.mean, "not computed", stress.clone()),
+        row("pressure.peak", "pressure, peak", "max p", pressure.peak, "unbounded", stress),
+        row("edge.stress_intensity", "edge stress intensity", "K", edge.stress_intensity, "not computed", intensity),
+        row("edge.ratio", "edge ratio", "K sqrt(b)/P", edge.ratio, "not computed", none()),
+    ];
+    if let Some(stick) = &solution.stick {
+        rows.extend([
+            row("stick.half_width", "stick half-width", "a", stick.half_width, "not found", length),
+            row("stick.ratio", "stick ratio", "a/b", stick.ratio, "not found", none()),
+            row("stick.one_minus_ratio", "slip share", "1 - a/b", stick.one_minus_ratio, "not found", none()),
+        ]);
+    } else {
+        let absent = if solution.scene.friction.is_none() { "none: frictionless" } else { "not computed" };
+        rows.push(row("stick", "stick zone", "", None, absent, none()));
+    }
+    rows
+}
+
+/// Rows in five columns: name, symbol, value, unit, relative error.
+fn table(page: &mut String, rows: &[Row], each: &BTreeMap<String, f64>) {
+    let mut cells = vec![["", "", "value", "unit", "relative error"].map(String::from)];
+    cells.extend(rows.iter().map(|row| {
+        let estimate = each.get(row.path).copied();
+        let value = row.value.map_or_else(|| row.absent.into(), |value| number(value, estimate));
+        // The unit of a word or of an error that nobody estimated would only puzzle.
+        let unit = if row.value.is_some() { row.unit.clone() } else { String::new() };
+        let error =
+            if row.value.is_some() { estimate.map_or_else(|| "not estimated".into(), error) } else { String::new() };
+        [row.name.into(), row.symbol.into(), value, unit, error]
+    }));
+    let widths: [usize; 5] =
+        std::array::from_fn(|column| cells.iter().map(|row| row[column].chars().count()).max().unwrap_or_default());
+    for row in &cells {
+        let padded = row.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}"));
+        line(page, &padded.collect::<Vec<_>>().join("  "));
+    }
+}
+
+/// A value with the digits that its relative error estimate supports, and one more.
+fn number(value: f64, estimate: Option<f64>) -> String {
+    match estimate {
+        _ if value == 0.0 => "0".into(),
+        _ if !value.is_finite() => "not finite".into(),
+        Some(0.0) if (1e-4..1e6).contains(&value.abs()) => format!("{value}"),
+        Some(0.0) => format!("{value:e}"),
+        Some(estimate) => significant(value, digits(estimate)),
+        None => significant(value, DIGITS_WITHOUT_ESTIMATE),
+    }
+}
+
+/// A relative error estimate in words or one digit.
+fn error(estimate: f64) -> String {
+    match estimate {
+        0.0 => "exact".into(),
+        finite if finite.is_finite() => format!("{finite:.0e}"),
+        _ => "not finite".into(),
+    }
+}
+
+/// Methods, counts of work, how the errors were got.
+fn work(page: &mut String, solution: &Solution) {
+    let plan = &solution.plan;
+    let methods = [&plan.grading, &plan.flexibility, &plan.kernel, &plan.quadrature];
+    let methods: Vec<_> = methods.into_iter().filter(|name| !name.is_empty()).map(|name| one_line(name)).collect();
+    pair(page, "methods", &methods.join(", "));
+    pair(
+        page,
+        "work",
+        &format!(
+            "{} unknowns, {} flexibility evaluations, {} factorisations",
+            plan.unknowns, plan.flexibility_evaluations, plan.factorisations
+        ),
+    );
+    if !solution.error.how.is_empty() {
+        pair(page, "errors", &one_line(&solution.error.how));
+    }
+}
+
+fn list(page: &mut String, name: &str, items: &[String]) {
+    for (i, item) in items.iter().enumerate() {
+        pair(page, if i == 0 { name } else { "" }, &one_line(item));
+    }
+}
+
+/// A name and what follows it, in two columns.
+fn pair(page: &mut String, name: &str, value: &str) {
+    line(page, &format!("{name:<13}{value}"));
+}
+
+/// A line without trailing blanks.
+fn line(page: &mut String, text: &str) {
+    writeln!(page, "{}", text.trim_end()).expect("a String takes any text");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::samples;
+
+    #[test]
+    fn a_page_of_text() {
+        let expected = "\
+Flat punch, layer stiffening downwards
+
+status       converged
+scene        h/b = 5, exponential, mu1 = 1 MPa, mu1/mu3 = 1/8, nu = 0.3, plane strain, bonded to a rigid base, \
+flat punch (half-width = 1), eta = 0.3, P = 1 N/mm
+
+                                    value         unit        relative error
+contact half-width     b            1             mm          exact
+indentation            delta        not computed
+force per length       P            1             N/mm        exact
+pressure, centre       p(0)         0.318309886   MPa         2e-9
+pressure, mean         P/(2b)       0.5           MPa         exact
+pressure, peak         max p        unbounded
+edge stress intensity  K            0.3183098862  MPa mm^1/2  3e-10
+edge ratio             K sqrt(b)/P  0.3183098862              3e-10
+stick half-width       a            0.5530000     mm          4e-7
+stick ratio            a/b          0.5530000                 4e-7
+slip share             1 - a/b      0.4470000                 1e-6
+slip         inward: beside the stick zone the surface slides towards the middle (q = +eta p at x > a)
+
+methods      exponential, transfer-matrix, split, de-sinc
+work         40 unknowns, 120 flexibility evaluations, 3 factorisations
+errors       difference from the next finer resolution
+assumptions  plane strain
+             Goodman: q does not change p
+";
+        assert_eq!(text(&samples::flat_with_friction()), expected);
+    }
+
+    #[test]
+    fn what_does_not_exist_is_said_in_words() {
+        let page = text(&samples::cylinder_without_friction());
+        let value = |name: &str| {
+            let row = page.lines().find(|row| row.starts_with(name)).unwrap();
+            row[name.len()..].split("  ").map(str::trim).filter(|cell| !cell.is_empty()).nth(1).unwrap_or_default()
+        };
+        assert_eq!(value("indentation"), "undefined on a half-plane");
+        assert_eq!(value("edge stress intensity"), "0");
+        assert_eq!(value("pressure, centre"), "0.63662", "an error of 1e-4 carries four digits, and one more");
+        assert_eq!(value("contact half-width"), "1.00000", "six digits of a number without an estimate");
+        assert!(page.contains("none: frictionless"));
+        assert!(!page.contains("MPa"), "a scene without labels has no units");
+    }
+
+    #[test]
+    fn a_refusal_is_a_reason_and_no_numbers() {
+        let page = text(&samples::refused());
+        assert!(page.contains("status       REFUSED: no numbers\nreason       this grading does not exist yet"));
+        assert!(!page.contains("relative error"), "{page}");
+    }
+
+    #[test]
+    fn nan_never_reaches_the_reader() {
+        let mut solution = samples::flat_with_friction();
+        solution.pressure.centre = Some(f64::NAN);
+        solution.error.each.insert("edge.ratio".into(), f64::INFINITY);
+        let page = text(&solution);
+        assert!(!page.contains("NaN") && !page.contains("inf\n"), "{page}");
+        assert_eq!(page.matches("not finite").count(), 2, "{page}");
+    }
+}
