@@ -1,1 +1,8 @@
 //! Closed forms of the field, tested against themselves before anything is tested against them.
+//!
+//! Symbols and signs are those of `docs/theory.md`. Units are any consistent ones unless said otherwise.
+
+pub mod cylinder;
+pub mod flat_punch;
+pub mod homogeneous_layer;
+pub mod partial_slip;
