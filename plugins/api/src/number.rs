@@ -64,6 +64,7 @@ checked!(Positive, "a finite number above 0", |v| v > 0.0 && v < f64::INFINITY);
 checked!(Poisson, "a number above -1 and up to 0.5", |v| v > -1.0 && v <= 0.5);
 
 #[cfg(test)]
+#[allow(clippy::float_cmp)] // where equality is asserted, it is exact by construction
 mod tests {
     use super::*;
 

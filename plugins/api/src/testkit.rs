@@ -1,73 +1,122 @@
 //! Checks that each plugin crate runs over its own plugins: `testkit::check_crate(env!("CARGO_PKG_NAME"))`.
 
+mod contracts;
+#[cfg(test)]
+mod tests;
+
 use crate::{Family, Flexibility, Grading, KernelStrategy, PluginInfo, PunchProfile, Quadrature, plugins};
 
-/// Checks every plugin of one crate: its example parses, its tag is its registered name, an unknown key
-/// is refused, each documented key is known and each sample value accepted, and names are unique.
+/// Checks every plugin of one crate with [`check_plugin`].
 ///
 /// # Panics
-/// With the plugin's name and what is wrong with it.
+/// With the plugin's name and what is wrong with it, or when the crate registers nothing.
 pub fn check_crate(krate: &str) {
     let own: Vec<_> = plugins().into_iter().filter(|info| info.krate == krate).collect();
     assert!(!own.is_empty(), "{krate} registers no plugin: is `link()` naming every module?");
     for info in own {
-        check_plugin(info);
+        check_plugin(info).unwrap_or_else(|fault| panic!("{} `{}`: {fault}", info.family.name(), info.name));
     }
 }
 
-fn check_plugin(info: &PluginInfo) {
-    let name = info.name;
-    let twins = plugins().iter().filter(|other| (other.family, other.name) == (info.family, name)).count();
-    assert_eq!(twins, 1, "{name}: {twins} plugins of this family share the name");
+/// Checks one plugin; the error says what is wrong with it.
+///
+/// Its name is unique in its family and equals the tag; its example parses, survives writing and reading
+/// back, and refuses an unknown key; the documented keys are those that exist, required where they say so,
+/// and each sample value is accepted. A grading or a punch must also keep its contract: a finite and
+/// positive modulus, an even height whose derivative is the slope.
+pub fn check_plugin(info: &PluginInfo) -> Result<(), String> {
+    let twins = plugins().iter().filter(|other| (other.family, other.name) == (info.family, info.name)).count();
+    ensure(twins == 1, || format!("{twins} plugins of this family have this name"))?;
 
-    let tag = parse(info.family, info.example).unwrap_or_else(|e| panic!("{name}: its example does not parse: {e}"));
-    assert_eq!(tag, name, "the example of `{name}` parses as `{tag}`");
-
+    let example = Parsed::new(info.family, info.example).map_err(|e| format!("its example fails: {e}"))?;
+    ensure(example.tag == info.name, || format!("its example is a `{}`", example.tag))?;
     let bogus = format!("{}\nno_such_key = 1", info.example);
-    assert!(parse(info.family, &bogus).is_err(), "{name}: an unknown key passes; add #[serde(deny_unknown_fields)]");
+    ensure(Parsed::new(info.family, &bogus).is_err(), || {
+        "an unknown key passes; add #[serde(deny_unknown_fields)]".into()
+    })?;
 
-    let table: toml::Table = toml::from_str(info.example).expect("parsed above");
-    for key in table.keys().filter(|key| *key != "type") {
-        assert!(info.parameters.iter().any(|p| p.name == key), "{name}: key `{key}` is not documented");
+    let table: toml::Table = toml::from_str(info.example).map_err(|e| e.to_string())?;
+    // Written back, a config shows keys with defaults that its example leaves out.
+    for key in table.keys().chain(example.written.keys()).filter(|key| *key != "type") {
+        ensure(info.parameters.iter().any(|p| p.name == key), || format!("key `{key}` is not documented"))?;
     }
-    for parameter in info.parameters {
-        for &sample in parameter.samples {
-            let mut changed = table.clone();
-            let value = if sample.fract() == 0.0 && table.get(parameter.name).is_none_or(toml::Value::is_integer) {
-                #[allow(clippy::cast_possible_truncation)] // samples are small
-                toml::Value::Integer(sample as i64)
-            } else {
-                toml::Value::Float(sample)
-            };
-            changed.insert(parameter.name.into(), value);
-            let text = toml::to_string(&changed).expect("a table of numbers");
-            assert!(parse(info.family, &text).is_ok(), "{name}: sample {} = {sample} is refused", parameter.name);
+    info.parameters.iter().try_for_each(|parameter| check_parameter(info.family, &table, parameter))
+}
+
+fn check_parameter(family: Family, example: &toml::Table, parameter: &crate::Parameter) -> Result<(), String> {
+    let name = parameter.name;
+    ensure(!parameter.samples.is_empty() || example.contains_key(name), || {
+        format!("key `{name}` has neither a sample nor a place in the example")
+    })?;
+    let refusal = |table: &toml::Table| Parsed::new(family, &table.to_string()).err();
+    for &sample in parameter.samples {
+        let mut changed = example.clone();
+        let value = if sample.fract() == 0.0 && example.get(name).is_none_or(toml::Value::is_integer) {
+            #[allow(clippy::cast_possible_truncation)] // samples are small
+            toml::Value::Integer(sample as i64)
+        } else {
+            toml::Value::Float(sample)
+        };
+        changed.insert(name.into(), value);
+        if let Some(fault) = refusal(&changed) {
+            return Err(format!("sample {name} = {sample} fails: {fault}"));
         }
-        if parameter.required {
-            let mut without = table.clone();
-            without.remove(parameter.name);
-            let text = toml::to_string(&without).expect("a table of numbers");
-            assert!(parse(info.family, &text).is_err(), "{name}: key `{}` is not required after all", parameter.name);
+    }
+    let mut without = example.clone();
+    without.remove(name);
+    ensure(!parameter.required || refusal(&without).is_some(), || format!("key `{name}` is not required after all"))?;
+    ensure(parameter.required || refusal(&without).is_none(), || format!("key `{name}` is required after all"))
+}
+
+/// A table that parsed, survived a round trip, and kept its family's contract.
+struct Parsed {
+    /// Its typetag name.
+    tag: String,
+    /// How it writes itself.
+    written: toml::Table,
+}
+
+impl Parsed {
+    fn new(family: Family, text: &str) -> Result<Self, String> {
+        macro_rules! round_trip {
+            ($config:ty) => {{
+                let once: Box<$config> = toml::from_str(text).map_err(|e| e.message().to_owned())?;
+                let written = toml::Table::try_from(&once).map_err(|e| format!("it cannot be written: {e}"))?;
+                let twice: Box<$config> = toml::from_str(&written.to_string()).map_err(|e| e.message().to_owned())?;
+                ensure(format!("{once:?}") == format!("{twice:?}"), || {
+                    format!("writing and reading back turns {once:?} into {twice:?}")
+                })?;
+                (once, written)
+            }};
         }
+        let (tag, written) = match family {
+            Family::Grading => {
+                let (config, written) = round_trip!(dyn Grading);
+                contracts::grading(&*config)?;
+                (config.typetag_name(), written)
+            }
+            Family::Punch => {
+                let (config, written) = round_trip!(dyn PunchProfile);
+                contracts::punch(&*config)?;
+                (config.typetag_name(), written)
+            }
+            Family::Flexibility => {
+                let (config, written) = round_trip!(dyn Flexibility);
+                (config.typetag_name(), written)
+            }
+            Family::Kernel => {
+                let (config, written) = round_trip!(dyn KernelStrategy);
+                (config.typetag_name(), written)
+            }
+            Family::Quadrature => {
+                let (config, written) = round_trip!(dyn Quadrature);
+                (config.typetag_name(), written)
+            }
+        };
+        Ok(Self { tag: tag.to_owned(), written })
     }
 }
 
-/// Parses a table of one family and gives its typetag name, after a round trip through text.
-fn parse(family: Family, text: &str) -> Result<String, toml::de::Error> {
-    macro_rules! round_trip {
-        ($config:ty) => {{
-            let once: Box<$config> = toml::from_str(text)?;
-            let written = toml::to_string(&once).expect("a config serialises");
-            let twice: Box<$config> = toml::from_str(&written)?;
-            assert_eq!(format!("{once:?}"), format!("{twice:?}"), "writing and reading back changes it");
-            Ok(once.typetag_name().to_owned())
-        }};
-    }
-    match family {
-        Family::Grading => round_trip!(dyn Grading),
-        Family::Punch => round_trip!(dyn PunchProfile),
-        Family::Flexibility => round_trip!(dyn Flexibility),
-        Family::Kernel => round_trip!(dyn KernelStrategy),
-        Family::Quadrature => round_trip!(dyn Quadrature),
-    }
+fn ensure(holds: bool, fault: impl FnOnce() -> String) -> Result<(), String> {
+    if holds { Ok(()) } else { Err(fault()) }
 }

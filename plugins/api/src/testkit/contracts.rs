@@ -1,0 +1,87 @@
+//! What every grading and every punch promises, tried out at a few points.
+
+use super::ensure;
+use crate::{Grading, ModulusLaw, Positive, PunchProfile, PunchShape};
+
+/// The modulus is finite and positive, and what the law says beside it agrees with it.
+pub(super) fn grading(config: &dyn Grading) -> Result<(), String> {
+    let thickness = Positive::new(3.0).expect("a positive constant");
+    // A grading with depths of its own may insist on its own thickness.
+    let law = config.law(Some(thickness)).or_else(|_| config.law(None)).map_err(|e| format!("no law: {e}"))?;
+    modulus(&*law)
+}
+
+fn modulus(law: &dyn ModulusLaw) -> Result<(), String> {
+    let surface = law.surface_modulus();
+    for i in 0..=20 {
+        let depth = f64::from(i) / 20.0;
+        let mu = law.modulus(depth);
+        ensure(mu > 0.0 && mu < f64::INFINITY, || format!("modulus({depth}) = {mu}"))?;
+        if let Some(exponent) = law.exponent() {
+            // exp and ln each round once; the exponent's own rounding counts with its size.
+            let error = (mu / surface).ln() - exponent * depth;
+            ensure(error.abs() < 4.0 * f64::EPSILON * (1.0 + exponent.abs()), || {
+                format!("exponent() = {exponent}, but modulus({depth}) is off by {error:e} in its logarithm")
+            })?;
+        }
+    }
+    let at_zero = law.modulus(0.0);
+    ensure((at_zero / surface - 1.0).abs() < 4.0 * f64::EPSILON, || {
+        format!("surface_modulus() = {surface}, but modulus(0) = {at_zero}")
+    })?;
+    if let Some(gradient) = law.surface_gradient() {
+        // One-sided differences of second order: rounding leaves 1e-11, the third derivative 1e-10 of itself.
+        let d = 1e-5;
+        let log = |depth: f64| law.modulus(depth).ln();
+        let slope = (4.0 * log(d) - 3.0 * log(0.0) - log(2.0 * d)) / (2.0 * d);
+        ensure((slope - gradient).abs() < 1e-4 * (1.0 + gradient.abs()), || {
+            format!("surface_gradient() = {gradient}, but modulus() gives {slope}")
+        })?;
+    }
+    let breaks = law.breakpoints();
+    let inside = breaks.iter().all(|depth| *depth > 0.0 && *depth < 1.0);
+    ensure(inside && breaks.windows(2).all(|w| w[0] < w[1]), || {
+        format!("breakpoints {breaks:?} do not ascend within (0, 1)")
+    })
+}
+
+/// The height is even and zero at the tip, and its derivative is the slope.
+pub(super) fn punch(config: &dyn PunchProfile) -> Result<(), String> {
+    shape(&*config.shape().map_err(|e| format!("no shape: {e}"))?)
+}
+
+fn shape(shape: &dyn PunchShape) -> Result<(), String> {
+    let length = shape.natural_length();
+    ensure(length > 0.0 && length < f64::INFINITY, || format!("natural_length() = {length}"))?;
+    let reach = shape.fixed_half_width().unwrap_or(length);
+    ensure(reach > 0.0 && reach < f64::INFINITY, || format!("fixed_half_width() = {reach}"))?;
+    let tip = shape.height(0.0);
+    ensure(tip == 0.0, || format!("height(0) = {tip}"))?;
+
+    let points = (1..20).map(|i| f64::from(i) / 20.0 * reach);
+    let steepest = points.clone().map(|x| shape.slope(x).abs()).fold(0.0, f64::max);
+    let mut before = f64::NEG_INFINITY;
+    for x in points {
+        let (height, slope) = (shape.height(x), shape.slope(x));
+        ensure(height.is_finite() && slope.is_finite(), || format!("height {height}, slope {slope} at {x}"))?;
+        let (mirrored, turned) = (shape.height(-x), shape.slope(-x));
+        let rounding = 4.0 * f64::EPSILON;
+        ensure((mirrored - height).abs() <= rounding * height.abs(), || {
+            format!("height({x}) = {height}, but height(-{x}) = {mirrored}")
+        })?;
+        ensure((turned + slope).abs() <= rounding * slope.abs(), || {
+            format!("slope({x}) = {slope}, but slope(-{x}) = {turned}")
+        })?;
+        // Central differences: the third derivative counts with (step/x)^2 <= 4e-8, rounding with 1e-11.
+        let step = 1e-5 * reach;
+        if !shape.kinks().iter().any(|kink| (kink - x).abs() <= step) {
+            let difference = (shape.height(x + step) - shape.height(x - step)) / (2.0 * step);
+            ensure((difference - slope).abs() <= 1e-6 * steepest, || {
+                format!("slope({x}) = {slope}, but height() rises by {difference}")
+            })?;
+        }
+        ensure(!shape.is_convex() || slope >= before, || format!("is_convex(), but the slope falls before {x}"))?;
+        before = slope;
+    }
+    Ok(())
+}

@@ -1,0 +1,317 @@
+//! The testkit is checked by breaking plugins: every fault it claims to find is committed here once.
+
+use super::check_plugin;
+use crate::{Family, Grading, ModulusLaw, Positive, PunchProfile, PunchShape, Refusal, find, plugins, register};
+use serde::{Deserialize, Serialize};
+
+fn verdict(family: Family, name: &str) -> Result<(), String> {
+    check_plugin(find(family, name).expect("registered below"))
+}
+
+#[track_caller]
+fn caught(family: Family, name: &str, fault: &str) {
+    let found = verdict(family, name).expect_err("this plugin is broken");
+    assert!(found.contains(fault), "`{name}`: expected a fault about `{fault}`, got `{found}`");
+}
+
+/// `g = curvature x^2/2`, with a slope that may be wrong.
+#[derive(Debug)]
+struct Parabola {
+    curvature: f64,
+    slope_error: f64,
+    tilt: f64,
+}
+
+impl PunchShape for Parabola {
+    fn height(&self, x: f64) -> f64 {
+        0.5 * self.curvature * x * x + self.tilt * x
+    }
+    fn slope(&self, x: f64) -> f64 {
+        self.curvature * x * (1.0 + self.slope_error) + self.tilt
+    }
+    fn natural_length(&self) -> f64 {
+        1.0
+    }
+}
+
+/// A punch plugin around [`Parabola`], faulty as its attributes and its registration make it.
+macro_rules! punch {
+    ($name:ident, $tag:literal, $(#[$attribute:meta])* { $($(#[$field:meta])* $key:ident),* }, $shape:expr) => {
+        #[derive(Clone, Debug, Serialize, Deserialize)]
+        $(#[$attribute])*
+        struct $name { $($(#[$field])* $key: f64),* }
+
+        #[typetag::serde(name = $tag)]
+        impl PunchProfile for $name {
+            fn shape(&self) -> Result<Box<dyn PunchShape>, Refusal> {
+                let make: fn(&Self) -> Parabola = $shape;
+                Ok(Box::new(make(self)))
+            }
+        }
+    };
+}
+
+fn good(curvature: f64) -> Parabola {
+    Parabola { curvature, slope_error: 0.0, tilt: 0.0 }
+}
+
+punch!(
+    Fine,
+    "fine",
+    #[serde(deny_unknown_fields)]
+    {
+        curvature
+    },
+    |p| good(p.curvature)
+);
+register!(Punch, "fine", "conforms", example: "type = \"fine\"\ncurvature = 2.0",
+    parameters: [("curvature", "1/radius", true, [1.0, 2.5])], source: "none");
+
+#[test]
+fn a_conforming_plugin_passes() {
+    assert_eq!(verdict(Family::Punch, "fine"), Ok(()));
+}
+
+punch!(Lax, "lax", { curvature }, |p| good(p.curvature));
+register!(Punch, "lax", "takes any key", example: "type = \"lax\"\ncurvature = 2.0",
+    parameters: [("curvature", "1/radius", true, [1.0])], source: "none");
+
+#[test]
+fn unknown_keys_must_be_refused() {
+    caught(Family::Punch, "lax", "unknown key passes");
+}
+
+punch!(
+    Renamed,
+    "tag-in-use",
+    #[serde(deny_unknown_fields)]
+    {
+        curvature
+    },
+    |p| good(p.curvature)
+);
+register!(Punch, "renamed", "its tag is another", example: "type = \"renamed\"\ncurvature = 2.0",
+    parameters: [("curvature", "1/radius", true, [1.0])], source: "none");
+register!(Punch, "borrowed", "its example is another", example: "type = \"tag-in-use\"\ncurvature = 2.0",
+    parameters: [("curvature", "1/radius", true, [1.0])], source: "none");
+
+#[test]
+fn tag_and_name_must_agree() {
+    caught(Family::Punch, "renamed", "its example fails: unknown variant `renamed`");
+    caught(Family::Punch, "borrowed", "its example is a `tag-in-use`");
+}
+
+register!(Punch, "twin", "one", example: "", parameters: [], source: "none");
+register!(Punch, "twin", "two", example: "", parameters: [], source: "none");
+
+#[test]
+fn names_must_be_unique() {
+    caught(Family::Punch, "twin", "2 plugins of this family have this name");
+}
+
+punch!(Secret, "secret", #[serde(deny_unknown_fields)] { curvature, #[serde(default)] hidden },
+    |p| good(p.curvature + p.hidden));
+register!(Punch, "secret", "keeps a key to itself", example: "type = \"secret\"\ncurvature = 2.0",
+    parameters: [("curvature", "1/radius", true, [1.0])], source: "none");
+
+#[test]
+fn keys_must_be_documented_even_those_with_defaults() {
+    caught(Family::Punch, "secret", "key `hidden` is not documented");
+}
+
+punch!(
+    Promising,
+    "promising",
+    #[serde(deny_unknown_fields)]
+    {
+        curvature
+    },
+    |p| good(p.curvature)
+);
+register!(Punch, "promising", "documents a key that it has not", example: "type = \"promising\"\ncurvature = 2.0",
+    parameters: [("curvature", "1/radius", true, [1.0]), ("width", "not there", false, [1.0])], source: "none");
+
+punch!(
+    Vague,
+    "vague",
+    #[serde(deny_unknown_fields)]
+    {
+        curvature
+    },
+    |p| good(p.curvature)
+);
+register!(Punch, "vague", "documents a key that nobody can try", example: "type = \"vague\"\ncurvature = 2.0",
+    parameters: [("curvature", "1/radius", true, [1.0]), ("width", "not there", false, [])], source: "none");
+
+#[test]
+fn documented_keys_must_exist() {
+    caught(Family::Punch, "promising", "sample width = 1 fails: unknown field `width`");
+    caught(Family::Punch, "vague", "key `width` has neither a sample nor a place");
+}
+
+punch!(
+    Relaxed,
+    "relaxed",
+    #[serde(deny_unknown_fields)]
+    {
+        #[serde(default)]
+        curvature
+    },
+    |p| good(p.curvature)
+);
+register!(Punch, "relaxed", "calls a key required that is not", example: "type = \"relaxed\"\ncurvature = 2.0",
+    parameters: [("curvature", "1/radius", true, [1.0])], source: "none");
+
+punch!(
+    Strict,
+    "strict",
+    #[serde(deny_unknown_fields)]
+    {
+        curvature
+    },
+    |p| good(p.curvature)
+);
+register!(Punch, "strict", "calls a key optional that is not", example: "type = \"strict\"\ncurvature = 2.0",
+    parameters: [("curvature", "1/radius", false, [1.0])], source: "none");
+
+#[test]
+fn required_means_required() {
+    caught(Family::Punch, "relaxed", "key `curvature` is not required after all");
+    caught(Family::Punch, "strict", "key `curvature` is required after all");
+}
+
+punch!(
+    Forgetful,
+    "forgetful",
+    #[serde(deny_unknown_fields)]
+    {
+        #[serde(default, skip_serializing)]
+        curvature
+    },
+    |p| good(p.curvature)
+);
+register!(Punch, "forgetful", "does not write its key", example: "type = \"forgetful\"\ncurvature = 2.0",
+    parameters: [("curvature", "1/radius", false, [1.0])], source: "none");
+
+#[test]
+fn a_config_must_survive_writing_and_reading() {
+    caught(Family::Punch, "forgetful", "writing and reading back");
+}
+
+punch!(
+    Steep,
+    "steep",
+    #[serde(deny_unknown_fields)]
+    {
+        curvature
+    },
+    |p| Parabola { slope_error: 1e-5, ..good(p.curvature) }
+);
+register!(Punch, "steep", "slope off by 1e-5", example: "type = \"steep\"\ncurvature = 2.0",
+    parameters: [("curvature", "1/radius", true, [1.0])], source: "none");
+
+punch!(
+    Tilted,
+    "tilted",
+    #[serde(deny_unknown_fields)]
+    {
+        curvature
+    },
+    |p| Parabola { tilt: 1e-3, ..good(p.curvature) }
+);
+register!(Punch, "tilted", "stands askew", example: "type = \"tilted\"\ncurvature = 2.0",
+    parameters: [("curvature", "1/radius", true, [1.0])], source: "none");
+
+punch!(
+    Hollow,
+    "hollow",
+    #[serde(deny_unknown_fields)]
+    {
+        curvature
+    },
+    |p| good(-p.curvature)
+);
+register!(Punch, "hollow", "calls itself convex", example: "type = \"hollow\"\ncurvature = 2.0",
+    parameters: [("curvature", "1/radius", true, [1.0])], source: "none");
+
+#[test]
+fn a_punch_must_keep_its_contract() {
+    caught(Family::Punch, "steep", "but height() rises by");
+    caught(Family::Punch, "tilted", "but height(-");
+    caught(Family::Punch, "hollow", "the slope falls");
+}
+
+/// `mu = 1 + growth depth`, with something wrong about it.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+enum Fault {
+    None,
+    Exponent,
+    Gradient,
+    Surface,
+    Breaks,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Ramp {
+    growth: f64,
+    fault: Fault,
+}
+
+#[typetag::serde(name = "ramp")]
+impl Grading for Ramp {
+    fn law(&self, _thickness: Option<Positive>) -> Result<Box<dyn ModulusLaw>, Refusal> {
+        Ok(Box::new(self.clone()))
+    }
+}
+
+impl ModulusLaw for Ramp {
+    fn modulus(&self, depth: f64) -> f64 {
+        1.0 + self.growth * depth
+    }
+    fn surface_modulus(&self) -> f64 {
+        if matches!(self.fault, Fault::Surface) { 1.1 } else { 1.0 }
+    }
+    fn exponent(&self) -> Option<f64> {
+        matches!(self.fault, Fault::Exponent).then_some(self.growth)
+    }
+    fn surface_gradient(&self) -> Option<f64> {
+        Some(if matches!(self.fault, Fault::Gradient) { 1.01 * self.growth } else { self.growth })
+    }
+    fn breakpoints(&self) -> &[f64] {
+        if matches!(self.fault, Fault::Breaks) { &[0.5, 0.2] } else { &[] }
+    }
+}
+
+#[test]
+fn a_grading_must_keep_its_contract() {
+    let verdict = |growth, fault| super::contracts::grading(&Ramp { growth, fault });
+    assert_eq!(verdict(0.7, Fault::None), Ok(()));
+    for (growth, fault, words) in [
+        (-2.0, Fault::None, "modulus(0.5) = 0"),
+        (0.7, Fault::Exponent, "exponent() = 0.7"),
+        (0.7, Fault::Gradient, "surface_gradient()"),
+        (0.7, Fault::Surface, "surface_modulus() = 1.1"),
+        (0.7, Fault::Breaks, "do not ascend"),
+    ] {
+        let found = verdict(growth, fault).expect_err("this law is broken");
+        assert!(found.contains(words), "{fault:?}: {found}");
+    }
+}
+
+#[test]
+#[should_panic(expected = "registers no plugin")]
+fn an_empty_crate_is_noticed() {
+    super::check_crate("no-such-crate");
+}
+
+#[test]
+#[should_panic(expected = "punch `borrowed`: its example is")]
+fn one_broken_plugin_breaks_its_crate() {
+    super::check_crate("slipzone-api"); // this file's own; `borrowed` is the first of them by name
+}
+
+#[test]
+fn listings_are_sorted() {
+    assert!(plugins().is_sorted_by_key(|info| (info.family, info.name)));
+}
