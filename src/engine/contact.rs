@@ -11,7 +11,7 @@ use super::{Slip, contact_size};
 use slipzone_api::{Refusal, Station};
 
 /// Resolutions at which the whole friction curve is scanned for roots; finer ones follow those found.
-const SCANNED_LEVELS: u32 = 3;
+const SCANNED_LEVELS: u32 = 2;
 /// Nodes on either side of the slip zone's grid: at the coarsest resolution, and added per level.
 const SLIP_NODES: (usize, usize) = (40, 16);
 

@@ -11,6 +11,8 @@ use std::collections::BTreeMap;
 
 /// Finest resolution: 2^6 times the coarsest.
 const FINEST: u32 = 6;
+/// Resolution from which a stick zone out of reach is no longer searched for.
+const BOUND_LEVEL: u32 = 4;
 /// Extra resolution of the method that the scene left open beside one that it fixed.
 const BESIDE_PINNED: u32 = 3;
 
@@ -88,6 +90,12 @@ fn refined(
                 break;
             }
         }
+        if level >= BOUND_LEVEL
+            && let Some(bounds) = contact.as_ref().and_then(bound_of_stick)
+        {
+            errors.extend(bounds);
+            break;
+        }
     }
     let (Some(contact), Some(numbers)) = (contact, history.pop()) else {
         unreachable!("level 0 returned or was pushed")
@@ -96,12 +104,26 @@ fn refined(
     Ok(Judged { contact, numbers, errors, how, stopped })
 }
 
+/// Errors of a stick zone that is only bounded, not found; `None` where it is found.
+fn bound_of_stick(contact: &Contact) -> Option<BTreeMap<String, f64>> {
+    let stick = contact.friction.as_ref()?;
+    let b = contact.pressure.half_width;
+    let (ratio, one_minus) = (stick.shear.zone.half_width / b, stick.shear.zone.slip_width / b);
+    let (of_ratio, of_gap) = match stick.verdict {
+        Verdict::TooNarrow => (1.0, ratio),
+        Verdict::TooWide => (one_minus, 1.0),
+        _ => return None,
+    };
+    let each = [("stick.half_width", of_ratio), ("stick.ratio", of_ratio), ("stick.one_minus_ratio", of_gap)];
+    Some(each.map(|(name, error)| (name.to_owned(), error)).into())
+}
+
 /// Status and reason of a solved scene.
 fn verdict(scene: &Scene, problem: &Problem, judged: &Judged) -> (Status, Option<String>) {
     let violated = |why: String| (Status::AssumptionViolated, Some(why));
     if let Some((x, p)) = checks::tension(&judged.contact.pressure) {
         return violated(format!(
-            "the pressure is negative: p = {p:.4} of the mean at x = +-{x:.4} b; the punch lifts off there, and \
+            "the pressure is negative, {p:.4} times the mean at |x| = {x:.4} b: the punch lifts off there, and \
              contact with gaps is not modelled"
         ));
     }

@@ -10,6 +10,14 @@ use slipzone_api::Refusal;
 const NARROWEST: f64 = -28.0;
 /// Below this the half-plane law `eta ~ 1/ln(b/a)` rules and roots lie far apart.
 const COARSE_BELOW: f64 = -4.0;
+/// The curve is trusted where the slip zone is this many times as wide as the finest gap resolved.
+const RESOLVED: f64 = 4.0;
+/// A finer resolution scans again what lies this close to the end of a coarser one's scan.
+const OVERLAP: f64 = 1.0;
+/// Roots closer than this in `lambda` are one.
+const SAME_ROOT: f64 = 1e-6;
+/// Position tolerance of a root in `lambda`; half of it is the relative error of the smaller zone.
+const ROOT_TOLERANCE: f64 = 1e-11;
 /// Widening steps tried around a root known from a coarser resolution.
 const MOST_STEPS: u32 = 8;
 
@@ -45,7 +53,7 @@ impl FrictionCurve<'_> {
 
     /// `lambda` of the widest stick zone that the resolution can tell from the whole contact.
     pub(crate) fn widest(&self) -> f64 {
-        let resolved = self.pressure.finest_gap() / self.pressure.half_width;
+        let resolved = RESOLVED * self.pressure.finest_gap() / self.pressure.half_width;
         -resolved.ln()
     }
 
@@ -69,6 +77,9 @@ impl FrictionCurve<'_> {
                 step *= 2.0;
             }
         }
+        let end = found.scanned - OVERLAP;
+        found.samples.retain(|(lambda, _)| *lambda < end);
+        found.scanned = end;
         self.extend(eta, found)
     }
 
@@ -86,7 +97,7 @@ impl FrictionCurve<'_> {
                 let target = branch * eta;
                 if (value - target) * (next - target) < 0.0
                     && let Some(root) = self.root_between(from, to, target)?
-                    && !found.roots.iter().any(|(known, _)| (known - root).abs() < 1e-6)
+                    && !found.roots.iter().any(|(known, _)| (known - root).abs() < SAME_ROOT)
                 {
                     found.roots.push((root, branch));
                 }
@@ -99,7 +110,7 @@ impl FrictionCurve<'_> {
 
     /// The root of `eta(lambda) = target` in an interval at whose ends the difference has two signs.
     fn root_between(&self, lower: f64, upper: f64, target: f64) -> Result<Option<f64>, Refusal> {
-        let solver = Toms748Root::new(lower, upper).with_absolute_position_tolerance(1e-13);
+        let solver = Toms748Root::new(lower, upper).with_absolute_position_tolerance(ROOT_TOLERANCE);
         match solver.solve(|lambda| self.friction(lambda).map(|eta| eta - target)) {
             Ok(root) => Ok(Some(root.root())),
             Err(RootError::Evaluation(refusal)) => Err(refusal),

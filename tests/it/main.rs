@@ -1,4 +1,5 @@
 //! All integration tests, in one binary: on two cores linking dominates.
 
 mod accuracy;
+mod friction;
 mod scenes;

@@ -1,0 +1,74 @@
+//! Stick zones: direction of slip, spurious roots, limits.
+
+use crate::scenes::Sketch;
+use serde_json::Value;
+use slipzone::api::reference::partial_slip;
+use slipzone::engine::{Slip, Status};
+
+#[test]
+fn thin_or_incompressible_layers_slip_outwards() {
+    let cases: Value = serde_json::from_str(include_str!("../data/outward_slip.json")).expect("valid JSON");
+    for case in cases["cases"].as_array().expect("a list") {
+        let number = |key: &str| case[key].as_f64().expect("a number");
+        let sketch = Sketch::flat(number("h_over_b"), number("mu1_over_mu3"), number("nu")).rubbing(number("eta"));
+        let solution = sketch.solve();
+        assert_eq!(solution.status, Status::Converged, "{sketch:?}: {:?}", solution.reason);
+        let stick = solution.stick.expect("friction");
+        assert_eq!(stick.slip, Some(Slip::Outward), "{sketch:?}");
+        let error = (stick.ratio.expect("a ratio") / number("stick") - 1.0).abs();
+        assert!(error < 1e-4, "{sketch:?}: {stick:?}, error {error:.1e} above the default tolerance");
+        // q = -eta p beside the right edge.
+        let shear = solution.profile.shear.expect("friction");
+        assert!(shear[199].expect("inside") < 0.0);
+    }
+}
+
+#[test]
+fn half_plane_follows_spence() {
+    for (nu, eta) in [(0.3, 0.2374), (0.3, 0.5), (0.0, 0.3), (0.0, 0.6), (0.45, 0.1), (0.4, 0.05)] {
+        let solution = Sketch::half_plane(nu).rubbing(eta).solve();
+        assert_eq!(solution.status, Status::Converged, "nu = {nu}, eta = {eta}: {:?}", solution.reason);
+        let beta = (1.0 - 2.0 * nu) / (2.0 - 2.0 * nu);
+        let exact = partial_slip::stick(eta, beta);
+        let stick = solution.stick.expect("friction");
+        let (got, gap) = (stick.ratio.expect("a ratio"), stick.one_minus_ratio.expect("a ratio"));
+        let estimate = solution.error.each["stick.ratio"].max(1e-12);
+        println!("nu {nu} eta {eta}: {got} error {:.1e} estimate {estimate:.1e} gap error {:.1e} est {:.1e}", got / exact.ratio - 1.0, gap/exact.one_minus_ratio-1.0, solution.error.each["stick.one_minus_ratio"]);
+        assert!((got / exact.ratio - 1.0).abs() < 3.0 * estimate, "nu = {nu}, eta = {eta}: {got} against {exact:?}");
+        assert!((gap / exact.one_minus_ratio - 1.0).abs() < 3.0 * solution.error.each["stick.one_minus_ratio"]);
+        assert_eq!(solution.load.indentation, None, "undefined on a half-plane");
+    }
+}
+
+#[test]
+fn what_fits_nothing_is_flagged() {
+    // docs/theory.md: neither branch has a root with 1 - a/b > 1e-4.
+    for ratio in [1.0, 8.0, 0.125] {
+        let solution = Sketch::flat(1.0, ratio, 0.45).rubbing(0.3).solve();
+        println!("{:?} {:?} {:?}", solution.status, solution.reason, solution.stick);
+        assert_ne!(solution.status, Status::Converged, "{:?}", solution.stick);
+        assert!(solution.reason.is_some());
+    }
+}
+
+#[test]
+fn a_reversed_shear_inside_the_stick_zone_is_no_failure() {
+    let solution = Sketch::flat(0.5, 1.0, 0.3).rubbing(0.1).solve();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+    let stick = solution.stick.expect("friction");
+    assert_eq!(stick.slip, Some(Slip::Inward));
+    assert!((stick.ratio.expect("a ratio") - 0.961_589).abs() < 1e-4, "{stick:?} against 0.961589 of theory.md");
+}
+
+#[test]
+fn a_stiff_skin_on_a_soft_layer_lifts_off_in_the_middle() {
+    for (ratio, centre, status) in
+        [(1e2, 0.091, Status::Converged), (1e3, -0.178, Status::AssumptionViolated), (1e4, -0.659, Status::AssumptionViolated)]
+    {
+        let solution = Sketch::flat(5.0, ratio, 0.3).solve();
+        println!("{:?} {:?} {:?} {:?}", solution.status, solution.reason, solution.pressure, solution.error.each);
+        let got = solution.pressure.centre.expect("a number");
+        assert!((got - centre).abs() < 1e-3, "mu1/mu3 = {ratio}: {got} against {centre} (three digits)");
+        assert_eq!(solution.status, status, "mu1/mu3 = {ratio}: {:?}", solution.reason);
+    }
+}
