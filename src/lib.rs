@@ -1,5 +1,7 @@
 //! Partial-slip contact between a rigid punch and an elastic graded layer of finite thickness.
 
+#[cfg(any(test, doctest))]
+mod doctests;
 pub mod engine;
 mod plan;
 pub mod report;

@@ -33,7 +33,12 @@ fn half_plane_follows_spence() {
         let stick = solution.stick.expect("friction");
         let (got, gap) = (stick.ratio.expect("a ratio"), stick.one_minus_ratio.expect("a ratio"));
         let estimate = solution.error.each["stick.ratio"].max(1e-12);
-        println!("nu {nu} eta {eta}: {got} error {:.1e} estimate {estimate:.1e} gap error {:.1e} est {:.1e}", got / exact.ratio - 1.0, gap/exact.one_minus_ratio-1.0, solution.error.each["stick.one_minus_ratio"]);
+        println!(
+            "nu {nu} eta {eta}: {got} error {:.1e} estimate {estimate:.1e} gap error {:.1e} est {:.1e}",
+            got / exact.ratio - 1.0,
+            gap / exact.one_minus_ratio - 1.0,
+            solution.error.each["stick.one_minus_ratio"]
+        );
         assert!((got / exact.ratio - 1.0).abs() < 3.0 * estimate, "nu = {nu}, eta = {eta}: {got} against {exact:?}");
         assert!((gap / exact.one_minus_ratio - 1.0).abs() < 3.0 * solution.error.each["stick.one_minus_ratio"]);
         assert_eq!(solution.load.indentation, None, "undefined on a half-plane");
@@ -62,9 +67,11 @@ fn a_reversed_shear_inside_the_stick_zone_is_no_failure() {
 
 #[test]
 fn a_stiff_skin_on_a_soft_layer_lifts_off_in_the_middle() {
-    for (ratio, centre, status) in
-        [(1e2, 0.091, Status::Converged), (1e3, -0.178, Status::AssumptionViolated), (1e4, -0.659, Status::AssumptionViolated)]
-    {
+    for (ratio, centre, status) in [
+        (1e2, 0.091, Status::Converged),
+        (1e3, -0.178, Status::AssumptionViolated),
+        (1e4, -0.659, Status::AssumptionViolated),
+    ] {
         let solution = Sketch::flat(5.0, ratio, 0.3).solve();
         println!("{:?} {:?} {:?} {:?}", solution.status, solution.reason, solution.pressure, solution.error.each);
         let got = solution.pressure.centre.expect("a number");

@@ -1,6 +1,6 @@
 //! Kernel strategies: how the contact kernels `k(t)` are got from `F(s)`. One file per plugin.
 
-mod even_series;
+mod even_table;
 mod truncated;
 mod wave_numbers;
 

@@ -1,6 +1,6 @@
 //! The Fourier integrals of CC13, cut at a finite wave number.
 
-use crate::even_series::EvenSeries;
+use crate::even_table::{self, EvenTable};
 use crate::wave_numbers::Samples;
 use serde::{Deserialize, Serialize};
 use slipzone_api::{
@@ -124,8 +124,8 @@ impl Integral<'_> {
                 self.transform(&m, |s| (s * t).cos()) + tail * beyond
             }
         };
-        let values: Vec<f64> = EvenSeries::nodes(reach, nodes).into_iter().map(smooth).collect();
-        Kernel { component, tail, smooth: EvenSeries::through(reach, &values) }
+        let values: Vec<f64> = even_table::nodes(reach, nodes).into_iter().map(smooth).collect();
+        Kernel { component, tail, smooth: EvenTable::through(reach, cutoff, &values) }
     }
 
     fn transform(&self, weighted: &[f64], wave: impl Fn(f64) -> f64) -> f64 {
@@ -137,7 +137,7 @@ impl Integral<'_> {
 struct Kernel {
     component: Component,
     tail: f64,
-    smooth: EvenSeries,
+    smooth: EvenTable,
 }
 
 impl Kernel {
@@ -166,12 +166,8 @@ impl KernelTable for Table {
         assert_eq!(distances.len(), out.len(), "one set of parts for each distance");
         let kernel = self.tables.iter().find(|(c, _)| *c == component);
         let (_, kernel) = kernel.unwrap_or_else(|| panic!("{component:?} was not requested"));
-        let mut even = [0.0; 64];
-        for (t, out) in distances.chunks(even.len()).zip(out.chunks_mut(even.len())) {
-            kernel.smooth.eval_into(t, &mut even[..t.len()]);
-            for ((t, even), out) in t.iter().zip(even).zip(out) {
-                *out = kernel.parts(*t, even);
-            }
+        for (t, out) in distances.iter().zip(out) {
+            *out = kernel.parts(*t, kernel.smooth.at(*t));
         }
     }
 
