@@ -1,6 +1,9 @@
 //! Flexibilities: how the surface flexibility `F(s)` of a layer is got. One file per plugin.
 
 mod compliance;
+#[cfg(test)]
+mod fixtures;
+mod magnus;
 mod slice;
 mod surface_tail;
 mod transfer_matrix;

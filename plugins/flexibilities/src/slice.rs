@@ -1,6 +1,7 @@
 //! A slice of the layer as a two-port between its faces, and how slices are stacked.
 
 use nalgebra::{Matrix2, Matrix4};
+use slipzone_api::Elastic;
 
 /// Terms of the Taylor series of a slice's propagator. On a slice with `max(s, |gamma|) delta <= 1/4` the
 /// depth exponents are at most 0.43, and `0.43^16/16!` leaves nothing above round-off.
@@ -55,4 +56,18 @@ impl Slice {
 fn inverse(m: &Matrix2<f64>) -> Matrix2<f64> {
     let [[m11, m21], [m12, m22]] = m.data.0;
     Matrix2::new(m22, -m12, -m21, m11) / (m11 * m22 - m12 * m21)
+}
+
+/// The equations of plane elasticity over depth, `z' = K z`, for `z = (u, v, sigma_xy, sigma_yy)` at wave
+/// number `s`, the stresses in a unit that grows like `exp(gamma y)`, the shear modulus `modulus` in that unit.
+pub(crate) fn generator(elastic: Elastic, s: f64, gamma: f64, modulus: f64) -> Matrix4<f64> {
+    let (lambda, beta) = (elastic.lambda(), elastic.beta());
+    #[rustfmt::skip]
+    let k = Matrix4::new(
+        0.0, s, 1.0 / modulus, 0.0,
+        -lambda * s, 0.0, 0.0, beta / modulus,
+        8.0 * modulus * s * s / (1.0 + elastic.kappa), 0.0, -gamma, lambda * s,
+        0.0, 0.0, -s, -gamma,
+    );
+    k
 }

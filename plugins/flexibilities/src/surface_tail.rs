@@ -8,6 +8,12 @@ pub(crate) fn half_plane(elastic: Elastic) -> SurfaceFlexibility {
     SurfaceFlexibility { vv: 1.0, uu: 1.0, uv: -elastic.beta() }
 }
 
+/// The same as a compliance `C`, order `(u, v)`, times `mu s`: what a half-plane adds below a layer.
+pub(crate) fn half_plane_compliance(elastic: Elastic) -> Matrix2<f64> {
+    let coupling = elastic.beta();
+    Matrix2::new(1.0, -coupling, -coupling, 1.0) * -elastic.a0()
+}
+
 /// Coefficient of `1/s` in `s F/A0`, with `gradient = d ln mu/dy` at the surface.
 ///
 /// In the order `(u, v)` and with `mu` and `s` divided out, the Riccati equation of the compliance is, at
@@ -30,6 +36,38 @@ pub(crate) fn leading_tail(elastic: Elastic, gradient: f64) -> SurfaceFlexibilit
 pub(crate) fn scaled(compliance: &Matrix2<f64>, scale: f64, elastic: Elastic) -> SurfaceFlexibility {
     let factor = -scale / elastic.a0();
     // Equal but for round-off.
-    let coupling = (compliance.m12 + compliance.m21) / 2.0;
+    let coupling = f64::midpoint(compliance.m12, compliance.m21);
     SurfaceFlexibility { vv: factor * compliance.m22, uu: factor * compliance.m11, uv: factor * coupling }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Matrix4, Vector4};
+    use slipzone_api::{Plane, Poisson};
+
+    /// The Sylvester equation of [`leading_tail`] as four linear equations for the entries of `C1`.
+    fn by_direct_solve(elastic: Elastic, gradient: f64) -> SurfaceFlexibility {
+        let a = Matrix2::new(0.0, 1.0, -elastic.lambda(), 0.0);
+        let d = Matrix2::new(8.0 / (1.0 + elastic.kappa), 0.0, 0.0, 0.0);
+        let c0 = half_plane_compliance(elastic);
+        let (left, right) = (a - c0 * d, a.transpose() - d * c0);
+        // vec(L X + X R) = (I x L + R^T x I) vec(X), columns stacked.
+        let one = Matrix2::identity();
+        let system: Matrix4<f64> = one.kronecker(&left) + right.transpose().kronecker(&one);
+        let c1 = system.lu().solve(&Vector4::from_column_slice((-c0).as_slice())).unwrap();
+        scaled(&(Matrix2::from_column_slice(c1.as_slice()) * gradient), 1.0, elastic)
+    }
+
+    #[test]
+    fn closed_form_solves_the_sylvester_equation() {
+        for (plane, nu) in [(Plane::Strain, -0.99), (Plane::Strain, 0.3), (Plane::Strain, 0.5), (Plane::Stress, 0.2)] {
+            let elastic = Elastic::new(plane, Poisson::new(nu).unwrap());
+            let (closed, direct) = (leading_tail(elastic, -2.5), by_direct_solve(elastic, -2.5));
+            for (x, y) in [(closed.vv, direct.vv), (closed.uu, direct.uu), (closed.uv, direct.uv)] {
+                // Entries of order one out of a well-conditioned 4x4 system.
+                assert!((x - y).abs() < 1e-14, "nu = {nu}: {closed:?} against {direct:?}");
+            }
+        }
+    }
 }
