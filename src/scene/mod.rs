@@ -128,3 +128,5 @@ pub struct Units {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stress: Option<String>,
 }
+/// tmp
+pub fn parse(_n: &str, t: &str) -> Result<Scene, toml::de::Error> { toml::from_str(t) }

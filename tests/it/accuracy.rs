@@ -2,7 +2,7 @@
 
 use crate::scenes::Sketch;
 use serde_json::Value;
-use slipzone::engine::{Solution, Status};
+use slipzone::engine::Solution;
 
 /// A number of a solution beside its reference.
 struct Compared {

@@ -2,4 +2,6 @@
 
 mod accuracy;
 mod friction;
+mod limits;
+mod properties;
 mod scenes;
