@@ -14,3 +14,8 @@ use crate::scene::Scene;
 pub fn solve(scene: &Scene) -> Solution {
     Solution::refused(scene, "not built yet".into())
 }
+
+/// How a scene would be solved, without solving it.
+pub fn plan(_scene: &Scene) -> Plan {
+    Plan::default()
+}
