@@ -36,7 +36,7 @@ fn derived(text: &mut String, scene: &Scene) -> std::fmt::Result {
             writeln!(text, "# A0       = {}  (1/stress)", elastic.a0() / law.surface_modulus())?;
             match law.exponent() {
                 Some(gamma) if scene.layer.base == Base::Infinite => {
-                    writeln!(text, "# gamma    = {gamma}  (1/length)")?
+                    writeln!(text, "# gamma    = {gamma}  (1/length)")?;
                 }
                 Some(gamma) => writeln!(text, "# gamma h  = {gamma}")?,
                 None => {}

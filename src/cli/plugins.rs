@@ -3,6 +3,7 @@
 use super::{Failure, Outcome, print};
 use slipzone::api::{Family, PluginInfo};
 use slipzone::scene::nearest;
+use std::fmt::{self, Write};
 
 pub(super) fn run(name: Option<&str>, json: bool) -> Result<Outcome, Failure> {
     let mut chosen = slipzone::api::plugins();
@@ -19,46 +20,48 @@ pub(super) fn run(name: Option<&str>, json: bool) -> Result<Outcome, Failure> {
             return Err(Failure::Usage(format!("unknown plugin `{name}`"), Some(hint)));
         }
     }
-    let text = match (json, name) {
-        (true, _) => serde_json::to_string_pretty(&serde_json::json!({ "format": 1, "plugins": chosen }))
-            .map_err(|error| Failure::System(error.to_string()))?,
-        (false, None) => list(&chosen),
-        (false, Some(_)) => chosen.into_iter().map(describe).collect::<Vec<_>>().join("\n"),
+    let mut text = String::new();
+    // Writing to a string does not fail.
+    let _ = match (json, name) {
+        (true, _) => write!(text, "{:#}", serde_json::json!({ "format": 1, "plugins": chosen })),
+        (false, None) => list(&mut text, &chosen),
+        (false, Some(_)) => chosen.into_iter().try_for_each(|info| describe(&mut text, info)),
     };
     print::result(&text)?;
     Ok(Outcome::Done)
 }
 
 /// All plugins by family.
-fn list(plugins: &[&PluginInfo]) -> String {
+fn list(text: &mut String, plugins: &[&PluginInfo]) -> fmt::Result {
     let width = plugins.iter().map(|info| info.name.len()).max().unwrap_or(0);
-    let mut text = String::new();
     for family in Family::ALL {
-        text += &format!("{} ({})\n", family.name(), place(family));
+        writeln!(text, "{} ({})", family.name(), place(family))?;
         for info in plugins.iter().filter(|info| info.family == family) {
-            text += &format!("  {:width$}  {}\n", info.name, info.summary);
+            writeln!(text, "  {:width$}  {}", info.name, info.summary)?;
         }
     }
-    text
+    Ok(())
 }
 
 /// One plugin at length.
-fn describe(info: &PluginInfo) -> String {
-    let mut text = format!("{} ({}, in {})\n  {}\n", info.name, info.family.name(), place(info.family), info.summary);
-    text += "\nkeys\n";
+fn describe(text: &mut String, info: &PluginInfo) -> fmt::Result {
+    if !text.is_empty() {
+        writeln!(text)?;
+    }
+    writeln!(text, "{} ({}, in {})", info.name, info.family.name(), place(info.family))?;
+    writeln!(text, "  {}\n\nkeys", info.summary)?;
     if info.parameters.is_empty() {
-        text += "  none\n";
+        writeln!(text, "  none")?;
     }
     for key in info.parameters {
         let samples: Vec<_> = key.samples.iter().map(f64::to_string).collect();
+        let samples = if samples.is_empty() { String::new() } else { format!("; such as {}", samples.join(", ")) };
         let required = if key.required { "" } else { " (optional)" };
-        text += &format!("  {}: {}{required}; such as {}\n", key.name, key.summary, samples.join(", "));
+        writeln!(text, "  {}: {}{required}{samples}", key.name, key.summary)?;
     }
-    text += &format!("\nexample\n  [{}]\n", place(info.family));
-    for line in info.example.lines() {
-        text += &format!("  {line}\n");
-    }
-    text + &format!("\nsource\n  {}\n", info.source)
+    writeln!(text, "\nexample\n  [{}]", place(info.family))?;
+    info.example.lines().try_for_each(|line| writeln!(text, "  {line}"))?;
+    writeln!(text, "\nsource\n  {}", info.source)
 }
 
 /// Where a scene names a plugin of a family.

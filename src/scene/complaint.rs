@@ -31,8 +31,10 @@ impl<'m> Complaint<'m> {
             let expected = rest.rsplit_once(", expected ").map_or(rest, |(_, expected)| expected);
             // An integer of more than 64 bits is announced as one type the number cannot take.
             if rest.contains("` as i128") || rest.contains("` as u128") {
-                let expected =
-                    format!("{} of at most 64 bits (large numbers need a point, as in 1.0e30)", in_words(expected));
+                let expected = match in_words(expected).as_str() {
+                    "a number" => "a number (an integer this long needs a point, as in 1.0e30)".into(),
+                    integer => format!("{integer}, of at most 64 bits"),
+                };
                 return Self::OutOfRange { expected, found: None };
             }
             Self::WrongType { expected: in_words(expected) }
@@ -64,13 +66,12 @@ fn quoted<'m>(message: &'m str, prefix: &str) -> Option<(&'m str, &'m str)> {
 fn in_words(expected: &str) -> String {
     match expected {
         "f64" => "a number".into(),
-        "u8" | "u16" | "u32" | "u64" | "usize" => "an integer, 0 or more".into(),
+        "u8" | "u16" | "u32" | "u64" | "usize" => "an integer of 0 or more".into(),
         "i8" | "i16" | "i32" | "i64" | "isize" => "an integer".into(),
         "a sequence" => "an array".into(),
-        "a map" | "enum Load" | "string or table" => "a table".into(),
-        "enum Plane" | "string only" | "a borrowed string" => "a string".into(),
+        "a map" => "a table".into(),
+        "string only" | "a borrowed string" => "a string".into(),
         _ if expected.starts_with("struct ") => "a table".into(),
-        _ if expected.starts_with("dyn ") => "a table such as `{ type = \"...\" }`, or a string after `type`".into(),
         _ => expected.into(),
     }
 }

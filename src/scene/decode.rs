@@ -1,7 +1,7 @@
 //! From the tree to a [`Scene`]; errors of the decoder are put back where they belong.
 
 use super::complaint::Complaint;
-use super::document::{Document, clip, one_of, section};
+use super::document::{Document, clip, dotted, one_of, section};
 use super::{Scene, SceneError};
 use serde_path_to_error::{Path, Segment};
 use slipzone_api::{Family, PluginInfo, plugins};
@@ -33,8 +33,14 @@ pub(super) fn format(document: &Document) -> Result<(), SceneError> {
 
 /// Checks that there is exactly one load; its value is left to the decoder.
 pub(super) fn load(document: &Document) -> Result<(), SceneError> {
+    const LOAD: &str = "[load] with one of `force`, `half_width`, `indentation`";
     const LOADS: [&str; 3] = ["force", "half_width", "indentation"];
-    let Some(table) = document.table(&["load"]) else { return Ok(()) };
+    let Some(table) = document.table(&["load"]) else {
+        return match document.value(&["load"]) {
+            Some(_) => Err(wrong_type(document, &["load"], LOAD)),
+            None => Ok(()),
+        };
+    };
     let keys: Vec<_> = table.keys().map(|key| key.get_ref().as_ref()).collect();
     if let Some(unknown) = keys.iter().find(|key| !LOADS.contains(key)) {
         return Err(document.unknown_key(&["load"], unknown, &LOADS));
@@ -99,7 +105,15 @@ fn explain(document: &Document, path: &Path, message: &str) -> SceneError {
         }
         Complaint::UnknownName { name, known } => unknown_name(document, path, name, &known),
         Complaint::MissingKey(key) => missing_key(document, &path, key),
-        Complaint::WrongType { expected } => wrong_type(document, &path, &expected),
+        Complaint::WrongType { expected } => {
+            // The decoder knows a plugin only as "dyn Grading", wherever in the table it stumbles.
+            let expected = match path.as_slice() {
+                [parents @ .., "type"] => family(parents).map(|family| format!("a string, {}", names(family))),
+                path => family(path).map(|family| format!("a table with `type`, {}", names(family))),
+            }
+            .unwrap_or(expected);
+            wrong_type(document, &path, &expected)
+        }
         Complaint::OutOfRange { expected, found } => {
             blamed(document, &mut path, message);
             let error = document.not_allowed(&path, expected);
@@ -107,7 +121,7 @@ fn explain(document: &Document, path: &Path, message: &str) -> SceneError {
         }
         Complaint::Other(words) => {
             blamed(document, &mut path, message);
-            document.error(document.best(&path), format!("`{}`: {words}", path.join("."))).found(document.found(&path))
+            document.error(document.best(&path), format!("`{}`: {words}", dotted(&path))).found(document.found(&path))
         }
     }
 }
@@ -125,8 +139,10 @@ fn unknown_name(document: &Document, mut path: Vec<&str>, name: &str, known: &[&
         path.push("type");
     }
     let of = match path.as_slice() {
-        [parents @ .., "type"] => family(parents).map_or_else(|| parents.join("."), |family| family.name().into()),
-        _ => format!("`{}`", path.join(".")),
+        [parents @ .., "type"] => {
+            family(parents).map(Family::name).or(parents.last().copied()).unwrap_or("type").into()
+        }
+        _ => format!("`{}`", dotted(&path)),
     };
     let message = format!("unknown {of} `{}`", clip(name));
     document
@@ -147,18 +163,31 @@ fn missing_key(document: &Document, path: &[&str], key: &str) -> SceneError {
         document.table(path).into_iter().flat_map(DeTable::keys).map(|key| format!("`{}`", key.get_ref())).collect();
     let found = if present.is_empty() { "no key".into() } else { format!("only {}", present.join(", ")) };
     let error = document.error(document.key(path), what).found(clip_list(&found));
-    let names = |family| plugins().into_iter().filter(move |info| info.family == family).map(|info| info.name);
-    match (family(path), plugin(document, path)) {
-        (Some(family), _) if key == "type" => {
-            error.expected(format!("`type`, {}", one_of(&names(family).collect::<Vec<_>>())))
-        }
-        (_, Some(info)) => match info.parameters.iter().find(|parameter| parameter.name == key) {
-            Some(parameter) => error.expected(format!("`{key}`: {}", parameter.summary)),
-            None => error.expected(format!("`{key}`")),
-        },
-        _ if key == "load" => error.expected("[load] with one of `force`, `half_width`, `indentation`"),
-        _ => error.expected(format!("`{key}`")),
+    error.expected(meaning(document, path, key))
+}
+
+/// A required key and what it stands for.
+fn meaning(document: &Document, path: &[&str], key: &str) -> String {
+    let parameter =
+        plugin(document, path).and_then(|info| info.parameters.iter().find(|parameter| parameter.name == key));
+    match (path, key) {
+        (_, "type") if family(path).is_some() => format!("`type`, {}", family(path).map_or_else(String::new, names)),
+        _ if parameter.is_some() => format!("`{key}`: {}", parameter.map_or("", |parameter| parameter.summary)),
+        ([], "layer") => "[layer] with `thickness`, `poisson` and `grading`".into(),
+        ([], "punch") => format!("[punch] with `type`, {}", names(Family::Punch)),
+        ([], "load") => "[load] with one of `force`, `half_width`, `indentation`".into(),
+        (["layer"], "poisson") => "`poisson`: Poisson's ratio, a number above -1 and up to 0.5".into(),
+        (["layer"], "grading") => format!("`grading`: a table with `type`, {}", names(Family::Grading)),
+        (["friction"], "type") => "`type = \"goodman\"`".into(),
+        (["friction"], "coefficient") => "`coefficient`: Coulomb's coefficient, a number above 0".into(),
+        _ => format!("`{key}`"),
     }
+}
+
+/// The known names of a family, in words.
+fn names(family: Family) -> String {
+    let names: Vec<_> = plugins().into_iter().filter(|info| info.family == family).map(|info| info.name).collect();
+    one_of(&names)
 }
 
 /// A list of present keys is only help: it need not be long.
@@ -176,7 +205,7 @@ fn wrong_type(document: &Document, path: &[&str], expected: &str) -> SceneError 
         Some(other) => format!("the {} {found}", other.type_str()),
     };
     document
-        .error(document.best(path), format!("`{}` has the wrong type", path.join(".")))
+        .error(document.best(path), format!("`{}` has the wrong type", dotted(path)))
         .found(found)
         .expected(expected)
 }

@@ -74,7 +74,7 @@ impl<'a> Document<'a> {
 
     /// A number that is not allowed: what it is, where it stands.
     pub(super) fn not_allowed(&self, path: &[&str], expected: impl Into<String>) -> SceneError {
-        self.error(self.best(path), format!("`{}` is not allowed", path.join(".")))
+        self.error(self.best(path), format!("`{}` is not allowed", dotted(path)))
             .found(self.found(path))
             .expected(expected)
     }
@@ -109,6 +109,16 @@ impl<'a> Document<'a> {
     }
 }
 
+/// A path as it would be written, indices in brackets.
+pub(super) fn dotted(path: &[&str]) -> String {
+    let is_index = |segment: &str| !segment.is_empty() && segment.bytes().all(|byte| byte.is_ascii_digit());
+    let written: String = path
+        .iter()
+        .map(|segment| if is_index(segment) { format!("[{segment}]") } else { format!(".{segment}") })
+        .collect();
+    written.trim_start_matches('.').to_owned()
+}
+
 /// A table's name as it would be written.
 pub(super) fn section(path: &[&str]) -> String {
     if path.is_empty() { "the scene".into() } else { format!("[{}]", path.join(".")) }
@@ -138,7 +148,12 @@ fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneError {
         Some((what, expected)) => (what, Some(expected)),
         None => (message, None),
     };
-    let what = if what.is_empty() { "syntax error" } else { what };
+    // The parser words its limit in two ways, neither of them for people.
+    let (what, expected) = match what {
+        "" => ("syntax error", expected),
+        _ if what.contains("recurs") => ("nested too deeply", Some("at most 80 levels")),
+        _ => (what, expected),
+    };
     let span = error.span().unwrap_or(text.len()..text.len());
     let found = match text.get(span.clone()) {
         Some(found) if !found.is_empty() => format!("`{}`", clip(found).escape_debug()),

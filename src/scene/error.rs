@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// A scene that cannot be used: what was found, where, and what was expected in its place.
 ///
-/// `Display` gives several lines of plain text; programs with a terminal draw their own from the fields.
+/// No field but `excerpt` holds characters that a terminal would obey. `Display` gives several lines of plain text; programs with a terminal draw their own from the fields.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}", self.in_words())]
 pub struct SceneError {
@@ -44,13 +44,13 @@ impl SceneError {
         let from = floor(text, line_start.max(start.saturating_sub(MARGIN)));
         let to = floor(text, line_end.min(start + 2 * MARGIN)).max(from);
         Self {
-            file: file.into(),
+            file: printable(file),
             line: 1 + text[..start].bytes().filter(|&byte| byte == b'\n').count(),
             column: 1 + text[line_start..start].chars().count(),
             span: start..end,
             excerpt: text[from..to].into(),
             marked: start.min(to) - from..end.min(to) - from,
-            message: message.into(),
+            message: printable(&message.into()),
             found: None,
             expected: None,
             hint: None,
@@ -63,17 +63,17 @@ impl SceneError {
     }
 
     pub(super) fn found(mut self, found: impl Into<String>) -> Self {
-        self.found = Some(found.into());
+        self.found = Some(printable(&found.into()));
         self
     }
 
     pub(super) fn expected(mut self, expected: impl Into<String>) -> Self {
-        self.expected = Some(expected.into());
+        self.expected = Some(printable(&expected.into()));
         self
     }
 
     pub(super) fn hint(mut self, hint: impl Into<String>) -> Self {
-        self.hint = Some(hint.into());
+        self.hint = Some(printable(&hint.into()));
         self
     }
 
@@ -86,16 +86,13 @@ impl SceneError {
     }
 
     fn in_words(&self) -> String {
-        let mut words = format!("{}:{}:{}: {}", self.file, self.line, self.column, self.message);
+        let mut lines = vec![format!("{}:{}:{}: {}", self.file, self.line, self.column, self.message)];
         if !self.excerpt.is_empty() {
-            words += &format!("\n  {} | {}", self.line, printable(&self.excerpt));
+            lines.push(format!("  {} | {}", self.line, printable(&self.excerpt)));
         }
-        for (name, note) in [("found", &self.found), ("expected", &self.expected), ("help", &self.hint)] {
-            if let Some(note) = note {
-                words += &format!("\n  {name}: {}", printable(note));
-            }
-        }
-        words
+        let notes = [("found", &self.found), ("expected", &self.expected), ("help", &self.hint)];
+        lines.extend(notes.into_iter().filter_map(|(name, note)| Some(format!("  {name}: {}", note.as_ref()?))));
+        lines.join("\n")
     }
 }
 
@@ -149,8 +146,15 @@ mod tests {
 
     #[test]
     fn words_carry_everything_but_control_characters() {
-        let error = SceneError::at("f", "k = 1\u{1b}[31m", 4..5, "no").found("1\u{7}").expected("2").hint("try 2");
+        let error =
+            SceneError::at("f", "k = 1\u{1b}[31m", 4..5, "n\u{1b}o").found("1\u{7}").expected("2").hint("try 2");
         let words = error.to_string();
-        assert_eq!(words, "f:1:5: no\n  1 | k = 1\u{fffd}[31m\n  found: 1\u{fffd}\n  expected: 2\n  help: try 2");
+        for field in [&error.message, error.found.as_ref().unwrap()] {
+            assert!(!field.contains(char::is_control), "{field:?}");
+        }
+        assert_eq!(
+            words,
+            "f:1:5: n\u{fffd}o\n  1 | k = 1\u{fffd}[31m\n  found: 1\u{fffd}\n  expected: 2\n  help: try 2"
+        );
     }
 }
