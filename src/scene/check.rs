@@ -176,10 +176,10 @@ fn ratios(document: &Document, _scene: &Scene) -> Result<(), SceneError> {
     for (index, (path, length)) in lengths.iter().enumerate() {
         for (other, reference) in &lengths[..index] {
             if !(1e-9..=1e9).contains(&(length / reference)) {
-                let other = other.join(".");
+                let (name, value) = (other.join("."), document.found(*other));
                 return Err(document
-                    .not_allowed(*path, format!("between 1e-9 and 1e9 times `{other}`, {reference:e}"))
-                    .hint("a layer far thicker than the contact is a half-plane: `base = { type = \"infinite\" }`"));
+                    .not_allowed(*path, format!("between 1e-9 and 1e9 times `{name}`, which is {value}"))
+                    .hint("are both in the same unit? A layer without end is `base = { type = \"infinite\" }`"));
             }
         }
     }

@@ -148,24 +148,30 @@ fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneError {
         Some((what, expected)) => (what, Some(expected)),
         None => (message, None),
     };
-    // The parser words its limit in two ways, neither of them for people.
+    // The parser words its limit in two ways, neither of them for people; it takes any word for a broken string or boolean.
     let (what, expected) = match what {
         "" => ("syntax error", expected),
         _ if what.contains("recurs") => ("nested too deeply", Some("at most 80 levels")),
+        "duplicate key" => (what, Some("each key and each section once")),
+        "string values must be quoted" | "invalid boolean" => {
+            ("not a value", Some("a number, a string in quotes, `true`, `false`, an array or a table"))
+        }
         _ => (what, expected),
     };
     let span = error.span().unwrap_or(text.len()..text.len());
     let found = match text.get(span.clone()) {
         Some(found) if !found.is_empty() => format!("`{}`", clip(found).escape_debug()),
         _ if span.start >= text.trim_end().len() => "the end of the file".into(),
-        _ => match text[span.start.min(text.len())..].chars().next() {
+        _ => match text.get(span.start..).and_then(|rest| rest.chars().next()) {
             Some('\n' | '\r') | None => "the end of the line".into(),
             Some(c) => format!("`{}`", c.escape_debug()),
         },
     };
-    let error = SceneError::at(name, text, span, format!("not valid TOML: {what}")).found(found);
-    match expected {
-        Some(expected) => error.expected(expected),
-        None => error.expected("a line of TOML such as `key = value` or `[section]`"),
-    }
+    let is_decimal_comma = text
+        .split_at_checked(span.start)
+        .is_some_and(|(before, after)| after.starts_with(',') && before.ends_with(|c: char| c.is_ascii_digit()));
+    let error = SceneError::at(name, text, span, format!("not valid TOML: {what}"))
+        .found(found)
+        .expected(expected.unwrap_or("a line of TOML such as `key = value` or `[section]`"));
+    if is_decimal_comma { error.hint("decimals are written with a point, as in 5.0") } else { error }
 }

@@ -3,7 +3,7 @@
 //!
 //! A case of text is a file in `tests/data/bad`, with the message beside it in `tests/it/snapshots`.
 
-use crate::run::{GOOD, feed, files, folder, run, told};
+use crate::run::{GOOD, feed, files, folder, program, run, told};
 use std::fs::{self, File};
 use std::path::Path;
 
@@ -151,19 +151,23 @@ fn a_long_line_is_shown_in_part() {
     insta::assert_snapshot!("long_line", told(&output));
 }
 
-/// A message must not steer the terminal it is shown on.
+/// A message must not steer the terminal it is shown on, its own colours aside.
 #[test]
 fn no_control_character_reaches_the_terminal() {
     let folder = tempfile::tempdir().unwrap();
-    for text in [
-        GOOD.replace("\"flat\"", "\"\u{1b}]0;evil\u{7}\""),
-        GOOD.replace("\"flat\"", "\"\\u001b[31m\""),
-        GOOD.replace("half_width", "\"\\u001b[31m\""),
-        GOOD.replace("[friction]", "[\"\\u001b[31m\"]"),
+    for (wrong, escape) in [
+        (GOOD.replace("\"flat\"", "\"\u{1b}]0;evil\u{7}\""), "\u{1b}]0"),
+        (GOOD.replace("\"flat\"", "\"\\u001b[35m\""), "\u{1b}[35m"),
+        (GOOD.replace("half_width", "\"\\u001b[35m\""), "\u{1b}[35m"),
+        (GOOD.replace("[friction]", "[\"\\u001b[35m\"]"), "\u{1b}[35m"),
     ] {
-        let output = feed(folder.path(), &["check", "-"], text.as_bytes());
+        std::fs::write(folder.path().join("scene.toml"), wrong).unwrap();
+        let mut command = program(folder.path());
+        let output =
+            command.env_remove("NO_COLOR").env("CLICOLOR_FORCE", "1").args(["check", "scene.toml"]).output().unwrap();
         assert_eq!(output.status.code(), Some(2));
-        let escapes = output.stderr.iter().filter(|&&byte| byte < 32 && byte != b'\n').count();
-        assert_eq!(escapes, 0, "{}", told(&output));
+        let told = told(&output);
+        assert!(told.contains("\u{1b}[1m"), "colours were asked for: {told:?}");
+        assert!(!told.contains(escape) && !told.contains('\u{7}'), "{told:?}");
     }
 }

@@ -94,3 +94,43 @@ fn loads_of_a_cylinder() {
         parse("l", &cylinder.replace("force", load)).unwrap_or_else(|error| panic!("{error}"));
     }
 }
+
+/// Any slip of the keyboard is a scene or an error with a place in the text, never a panic.
+#[test]
+fn one_wrong_character_anywhere() {
+    let text = format!("{GOOD}[output]\nx = [-1, 0.5]\n[friction]\ntype = \"goodman\"\ncoefficient = 0.1\n");
+    parse("good", &text).unwrap();
+    let lines = text.lines().count();
+    for at in 0..text.len() {
+        let slips = ["", "0", "-", "e", ".", "=", "[", "]", "{", "}", "\"", "'", "\\", "\n", "\r", "#", ",", "µ", "\0"];
+        for slip in slips {
+            for kept in [at, at + 1] {
+                let wrong = format!("{}{slip}{}", &text[..at], &text[kept..]);
+                let Err(error) = parse("wrong", &wrong) else { continue };
+                assert!((1..=lines + 1).contains(&error.line), "{error}");
+                assert!(error.found.is_some() && !error.message.is_empty(), "{error}");
+                assert!(wrong.get(error.span.clone()).is_some(), "{error}");
+                assert!(error.excerpt.get(error.marked.clone()).is_some(), "{error}");
+            }
+        }
+    }
+}
+
+/// The same for whole lines left out, doubled or swapped.
+#[test]
+fn one_wrong_line_anywhere() {
+    let lines: Vec<_> = GOOD.lines().collect();
+    for at in 0..lines.len() {
+        for other in 0..lines.len() {
+            let mut wrong = lines.clone();
+            wrong.swap(at, other);
+            let swapped = wrong.join("\n");
+            wrong.remove(other);
+            for text in [swapped, wrong.join("\n"), [GOOD, lines[at], "\n", lines[other]].concat()] {
+                if let Err(error) = parse("wrong", &text) {
+                    assert!(error.found.is_some() && error.expected.is_some(), "{error}");
+                }
+            }
+        }
+    }
+}
