@@ -1,6 +1,6 @@
 //! Limits and identities: half-plane, vanishing gradient, units, energy release.
 
-use crate::scenes::Sketch;
+use crate::sketch::Sketch;
 use slipzone::api::reference::{cylinder, flat_punch, partial_slip};
 use slipzone::engine::Solution;
 
@@ -121,7 +121,10 @@ fn force_half_width_and_indentation_say_the_same() {
             let other = sketch.clone().loaded(&load).solve();
             let width = other.load.half_width.expect("a number");
             let estimate = other.error.each["load.half_width"] + by_width.error.each["load.force"];
-            assert!((width - 1.0).abs() < 3.0 * estimate + 1e-12, "{load}: half-width {width}, estimate {estimate:.1e}");
+            assert!(
+                (width - 1.0).abs() < 3.0 * estimate + 1e-12,
+                "{load}: half-width {width}, estimate {estimate:.1e}"
+            );
         }
         let flat = Sketch::flat(5.0, ratio, 0.3);
         let depth = flat.solve().load.indentation.expect("a number");
@@ -138,7 +141,11 @@ fn units_change_nothing_but_units() {
              grading = {{ type = \"exponential\", surface = {:?}, base = {:?} }}\n\
              [punch]\ntype = \"flat\"\nhalf_width = {:?}\n\
              [friction]\ntype = \"goodman\"\ncoefficient = 0.3\n[load]\nforce = {:?}\n",
-            5.0 * length, stress, 8.0 * stress, length, stress * length
+            5.0 * length,
+            stress,
+            8.0 * stress,
+            length,
+            stress * length
         );
         slipzone::engine::solve(&slipzone::scene::parse("units.toml", &text).expect("a good scene"))
     };

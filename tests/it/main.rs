@@ -1,7 +1,14 @@
 //! All integration tests, in one binary: on two cores linking dominates.
 
 mod accuracy;
+#[cfg(feature = "cli")]
+mod bad_input;
+#[cfg(feature = "cli")]
+mod command_line;
 mod friction;
 mod limits;
 mod properties;
-mod scenes;
+#[cfg(feature = "cli")]
+mod run;
+mod scene;
+mod sketch;

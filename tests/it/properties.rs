@@ -1,6 +1,6 @@
 //! What must hold of every scene. A failing case is printed with its shrunk scene and its seed.
 
-use crate::scenes::Sketch;
+use crate::sketch::Sketch;
 use proptest::prelude::*;
 use slipzone::engine::{Solution, Status};
 use std::f64::consts::PI;

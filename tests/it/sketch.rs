@@ -66,7 +66,7 @@ impl Sketch {
     pub(crate) fn scene(&self) -> Scene {
         slipzone::link_plugins();
         let text = self.text();
-        toml::from_str(&text).unwrap_or_else(|e| panic!("{e}\n{text}"))
+        slipzone::scene::parse("sketch.toml", &text).unwrap_or_else(|e| panic!("{e}\n{text}"))
     }
 
     pub(crate) fn solve(&self) -> Solution {
