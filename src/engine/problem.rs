@@ -65,6 +65,26 @@ impl Problem {
         })
     }
 
+    /// The numbers of the result that the scene itself gives, by their path.
+    pub(crate) fn given(&self) -> Vec<&'static str> {
+        let by_load = match self.load {
+            LoadInLayerUnits::Force(_) => "load.force",
+            LoadInLayerUnits::HalfWidth(_) => "load.half_width",
+            LoadInLayerUnits::Indentation(_) => "load.indentation",
+        };
+        let mut given = vec![by_load];
+        if self.fixed_half_width().is_some() {
+            given.push("load.half_width");
+            if by_load == "load.force" {
+                given.push("pressure.mean");
+            }
+        } else {
+            // A smooth edge has no stress intensity, whatever the resolution.
+            given.extend(["edge.stress_intensity", "edge.ratio"]);
+        }
+        given
+    }
+
     /// Half-width that the punch's corners fix, in layer units.
     pub(crate) fn fixed_half_width(&self) -> Option<f64> {
         self.shape.fixed_half_width().map(|b| b / self.length)

@@ -44,7 +44,7 @@ pub(super) fn to_tolerance(scene: &Scene, mut plan: Plan) -> Result<Solution, Re
         Ok::<_, Refusal>(contact)
     };
 
-    let judged = if kernel.is_pinned() || quadrature.is_pinned() {
+    let mut judged = if kernel.is_pinned() || quadrature.is_pinned() {
         let kernel_level = if kernel.is_pinned() { 0 } else { BESIDE_PINNED };
         let quadrature_level = if quadrature.is_pinned() { 0 } else { BESIDE_PINNED };
         let contact = at_level(kernel_level, quadrature_level, 0, None)?;
@@ -56,6 +56,9 @@ pub(super) fn to_tolerance(scene: &Scene, mut plan: Plan) -> Result<Solution, Re
     } else {
         refined(scene.solver.tolerance.get(), |level, coarser| at_level(level, level, level, coarser))?
     };
+    for given in problem.given() {
+        judged.errors.insert(given.into(), 0.0);
+    }
     plan.unknowns = judged.contact.pressure.size();
     plan.flexibility_evaluations = work.flexibility_evaluations.get();
     plan.factorisations = work.factorisations.get();

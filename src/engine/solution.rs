@@ -4,7 +4,7 @@ use super::contact::Contact;
 use super::finite::first_not_finite;
 use super::problem::Problem;
 use super::refine::{Judged, worst};
-use crate::scene::{Scene, Units};
+use crate::scene::{Load, Scene, Units};
 use serde::Serialize;
 use slipzone_api::{Base, Friction, Plane, Refusal, Station};
 use std::collections::BTreeMap;
@@ -195,13 +195,19 @@ pub(super) fn assemble(
 ) -> Result<Solution, Refusal> {
     let (length, stress) = (problem.length, problem.stress);
     let number = |path: &str, unit: f64| judged.numbers.get(path).map(|value| value * unit);
+    // What the scene gives is reported as given, not after its way through the layer's units.
+    let (given_force, given_width, given_depth) = match scene.load {
+        Load::Force(force) => (Some(force.get()), None, None),
+        Load::HalfWidth(half_width) => (None, Some(half_width.get()), None),
+        Load::Indentation(depth) => (None, None, Some(depth.get())),
+    };
     let solution = Solution {
         status,
         reason,
         load: LoadReport {
-            force: number("load.force", stress * length),
-            half_width: number("load.half_width", length),
-            indentation: number("load.indentation", length),
+            force: given_force.or(number("load.force", stress * length)),
+            half_width: given_width.or(number("load.half_width", length)),
+            indentation: given_depth.or(number("load.indentation", length)),
         },
         pressure: PressureReport {
             centre: number("pressure.centre", stress),

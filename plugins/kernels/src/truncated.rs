@@ -178,3 +178,6 @@ impl KernelTable for Table {
 
 /// See [`crate::link`].
 pub(crate) fn link() {}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,125 @@
+//! A made-up layer with `s F/A0 = s/(1 + s)`, whose kernels are the auxiliary functions of Si and Ci.
+
+use super::*;
+use slipzone_api::{Elastic, Plane, Poisson};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// `M = -1/(1 + s)` in the odd kernels, `+1/(1 + s)` in the coupling; the tail never ends.
+#[derive(Default)]
+struct Rational {
+    tail_known: bool,
+    asked: AtomicUsize,
+}
+
+impl LayerResponse for Rational {
+    fn surface_into(&self, wave_numbers: &[f64], out: &mut [SurfaceFlexibility]) -> Result<(), Refusal> {
+        self.asked.fetch_add(out.len(), Ordering::Relaxed);
+        for (s, out) in wave_numbers.iter().zip(out) {
+            let f = s / (1.0 + s);
+            *out = SurfaceFlexibility { vv: f, uu: f, uv: 1.0 - f - self.elastic().beta() };
+        }
+        Ok(())
+    }
+
+    fn elastic(&self) -> Elastic {
+        Elastic::new(Plane::Strain, Poisson::new(0.3).expect("in range"))
+    }
+
+    fn leading_tail(&self) -> Option<SurfaceFlexibility> {
+        self.tail_known.then_some(SurfaceFlexibility { vv: -1.0, uu: -1.0, uv: 1.0 })
+    }
+
+    fn depth(&self) -> Option<f64> {
+        Some(1.0)
+    }
+}
+
+const ALL: [Component; 4] =
+    [Component::NormalSlope, Component::ShearStrain, Component::Coupling, Component::Depth];
+
+/// `int_0^inf sin(st)/(1 + s) ds` and `int_0^inf cos(st)/(1 + s) ds`, `t > 0`.
+fn auxiliary(t: f64) -> (f64, f64) {
+    let (si, ci) = sici(t);
+    (ci * t.sin() + (FRAC_PI_2 - si) * t.cos(), (FRAC_PI_2 - si) * t.sin() - ci * t.cos())
+}
+
+fn exact(component: Component, t: f64) -> f64 {
+    let (f, g) = auxiliary(t.abs());
+    match component {
+        Component::NormalSlope | Component::ShearStrain => -f * t.signum(),
+        Component::Coupling | Component::Depth => g,
+    }
+}
+
+fn table(response: &dyn LayerResponse, level: u32, components: &[Component]) -> Box<dyn KernelTable> {
+    let request = KernelRequest { reach: 2.0, components };
+    Truncated::default().refined(level).tabulate(response, &request).expect("within reach")
+}
+
+/// Largest error over `0.25 <= |t| <= 2`, ten wavelengths of the ripples at the coarsest cut-off.
+fn error(response: &dyn LayerResponse, level: u32, component: Component) -> f64 {
+    let table = table(response, level, &[component]);
+    let t: Vec<f64> = (0..=400).map(|i| 0.25 + 1.75 * f64::from(i) / 400.0).flat_map(|t| [t, -t]).collect();
+    let mut parts = vec![Parts::default(); t.len()];
+    table.parts_into(component, &t, &mut parts);
+    t.iter().zip(parts).map(|(&t, p)| (p.value(t) - exact(component, t)).abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn converges_to_second_order_in_the_cutoff() {
+    let response = Rational { tail_known: true, ..Rational::default() };
+    for component in ALL {
+        let errors: Vec<f64> = (1..5).map(|level| error(&response, level, component)).collect();
+        // What is left of the tail is 1/s^2, and 1/s^3 for the depth, which has one more 1/s.
+        let order = if component == Component::Depth { 3.0 } else { 2.0 };
+        for pair in errors.windows(2) {
+            let observed = (pair[0] / pair[1]).log2();
+            assert!((observed - order).abs() < 0.3, "{component:?}: order {observed:.2}, errors {errors:?}");
+        }
+    }
+}
+
+#[test]
+fn without_the_leading_term_it_converges_to_first_order() {
+    let response = Rational::default();
+    let errors: Vec<f64> = (0..4).map(|level| error(&response, level, Component::NormalSlope)).collect();
+    for pair in errors.windows(2) {
+        assert!(((pair[0] / pair[1]).log2() - 1.0).abs() < 0.3, "{errors:?}");
+    }
+}
+
+#[test]
+fn the_parts_are_the_jump_and_the_logarithm() {
+    let response = Rational { tail_known: true, ..Rational::default() };
+    let table = table(&response, 0, &ALL);
+    let at_origin = |component| {
+        let mut parts = [Parts::default()];
+        table.parts_into(component, &[0.0], &mut parts);
+        parts[0]
+    };
+    // k_vv(0+) = -f(0+) = -pi/2; g(t) = -log t - euler + ..., and an odd smooth part vanishes at 0.
+    let slope = at_origin(Component::NormalSlope);
+    assert_eq!((slope.smooth, slope.sign, slope.log), (0.0, -FRAC_PI_2, 0.0));
+    for component in [Component::Coupling, Component::Depth] {
+        let parts = at_origin(component);
+        assert_eq!((parts.sign, parts.log), (0.0, -1.0), "{component:?}");
+        // Smooth at the origin, the tail beyond 1/s cut at S = 40: off by about 1/S.
+        assert!((parts.smooth + 0.577_215_664_901_532_9).abs() < 0.03, "{component:?}: {parts:?}");
+    }
+}
+
+#[test]
+fn evaluates_the_flexibility_once_for_all_kernels() {
+    let response = Rational { tail_known: true, ..Rational::default() };
+    let counted = table(&response, 0, &ALL).flexibility_evaluations();
+    assert_eq!(response.asked.load(Ordering::Relaxed), counted);
+    assert!(counted <= 17 * 14, "{counted} wave numbers for a cut-off of 40");
+}
+
+#[test]
+fn refuses_a_contact_too_wide_for_its_layer() {
+    let response = Rational { tail_known: true, ..Rational::default() };
+    let request = KernelRequest { reach: 1e6, components: &[Component::NormalSlope] };
+    let refusal = Truncated::default().tabulate(&response, &request).err().expect("a refusal");
+    assert!(refusal.to_string().contains("more work than it is worth"), "{refusal}");
+}
