@@ -13,7 +13,7 @@ use slipzone_api::{Refusal, Station};
 /// Resolutions at which the whole friction curve is scanned for roots; finer ones follow those found.
 const SCANNED_LEVELS: u32 = 2;
 /// Nodes on either side of the slip zone's grid: at the coarsest resolution, and added per level.
-const SLIP_NODES: (usize, usize) = (40, 16);
+const SLIP_NODES: (usize, usize) = (24, 8);
 
 /// A solved contact in layer units.
 pub(crate) struct Contact {
@@ -48,7 +48,12 @@ pub(crate) enum Verdict {
 
 impl Contact {
     /// Solves at one resolution; `coarser` is the same scene at half of it.
-    pub(crate) fn solve(layer: &mut Layer, level: u32, coarser: Option<&Self>) -> Result<Self, Refusal> {
+    pub(crate) fn solve(
+        layer: &mut Layer,
+        tolerance: f64,
+        level: u32,
+        coarser: Option<&Self>,
+    ) -> Result<Self, Refusal> {
         let pressure = match layer.problem.fixed_half_width() {
             Some(half_width) => {
                 let punch = SharpPunch::new(layer, half_width)?;
@@ -71,7 +76,7 @@ impl Contact {
         let friction = match layer.problem.friction {
             Some(eta) => {
                 let coarse = coarser.and_then(|c| c.friction.as_ref()).filter(|_| level >= SCANNED_LEVELS);
-                Some(Stick::solve(layer, &pressure, eta, level, coarse)?)
+                Some(Stick::solve(layer, &pressure, eta, tolerance, level, coarse)?)
             }
             None => None,
         };
@@ -132,23 +137,27 @@ impl Contact {
 }
 
 impl Stick {
-    fn solve(layer: &Layer, pressure: &Pressure, eta: f64, level: u32, coarse: Option<&Self>) -> Result<Self, Refusal> {
+    fn solve(
+        layer: &Layer,
+        pressure: &Pressure,
+        eta: f64,
+        tolerance: f64,
+        level: u32,
+        coarse: Option<&Self>,
+    ) -> Result<Self, Refusal> {
         let slip_nodes = SLIP_NODES.0 + SLIP_NODES.1 * level as usize;
-        let curve = FrictionCurve { layer, pressure, slip_nodes };
-        let found = match coarse {
+        let curve = FrictionCurve { layer, pressure, slip_nodes, tolerance };
+        let mut found = match coarse {
             Some(coarse) => curve.follow(eta, &coarse.found)?,
             None => curve.scan(eta)?,
         };
-        let mut failure = None;
-        for &(lambda, _) in &found.roots {
-            let shear = curve.shear(lambda)?;
-            match violation(layer, pressure, &shear) {
-                None => return Ok(Self { shear, verdict: Verdict::Holds, found }),
-                Some(what) => failure = failure.or(Some((shear, what))),
-            }
+        let mut best = first_that_holds(&curve, &found)?;
+        if coarse.is_some() && best.as_ref().is_none_or(|(_, verdict)| *verdict != Verdict::Holds) {
+            found = curve.scan_on(eta, found)?;
+            best = first_that_holds(&curve, &found)?;
         }
-        if let Some((shear, what)) = failure {
-            return Ok(Self { shear, verdict: Verdict::Fails(what), found });
+        if let Some((shear, verdict)) = best {
+            return Ok(Self { shear, verdict, found });
         }
         let (narrow, wide) = (found.samples.first(), found.samples.last());
         let (lambda, verdict) = match (narrow, wide) {
@@ -160,6 +169,19 @@ impl Stick {
         let shear = curve.shear(lambda)?;
         Ok(Self { shear, verdict, found })
     }
+}
+
+/// The first root at which friction holds, or else the first root and what it fails; `None` without roots.
+fn first_that_holds(curve: &FrictionCurve, found: &Found) -> Result<Option<(Shear, Verdict)>, Refusal> {
+    let mut failure = None;
+    for &(lambda, _) in &found.roots {
+        let shear = curve.shear(lambda)?;
+        match violation(curve.layer, curve.pressure, &shear) {
+            None => return Ok(Some((shear, Verdict::Holds))),
+            Some(what) => failure = failure.or(Some((shear, Verdict::Fails(what)))),
+        }
+    }
+    Ok(failure)
 }
 
 /// The condition of friction that a stick zone fails, and where.

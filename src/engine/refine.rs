@@ -36,11 +36,12 @@ pub(super) fn to_tolerance(scene: &Scene, mut plan: Plan) -> Result<Solution, Re
     let quadrature = scene.solver.quadrature.as_ref().ok_or_else(missing)?;
     let response = flexibility.respond(&problem.layer)?;
     let work = Work::default();
+    let tolerance = scene.solver.tolerance.get();
     let at_level = |kernel_level: u32, quadrature_level: u32, level: u32, coarser: Option<&Contact>| {
         let strategy = kernel.refined(kernel_level);
         let quadrature = quadrature.refined(quadrature_level);
         let mut layer = Layer::new(&problem, response.as_ref(), strategy.as_ref(), quadrature.as_ref(), &work);
-        let contact = Contact::solve(&mut layer, level, coarser)?;
+        let contact = Contact::solve(&mut layer, tolerance, level, coarser)?;
         Ok::<_, Refusal>(contact)
     };
 
@@ -54,7 +55,7 @@ pub(super) fn to_tolerance(scene: &Scene, mut plan: Plan) -> Result<Solution, Re
         let how = "resolution fixed by the scene, compared with a twin of twice the resolution".into();
         Judged { contact, numbers, errors, how, stopped: None }
     } else {
-        refined(scene.solver.tolerance.get(), |level, coarser| at_level(level, level, level, coarser))?
+        refined(tolerance, |level, coarser| at_level(level, level, level, coarser))?
     };
     for given in problem.given() {
         judged.errors.insert(given.into(), 0.0);

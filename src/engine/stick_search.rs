@@ -16,10 +16,13 @@ const RESOLVED: f64 = 4.0;
 const OVERLAP: f64 = 1.0;
 /// Roots closer than this in `lambda` are one.
 const SAME_ROOT: f64 = 1e-6;
-/// Position tolerance of a root in `lambda`; half of it is the relative error of the smaller zone.
-const ROOT_TOLERANCE: f64 = 1e-11;
+/// Position tolerance of a root in `lambda`, over the tolerance of the scene: an error in `lambda` is at
+/// most that much, relative, in either zone's width.
+const ROOT_SHARE: f64 = 1e-3;
+/// First half-width of the bracket around a known root.
+const FIRST_STEP: f64 = 0.005;
 /// Widening steps tried around a root known from a coarser resolution.
-const MOST_STEPS: u32 = 8;
+const MOST_STEPS: u32 = 10;
 
 /// The friction law at one resolution, as a function of `lambda = ln(a/(b - a))`.
 pub(crate) struct FrictionCurve<'a> {
@@ -27,6 +30,8 @@ pub(crate) struct FrictionCurve<'a> {
     pub(crate) pressure: &'a Pressure,
     /// Nodes on either side of the slip zone's grid.
     pub(crate) slip_nodes: usize,
+    /// Relative error wanted of the zones' widths.
+    pub(crate) tolerance: f64,
 }
 
 /// What the search at one resolution leaves for the next.
@@ -62,12 +67,11 @@ impl FrictionCurve<'_> {
         self.extend(eta, Found { scanned: NARROWEST, ..Found::default() })
     }
 
-    /// The roots known from a coarser resolution, followed to this one, and those of the part of the
-    /// curve that only this resolution can reach.
+    /// The roots known from a coarser resolution, followed to this one.
     pub(crate) fn follow(&self, eta: f64, coarse: &Found) -> Result<Found, Refusal> {
         let mut found = Found { roots: Vec::new(), ..coarse.clone() };
         for &(lambda, branch) in &coarse.roots {
-            let mut step = 0.02;
+            let mut step = FIRST_STEP;
             for _ in 0..MOST_STEPS {
                 let (lower, upper) = (lambda - step, (lambda + step).min(self.widest()));
                 if let Some(root) = self.root_between(lower, upper, branch * eta)? {
@@ -77,6 +81,11 @@ impl FrictionCurve<'_> {
                 step *= 2.0;
             }
         }
+        Ok(found)
+    }
+
+    /// Adds the roots of the part of the curve that only this resolution can reach.
+    pub(crate) fn scan_on(&self, eta: f64, mut found: Found) -> Result<Found, Refusal> {
         let end = found.scanned - OVERLAP;
         found.samples.retain(|(lambda, _)| *lambda < end);
         found.scanned = end;
@@ -110,7 +119,7 @@ impl FrictionCurve<'_> {
 
     /// The root of `eta(lambda) = target` in an interval at whose ends the difference has two signs.
     fn root_between(&self, lower: f64, upper: f64, target: f64) -> Result<Option<f64>, Refusal> {
-        let solver = Toms748Root::new(lower, upper).with_absolute_position_tolerance(ROOT_TOLERANCE);
+        let solver = Toms748Root::new(lower, upper).with_absolute_position_tolerance(ROOT_SHARE * self.tolerance);
         match solver.solve(|lambda| self.friction(lambda).map(|eta| eta - target)) {
             Ok(root) => Ok(Some(root.root())),
             Err(RootError::Evaluation(refusal)) => Err(refusal),

@@ -63,7 +63,7 @@ fn a_thick_graded_layer_tends_to_the_half_plane_to_first_order() {
 
 #[test]
 fn a_vanishing_gradient_joins_the_homogeneous_layer_from_both_sides() {
-    let fixed = "[solver]\nquadrature = { type = \"gauss-chebyshev\", n = 40 }\nkernel = { type = \"truncated\", cutoff = 80.0 }";
+    let fixed = "[solver]\ntolerance = 1e-10\nquadrature = { type = \"gauss-chebyshev\", n = 40 }\nkernel = { type = \"truncated\", cutoff = 80.0 }";
     let at = |excess: f64| {
         let solution = Sketch::flat(5.0, 1.0 / (1.0 + excess), 0.3).rubbing(0.3).with(fixed).solve();
         [edge(&solution), solution.load.indentation.expect("a number"), stick(&solution)]

@@ -36,7 +36,7 @@ slipzone_api::register!(Kernel, "truncated", "Fourier integral cut at a finite w
 const FIRST_CUTOFF: f64 = 40.0;
 /// At level 0 the cut-off resolves at least this phase over the reach: what is left of the tail beyond
 /// ripples with wavelength `2 pi/S`, which must be short beside the contact.
-const FIRST_BAND: f64 = 32.0;
+const FIRST_BAND: f64 = 16.0;
 /// Nodes per panel of wave numbers at level 0; each level adds two, so that a twin judges the panels too.
 const FIRST_NODES: usize = 14;
 /// Most interpolation nodes per kernel: what a thin layer may cost.
@@ -68,8 +68,8 @@ impl KernelStrategy for Truncated {
             beta: response.elastic().beta(),
             tail: response.leading_tail().unwrap_or_default(),
         };
-        let tables = request.components.iter().map(|&c| (c, integral.tabulate(c, request.reach, nodes))).collect();
-        Ok(Box::new(Table { tables, flexibility_evaluations: samples.s.len() }))
+        let kernels = integral.tabulate(request.components, request.reach, nodes);
+        Ok(Box::new(Table { kernels, flexibility_evaluations: samples.s.len() }))
     }
 
     fn refined(&self, level: u32) -> Box<dyn KernelStrategy> {
@@ -98,38 +98,64 @@ struct Integral<'a> {
 }
 
 impl Integral<'_> {
-    fn tabulate(&self, component: Component, reach: f64, nodes: usize) -> Kernel {
-        let weighted = |value: &dyn Fn(&SurfaceFlexibility, f64) -> f64| -> Vec<f64> {
-            let nodes = self.samples.s.iter().zip(&self.samples.weight);
-            nodes.zip(&self.samples.flexibility).map(|((s, w), f)| w * value(f, *s)).collect()
-        };
-        let (m, tail) = match component {
-            Component::NormalSlope => (weighted(&|f, _| f.vv - 1.0), self.tail.vv),
-            Component::ShearStrain => (weighted(&|f, _| f.uu - 1.0), self.tail.uu),
-            Component::Coupling => (weighted(&|f, _| f.uv + self.beta), self.tail.uv),
-            // [M_vv + exp(-s)]/s = [s Fvv/A0 + (exp(-s) - 1)]/s; the rest of G is in `Kernel::parts`.
-            Component::Depth => (weighted(&|f, s| (f.vv + (-s).exp_m1()) / s), self.tail.vv),
-        };
-        let cutoff = self.samples.cutoff;
-        let smooth = |t: f64| match component {
-            Component::NormalSlope | Component::ShearStrain => {
-                (self.transform(&m, |s| (s * t).sin()) - tail * sici(cutoff * t).0) / t
+    /// All kernels at once: the waves at one `s` and `t` serve each of them.
+    fn tabulate(&self, components: &[Component], reach: f64, nodes: usize) -> Vec<Kernel> {
+        let weighted: Vec<Vec<f64>> = components.iter().map(|c| self.weighted(*c)).collect();
+        let abscissae = even_table::nodes(reach, nodes);
+        let mut values = vec![Vec::with_capacity(nodes); components.len()];
+        let mut waves = vec![(0.0, 0.0); self.samples.s.len()];
+        for &t in &abscissae {
+            for (wave, s) in waves.iter_mut().zip(&self.samples.s) {
+                *wave = (s * t).sin_cos();
             }
-            Component::Coupling => {
-                // Cin(St) - euler - ln S = ln t - Ci(St)
-                self.transform(&m, |s| (s * t).cos()) + tail * (t.ln() - sici(cutoff * t).1)
+            for ((component, weighted), values) in components.iter().zip(&weighted).zip(&mut values) {
+                values.push(self.smooth(*component, weighted, &waves, t));
             }
-            Component::Depth => {
-                let beyond = (cutoff * t).cos() / cutoff + t * sici(cutoff * t).0;
-                self.transform(&m, |s| (s * t).cos()) + tail * beyond
-            }
+        }
+        let kernel = |(&component, values): (&Component, &Vec<f64>)| Kernel {
+            component,
+            tail: self.tail_of(component),
+            smooth: EvenTable::through(reach, self.samples.cutoff, values),
         };
-        let values: Vec<f64> = even_table::nodes(reach, nodes).into_iter().map(smooth).collect();
-        Kernel { component, tail, smooth: EvenTable::through(reach, cutoff, &values) }
+        components.iter().zip(&values).map(kernel).collect()
     }
 
-    fn transform(&self, weighted: &[f64], wave: impl Fn(f64) -> f64) -> f64 {
-        self.samples.s.iter().zip(weighted).map(|(&s, m)| m * wave(s)).sum()
+    fn tail_of(&self, component: Component) -> f64 {
+        match component {
+            Component::NormalSlope | Component::Depth => self.tail.vv,
+            Component::ShearStrain => self.tail.uu,
+            Component::Coupling => self.tail.uv,
+        }
+    }
+
+    /// Gauss weight times what stands before the wave, at each wave number.
+    fn weighted(&self, component: Component) -> Vec<f64> {
+        let value = |s: f64, f: &SurfaceFlexibility| match component {
+            Component::NormalSlope => f.vv - 1.0,
+            Component::ShearStrain => f.uu - 1.0,
+            Component::Coupling => f.uv + self.beta,
+            // [M_vv + exp(-s)]/s = [s Fvv/A0 + (exp(-s) - 1)]/s; the rest of G is in `Kernel::parts`.
+            Component::Depth => (f.vv + (-s).exp_m1()) / s,
+        };
+        let nodes = self.samples.s.iter().zip(&self.samples.weight).zip(&self.samples.flexibility);
+        nodes.map(|((s, weight), f)| weight * value(*s, f)).collect()
+    }
+
+    /// The smooth part at `t > 0`, divided by `t` for an odd kernel.
+    fn smooth(&self, component: Component, weighted: &[f64], waves: &[(f64, f64)], t: f64) -> f64 {
+        let (tail, cutoff) = (self.tail_of(component), self.samples.cutoff);
+        let terms = weighted.iter().zip(waves);
+        if component.is_odd() {
+            let sum: f64 = terms.map(|(m, (sin, _))| m * sin).sum();
+            return (sum - tail * sici(cutoff * t).0) / t;
+        }
+        let sum: f64 = terms.map(|(m, (_, cos))| m * cos).sum();
+        let (si, ci) = sici(cutoff * t);
+        let beyond = match component {
+            Component::Depth => (cutoff * t).cos() / cutoff + t * si,
+            _ => t.ln() - ci, // Cin(St) - euler - ln S
+        };
+        sum + tail * beyond
     }
 }
 
@@ -157,15 +183,15 @@ impl Kernel {
 
 /// The tabulated kernels of one layer.
 struct Table {
-    tables: Vec<(Component, Kernel)>,
+    kernels: Vec<Kernel>,
     flexibility_evaluations: usize,
 }
 
 impl KernelTable for Table {
     fn parts_into(&self, component: Component, distances: &[f64], out: &mut [Parts]) {
         assert_eq!(distances.len(), out.len(), "one set of parts for each distance");
-        let kernel = self.tables.iter().find(|(c, _)| *c == component);
-        let (_, kernel) = kernel.unwrap_or_else(|| panic!("{component:?} was not requested"));
+        let kernel = self.kernels.iter().find(|kernel| kernel.component == component);
+        let kernel = kernel.unwrap_or_else(|| panic!("{component:?} was not requested"));
         for (t, out) in distances.iter().zip(out) {
             *out = kernel.parts(*t, kernel.smooth.at(*t));
         }

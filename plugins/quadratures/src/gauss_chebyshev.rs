@@ -180,15 +180,14 @@ impl Rule for ChebyshevRule {
         let n = self.unknowns();
         assert_eq!(rows.len(), n * self.stations.len(), "rows = collocation points, columns = unknowns");
         let mut scratch = self.scratch();
-        for ((row, alpha), station) in rows.chunks_mut(n).zip(&self.angles).zip(&self.stations) {
+        let last = self.stations.len() - 1;
+        for (i, (row, station)) in rows.chunks_mut(n).zip(&self.stations).enumerate() {
             if let Some(kernel) = kernel {
                 self.folded_kernel(kernel, station.x, Parts::value, &mut scratch);
             }
             for (j, entry) in row.iter_mut().enumerate() {
-                let theta = self.grid.angle[j];
-                // cos a - cos b without cancellation.
-                let minus = -2.0 * (0.5 * (alpha + theta)).sin() * (0.5 * (alpha - theta)).sin();
-                let plus = 2.0 * (0.5 * (alpha + theta)).cos() * (0.5 * (alpha - theta)).cos();
+                // Stations ascend in x, angles in the grid.
+                let (minus, plus) = self.grid.minus_and_plus(last - i, j);
                 let cauchy = 1.0 / minus + self.mirror() / plus;
                 *entry = self.grid.weight[j] / PI * (cauchy + self.half_width * scratch.folded[j]);
             }
@@ -266,16 +265,12 @@ impl Rule for ChebyshevRule {
             let summed: f64 =
                 unknowns.iter().zip(&self.grid.weight).zip(&scratch.folded).map(|((u, w), k)| u * w * k).sum();
             let alpha = (x / self.half_width).clamp(-1.0, 1.0).acos();
-            let mut exact = 0.0;
-            for (k, a) in series.iter().enumerate() {
-                let (on_jump, on_log) = if k == 0 {
-                    (PI - 2.0 * alpha, PI * (0.5 * self.half_width).ln())
-                } else {
-                    let order = k as f64;
-                    (-2.0 * (order * alpha).sin() / order, -PI * (order * alpha).cos() / order)
-                };
-                exact += a * (jump * on_jump + log * on_log);
-            }
+            // int T_k sign(x - r)/sqrt = -2 sin(k alpha)/k, int T_k log|x - r|/sqrt = -pi cos(k alpha)/k.
+            let (cosines, sines) = grid::over_order(&series, alpha);
+            let constant = series.first().copied().unwrap_or(0.0);
+            let on_jump = constant * (PI - 2.0 * alpha) - 2.0 * sines;
+            let on_log = PI * (constant * (0.5 * self.half_width).ln() - cosines);
+            let exact = jump * on_jump + log * on_log;
             *out = self.half_width * (summed + exact) / PI;
         }
     }
@@ -283,3 +278,6 @@ impl Rule for ChebyshevRule {
 
 /// See [`crate::link`].
 pub(crate) fn link() {}
+
+#[cfg(test)]
+mod tests;

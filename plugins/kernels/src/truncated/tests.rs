@@ -34,8 +34,7 @@ impl LayerResponse for Rational {
     }
 }
 
-const ALL: [Component; 4] =
-    [Component::NormalSlope, Component::ShearStrain, Component::Coupling, Component::Depth];
+const ALL: [Component; 4] = [Component::NormalSlope, Component::ShearStrain, Component::Coupling, Component::Depth];
 
 /// `int_0^inf sin(st)/(1 + s) ds` and `int_0^inf cos(st)/(1 + s) ds`, `t > 0`.
 fn auxiliary(t: f64) -> (f64, f64) {

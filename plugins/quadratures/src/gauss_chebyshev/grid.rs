@@ -12,10 +12,15 @@ pub(super) enum Kind {
 }
 
 /// The positive half of `n` nodes (`n` even).
+///
+/// Nodes and the points half way between them lie at whole multiples of half a step, so that one table
+/// of sines serves every difference of two cosines.
 pub(super) struct Grid {
     kind: Kind,
     /// Angles of the nodes, ascending.
     pub(super) angle: Vec<f64>,
+    /// `sin(k step/4)` up to the angle `pi/2`.
+    quarter_sines: Vec<f64>,
     /// Nodes, `cos(angle)`, descending.
     pub(super) t: Vec<f64>,
     /// Gauss weights of the density's edge factor: `int F w dt = sum weight (F(t) + F(-t))`.
@@ -39,7 +44,26 @@ impl Grid {
                 Kind::Second => step * a.sin().powi(2),
             })
             .collect();
-        Self { kind, angle, t, weight }
+        let right_angle = (2.0 * PI / step).round();
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 2 n or 2 (n + 1)
+        let quarter_sines = (0..=right_angle as usize).map(|k| (0.5 * PI * k as f64 / right_angle).sin()).collect();
+        Self { kind, angle, quarter_sines, t, weight }
+    }
+
+    /// `cos(alpha) - cos(theta)` and `cos(alpha) + cos(theta)` for the `i`-th staggered angle (the middle
+    /// one last) and the `j`-th node, both without cancellation.
+    pub(super) fn minus_and_plus(&self, i: usize, j: usize) -> (f64, f64) {
+        // Angles in half steps: nodes at odd and staggered points at even multiples, or the reverse.
+        let (node, staggered) = match self.kind {
+            Kind::First => (2 * j + 1, 2 * i + 2),
+            Kind::Second => (2 * j + 2, 2 * i + 1),
+        };
+        let (sum, difference) = (node + staggered, node.abs_diff(staggered));
+        let sine = |k: usize| self.quarter_sines[k];
+        let cosine = |k: usize| self.quarter_sines[self.quarter_sines.len() - 1 - k];
+        // cos a - cos b = -2 sin((a + b)/2) sin((a - b)/2), cos a + cos b = 2 cos((a + b)/2) cos((a - b)/2)
+        let minus = if staggered > node { -2.0 } else { 2.0 } * sine(sum) * sine(difference);
+        (minus, 2.0 * cosine(sum) * cosine(difference))
     }
 
     fn n(&self) -> usize {
@@ -121,4 +145,14 @@ fn step(kind: Kind, n: usize) -> f64 {
         Kind::First => PI / n as f64,
         Kind::Second => PI / (n + 1) as f64,
     }
+}
+
+/// `sum_k a_k cos(k alpha)/k` and `sum_k a_k sin(k alpha)/k` over `k >= 1` (Clenshaw).
+pub(super) fn over_order(series: &[f64], alpha: f64) -> (f64, f64) {
+    let twice = 2.0 * alpha.cos();
+    let (mut older, mut newer) = (0.0, 0.0);
+    for (k, a) in series.iter().enumerate().skip(1).rev() {
+        (older, newer) = (newer, twice * newer - older + a / k as f64);
+    }
+    (0.5 * twice * newer - older, newer * alpha.sin())
 }

@@ -1,0 +1,197 @@
+//! The rule against integrals in closed form.
+
+use super::*;
+use slipzone_api::reference::flat_punch;
+
+/// A kernel `smooth(t) + sign(t) sign_part + log|t| log_part`.
+struct Made {
+    smooth: fn(f64) -> f64,
+    sign: f64,
+    log: f64,
+}
+
+impl KernelTable for Made {
+    fn parts_into(&self, _: Component, distances: &[f64], out: &mut [Parts]) {
+        for (t, out) in distances.iter().zip(out) {
+            *out = Parts { smooth: (self.smooth)(*t), sign: self.sign, log: self.log };
+        }
+    }
+
+    fn flexibility_evaluations(&self) -> usize {
+        0
+    }
+}
+
+fn rule(c: f64, parity: Parity, edge: Edge, n: usize) -> Box<dyn Rule> {
+    let quadrature = GaussChebyshev { n: Some(EvenCount(n)), level: 0 };
+    quadrature.rule(&Span::symmetric(c, parity, edge)).expect("a symmetric span")
+}
+
+fn apply(rows: &[f64], unknowns: &[f64]) -> Vec<f64> {
+    rows.chunks(unknowns.len()).map(|row| row.iter().zip(unknowns).map(|(a, u)| a * u).sum()).collect()
+}
+
+fn operator(rule: &dyn Rule, kernel: Option<(&dyn KernelTable, Component)>) -> Vec<f64> {
+    let mut rows = vec![0.0; rule.unknowns() * rule.collocation().len()];
+    rule.operator_into(kernel, &mut rows);
+    rows
+}
+
+/// Angles of the positive nodes: of the first kind for sharp edges, of the second for others.
+fn angles(edge: Edge, n: usize) -> Vec<f64> {
+    let angle = |j: usize| match edge {
+        Edge::Sharp => PI * (j as f64 - 0.5) / n as f64,
+        Edge::Smooth | Edge::Continued => PI * j as f64 / (n + 1) as f64,
+    };
+    (1..=n / 2).map(angle).collect()
+}
+
+fn assert_close(got: f64, expected: f64, tolerance: f64, what: &str) {
+    assert!((got - expected).abs() <= tolerance, "{what}: {got} instead of {expected}");
+}
+
+#[test]
+fn cauchy_integrals_of_chebyshev_polynomials_are_exact() {
+    let (c, n) = (2.5, 24);
+    // (1/pi) PV int T_k(t)/((x - t) sqrt(1 - t^2)) dt = -U_{k-1}(x), k = 4 (even) and 5 (odd).
+    for (k, parity) in [(4, Parity::Even), (5, Parity::Odd)] {
+        let rule = rule(c, parity, Edge::Sharp, n);
+        let values: Vec<f64> = angles(Edge::Sharp, n).iter().map(|a| (f64::from(k) * a).cos()).collect();
+        for (got, at) in apply(&operator(rule.as_ref(), None), &values).iter().zip(rule.collocation()) {
+            let alpha = (at.x / c).acos();
+            assert_close(*got, -(f64::from(k) * alpha).sin() / alpha.sin(), 1e-12, "T_k");
+        }
+    }
+    // (1/pi) PV int U_k(t) sqrt(1 - t^2)/(x - t) dt = T_{k+1}(x), k = 4 (even) and 5 (odd).
+    for (k, parity, edge) in [(4, Parity::Even, Edge::Smooth), (5, Parity::Odd, Edge::Continued)] {
+        let rule = rule(c, parity, edge, n);
+        let values: Vec<f64> = angles(edge, n).iter().map(|a| (f64::from(k + 1) * a).sin() / a.sin()).collect();
+        for (got, at) in apply(&operator(rule.as_ref(), None), &values).iter().zip(rule.collocation()) {
+            assert_close(*got, (f64::from(k + 1) * (at.x / c).acos()).cos(), 1e-12, "U_k");
+        }
+    }
+}
+
+#[test]
+fn equations_and_unknowns_are_counted_as_the_contract_says() {
+    for (parity, edge, excess) in
+        [(Parity::Even, Edge::Sharp, -1), (Parity::Even, Edge::Smooth, 0), (Parity::Odd, Edge::Continued, 1)]
+    {
+        let rule = rule(1.0, parity, edge, 12);
+        let count = |n: usize| i32::try_from(n).expect("a small count");
+        assert_eq!(count(rule.collocation().len()) - count(rule.unknowns()), excess, "{parity:?} {edge:?}");
+        assert!(rule.collocation().windows(2).all(|s| s[0].x < s[1].x && s[0].gap > s[1].gap));
+        let exact = |s: &Station| (s.x + s.gap - 1.0).abs() < 1e-15;
+        assert!(rule.collocation().iter().all(exact), "x and gap add up to the half-width");
+    }
+}
+
+#[test]
+fn flat_punch_on_a_half_plane() {
+    let (c, n) = (3.0, 16);
+    let rule = rule(c, Parity::Even, Edge::Sharp, n);
+    // F = 1/(pi c) is the flat punch under unit force.
+    let unknowns = vec![1.0 / (PI * c); rule.unknowns()];
+    assert!(apply(&operator(rule.as_ref(), None), &unknowns).iter().all(|v| v.abs() < 1e-14));
+    let mut row = vec![0.0; rule.unknowns()];
+    rule.resultant_into(&mut row);
+    assert_close(apply(&row, &unknowns)[0], 1.0, 1e-14, "resultant");
+    assert_close(rule.edge_factor(&unknowns), flat_punch::EDGE_RATIO, 1e-14, "edge factor");
+    for gap in [1.0, 1e-3, 1e-12] {
+        let p = rule.value(Density { unknowns: &unknowns, carrier: 0.0 }, Station { x: c - gap, gap });
+        assert_close(p / flat_punch::pressure(1.0, c, gap), 1.0, 1e-13, "pressure by its gap");
+    }
+}
+
+#[test]
+fn values_between_the_nodes_are_those_of_the_polynomial() {
+    for (edge, factor) in [(Edge::Sharp, -0.5), (Edge::Smooth, 0.5)] {
+        let (c, n) = (2.0, 12);
+        let rule = rule(c, Parity::Even, edge, n);
+        let polynomial = |t: f64| 1.0 - 3.0 * t * t + 0.5 * t.powi(8);
+        let unknowns: Vec<f64> = angles(edge, n).iter().map(|a| polynomial(a.cos())).collect();
+        for t in [-0.999, -0.4, 0.0, angles(edge, n)[2].cos(), 0.77] {
+            let at = Station { x: c * t, gap: c * (1.0 - t.abs()) };
+            let got = rule.value(Density { unknowns: &unknowns, carrier: 0.0 }, at);
+            assert_close(got, polynomial(t) * (1.0 - t * t).powf(factor), 1e-12, "value");
+        }
+    }
+}
+
+#[test]
+fn the_carrier_is_the_odd_density_that_is_one_at_the_end() {
+    let (c, n) = (2.0, 200);
+    let rule = rule(c, Parity::Odd, Edge::Continued, n);
+    // With k(t) = t^3, int_-c^c (r/c) (x - r)^3 dr = -2 c^2 x^2 - 2 c^4/5.
+    let cubic = Made { smooth: |t| t * t * t, sign: 0.0, log: 0.0 };
+    let mut carried = vec![0.0; rule.collocation().len()];
+    rule.carrier_into(Some((&cubic, Component::ShearStrain)), &mut carried);
+    for (got, at) in carried.iter().zip(rule.collocation()) {
+        let t = at.x / c;
+        let cauchy = t * ((c + at.x) / at.gap).ln() - 2.0;
+        let regular = -2.0 * c * c * at.x * at.x - 0.4 * c.powi(4);
+        assert_close(*got, (cauchy + regular) / PI, 1e-11, "carrier");
+    }
+    let at_end =
+        rule.value(Density { unknowns: &vec![0.0; rule.unknowns()], carrier: 0.7 }, Station { x: c, gap: 0.0 });
+    assert_close(at_end, 0.7, 0.0, "value at the end");
+}
+
+#[test]
+fn potentials_of_jump_and_logarithm_are_exact_anywhere() {
+    let c = 0.5;
+    let targets = [-c, -0.31, 0.0, 0.123, 0.499, c];
+    // Sharp, F = 1: int log|x - r|/sqrt(c^2 - r^2) dr = pi ln(c/2); int sign = pi - 2 acos(x/c). Smooth,
+    // F = 1: int sqrt(1 - t^2) log|x - ct| c dt = c pi/2 (ln(c/2) + t^2 - 1/2).
+    let logarithm = Made { smooth: |_| 0.0, sign: 0.0, log: 1.0 };
+    let jump = Made { smooth: |_| 0.0, sign: 1.0, log: 0.0 };
+    for edge in [Edge::Sharp, Edge::Smooth] {
+        let rule = rule(c, Parity::Even, edge, 10);
+        let unknowns = vec![1.0; rule.unknowns()];
+        let potential = |made: &Made| {
+            let mut out = [0.0; 6];
+            rule.potential_into(&unknowns, (made, Component::Coupling), &targets, &mut out);
+            out
+        };
+        for ((x, by_log), by_jump) in targets.iter().zip(potential(&logarithm)).zip(potential(&jump)) {
+            let t: f64 = x / c;
+            let (log, sign) = if edge == Edge::Sharp {
+                (c * (0.5 * c).ln(), c * (1.0 - 2.0 * t.acos() / PI))
+            } else {
+                let inside = t * (1.0 - t * t).max(0.0).sqrt() + t.asin();
+                (0.5 * c * ((0.5 * c).ln() + t * t - 0.5), c * inside / PI)
+            };
+            assert_close(by_log, log, 1e-13, "logarithm");
+            assert_close(by_jump, sign, 1e-13, "jump");
+        }
+    }
+}
+
+#[test]
+fn a_kernel_with_a_jump_converges_to_second_order() {
+    // The operator sums a jump at staggered points: int_-1^1 sign(x - r)/sqrt(1 - r^2) dr = pi - 2 acos x.
+    let jump = Made { smooth: |_| 0.0, sign: 1.0, log: 0.0 };
+    let errors: Vec<f64> = [16, 32, 64]
+        .iter()
+        .map(|&n| {
+            let rule = rule(1.0, Parity::Even, Edge::Sharp, n);
+            let rows = operator(rule.as_ref(), Some((&jump, Component::NormalSlope)));
+            let values: Vec<f64> = angles(Edge::Sharp, n).iter().map(|a| a.cos().powi(2)).collect();
+            let got = apply(&rows, &values);
+            // Density t^2/sqrt(1 - t^2): Cauchy part -U_1/2 = -x, jump part asin x - x sqrt(1 - x^2) over pi.
+            let exact = |x: f64| -x + (x.asin() - x * (1.0 - x * x).sqrt()) / PI;
+            got.iter().zip(rule.collocation()).map(|(got, s)| (got - exact(s.x)).abs()).fold(0.0, f64::max)
+        })
+        .collect();
+    for pair in errors.windows(2) {
+        let order = (pair[0] / pair[1]).log2();
+        assert!((order - 2.0).abs() < 0.2, "order {order:.2}: {errors:?}");
+    }
+}
+
+#[test]
+fn odd_counts_are_not_nodes() {
+    for bad in [0, 2, 7, MOST_NODES + 2] {
+        assert!(EvenCount::try_from(bad).is_err(), "{bad}");
+    }
+}
