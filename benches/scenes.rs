@@ -1,6 +1,6 @@
 //! Named scenes: one per path through a solve.
 
-use slipzone::scene::Scene;
+use slipzone::scene::{Scene, parse};
 
 /// A layer eight times as stiff at its base, five half-widths thick.
 const LAYER: &str = r#"
@@ -57,5 +57,5 @@ pub(crate) fn all() -> Vec<(&'static str, Scene)> {
 }
 
 fn scene(name: &str, text: &str) -> Scene {
-    toml::from_str(text).unwrap_or_else(|e| panic!("scene `{name}`: {e}"))
+    parse(name, text).unwrap_or_else(|e| panic!("{e}"))
 }

@@ -15,7 +15,7 @@
 
 use serde::{Deserialize, Serialize};
 use slipzone::engine::{Solution, Status, solve};
-use slipzone::scene::Scene;
+use slipzone::scene::parse;
 use slipzone_api::{Positive, PunchProfile, PunchShape, Refusal};
 use std::f64::consts::PI;
 
@@ -86,8 +86,8 @@ fn pressed(force: f64) -> Result<Solution, Box<dyn std::error::Error>> {
         force = {force}
         "#
     );
-    let scene: Scene = toml::from_str(&text)?;
-    Ok(solve(&scene))
+    // Finds `crowned` in the registry, where `register!` above has put it.
+    Ok(solve(&parse("own_punch", &text)?))
 }
 
 const HALF_WIDTH: f64 = 1.0;
@@ -95,8 +95,6 @@ const RADIUS: f64 = 10.0;
 const A0: f64 = 0.5;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // The other plugins; `crowned` is part of this program anyway.
-    slipzone::link_plugins();
     let corners_touch = PI * HALF_WIDTH.powi(2) / (2.0 * A0 * RADIUS);
     println!("the corners touch above P0 = {corners_touch:.4}\n");
 

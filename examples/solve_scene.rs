@@ -6,7 +6,7 @@
 //! Run it with `cargo run --example solve_scene`.
 
 use slipzone::engine::{Status, solve};
-use slipzone::scene::Scene;
+use slipzone::scene::parse;
 
 const SCENE: &str = r#"
 format = 1
@@ -32,9 +32,8 @@ force = 1.0
 const REFERENCE: [(&str, f64); 2] = [("edge.ratio", 0.252_691_384_723), ("stick.ratio", 0.972_627_999_8)];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // First of all: a plugin crate that nobody names is not part of the program.
-    slipzone::link_plugins();
-    let scene: Scene = toml::from_str(SCENE)?;
+    // The name is what an error would call the text, line and column after it.
+    let scene = parse("solve_scene", SCENE)?;
 
     // A solve never fails: what went wrong, if anything, is in the solution.
     let solution = solve(&scene);

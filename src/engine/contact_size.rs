@@ -12,6 +12,9 @@ const MOST_STEPS: u32 = 200;
 /// First half-width tried on a layer: wider ones cost more, and the walk gets there when it must.
 const WIDEST_START: f64 = 2.0;
 
+/// An excess this small is one of rounding.
+const ROUNDING: f64 = 1e-12;
+
 /// The pressure under a punch whose contact grows, at the load of the problem.
 ///
 /// `known`: the half-width at a coarser resolution, where there was one.
@@ -36,12 +39,15 @@ pub(crate) fn pressed(layer: &mut Layer, known: Option<f64>) -> Result<Pressure,
         }
     };
     let (lower, upper) = bracket(&mut excess, start.ln(), step)?;
-    let root = Toms748Root::new(lower, upper).with_absolute_position_tolerance(1e-14).solve(&mut excess);
-    match root {
-        Ok(root) => smooth_punch(layer, root.root().exp()),
-        Err(RootError::Evaluation(refusal)) => Err(refusal),
-        Err(other) => Err(no_size(other.to_string())),
-    }
+    let log_b = match Toms748Root::new(lower, upper).with_absolute_position_tolerance(1e-14).solve(&mut excess) {
+        Ok(root) => root.root(),
+        // The walk widens the kernel tables, which changes last bits: a root at one end may lose its sign.
+        Err(RootError::NotBracketed { lower, f_lower, .. }) if f_lower.abs() < ROUNDING => lower,
+        Err(RootError::NotBracketed { upper, f_upper, .. }) if f_upper.abs() < ROUNDING => upper,
+        Err(RootError::Evaluation(refusal)) => return Err(refusal),
+        Err(other) => return Err(no_size(other.to_string())),
+    };
+    smooth_punch(layer, log_b.exp())
 }
 
 /// Walks from `start` towards the sign change of an increasing function, in growing steps.

@@ -6,6 +6,7 @@ mod checks;
 mod contact;
 mod contact_size;
 mod error_estimate;
+mod finite;
 mod layer;
 mod lu;
 mod normal;
@@ -15,6 +16,8 @@ mod solution;
 mod stick;
 mod stick_search;
 
+pub use finite::first_not_finite;
+pub(crate) use finite::insist;
 pub use solution::{
     EdgeReport, ErrorReport, LoadReport, Plan, PressureReport, Profile, Program, Slip, Solution, Status, StickReport,
 };

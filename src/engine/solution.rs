@@ -1,6 +1,7 @@
 //! The result of a scene (docs: `docs/formats.md`). Lengths, stresses and forces in the scene's units.
 
 use super::contact::Contact;
+use super::finite::first_not_finite;
 use super::problem::Problem;
 use super::refine::{Judged, worst};
 use crate::scene::{Scene, Units};
@@ -163,7 +164,7 @@ pub struct Profile {
 
 impl Solution {
     /// A solution without numbers: everything that the scene alone tells, and the reason.
-    pub(super) fn refused(scene: &Scene, plan: Plan, reason: String) -> Self {
+    pub(crate) fn refused(scene: &Scene, plan: Plan, reason: String) -> Self {
         Self {
             format: 1,
             program: Program { name: env!("CARGO_PKG_NAME"), version: env!("CARGO_PKG_VERSION") },
@@ -225,15 +226,13 @@ pub(super) fn assemble(
         profile: profile(scene, problem, &judged.contact),
         ..Solution::refused(scene, plan, String::new())
     };
-    let plain = judged.numbers.values().chain(judged.errors.values());
-    if plain.chain(&solution.profile.x).all(|v| v.is_finite()) { Ok(solution) } else { Err(not_finite()) }
-}
-
-fn not_finite() -> Refusal {
-    Refusal::OutOfReach {
-        method: "engine",
-        why: "a number of the result is not finite".into(),
-        remedy: "check the sizes of the scene's numbers against each other",
+    match first_not_finite(&solution) {
+        None => Ok(solution),
+        Some(number) => Err(Refusal::OutOfReach {
+            method: "engine",
+            why: format!("a number of the result is not finite: {number}"),
+            remedy: "check the sizes of the scene's numbers against each other",
+        }),
     }
 }
 

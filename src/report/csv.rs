@@ -1,7 +1,7 @@
 //! The profile as a table.
 
 use crate::engine::Solution;
-use crate::report::finite::insist;
+use crate::engine::insist;
 use std::fmt::Write;
 
 /// The profile as comma-separated values under the heading `x,pressure,shear`.
@@ -10,7 +10,7 @@ use std::fmt::Write;
 /// without friction. Numbers read back exactly.
 ///
 /// # Panics
-/// If a number of the solution is not finite; see [`first_not_finite`](crate::report::first_not_finite).
+/// If a number of the solution is not finite; see [`first_not_finite`](crate::engine::first_not_finite).
 pub fn csv(solution: &Solution) -> String {
     insist(solution);
     let profile = &solution.profile;

@@ -1,12 +1,12 @@
 //! The whole solution for machines.
 
 use crate::engine::Solution;
-use crate::report::finite::insist;
+use crate::engine::insist;
 
 /// The solution as JSON (format 1, `docs/formats.md`), ending in a line feed. Numbers read back exactly.
 ///
 /// # Panics
-/// If a number of the solution is not finite; see [`first_not_finite`](crate::report::first_not_finite).
+/// If a number of the solution is not finite; see [`first_not_finite`](crate::engine::first_not_finite).
 /// `serde_json` would write it as `null`, which means something else.
 pub fn json(solution: &Solution) -> String {
     insist(solution);

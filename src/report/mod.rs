@@ -1,7 +1,6 @@
 //! A solution as text, JSON, CSV and SVG. Nothing here computes physics.
 
 mod csv;
-mod finite;
 mod json;
 mod labels;
 mod number;
@@ -11,11 +10,10 @@ mod svg;
 mod text;
 
 pub use csv::csv;
-pub use finite::first_not_finite;
 pub use json::json;
 #[cfg(feature = "plot")]
 pub use svg::{FigureError, svg};
 pub use text::text;
 
 #[cfg(test)]
-mod samples;
+pub(crate) mod samples;

@@ -26,7 +26,7 @@ fn abscissae(points: u32) -> Vec<f64> {
 }
 
 /// Sharp edges, `b = P = 1`: `p = 1/(pi sqrt(1 - x^2))`; `|q| = eta p` outside `a`, less within.
-pub(super) fn flat(a: f64, eta: f64, slip: Slip, points: u32) -> Solution {
+pub(crate) fn flat(a: f64, eta: f64, slip: Slip, points: u32) -> Solution {
     let x = abscissae(points);
     let pressure = |x: f64| (x.abs() < 1.0).then(|| 1.0 / (PI * (1.0 - x * x).sqrt()));
     let towards = if slip == Slip::Inward { 1.0 } else { -1.0 };
@@ -76,17 +76,17 @@ pub(super) fn flat(a: f64, eta: f64, slip: Slip, points: u32) -> Solution {
             x,
         },
         assumptions: vec!["plane strain".into(), "Goodman: q does not change p".into()],
-        ..Solution::refused(&flat_scene(eta), String::new())
+        ..Solution::refused(&flat_scene(eta), Plan::default(), String::new())
     }
 }
 
 /// The usual case.
-pub(super) fn flat_with_friction() -> Solution {
+pub(crate) fn flat_with_friction() -> Solution {
     flat(0.5530, 0.3, Slip::Inward, 201)
 }
 
 /// A smooth edge: `p = 2/pi sqrt(1 - x^2)`, `b = P = 1`; no labels, no base.
-pub(super) fn cylinder_without_friction() -> Solution {
+pub(crate) fn cylinder_without_friction() -> Solution {
     let scene = scene(
         "format = 1\n[layer]\npoisson = 0.3\nbase = { type = 'infinite' }\n\
          grading = { type = 'homogeneous', modulus = 1.0 }\n\
@@ -109,11 +109,11 @@ pub(super) fn cylinder_without_friction() -> Solution {
             shear: None,
             x,
         },
-        ..Solution::refused(&scene, String::new())
+        ..Solution::refused(&scene, Plan::default(), String::new())
     }
 }
 
 /// No numbers.
-pub(super) fn refused() -> Solution {
-    Solution::refused(&flat_scene(0.3), "this grading does not exist yet; take `exponential`".into())
+pub(crate) fn refused() -> Solution {
+    Solution::refused(&flat_scene(0.3), Plan::default(), "this grading does not exist yet; take `exponential`".into())
 }

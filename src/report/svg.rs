@@ -2,8 +2,8 @@
 
 mod curves;
 
+use crate::engine::first_not_finite;
 use crate::engine::{Slip, Solution, Status, StickReport};
-use crate::report::finite::first_not_finite;
 use crate::report::labels::{Labels, one_line, with_unit};
 use crate::report::number::{digits, short};
 use crate::report::scene_line::{GREEK, scene_parts};

@@ -1,9 +1,55 @@
 //! The scene: what is to be solved, checked.
+//!
+//! [`text()`] makes text of a file's bytes, [`parse`] a [`Scene`] of the text. Both say what is wrong in a
+//! [`SceneError`] that knows the line; neither reads a file.
 
+// An error ends the reading of a scene: its size costs nothing.
+#![allow(clippy::result_large_err)]
+
+mod check;
+mod complaint;
+mod decode;
+mod document;
+mod error;
+mod names;
+mod tagged;
+mod text;
+
+pub use error::SceneError;
+pub use names::nearest;
+pub use text::{LARGEST, text, too_large};
+
+use document::Document;
 use serde::{Deserialize, Serialize};
 use slipzone_api::{
     Base, Flexibility, Friction, Grading, KernelStrategy, Plane, Poisson, Positive, PunchProfile, Quadrature,
 };
+
+/// The scene that a text describes, every check passed; `name` is what errors call the text.
+///
+/// Plugins that the scene names are linked, no more: a combination that the engine cannot solve is a
+/// scene all the same.
+///
+/// # Errors
+/// The first thing that is wrong, with its line.
+///
+/// ```
+/// let error = slipzone::scene::parse("demo.toml", "format = 1\n[layer]\nthickness = -5.0\n").unwrap_err();
+/// assert_eq!((error.line, error.column), (3, 13));
+/// assert_eq!(error.expected.as_deref(), Some("a finite number above 0"));
+/// ```
+pub fn parse(name: &str, text: &str) -> Result<Scene, SceneError> {
+    crate::link_plugins();
+    if text.len() > LARGEST {
+        return Err(too_large(name));
+    }
+    let document = Document::parse(name, text)?;
+    decode::format(&document)?;
+    decode::load(&document)?;
+    let scene = decode::scene(&document)?;
+    check::all(&document, &scene)?;
+    Ok(scene)
+}
 
 /// A contact problem, each number of it checked. Lengths, stresses and forces per length in any
 /// consistent units.
@@ -20,7 +66,7 @@ pub struct Scene {
     /// The rigid punch.
     pub punch: Box<dyn PunchProfile>,
     /// Friction; frictionless when absent.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "tagged::friction")]
     pub friction: Option<Friction>,
     /// How hard it is pressed.
     pub load: Load,
@@ -48,7 +94,7 @@ pub struct Layer {
     #[serde(default)]
     pub plane: Plane,
     /// What the layer stands on.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "tagged::base")]
     pub base: Base,
     /// Shear modulus over depth.
     pub grading: Box<dyn Grading>,
@@ -97,23 +143,44 @@ impl Default for Solver {
 
 /// What is written.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(try_from = "OutputTable", into = "OutputTable")]
 pub struct Output {
     /// Number of samples of p and q, equally spaced over the contact, both ends included.
-    #[serde(default = "default_points")]
     pub points: usize,
     /// The samples themselves in units of the half-width, in place of `points`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub x: Option<Vec<f64>>,
-}
-
-fn default_points() -> usize {
-    201
 }
 
 impl Default for Output {
     fn default() -> Self {
-        Self { points: default_points(), x: None }
+        Self { points: 201, x: None }
+    }
+}
+
+/// The keys of `[output]`: one of two.
+#[derive(Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct OutputTable {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    points: Option<usize>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    x: Option<Vec<f64>>,
+}
+
+impl TryFrom<OutputTable> for Output {
+    type Error = &'static str;
+
+    fn try_from(OutputTable { points, x }: OutputTable) -> Result<Self, Self::Error> {
+        if points.is_some() && x.is_some() {
+            return Err("expected one of `points` and `x`, found both");
+        }
+        Ok(Self { points: points.unwrap_or(Self::default().points), x })
+    }
+}
+
+impl From<Output> for OutputTable {
+    fn from(Output { points, x }: Output) -> Self {
+        Self { points: x.is_none().then_some(points), x }
     }
 }
 

@@ -1,8 +1,8 @@
 //! The error estimate against the truth: references of a program that shares no code with this one.
 
-use crate::scenes::Sketch;
+use crate::sketch::Sketch;
 use serde_json::Value;
-use slipzone::engine::{Solution, Status};
+use slipzone::engine::Solution;
 
 /// A number of a solution beside its reference.
 struct Compared {

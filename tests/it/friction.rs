@@ -1,6 +1,6 @@
 //! Stick zones: direction of slip, spurious roots, limits.
 
-use crate::scenes::Sketch;
+use crate::sketch::Sketch;
 use serde_json::Value;
 use slipzone::api::reference::partial_slip;
 use slipzone::engine::{Slip, Status};

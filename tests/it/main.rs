@@ -1,5 +1,14 @@
 //! All integration tests, in one binary: on two cores linking dominates.
 
 mod accuracy;
+#[cfg(feature = "cli")]
+mod bad_input;
+#[cfg(feature = "cli")]
+mod command_line;
 mod friction;
-mod scenes;
+mod limits;
+mod properties;
+#[cfg(feature = "cli")]
+mod run;
+mod scene;
+mod sketch;

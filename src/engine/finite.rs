@@ -4,7 +4,7 @@
 //! into nothing, by a serializer that looks at every number on its way: whatever field is added to a solution,
 //! or to a plugin in its scene, is looked at too.
 
-use crate::engine::Solution;
+use super::Solution;
 use serde::ser::{self, Serialize};
 use std::fmt::{self, Display};
 
@@ -17,7 +17,7 @@ pub fn first_not_finite(solution: &Solution) -> Option<String> {
 ///
 /// # Panics
 /// If a number is not finite.
-pub(super) fn insist(solution: &Solution) {
+pub(crate) fn insist(solution: &Solution) {
     if let Some(found) = first_not_finite(solution) {
         panic!("a result may hold finite numbers only, but {found}");
     }

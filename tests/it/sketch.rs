@@ -14,14 +14,14 @@ pub(crate) struct Sketch {
     pub(crate) flat: bool,
     pub(crate) eta: Option<f64>,
     /// `key = value` of the load.
-    pub(crate) load: &'static str,
+    pub(crate) load: String,
     /// Further lines: `[solver]`, `[output]`.
     pub(crate) rest: String,
 }
 
 impl Sketch {
     pub(crate) fn flat(h: f64, ratio: f64, nu: f64) -> Self {
-        Self { h: Some(h), ratio, nu, flat: true, eta: None, load: "force = 1.0", rest: String::new() }
+        Self { h: Some(h), ratio, nu, flat: true, eta: None, load: "force = 1.0".into(), rest: String::new() }
     }
 
     pub(crate) fn half_plane(nu: f64) -> Self {
@@ -29,11 +29,15 @@ impl Sketch {
     }
 
     pub(crate) fn cylinder(self) -> Self {
-        Self { flat: false, load: "half_width = 1.0", ..self }
+        Self { flat: false, load: "half_width = 1.0".into(), ..self }
     }
 
     pub(crate) fn rubbing(self, eta: f64) -> Self {
         Self { eta: Some(eta), ..self }
+    }
+
+    pub(crate) fn loaded(self, load: &str) -> Self {
+        Self { load: load.into(), ..self }
     }
 
     pub(crate) fn with(self, rest: &str) -> Self {
@@ -62,7 +66,7 @@ impl Sketch {
     pub(crate) fn scene(&self) -> Scene {
         slipzone::link_plugins();
         let text = self.text();
-        toml::from_str(&text).unwrap_or_else(|e| panic!("{e}\n{text}"))
+        slipzone::scene::parse("sketch.toml", &text).unwrap_or_else(|e| panic!("{e}\n{text}"))
     }
 
     pub(crate) fn solve(&self) -> Solution {

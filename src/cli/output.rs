@@ -1,0 +1,149 @@
+//! Files of results: written whole or not at all.
+
+use super::Failure;
+use super::input::is_dash;
+use std::fs::{self, Permissions};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use tempfile::{Builder, NamedTempFile};
+
+/// A file to be written, found fit for it.
+#[derive(Debug)]
+pub(super) struct Target {
+    /// As it was asked for.
+    shown: PathBuf,
+    /// The file itself, symbolic links followed: they stay what they are.
+    real: PathBuf,
+    /// A device or a pipe: it cannot be replaced, only written to.
+    special: bool,
+}
+
+/// A result that only has to be renamed.
+#[derive(Debug)]
+enum Staged<'a> {
+    File(NamedTempFile, &'a Target),
+    Special(&'a str, &'a Target),
+}
+
+impl Target {
+    /// Checks that the file can be written, before any work is done.
+    pub(super) fn new(path: &Path) -> Result<Self, Failure> {
+        let failed = |why: &dyn std::fmt::Display| Failure::System(format!("cannot write {}: {why}", path.display()));
+        let real = real(path).map_err(|error| failed(&error))?;
+        let target = match fs::metadata(&real) {
+            Ok(found) if found.is_dir() => return Err(failed(&"it is a directory")),
+            Ok(found) => Self { shown: path.into(), real, special: !found.is_file() },
+            Err(_) => Self { shown: path.into(), real, special: false },
+        };
+        if !target.special {
+            // The only sure way to learn whether a folder can be written to.
+            target.temporary().map_err(|error| failed(&error))?;
+        }
+        Ok(target)
+    }
+
+    /// An empty file beside the target, with the permissions of the file it replaces, or of any new file.
+    fn temporary(&self) -> std::io::Result<NamedTempFile> {
+        let folder = self.real.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let mut builder = Builder::new();
+        builder.prefix(".slipzone-");
+        let old = fs::metadata(&self.real).ok().map(|found| found.permissions());
+        if let Some(permissions) = old.clone().or_else(ordinary) {
+            builder.permissions(permissions);
+        }
+        let file = builder.tempfile_in(folder)?;
+        if let Some(permissions) = old {
+            // The process's mask has been applied to them once more.
+            file.as_file().set_permissions(permissions)?;
+        }
+        Ok(file)
+    }
+
+    fn stage<'a>(&'a self, text: &'a str) -> std::io::Result<Staged<'a>> {
+        if self.special {
+            return Ok(Staged::Special(text, self));
+        }
+        let mut file = self.temporary()?;
+        file.write_all(text.as_bytes())?;
+        file.as_file().sync_all()?;
+        Ok(Staged::File(file, self))
+    }
+
+    fn failed(&self, error: &dyn std::fmt::Display) -> Failure {
+        Failure::System(format!("cannot write {}: {error}", self.shown.display()))
+    }
+}
+
+/// Writes all files: none is touched before each of them is ready.
+pub(super) fn write(files: &[(Target, String)]) -> Result<(), Failure> {
+    let mut staged = Vec::new();
+    for (target, text) in files {
+        staged.push(target.stage(text).map_err(|error| target.failed(&error))?);
+    }
+    for file in staged {
+        match file {
+            Staged::File(file, target) => {
+                file.persist(&target.real).map_err(|error| target.failed(&error.error))?;
+            }
+            Staged::Special(text, target) => {
+                let mut device =
+                    fs::OpenOptions::new().write(true).open(&target.real).map_err(|e| target.failed(&e))?;
+                device.write_all(text.as_bytes()).map_err(|error| target.failed(&error))?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Refuses outputs that would overwrite one another or the scene.
+pub(super) fn distinct(scene: &Path, outputs: &[(&str, &Path)]) -> Result<(), Failure> {
+    let identity =
+        |path: &Path| (!is_dash(path)).then(|| real(path).ok()).flatten().filter(|path| is_replaceable(path));
+    for (index, (option, path)) in outputs.iter().enumerate() {
+        let Some(own) = identity(path) else { continue };
+        if identity(scene).as_ref() == Some(&own) {
+            let message = format!("{option} would overwrite the scene {}", scene.display());
+            return Err(Failure::Usage(message, Some("give the result a name of its own".into())));
+        }
+        if let Some((other, _)) = outputs[..index].iter().find(|(_, path)| identity(path).as_ref() == Some(&own)) {
+            let message = format!("{other} and {option} name the same file {}", path.display());
+            return Err(Failure::Usage(message, Some("give each result a name of its own".into())));
+        }
+    }
+    Ok(())
+}
+
+/// Devices and pipes may be written to twice.
+fn is_replaceable(path: &Path) -> bool {
+    fs::metadata(path).map_or(true, |found| found.is_file())
+}
+
+/// The file that a path means: links followed, and the folder made absolute when the file is yet to come.
+fn real(path: &Path) -> std::io::Result<PathBuf> {
+    match path.canonicalize() {
+        Ok(real) => Ok(real),
+        // A pipe behind /dev/stdout exists without having a path.
+        Err(_) if path.exists() => Ok(path.into()),
+        Err(error) => {
+            let name = path.file_name().ok_or(error)?;
+            let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+            let folder = folder.canonicalize().map_err(|error| {
+                std::io::Error::new(error.kind(), format!("its folder {}: {error}", folder.display()))
+            })?;
+            Ok(folder.join(name))
+        }
+    }
+}
+
+/// Permissions of a new file before the process's mask; temporary files are private otherwise.
+#[cfg(unix)]
+#[allow(clippy::unnecessary_wraps)] // `None` elsewhere
+fn ordinary() -> Option<Permissions> {
+    use std::os::unix::fs::PermissionsExt;
+    Some(Permissions::from_mode(0o666))
+}
+
+#[cfg(not(unix))]
+fn ordinary() -> Option<Permissions> {
+    None
+}

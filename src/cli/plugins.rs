@@ -1,0 +1,76 @@
+//! `slipzone plugins`: what is there.
+
+use super::{Failure, Outcome, print};
+use slipzone::api::{Family, PluginInfo};
+use slipzone::scene::nearest;
+use std::fmt::{self, Write};
+
+pub(super) fn run(name: Option<&str>, json: bool) -> Result<Outcome, Failure> {
+    let mut chosen = slipzone::api::plugins();
+    if let Some(name) = name {
+        let mut known: Vec<_> = chosen.iter().map(|info| info.name).collect();
+        known.dedup();
+        // A name may stand in two families.
+        chosen.retain(|info| info.name == name);
+        if chosen.is_empty() {
+            let hint = match nearest(name, &known) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => format!("known are {}", known.join(", ")),
+            };
+            return Err(Failure::Usage(format!("unknown plugin `{name}`"), Some(hint)));
+        }
+    }
+    let mut text = String::new();
+    // Writing to a string does not fail.
+    let _ = match (json, name) {
+        (true, _) => write!(text, "{:#}", serde_json::json!({ "format": 1, "plugins": chosen })),
+        (false, None) => list(&mut text, &chosen),
+        (false, Some(_)) => chosen.into_iter().try_for_each(|info| describe(&mut text, info)),
+    };
+    print::result(&text)?;
+    Ok(Outcome::Done)
+}
+
+/// All plugins by family.
+fn list(text: &mut String, plugins: &[&PluginInfo]) -> fmt::Result {
+    let width = plugins.iter().map(|info| info.name.len()).max().unwrap_or(0);
+    for family in Family::ALL {
+        writeln!(text, "{} ({})", family.name(), place(family))?;
+        for info in plugins.iter().filter(|info| info.family == family) {
+            writeln!(text, "  {:width$}  {}", info.name, info.summary)?;
+        }
+    }
+    Ok(())
+}
+
+/// One plugin at length.
+fn describe(text: &mut String, info: &PluginInfo) -> fmt::Result {
+    if !text.is_empty() {
+        writeln!(text)?;
+    }
+    writeln!(text, "{} ({}, in {})", info.name, info.family.name(), place(info.family))?;
+    writeln!(text, "  {}\n\nkeys", info.summary)?;
+    if info.parameters.is_empty() {
+        writeln!(text, "  none")?;
+    }
+    for key in info.parameters {
+        let samples: Vec<_> = key.samples.iter().map(f64::to_string).collect();
+        let samples = if samples.is_empty() { String::new() } else { format!("; such as {}", samples.join(", ")) };
+        let required = if key.required { "" } else { " (optional)" };
+        writeln!(text, "  {}: {}{required}{samples}", key.name, key.summary)?;
+    }
+    writeln!(text, "\nexample\n  [{}]", place(info.family))?;
+    info.example.lines().try_for_each(|line| writeln!(text, "  {line}"))?;
+    writeln!(text, "\nsource\n  {}", info.source)
+}
+
+/// Where a scene names a plugin of a family.
+fn place(family: Family) -> &'static str {
+    match family {
+        Family::Grading => "layer.grading",
+        Family::Punch => "punch",
+        Family::Flexibility => "solver.flexibility",
+        Family::Kernel => "solver.kernel",
+        Family::Quadrature => "solver.quadrature",
+    }
+}

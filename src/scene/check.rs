@@ -1,0 +1,187 @@
+//! What no single key can show to be wrong.
+
+use super::document::Document;
+use super::{Load, Scene, SceneError};
+use slipzone_api::{Base, Friction};
+use toml::de::DeValue;
+
+type Check = fn(&Document, &Scene) -> Result<(), SceneError>;
+
+/// All checks; the first that fails.
+pub(super) fn all(document: &Document, scene: &Scene) -> Result<(), SceneError> {
+    const CHECKS: [Check; 8] = [labels, friction, tolerance, output, magnitudes, thickness, load, ratios];
+    CHECKS.iter().try_for_each(|check| check(document, scene))
+}
+
+/// Text that goes into reports and figures.
+fn labels(document: &Document, scene: &Scene) -> Result<(), SceneError> {
+    const LONGEST: usize = 200;
+    let labels: [(&[&str], &Option<String>); 3] = [
+        (&["title"], &scene.title),
+        (&["units", "length"], &scene.units.length),
+        (&["units", "stress"], &scene.units.stress),
+    ];
+    for (path, label) in labels {
+        let Some(label) = label else { continue };
+        let length = label.chars().count();
+        if length > LONGEST {
+            let error = document.error(document.key(path), format!("`{}` is too long", path.join(".")));
+            return Err(error.found(format!("{length} characters")).expected(format!("at most {LONGEST}")));
+        }
+        if let Some(control) = label.chars().find(|c| c.is_control()) {
+            let error = document.error(document.key(path), format!("`{}` holds a control character", path.join(".")));
+            return Err(error.found(format!("`{}`", control.escape_debug())).expected("one line of printable text"));
+        }
+    }
+    Ok(())
+}
+
+/// Products of a few numbers must neither overflow nor vanish.
+fn magnitudes(document: &Document, _scene: &Scene) -> Result<(), SceneError> {
+    for section in ["layer", "punch", "friction", "load", "solver"] {
+        if let Some(value) = document.value(&[section]) {
+            magnitude(document, &mut vec![section.into()], value.get_ref())?;
+        }
+    }
+    Ok(())
+}
+
+fn magnitude(document: &Document, path: &mut Vec<String>, value: &DeValue) -> Result<(), SceneError> {
+    // Depth is bounded by the parser.
+    match value {
+        DeValue::Table(table) => {
+            for (key, value) in table {
+                // Poisson's ratio has no unit, and may be as near to zero as one likes.
+                if key.get_ref() != "poisson" {
+                    path.push(key.get_ref().to_string());
+                    magnitude(document, path, value.get_ref())?;
+                    path.pop();
+                }
+            }
+            Ok(())
+        }
+        DeValue::Array(array) => {
+            for (index, value) in array.iter().enumerate() {
+                path.push(index.to_string());
+                magnitude(document, path, value.get_ref())?;
+                path.pop();
+            }
+            Ok(())
+        }
+        _ => match number(value) {
+            Some(number) if !in_scale(number) => {
+                let path: Vec<_> = path.iter().map(String::as_str).collect();
+                let sign = if number < 0.0 { ", or its negative" } else { "" };
+                Err(document
+                    .not_allowed(&path, format!("a number between 1e-100 and 1e100{sign}"))
+                    .hint("choose units in which the numbers are moderate"))
+            }
+            _ => Ok(()),
+        },
+    }
+}
+
+/// Whether a number is 0 (then its type has its say) or of a size that can be computed with.
+fn in_scale(number: f64) -> bool {
+    number == 0.0 || (1e-100..=1e100).contains(&number.abs())
+}
+
+/// The number that a value is, if it is one.
+fn number(value: &DeValue) -> Option<f64> {
+    match value {
+        DeValue::Float(float) => float.as_str().parse().ok(),
+        DeValue::Integer(integer) => i128::from_str_radix(integer.as_str(), integer.radix()).ok().map(|i| i as f64),
+        _ => None,
+    }
+}
+
+/// A layer has a thickness; a solid without a base has none.
+fn thickness(document: &Document, scene: &Scene) -> Result<(), SceneError> {
+    match (scene.layer.base, scene.layer.thickness) {
+        (Base::Infinite, Some(_)) => Err(document
+            .error(document.key(&["layer", "thickness"]), "a thickness on a solid without a base")
+            .found("`thickness` beside `base = { type = \"infinite\" }`")
+            .expected("one of the two")
+            .hint("leave out `thickness`, or choose a base at that depth")),
+        (Base::Infinite, None) | (_, Some(_)) => Ok(()),
+        (_, None) => Err(document
+            .error(document.key(&["layer"]), "missing key `thickness` in [layer]")
+            .found("a layer on a base without its thickness")
+            .expected("`thickness`: depth of the base (length)")
+            .hint("a solid without a base is `base = { type = \"infinite\" }`")),
+    }
+}
+
+/// Loads that mean nothing for this punch or this base.
+fn load(document: &Document, scene: &Scene) -> Result<(), SceneError> {
+    // A shape that cannot be built is the engine's to refuse.
+    let fixed = scene.punch.shape().ok().and_then(|shape| shape.fixed_half_width());
+    match scene.load {
+        Load::HalfWidth(_) if fixed.is_some() => Err(document
+            .error(document.key(&["load", "half_width"]), "a half-width as load on a punch whose contact is fixed")
+            .found("`half_width`, which the punch itself sets")
+            .expected("`force` or `indentation`")),
+        Load::Indentation(_) if scene.layer.base == Base::Infinite => Err(document
+            .error(document.key(&["load", "indentation"]), "an indentation on a solid without a base")
+            .found("`indentation`, which is undefined there: it grows without bound with the depth of the datum")
+            .expected(if fixed.is_some() { "`force`" } else { "`force` or `half_width`" })),
+        _ => Ok(()),
+    }
+}
+
+fn friction(document: &Document, scene: &Scene) -> Result<(), SceneError> {
+    match scene.friction {
+        Some(Friction::Goodman { coefficient }) if coefficient.get() > 1e3 => Err(document
+            .not_allowed(&["friction", "coefficient"], "a number above 0 and up to 1e3")
+            .hint("common coefficients lie between 0.05 and 1.5")),
+        _ => Ok(()),
+    }
+}
+
+fn tolerance(document: &Document, scene: &Scene) -> Result<(), SceneError> {
+    if (1e-14..=0.5).contains(&scene.solver.tolerance.get()) {
+        return Ok(());
+    }
+    Err(document
+        .not_allowed(&["solver", "tolerance"], "a number between 1e-14 and 0.5")
+        .hint("it is relative: 1e-6 asks for six digits"))
+}
+
+fn output(document: &Document, scene: &Scene) -> Result<(), SceneError> {
+    let points = document.value(&["output", "points"]);
+    if points.is_some() && !(2..=1_000_000).contains(&scene.output.points) {
+        return Err(document.not_allowed(&["output", "points"], "an integer from 2 to 1000000"));
+    }
+    let Some(x) = &scene.output.x else { return Ok(()) };
+    if x.is_empty() || x.len() > 1_000_000 {
+        return Err(document.not_allowed(&["output", "x"], "from 1 to 1000000 numbers from -1 to 1"));
+    }
+    // Written so that NaN is outside.
+    match x.iter().position(|x| !(-1.0..=1.0).contains(x)) {
+        None => Ok(()),
+        Some(index) => Err(document
+            .not_allowed(&["output", "x", &index.to_string()], "a number from -1 to 1")
+            .hint("`x` is in units of the contact's half-width")),
+    }
+}
+
+/// Lengths must be comparable: beyond these ratios no digit of the smaller one is left.
+fn ratios(document: &Document, _scene: &Scene) -> Result<(), SceneError> {
+    const LENGTHS: [[&str; 2]; 4] =
+        [["layer", "thickness"], ["punch", "half_width"], ["punch", "radius"], ["load", "half_width"]];
+    let lengths: Vec<_> = LENGTHS
+        .iter()
+        .filter_map(|path| Some((path, document.value(path).and_then(|value| number(value.get_ref()))?)))
+        .collect();
+    for (index, (path, length)) in lengths.iter().enumerate() {
+        for (other, reference) in &lengths[..index] {
+            if !(1e-9..=1e9).contains(&(length / reference)) {
+                let (name, value) = (other.join("."), document.found(*other));
+                return Err(document
+                    .not_allowed(*path, format!("between 1e-9 and 1e9 times `{name}`, which is {value}"))
+                    .hint("are both in the same unit? A layer without end is `base = { type = \"infinite\" }`"));
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,229 @@
+//! From the tree to a [`Scene`]; errors of the decoder are put back where they belong.
+
+use super::complaint::Complaint;
+use super::document::{Document, clip, dotted, one_of, section};
+use super::{Scene, SceneError};
+use serde_path_to_error::{Path, Segment};
+use slipzone_api::{Family, PluginInfo, plugins};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// The version of the format that this program reads.
+const FORMAT: &str = "1";
+
+/// Checks `format` before anything else: the rest is read by its rules.
+pub(super) fn format(document: &Document) -> Result<(), SceneError> {
+    let expected = "`format = 1`, the only version so far";
+    match document.value(&["format"]).map(Spanned::get_ref) {
+        Some(DeValue::Integer(version)) if version.to_string() == FORMAT => Ok(()),
+        Some(DeValue::Integer(version)) => Err(document
+            .error(document.best(&["format"]), format!("format {} is not known", clip(&version.to_string())))
+            .found(document.found(&["format"]))
+            .expected(expected)),
+        Some(_) => Err(wrong_type(document, &["format"], expected)),
+        None => {
+            let first = document.table(&[]).and_then(|table| table.keys().next());
+            Err(document
+                .error(first.map_or(0..0, Spanned::span), "missing key `format`")
+                .found("a scene that does not say its format")
+                .expected(format!("{expected}, on top")))
+        }
+    }
+}
+
+/// Checks that there is exactly one load; its value is left to the decoder.
+pub(super) fn load(document: &Document) -> Result<(), SceneError> {
+    const LOAD: &str = "[load] with one of `force`, `half_width`, `indentation`";
+    const LOADS: [&str; 3] = ["force", "half_width", "indentation"];
+    let Some(table) = document.table(&["load"]) else {
+        return match document.value(&["load"]) {
+            Some(_) => Err(wrong_type(document, &["load"], LOAD)),
+            None => Ok(()),
+        };
+    };
+    let keys: Vec<_> = table.keys().map(|key| key.get_ref().as_ref()).collect();
+    if let Some(unknown) = keys.iter().find(|key| !LOADS.contains(key)) {
+        return Err(document.unknown_key(&["load"], unknown, &LOADS));
+    }
+    let expected = "exactly one of `force`, `half_width`, `indentation`";
+    match keys.as_slice() {
+        [_] => Ok(()),
+        [] => Err(document.error(document.key(&["load"]), "no load").found("an empty table").expected(expected)),
+        [first, second, ..] => Err(document
+            .error(document.key(&["load", second]), format!("a second load, `{second}` beside `{first}`"))
+            .found(keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(" and "))
+            .expected(expected)),
+    }
+}
+
+/// Decodes the whole scene.
+pub(super) fn scene(document: &Document) -> Result<Scene, SceneError> {
+    let mut tree = document.tree();
+    type_first(tree.get_mut());
+    serde_path_to_error::deserialize(toml::Deserializer::from(tree))
+        .map_err(|error| explain(document, error.path(), error.inner().message()))
+}
+
+/// Moves `type` to the front of every table: only then do plugins read the rest key by key, and errors
+/// keep their place. The parser bounds the depth.
+fn type_first(table: &mut DeTable) {
+    let mut entries: Vec<_> = std::mem::take(table).into_iter().collect();
+    entries.sort_by_key(|(key, _)| key.get_ref() != "type");
+    for (_, value) in &mut entries {
+        type_first_within(value.get_mut());
+    }
+    *table = entries.into_iter().collect();
+}
+
+fn type_first_within(value: &mut DeValue) {
+    match value {
+        DeValue::Table(table) => type_first(table),
+        DeValue::Array(array) => array.iter_mut().for_each(|value| type_first_within(value.get_mut())),
+        _ => {}
+    }
+}
+
+/// Puts a decoder's complaint into a scene error at the right place.
+fn explain(document: &Document, path: &Path, message: &str) -> SceneError {
+    let segments: Vec<String> = path
+        .iter()
+        .filter_map(|segment| match segment {
+            Segment::Seq { index } => Some(index.to_string()),
+            Segment::Map { key } => Some(key.clone()),
+            Segment::Enum { variant } => Some(variant.clone()),
+            Segment::Unknown => None,
+        })
+        .collect();
+    let mut path: Vec<&str> = segments.iter().map(String::as_str).collect();
+    match Complaint::read(message) {
+        Complaint::UnknownKey { key, known } => {
+            // The decoder counts the unknown key to the path.
+            if path.last() == Some(&key) && document.table(&path[..path.len() - 1]).is_some() {
+                path.pop();
+            }
+            document.unknown_key(&path, key, &known)
+        }
+        Complaint::UnknownName { name, known } => unknown_name(document, path, name, &known),
+        Complaint::MissingKey(key) => missing_key(document, &path, key),
+        Complaint::WrongType { expected } => {
+            // The decoder knows a plugin only as "dyn Grading", wherever in the table it stumbles.
+            let expected = match path.as_slice() {
+                [parents @ .., "type"] => family(parents).map(|family| format!("a string, {}", names(family))),
+                path => family(path).map(|family| format!("a table with `type`, {}", names(family))),
+            }
+            .unwrap_or(expected);
+            wrong_type(document, &path, &expected)
+        }
+        Complaint::OutOfRange { expected, found } => {
+            blamed(document, &mut path, message);
+            let error = document.not_allowed(&path, expected);
+            if let Some(found) = found { error.found(found) } else { error }
+        }
+        Complaint::Other(words) => {
+            blamed(document, &mut path, message);
+            document.error(document.best(&path), format!("`{}`: {words}", dotted(&path))).found(document.found(&path))
+        }
+    }
+}
+
+/// Follows a complaint about a whole table to the last of its keys that the complaint names.
+fn blamed<'m>(document: &Document, path: &mut Vec<&'m str>, message: &'m str) {
+    let Some(table) = document.table(path) else { return };
+    if let Some(key) = message.split('`').skip(1).step_by(2).filter(|name| table.contains_key(*name)).last() {
+        path.push(key);
+    }
+}
+
+fn unknown_name(document: &Document, mut path: Vec<&str>, name: &str, known: &[&str]) -> SceneError {
+    if document.table(&path).is_some_and(|table| table.contains_key("type")) {
+        path.push("type");
+    }
+    let of = match path.as_slice() {
+        [parents @ .., "type"] => {
+            family(parents).map(Family::name).or(parents.last().copied()).unwrap_or("type").into()
+        }
+        _ => format!("`{}`", dotted(&path)),
+    };
+    let message = format!("unknown {of} `{}`", clip(name));
+    document
+        .error(document.best(&path), message)
+        .found(format!("`{}`", clip(name)))
+        .expected(one_of(known))
+        .nearest(name, known)
+}
+
+fn missing_key(document: &Document, path: &[&str], key: &str) -> SceneError {
+    let sections = ["layer", "punch", "load"];
+    let what = if path.is_empty() && sections.contains(&key) {
+        format!("missing section [{key}]")
+    } else {
+        format!("missing key `{key}` in {}", section(path))
+    };
+    let present: Vec<_> =
+        document.table(path).into_iter().flat_map(DeTable::keys).map(|key| format!("`{}`", key.get_ref())).collect();
+    let found = if present.is_empty() { "no key".into() } else { format!("only {}", present.join(", ")) };
+    let error = document.error(document.key(path), what).found(clip_list(&found));
+    error.expected(meaning(document, path, key))
+}
+
+/// A required key and what it stands for.
+fn meaning(document: &Document, path: &[&str], key: &str) -> String {
+    let parameter =
+        plugin(document, path).and_then(|info| info.parameters.iter().find(|parameter| parameter.name == key));
+    match (path, key) {
+        (_, "type") if family(path).is_some() => format!("`type`, {}", family(path).map_or_else(String::new, names)),
+        _ if parameter.is_some() => format!("`{key}`: {}", parameter.map_or("", |parameter| parameter.summary)),
+        ([], "layer") => "[layer] with `thickness`, `poisson` and `grading`".into(),
+        ([], "punch") => format!("[punch] with `type`, {}", names(Family::Punch)),
+        ([], "load") => "[load] with one of `force`, `half_width`, `indentation`".into(),
+        (["layer"], "poisson") => "`poisson`: Poisson's ratio, a number above -1 and up to 0.5".into(),
+        (["layer"], "grading") => format!("`grading`: a table with `type`, {}", names(Family::Grading)),
+        (["friction"], "type") => "`type = \"goodman\"`".into(),
+        (["friction"], "coefficient") => "`coefficient`: Coulomb's coefficient, a number above 0".into(),
+        _ => format!("`{key}`"),
+    }
+}
+
+/// The known names of a family, in words.
+fn names(family: Family) -> String {
+    let names: Vec<_> = plugins().into_iter().filter(|info| info.family == family).map(|info| info.name).collect();
+    one_of(&names)
+}
+
+/// A list of present keys is only help: it need not be long.
+fn clip_list(list: &str) -> String {
+    const LONGEST: usize = 200;
+    let short: String = list.chars().take(LONGEST).collect();
+    if short.len() == list.len() { short } else { short + "..." }
+}
+
+fn wrong_type(document: &Document, path: &[&str], expected: &str) -> SceneError {
+    let found = document.found(path);
+    let found = match document.value(path).map(Spanned::get_ref) {
+        Some(DeValue::Table(_) | DeValue::Array(_)) | None => found,
+        // A float may be written like an integer only with a point, so it must be named.
+        Some(other) => format!("the {} {found}", other.type_str()),
+    };
+    document
+        .error(document.best(path), format!("`{}` has the wrong type", dotted(path)))
+        .found(found)
+        .expected(expected)
+}
+
+/// The family of plugins that a path of the scene holds.
+fn family(path: &[&str]) -> Option<Family> {
+    match path {
+        ["layer", "grading"] => Some(Family::Grading),
+        ["punch"] => Some(Family::Punch),
+        ["solver", "flexibility"] => Some(Family::Flexibility),
+        ["solver", "kernel"] => Some(Family::Kernel),
+        ["solver", "quadrature"] => Some(Family::Quadrature),
+        _ => None,
+    }
+}
+
+/// The plugin that the table at a path names.
+fn plugin(document: &Document, path: &[&str]) -> Option<&'static PluginInfo> {
+    let name = document.table(path)?.get("type")?.get_ref().as_str()?;
+    slipzone_api::find(family(path)?, name)
+}

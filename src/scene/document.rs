@@ -1,0 +1,177 @@
+//! The text of a scene as a tree that knows where everything stands.
+
+use super::SceneError;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A scene's text, parsed but not yet understood.
+pub(super) struct Document<'a> {
+    name: &'a str,
+    text: &'a str,
+    tree: Spanned<DeTable<'a>>,
+}
+
+impl<'a> Document<'a> {
+    /// Parses the TOML; the first syntax error, if there is one.
+    pub(super) fn parse(name: &'a str, text: &'a str) -> Result<Self, SceneError> {
+        let tree = DeTable::parse(text).map_err(|error| syntax(name, text, &error))?;
+        if tree.get_ref().is_empty() {
+            return Err(SceneError::whole(name, "the scene is empty")
+                .found("no key")
+                .expected("at least `format`, `[layer]`, `[punch]` and `[load]`"));
+        }
+        Ok(Self { name, text, tree })
+    }
+
+    /// The tree, to be decoded.
+    pub(super) fn tree(&self) -> Spanned<DeTable<'a>> {
+        self.tree.clone()
+    }
+
+    /// The table at a path; the root at an empty one.
+    pub(super) fn table(&self, path: &[&str]) -> Option<&DeTable<'a>> {
+        match path {
+            [] => Some(self.tree.get_ref()),
+            _ => self.value(path)?.get_ref().as_table(),
+        }
+    }
+
+    /// The value at a path of keys and, in arrays, of indices.
+    pub(super) fn value(&self, path: &[&str]) -> Option<&Spanned<DeValue<'a>>> {
+        let (first, rest) = path.split_first()?;
+        rest.iter().try_fold(self.tree.get_ref().get(*first)?, |value, key| match value.get_ref() {
+            DeValue::Array(array) => array.get(key.parse::<usize>().ok()?),
+            other => other.get(*key),
+        })
+    }
+
+    /// Where the key at the end of a path stands; an element of an array stands for itself, and the end
+    /// of the text for the root.
+    pub(super) fn key(&self, path: &[&str]) -> Range<usize> {
+        let Some((last, parents)) = path.split_last() else {
+            let end = self.text.trim_end().len();
+            return end..end;
+        };
+        match self.table(parents).and_then(|table| table.get_key_value(*last)) {
+            Some((key, _)) => key.span(),
+            None => self.value(path).map_or_else(|| self.key(parents), Spanned::span),
+        }
+    }
+
+    /// The value at the end of a path, or its key when the value is a table or an array.
+    pub(super) fn best(&self, path: &[&str]) -> Range<usize> {
+        match self.value(path) {
+            Some(value) if !value.get_ref().is_table() && !value.get_ref().is_array() => value.span(),
+            _ => self.key(path),
+        }
+    }
+
+    /// An error about a stretch of the text.
+    pub(super) fn error(&self, span: Range<usize>, message: impl Into<String>) -> SceneError {
+        SceneError::at(self.name, self.text, span, message)
+    }
+
+    /// A number that is not allowed: what it is, where it stands.
+    pub(super) fn not_allowed(&self, path: &[&str], expected: impl Into<String>) -> SceneError {
+        self.error(self.best(path), format!("`{}` is not allowed", dotted(path)))
+            .found(self.found(path))
+            .expected(expected)
+    }
+
+    /// A key that the table at `path` does not have.
+    pub(super) fn unknown_key(&self, path: &[&str], key: &str, known: &[&str]) -> SceneError {
+        let full: Vec<_> = path.iter().copied().chain([key]).collect();
+        let is_section = path.is_empty() && self.table(&full).is_some();
+        let message = if is_section {
+            format!("unknown section [{key}]")
+        } else {
+            format!("unknown key `{key}` in {}", section(path))
+        };
+        self.error(self.key(&full), message)
+            .found(format!("`{}`", clip(key)))
+            .expected(one_of(known))
+            .nearest(key, known)
+    }
+
+    /// The source of the value at a path, for messages; in words when it is long.
+    pub(super) fn found(&self, path: &[&str]) -> String {
+        match self.value(path) {
+            None => "nothing".into(),
+            Some(value) => match value.get_ref() {
+                DeValue::Table(table) if table.is_empty() => "an empty table".into(),
+                DeValue::Table(_) => "a table".into(),
+                DeValue::Array(array) if array.is_empty() => "an empty array".into(),
+                DeValue::Array(_) => "an array".into(),
+                _ => format!("`{}`", clip(self.text.get(value.span()).unwrap_or_default())),
+            },
+        }
+    }
+}
+
+/// A path as it would be written, indices in brackets.
+pub(super) fn dotted(path: &[&str]) -> String {
+    let is_index = |segment: &str| !segment.is_empty() && segment.bytes().all(|byte| byte.is_ascii_digit());
+    let written: String = path
+        .iter()
+        .map(|segment| if is_index(segment) { format!("[{segment}]") } else { format!(".{segment}") })
+        .collect();
+    written.trim_start_matches('.').to_owned()
+}
+
+/// A table's name as it would be written.
+pub(super) fn section(path: &[&str]) -> String {
+    if path.is_empty() { "the scene".into() } else { format!("[{}]", path.join(".")) }
+}
+
+/// Names as a list in words.
+pub(super) fn one_of(names: &[&str]) -> String {
+    let quoted: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
+    match quoted.as_slice() {
+        [] => "no key here".into(),
+        [only] => only.clone(),
+        _ => format!("one of {}", quoted.join(", ")),
+    }
+}
+
+/// The beginning of a text, on one line.
+pub(super) fn clip(text: &str) -> String {
+    const LONGEST: usize = 40;
+    let line: String = text.chars().take_while(|&c| c != '\n').take(LONGEST).collect();
+    if line.len() == text.len() { line } else { line + "..." }
+}
+
+/// A syntax error in the parser's words, cut into message and expectation.
+fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneError {
+    let message = error.message().trim();
+    let (what, expected) = match message.split_once(", expected ") {
+        Some((what, expected)) => (what, Some(expected)),
+        None => (message, None),
+    };
+    // The parser words its limit in two ways, neither of them for people; it takes any word for a broken string or boolean.
+    let (what, expected) = match what {
+        "" => ("syntax error", expected),
+        _ if what.contains("recurs") => ("nested too deeply", Some("at most 80 levels")),
+        "duplicate key" => (what, Some("each key and each section once")),
+        "string values must be quoted" | "invalid boolean" => {
+            ("not a value", Some("a number, a string in quotes, `true`, `false`, an array or a table"))
+        }
+        _ => (what, expected),
+    };
+    let span = error.span().unwrap_or(text.len()..text.len());
+    let found = match text.get(span.clone()) {
+        Some(found) if !found.is_empty() => format!("`{}`", clip(found).escape_debug()),
+        _ if span.start >= text.trim_end().len() => "the end of the file".into(),
+        _ => match text.get(span.start..).and_then(|rest| rest.chars().next()) {
+            Some('\n' | '\r') | None => "the end of the line".into(),
+            Some(c) => format!("`{}`", c.escape_debug()),
+        },
+    };
+    let is_decimal_comma = text
+        .split_at_checked(span.start)
+        .is_some_and(|(before, after)| after.starts_with(',') && before.ends_with(|c: char| c.is_ascii_digit()));
+    let error = SceneError::at(name, text, span, format!("not valid TOML: {what}"))
+        .found(found)
+        .expected(expected.unwrap_or("a line of TOML such as `key = value` or `[section]`"));
+    if is_decimal_comma { error.hint("decimals are written with a point, as in 5.0") } else { error }
+}

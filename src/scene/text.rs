@@ -1,0 +1,55 @@
+//! From the bytes of a file to text.
+
+use super::SceneError;
+
+/// The largest scene that is read, in bytes.
+pub const LARGEST: usize = 16 * 1024 * 1024;
+
+/// The text of a scene file, `name` being what errors call it.
+///
+/// # Errors
+/// When the bytes are no text (binary, UTF-16, a byte-order mark, NUL), none at all, or more than [`LARGEST`].
+pub fn text(name: &str, bytes: Vec<u8>) -> Result<String, SceneError> {
+    if bytes.len() > LARGEST {
+        return Err(too_large(name));
+    }
+    if bytes.is_empty() {
+        return Err(SceneError::whole(name, "the file is empty").found("0 bytes").expected("a scene in TOML"));
+    }
+    let mark = |kind: &str| {
+        Err(SceneError::whole(name, "the file starts with a byte-order mark")
+            .found(format!("the mark of {kind}"))
+            .expected("UTF-8 without a mark")
+            .hint("save the file as \"UTF-8\" (not \"UTF-8 with BOM\" or \"Unicode\")"))
+    };
+    match bytes.as_slice() {
+        [0xEF, 0xBB, 0xBF, ..] => return mark("UTF-8"),
+        [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] => return mark("UTF-16"),
+        _ => {}
+    }
+    let not_text = |bytes: &[u8], at: usize, found: String| {
+        let before = String::from_utf8_lossy(&bytes[..at]);
+        SceneError::at(name, &before, before.len()..before.len(), "the file is not text")
+            .found(found)
+            .expected("a scene in TOML, in UTF-8")
+    };
+    if let Some(at) = bytes.iter().position(|&byte| byte == 0) {
+        // Text before a NUL may itself be broken; then that is the first error.
+        if std::str::from_utf8(&bytes[..at]).is_ok() {
+            return Err(not_text(&bytes, at, "a NUL byte".into()));
+        }
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        let byte = error.as_bytes()[at];
+        not_text(error.as_bytes(), at, format!("the byte 0x{byte:02X}, which starts no character of UTF-8"))
+    })
+}
+
+/// A scene above [`LARGEST`], whether or not it was read.
+pub fn too_large(name: &str) -> SceneError {
+    SceneError::whole(name, "the scene is too large")
+        .found("more than 16 MB")
+        .expected("at most 16 MB")
+        .hint("keep long tables in a file of their own")
+}

@@ -1,0 +1,173 @@
+//! Broken scenes: each is refused with exit code 2 or 3 and a message that helps, and no result that was
+//! there before is touched.
+//!
+//! A case of text is a file in `tests/data/bad`, with the message beside it in `tests/it/snapshots`.
+
+use crate::run::{GOOD, feed, files, folder, program, run, told};
+use std::fs::{self, File};
+use std::path::Path;
+
+const OUTPUTS: [&str; 3] = ["old.json", "old.csv", "old.svg"];
+const OLD: &[u8] = b"a result of yesterday\r\n\0";
+
+/// Solves a scene towards files that exist already; gives what the program tells.
+fn solve(folder: &Path, scene: &str, input: Option<&[u8]>) -> std::process::Output {
+    for name in OUTPUTS {
+        fs::write(folder.join(name), OLD).unwrap();
+    }
+    let before = files(folder);
+    let arguments = ["solve", scene, "--json", "old.json", "--csv", "old.csv", "--svg", "old.svg"];
+    let arguments = &arguments[..if cfg!(feature = "plot") { 8 } else { 6 }];
+    let output = match input {
+        Some(input) => feed(folder, arguments, input),
+        None => run(folder, arguments),
+    };
+    for name in OUTPUTS {
+        assert!(fs::read(folder.join(name)).unwrap() == OLD, "{name} was touched");
+    }
+    assert_eq!(files(folder), before, "files were left behind");
+    assert!(output.stdout.is_empty(), "no result goes to standard output");
+    output
+}
+
+#[test]
+fn every_broken_scene_says_what_is_wrong_and_where() {
+    insta::glob!("../data/bad", "*.toml", |path| {
+        let folder = tempfile::tempdir().unwrap();
+        let name = path.file_name().unwrap().to_str().unwrap();
+        fs::copy(path, folder.path().join(name)).unwrap();
+        let output = solve(folder.path(), name, None);
+        assert_eq!(output.status.code(), Some(2), "{name}");
+        insta::assert_snapshot!("bad", told(&output));
+    });
+}
+
+#[test]
+fn there_are_enough_broken_scenes() {
+    let cases = files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/bad")).len();
+    assert!(cases >= 100, "{cases} broken scenes: were files lost?");
+}
+
+#[test]
+fn check_and_explain_refuse_as_solve_does() {
+    let folder = folder();
+    fs::write(folder.path().join("bad.toml"), GOOD.replace("0.3", "-1")).unwrap();
+    let solved = run(folder.path(), ["solve", "bad.toml"]);
+    assert_eq!(solved.status.code(), Some(2));
+    for command in ["check", "explain"] {
+        assert_eq!(run(folder.path(), [command, "bad.toml"]), solved, "{command}");
+    }
+}
+
+/// Files that cannot be kept as text.
+#[test]
+fn files_that_are_no_text() {
+    let cases: [(&str, Vec<u8>); 7] = [
+        ("empty", vec![]),
+        ("binary", b"\x7fELF\x02\x01\x01\x00\xff\xfe".to_vec()),
+        ("latin_1", b"format = 1\ntitle = \"\xb5m\"\n".to_vec()),
+        ("nul", GOOD.replace("5.0", "5\0.0").into_bytes()),
+        ("utf_8_mark", [b"\xef\xbb\xbf", GOOD.as_bytes()].concat()),
+        ("utf_16", [0xff, 0xfe].into_iter().chain(GOOD.bytes().flat_map(|byte| [byte, 0])).collect()),
+        ("cut_character", b"title = \"\xe2\x82".to_vec()),
+    ];
+    for (name, bytes) in cases {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("scene.toml"), &bytes).unwrap();
+        let from_file = solve(folder.path(), "scene.toml", None);
+        assert_eq!(from_file.status.code(), Some(2), "{name}");
+        insta::assert_snapshot!(format!("file_{name}"), told(&from_file));
+
+        let from_stdin = solve(folder.path(), "-", Some(&bytes));
+        assert_eq!(told(&from_stdin), told(&from_file).replace("scene.toml", "<stdin>"), "{name}");
+    }
+}
+
+#[test]
+fn files_that_cannot_be_read() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("folder.toml")).unwrap();
+    for (name, scene) in
+        [("directory", "folder.toml"), ("missing", "nowhere.toml"), ("missing_folder", "no/where.toml")]
+    {
+        let output = solve(folder.path(), scene, None);
+        assert_eq!(output.status.code(), Some(3), "{name}");
+        insta::assert_snapshot!(format!("file_{name}"), told(&output));
+    }
+}
+
+#[test]
+fn a_huge_file_is_refused_unread() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = File::create(folder.path().join("huge.toml")).unwrap();
+    file.set_len(100 * 1024 * 1024).unwrap();
+    let output = solve(folder.path(), "huge.toml", None);
+    assert_eq!(output.status.code(), Some(2));
+    insta::assert_snapshot!("file_huge", told(&output));
+
+    // One byte too many on standard input; a limit of text, not of luck.
+    let mut text = GOOD.as_bytes().to_vec();
+    text.resize(16 * 1024 * 1024, b'\n');
+    assert_eq!(feed(folder.path(), &["check", "-"], &text).status.code(), Some(0), "16 MB are fine");
+    text.push(b'\n');
+    assert_eq!(feed(folder.path(), &["check", "-"], &text).status.code(), Some(2), "one byte more is not");
+}
+
+/// The stack must hold whatever a file nests.
+#[test]
+fn deep_nesting_is_an_error_and_no_crash() {
+    const DEEP: usize = 100_000;
+    let cases = [
+        ("arrays", format!("format = 1\nx = {}", "[".repeat(DEEP))),
+        ("closed_arrays", format!("format = 1\nx = {}{}", "[".repeat(DEEP), "]".repeat(DEEP))),
+        ("tables", format!("format = 1\nx = {}1{}", "{ a = ".repeat(DEEP), "}".repeat(DEEP))),
+        ("dotted_key", format!("format = 1\nx{} = 1", ".a".repeat(DEEP))),
+        ("dotted_section", format!("format = 1\n[x{}]\ny = 1", ".a".repeat(DEEP))),
+    ];
+    for (name, text) in cases {
+        let folder = tempfile::tempdir().unwrap();
+        let output = solve(folder.path(), "-", Some(text.as_bytes()));
+        assert_eq!(output.status.code(), Some(2), "{name}: {}", told(&output));
+        insta::assert_snapshot!(format!("deep_{name}"), told(&output));
+    }
+}
+
+/// What fits the parser's limit must fit everything behind it.
+#[test]
+fn nesting_within_the_limit_reaches_the_decoder() {
+    let folder = tempfile::tempdir().unwrap();
+    for depth in 1..100 {
+        let text = format!("{GOOD}\n[output]\nx = {}{}\n", "[".repeat(depth), "]".repeat(depth));
+        assert_eq!(feed(folder.path(), &["check", "-"], text.as_bytes()).status.code(), Some(2), "{depth}");
+    }
+}
+
+#[test]
+fn a_long_line_is_shown_in_part() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = format!("{GOOD}\n[output]\nx = [{}7.0{}]\n", "0.5, ".repeat(50_000), ", 0.5".repeat(50_000));
+    let output = solve(folder.path(), "-", Some(text.as_bytes()));
+    assert!(output.stderr.len() < 2_000, "{} bytes of message", output.stderr.len());
+    insta::assert_snapshot!("long_line", told(&output));
+}
+
+/// A message must not steer the terminal it is shown on, its own colours aside.
+#[test]
+fn no_control_character_reaches_the_terminal() {
+    let folder = tempfile::tempdir().unwrap();
+    for (wrong, escape) in [
+        (GOOD.replace("\"flat\"", "\"\u{1b}]0;evil\u{7}\""), "\u{1b}]0"),
+        (GOOD.replace("\"flat\"", "\"\\u001b[35m\""), "\u{1b}[35m"),
+        (GOOD.replace("half_width", "\"\\u001b[35m\""), "\u{1b}[35m"),
+        (GOOD.replace("[friction]", "[\"\\u001b[35m\"]"), "\u{1b}[35m"),
+    ] {
+        std::fs::write(folder.path().join("scene.toml"), wrong).unwrap();
+        let mut command = program(folder.path());
+        let output =
+            command.env_remove("NO_COLOR").env("CLICOLOR_FORCE", "1").args(["check", "scene.toml"]).output().unwrap();
+        assert_eq!(output.status.code(), Some(2));
+        let told = told(&output);
+        assert!(told.contains("\u{1b}[1m"), "colours were asked for: {told:?}");
+        assert!(!told.contains(escape) && !told.contains('\u{7}'), "{told:?}");
+    }
+}

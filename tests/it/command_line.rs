@@ -1,0 +1,279 @@
+//! What the program reads, writes and returns when its input is fine.
+
+use crate::run::{GOOD, feed, files, folder, program, run, told};
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
+
+fn json(bytes: &[u8]) -> Value {
+    serde_json::from_slice(bytes).expect("JSON and nothing else")
+}
+
+/// The exit code belongs to the status, whatever the engine makes of the scene.
+fn assert_matches_status(code: Option<i32>, result: &Value) {
+    let expected = i32::from(result["status"] != "converged");
+    assert_eq!(code, Some(expected), "status {}", result["status"]);
+}
+
+#[test]
+fn json_on_standard_output_comes_alone() {
+    let folder = folder();
+    let output = run(folder.path(), ["solve", "good.toml", "--json", "-"]);
+    let result = json(&output.stdout);
+    assert_eq!(result["format"], 1);
+    assert_eq!(result["scene"]["title"], "a good scene");
+    assert_matches_status(output.status.code(), &result);
+    assert_eq!(files(folder.path()), [PathBuf::from("good.toml")], "`-` is no file");
+}
+
+#[test]
+fn files_are_written_and_the_report_printed() {
+    let folder = folder();
+    let output = run(folder.path(), ["solve", "good.toml", "--json", "out.json", "--csv", "out.csv"]);
+    let result = json(&fs::read(folder.path().join("out.json")).unwrap());
+    assert_matches_status(output.status.code(), &result);
+    assert!(!output.stdout.is_empty());
+    let csv = fs::read_to_string(folder.path().join("out.csv")).unwrap();
+    assert!(csv.starts_with("x,pressure,shear"), "{csv}");
+    let names = ["good.toml", "out.csv", "out.json"].map(PathBuf::from);
+    assert_eq!(files(folder.path()), names, "no temporary file stays");
+}
+
+#[test]
+fn standard_input_is_a_scene_too() {
+    let folder = folder();
+    let from_file = run(folder.path(), ["solve", "good.toml", "--json", "-"]);
+    let from_stdin = feed(folder.path(), &["solve", "-", "--json", "-"], GOOD.as_bytes());
+    assert_eq!(from_stdin, from_file);
+}
+
+#[test]
+fn a_refused_scene_still_has_a_result() {
+    let folder = folder();
+    // A base modulus at no depth: a scene, but not one that has an answer.
+    let scene = GOOD.replace("thickness = 5.0", "base = { type = \"infinite\" }");
+    let output = feed(folder.path(), &["solve", "-", "--json", "out.json"], scene.as_bytes());
+    assert_eq!(output.status.code(), Some(1), "{}", told(&output));
+    let result = json(&fs::read(folder.path().join("out.json")).unwrap());
+    assert_eq!(result["status"], "refused");
+    assert!(result["reason"].is_string());
+}
+
+/// No figure can be drawn of a refusal: that is said, and all else is written.
+#[cfg(feature = "plot")]
+#[test]
+fn a_figure_that_cannot_be_drawn_is_no_failure() {
+    let folder = folder();
+    let scene = GOOD.replace("thickness = 5.0", "base = { type = \"infinite\" }");
+    let output = feed(folder.path(), &["solve", "-", "--svg", "out.svg", "--csv", "out.csv"], scene.as_bytes());
+    assert_eq!(output.status.code(), Some(1), "{}", told(&output));
+    assert!(told(&output).contains("no figure was drawn"));
+    assert!(!folder.path().join("out.svg").exists());
+    assert!(folder.path().join("out.csv").exists());
+}
+
+#[test]
+fn check_says_ok() {
+    insta::assert_snapshot!(told(&run(folder().path(), ["check", "good.toml"])));
+}
+
+/// What `explain` prints is itself a scene: comments around the scene as it was understood.
+#[test]
+fn explain_prints_a_scene() {
+    let folder = folder();
+    let output = run(folder.path(), ["explain", "good.toml"]);
+    assert_eq!(output.status.code(), Some(0));
+    let text = String::from_utf8(output.stdout.clone()).unwrap();
+    for constant in ["kappa    = 1.8", "gamma h  = 2.079", "h/b      = 5"] {
+        assert!(text.contains(constant), "{constant} is missing in\n{text}");
+    }
+    let again = feed(folder.path(), &["explain", "-"], text.as_bytes());
+    assert_eq!(again, output, "explaining the explanation adds nothing");
+}
+
+#[test]
+fn plugins_are_listed_and_described() {
+    let folder = folder();
+    let list = run(folder.path(), ["plugins"]);
+    assert_eq!(list.status.code(), Some(0));
+    let list = String::from_utf8(list.stdout).unwrap();
+    let all = json(&run(folder.path(), ["plugins", "--json"]).stdout);
+    let all = all["plugins"].as_array().unwrap();
+    assert!(all.len() >= 8, "{} plugins", all.len());
+    for info in all {
+        let name = info["name"].as_str().unwrap();
+        assert!(list.contains(&format!("  {name} ")), "{name} is not listed");
+        let one = run(folder.path(), ["plugins", name]);
+        assert_eq!(one.status.code(), Some(0));
+        let one = String::from_utf8(one.stdout).unwrap();
+        for part in [&info["summary"], &info["source"]] {
+            assert!(one.contains(part.as_str().unwrap()), "{name}: {part} is missing");
+        }
+        let one = json(&run(folder.path(), ["plugins", name, "--json"]).stdout);
+        assert!(one["plugins"].as_array().unwrap().contains(info), "{name}");
+    }
+}
+
+#[test]
+fn a_described_plugin() {
+    insta::assert_snapshot!(told(&run(folder().path(), ["plugins", "cylinder"])));
+}
+
+#[test]
+fn an_unknown_plugin_gets_the_nearest_name() {
+    let output = run(folder().path(), ["plugins", "cylindre"]);
+    assert_eq!(output.status.code(), Some(2));
+    insta::assert_snapshot!(told(&output));
+}
+
+#[test]
+fn wrong_arguments_are_bad_input() {
+    let folder = folder();
+    let cases: [&[&str]; 7] = [
+        &[],
+        &["slove", "good.toml"],
+        &["solve"],
+        &["solve", "good.toml", "--jsn", "x"],
+        &["solve", "good.toml", "--json"],
+        &["solve", "good.toml", "--csv", "-"],
+        &["check", "good.toml", "good.toml"],
+    ];
+    for arguments in cases {
+        let output = run(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(output.stdout.is_empty() && !output.stderr.is_empty(), "{arguments:?}");
+    }
+    for arguments in [["--help"], ["--version"]] {
+        let output = run(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}");
+        assert!(!output.stdout.is_empty() && output.stderr.is_empty(), "{arguments:?}");
+    }
+}
+
+/// Results that would overwrite one another, or the scene, under whatever name.
+#[test]
+fn outputs_must_be_distinct() {
+    let folder = folder();
+    fs::create_dir(folder.path().join("sub")).unwrap();
+    fs::write(folder.path().join("out.json"), "old").unwrap();
+    let absolute = folder.path().join("good.toml");
+    let absolute = absolute.to_str().unwrap();
+    let cases: [&[&str]; 5] = [
+        &["--json", "same", "--csv", "same"],
+        &["--json", "out.json", "--csv", "sub/../out.json"],
+        &["--json", "good.toml"],
+        &["--csv", "./sub/../good.toml"],
+        &["--json", absolute],
+    ];
+    for outputs in cases {
+        let output = run(folder.path(), ["solve", "good.toml"].iter().chain(outputs));
+        assert_eq!(output.status.code(), Some(2), "{outputs:?}: {}", told(&output));
+    }
+    assert_eq!(fs::read_to_string(folder.path().join("good.toml")).unwrap(), GOOD);
+    assert_eq!(fs::read_to_string(folder.path().join("out.json")).unwrap(), "old");
+    insta::assert_snapshot!(
+        "outputs_same",
+        told(&run(folder.path(), ["solve", "good.toml", "--json", "a", "--csv", "a"]))
+    );
+    insta::assert_snapshot!("outputs_scene", told(&run(folder.path(), ["solve", "good.toml", "--csv", "good.toml"])));
+}
+
+#[test]
+fn an_output_that_cannot_be_written_leaves_the_others_alone() {
+    let folder = folder();
+    fs::create_dir(folder.path().join("taken")).unwrap();
+    fs::write(folder.path().join("out.json"), "old").unwrap();
+    let before = files(folder.path());
+    for (name, csv) in [("directory", "taken"), ("missing", "nowhere/out.csv"), ("file_as_folder", "good.toml/out.csv")]
+    {
+        let output = run(folder.path(), ["solve", "good.toml", "--json", "out.json", "--csv", csv]);
+        assert_eq!(output.status.code(), Some(3), "{name}");
+        assert_eq!(fs::read_to_string(folder.path().join("out.json")).unwrap(), "old", "{name}");
+        assert_eq!(files(folder.path()), before, "{name}");
+        if name != "file_as_folder" {
+            insta::assert_snapshot!(format!("output_{name}"), told(&output));
+        }
+    }
+}
+
+#[cfg(unix)]
+mod unix {
+    use super::*;
+    use std::os::unix::fs::{PermissionsExt, symlink};
+
+    fn mode(path: &Path) -> u32 {
+        fs::metadata(path).unwrap().permissions().mode() & 0o777
+    }
+
+    #[test]
+    fn results_have_the_permissions_of_any_new_file() {
+        let folder = folder();
+        let out = folder.path().join("out.json");
+        run(folder.path(), ["solve", "good.toml", "--json", "out.json"]);
+        assert_eq!(mode(&out), mode(&folder.path().join("good.toml")), "not private like a temporary file");
+        fs::set_permissions(&out, fs::Permissions::from_mode(0o660)).unwrap();
+        run(folder.path(), ["solve", "good.toml", "--json", "out.json"]);
+        assert_eq!(mode(&out), 0o660, "a replaced file keeps its permissions");
+    }
+
+    #[test]
+    fn a_link_stays_a_link() {
+        let folder = folder();
+        fs::write(folder.path().join("real.json"), "old").unwrap();
+        symlink("real.json", folder.path().join("link.json")).unwrap();
+        symlink("good.toml", folder.path().join("scene.json")).unwrap();
+        run(folder.path(), ["solve", "good.toml", "--json", "link.json"]);
+        assert!(folder.path().join("link.json").is_symlink());
+        json(&fs::read(folder.path().join("real.json")).unwrap());
+        let output = run(folder.path(), ["solve", "good.toml", "--json", "scene.json"]);
+        assert_eq!(output.status.code(), Some(2), "a link to the scene is the scene");
+    }
+
+    /// A device must be written to, never replaced by a file.
+    #[test]
+    fn devices_stay_devices() {
+        let folder = folder();
+        let output = run(folder.path(), ["solve", "good.toml", "--json", "/dev/null", "--csv", "/dev/null"]);
+        assert!(matches!(output.status.code(), Some(0 | 1)), "{}", told(&output));
+        assert!(!fs::metadata("/dev/null").unwrap().is_file());
+    }
+
+    #[test]
+    fn a_reader_that_goes_away_is_no_failure() {
+        let folder = folder();
+        let mut child =
+            program(folder.path()).args(["plugins"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+        assert!(output.stderr.is_empty(), "{}", told(&output));
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_full_disk_is_a_failure() {
+        let folder = folder();
+        let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let output = program(folder.path()).args(["plugins"]).stdout(full).output().unwrap();
+        assert_eq!(output.status.code(), Some(3), "{}", told(&output));
+        let output = run(folder.path(), ["solve", "good.toml", "--json", "/dev/full"]);
+        assert_eq!(output.status.code(), Some(3), "{}", told(&output));
+    }
+
+    #[test]
+    fn an_interrupt_has_its_exit_code() {
+        use std::io::Read;
+        let folder = folder();
+        // It waits for a scene that does not come; half a second is ample for it to get there.
+        let mut child =
+            program(folder.path()).args(["check", "-"]).stdin(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(500));
+        let killed = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+        assert!(killed.success());
+        let status = child.wait().unwrap();
+        let mut told = String::new();
+        child.stderr.take().unwrap().read_to_string(&mut told).unwrap();
+        assert_eq!(status.code(), Some(130), "{told}");
+    }
+}

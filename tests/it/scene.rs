@@ -1,0 +1,136 @@
+//! Scenes that are fine, read by the library.
+
+// A number in a file and the number in memory are the same bits, or something is wrong.
+#![allow(clippy::float_cmp)]
+
+use slipzone::scene::{Load, parse};
+
+const GOOD: &str = "format = 1
+[layer]
+thickness = 5.0
+poisson = 0.3
+grading = { surface = 1.0, base = 8.0, type = \"exponential\" }
+[punch]
+half_width = 1.0
+type = \"flat\"
+[load]
+force = 1.0
+";
+
+#[test]
+fn poissons_ratio_up_to_its_limits() {
+    for poisson in ["-0.99", "-0.9999999", "0", "0.0", "1e-300", "0.4999", "0.5"] {
+        let scene = parse("p", &GOOD.replace("poisson = 0.3", &format!("poisson = {poisson}"))).unwrap();
+        assert_eq!(scene.layer.poisson.get(), poisson.parse::<f64>().unwrap());
+    }
+    for poisson in ["-1", "0.5001", "0.5000000000000001", "inf"] {
+        let error = parse("p", &GOOD.replace("poisson = 0.3", &format!("poisson = {poisson}"))).unwrap_err();
+        assert_eq!((error.line, error.column), (4, 11), "{error}");
+    }
+}
+
+/// Bases that the engine may yet decline are scenes all the same.
+#[test]
+fn every_base_is_a_scene() {
+    for base in ["rigid", "frictionless", "half-plane\", shear = 2.0, poisson = \"0.2"] {
+        let base = format!("thickness = 5.0\nbase = {{ type = \"{base}\" }}").replace("\"0.2\"", "0.2");
+        parse("b", &GOOD.replace("thickness = 5.0", &base)).unwrap_or_else(|error| panic!("{error}"));
+    }
+    let infinite =
+        GOOD.replace("thickness = 5.0", "base = { type = \"infinite\" }").replace("base = 8.0", "gradient = -0.1");
+    parse("b", &infinite).unwrap_or_else(|error| panic!("{error}"));
+}
+
+/// Every number is written so that it reads back exactly, and defaults stay what they were.
+#[test]
+fn written_scenes_read_back_the_same() {
+    let full = format!(
+        "title = \"quotes \\\" and µ\"\n{GOOD}
+[friction]
+type = \"goodman\"
+coefficient = 0.1
+[solver]
+tolerance = 1e-13
+flexibility = {{ type = \"compliance\" }}
+kernel = {{ type = \"truncated\", cutoff = 33.333333333333336 }}
+quadrature = {{ type = \"gauss-chebyshev\", n = 40 }}
+[output]
+x = [-1, -0.1, 0.30000000000000004, 1.0]
+[units]
+length = \"µm\"
+"
+    );
+    let mut texts = vec![full];
+    // The shortest decimals of numbers near both ends of the range, and some with all digits in use.
+    for number in ["1.0000000000000002e-100", "9.999999999999999e99", "0.1", "5e-9", "123456789012345680"] {
+        let text = GOOD.replace("force = 1.0", &format!("force = {number}"));
+        let scene = parse("n", &text).unwrap_or_else(|error| panic!("{error}"));
+        assert!(matches!(scene.load, Load::Force(force) if force.get() == number.parse::<f64>().unwrap()), "{number}");
+        texts.push(text);
+    }
+    for text in texts {
+        let scene = parse("first", &text).unwrap_or_else(|error| panic!("{error}"));
+        let written = toml::to_string(&scene).unwrap();
+        let again = parse("again", &written).unwrap_or_else(|error| panic!("{error}\n{written}"));
+        assert_eq!(format!("{scene:?}"), format!("{again:?}"), "{written}");
+        assert_eq!(toml::to_string(&again).unwrap(), written);
+    }
+}
+
+/// Where `type` stands in a table is the writer's choice; the error's place does not depend on it.
+#[test]
+fn errors_keep_their_place_when_type_comes_last() {
+    let error = parse("t", &GOOD.replace("half_width = 1.0", "half_width = -1.0")).unwrap_err();
+    assert_eq!((error.line, error.column), (7, 14), "{error}");
+    let error = parse("t", &GOOD.replace("surface = 1.0", "surface = \"soft\"")).unwrap_err();
+    assert_eq!((error.line, error.column), (5, 23), "{error}");
+}
+
+/// A half-width is a load of a cylinder though not of a flat punch.
+#[test]
+fn loads_of_a_cylinder() {
+    let cylinder = GOOD.replace("half_width = 1.0\ntype = \"flat\"", "type = \"cylinder\"\nradius = 10.0");
+    for load in ["force", "half_width", "indentation"] {
+        parse("l", &cylinder.replace("force", load)).unwrap_or_else(|error| panic!("{error}"));
+    }
+}
+
+/// Any slip of the keyboard is a scene or an error with a place in the text, never a panic.
+#[test]
+fn one_wrong_character_anywhere() {
+    let text = format!("{GOOD}[output]\nx = [-1, 0.5]\n[friction]\ntype = \"goodman\"\ncoefficient = 0.1\n");
+    parse("good", &text).unwrap();
+    let lines = text.lines().count();
+    for at in 0..text.len() {
+        let slips = ["", "0", "-", "e", ".", "=", "[", "]", "{", "}", "\"", "'", "\\", "\n", "\r", "#", ",", "µ", "\0"];
+        for slip in slips {
+            for kept in [at, at + 1] {
+                let wrong = format!("{}{slip}{}", &text[..at], &text[kept..]);
+                let Err(error) = parse("wrong", &wrong) else { continue };
+                assert!((1..=lines + 1).contains(&error.line), "{error}");
+                assert!(error.found.is_some() && !error.message.is_empty(), "{error}");
+                assert!(wrong.get(error.span.clone()).is_some(), "{error}");
+                assert!(error.excerpt.get(error.marked.clone()).is_some(), "{error}");
+            }
+        }
+    }
+}
+
+/// The same for whole lines left out, doubled or swapped.
+#[test]
+fn one_wrong_line_anywhere() {
+    let lines: Vec<_> = GOOD.lines().collect();
+    for at in 0..lines.len() {
+        for other in 0..lines.len() {
+            let mut wrong = lines.clone();
+            wrong.swap(at, other);
+            let swapped = wrong.join("\n");
+            wrong.remove(other);
+            for text in [swapped, wrong.join("\n"), [GOOD, lines[at], "\n", lines[other]].concat()] {
+                if let Err(error) = parse("wrong", &text) {
+                    assert!(error.found.is_some() && error.expected.is_some(), "{error}");
+                }
+            }
+        }
+    }
+}
