@@ -7,7 +7,7 @@ pub struct AddingAPunch;
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::Scene;
+    use crate::engine::Status;
 
     /// The blocks of a document that open with `fence`, each with the number of its first line.
     fn blocks<'a>(document: &'a str, fence: &'a str) -> impl Iterator<Item = (usize, String)> + 'a {
@@ -30,8 +30,9 @@ mod tests {
             let scenes: Vec<_> = blocks(document, "```toml").collect();
             assert!(!scenes.is_empty(), "{name} shows no scene");
             for (line, text) in scenes {
-                let scene: Scene = toml::from_str(&text).unwrap_or_else(|e| panic!("{name}:{line}: {e}"));
-                let _ = crate::engine::solve(&scene);
+                let scene = crate::scene::parse(name, &text).unwrap_or_else(|e| panic!("{name}:{line}: {e}"));
+                let solution = crate::engine::solve(&scene);
+                assert_eq!(solution.status, Status::Converged, "{name}:{line}: {:?}", solution.reason);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! A scene in the layer's own units: lengths in the thickness, stresses in the surface modulus.
 
 use crate::scene::{Load, Scene};
-use slipzone_api::{Base, Elastic, Friction, LayerModel, PunchShape, Refusal};
+use slipzone_api::{Base, Elastic, Friction, LayerModel, Positive, PunchShape, Refusal};
 
 /// What the engine solves.
 pub(crate) struct Problem {
@@ -37,7 +37,7 @@ impl Problem {
         let infinite = layer.base == Base::Infinite;
         let law = layer.grading.law(layer.thickness.filter(|_| !infinite))?;
         // An infinite homogeneous solid has no length of its own.
-        let length = layer.thickness.filter(|_| !infinite).map_or_else(|| shape.natural_length(), |h| h.get());
+        let length = layer.thickness.filter(|_| !infinite).map_or_else(|| shape.natural_length(), Positive::get);
         let stress = law.surface_modulus();
         let load = match scene.load {
             Load::Force(force) => LoadInLayerUnits::Force(force.get() / stress / length),

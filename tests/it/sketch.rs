@@ -49,7 +49,7 @@ impl Sketch {
             Some(h) => format!("thickness = {h:?}"),
             None => "base = { type = \"infinite\" }".into(),
         };
-        let grading = if self.ratio == 1.0 {
+        let grading = if (self.ratio - 1.0).abs() < f64::EPSILON {
             "type = \"homogeneous\", modulus = 1.0".into()
         } else {
             format!("type = \"exponential\", surface = 1.0, base = {:?}", 1.0 / self.ratio)

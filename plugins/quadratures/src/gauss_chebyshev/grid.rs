@@ -92,6 +92,7 @@ impl Grid {
     }
 
     /// `F(t)` from its values at the positive nodes and its mirror factor (barycentric).
+    #[expect(clippy::float_cmp, reason = "only an exact hit divides by zero")]
     pub(super) fn interpolate(&self, values: &[f64], mirror: f64, t: f64) -> f64 {
         let (mut above, mut below) = (0.0, 0.0);
         let mut sign = 1.0;
