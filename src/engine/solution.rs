@@ -201,17 +201,15 @@ pub(super) fn assemble(
         Load::HalfWidth(half_width) => (None, Some(half_width.get()), None),
         Load::Indentation(depth) => (None, None, Some(depth.get())),
     };
+    let force = given_force.or(number("load.force", stress * length));
+    let half_width = given_width.or(number("load.half_width", length));
     let solution = Solution {
         status,
         reason,
-        load: LoadReport {
-            force: given_force.or(number("load.force", stress * length)),
-            half_width: given_width.or(number("load.half_width", length)),
-            indentation: given_depth.or(number("load.indentation", length)),
-        },
+        load: LoadReport { force, half_width, indentation: given_depth.or(number("load.indentation", length)) },
         pressure: PressureReport {
             centre: number("pressure.centre", stress),
-            mean: number("pressure.mean", stress),
+            mean: force.zip(half_width).map(|(force, b)| force / (2.0 * b)),
             peak: number("pressure.peak", stress),
         },
         edge: EdgeReport {
