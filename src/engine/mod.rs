@@ -23,6 +23,7 @@ pub use solution::{
 };
 
 use crate::scene::Scene;
+use rayon::prelude::*;
 
 /// Solves a scene. Whatever happens is in the solution's `status` and `reason`.
 pub fn solve(scene: &Scene) -> Solution {
@@ -31,6 +32,11 @@ pub fn solve(scene: &Scene) -> Solution {
         Ok(solution) => solution,
         Err(refusal) => Solution::refused(&scene, plan, refusal.to_string()),
     }
+}
+
+/// Solves many scenes on all cores, in the order given; each solution has the bits that [`solve`] gives it.
+pub fn solve_all(scenes: &[Scene]) -> Vec<Solution> {
+    scenes.par_iter().map(solve).collect()
 }
 
 /// Which methods would solve a scene, and why.

@@ -5,6 +5,7 @@ mod accuracy;
 mod bad_input;
 #[cfg(feature = "cli")]
 mod command_line;
+mod examples;
 mod friction;
 mod limits;
 mod properties;

@@ -1,0 +1,67 @@
+//! Every scene in `examples/`: it solves, it draws, and those with a reference agree with it.
+
+use serde_json::Value;
+use slipzone::engine::{Status, solve, solve_all};
+use slipzone::scene::{Scene, parse};
+
+fn scenes() -> Vec<(String, Scene)> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples");
+    let mut scenes: Vec<_> = std::fs::read_dir(folder)
+        .expect("the examples")
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+        .map(|path| {
+            let name = path.file_name().expect("a file").to_string_lossy().into_owned();
+            let text = std::fs::read_to_string(&path).expect("readable text");
+            let scene = parse(&name, &text).unwrap_or_else(|e| panic!("{e}"));
+            (name, scene)
+        })
+        .collect();
+    scenes.sort_by(|one, other| one.0.cmp(&other.0));
+    assert!(scenes.len() >= 15, "Table 1, figures 2 and 6, and the two of the README: {} scenes", scenes.len());
+    scenes
+}
+
+#[test]
+fn every_example_converges_and_draws() {
+    for (name, scene) in scenes() {
+        let solution = solve(&scene);
+        assert_eq!(solution.status, Status::Converged, "{name}: {:?}", solution.reason);
+        #[cfg(feature = "plot")]
+        assert!(slipzone::report::svg(&solution).unwrap_or_else(|e| panic!("{name}: {e}")).contains("</svg>"));
+    }
+}
+
+#[test]
+fn table_1_is_reproduced_to_the_independent_digits() {
+    let cases: Value = serde_json::from_str(include_str!("../data/layer_cases.json")).expect("valid JSON");
+    let mut compared = 0;
+    for (name, scene) in scenes() {
+        let Some(rest) = name.strip_prefix("table1_h") else { continue };
+        let (h, ratio) = rest.trim_end_matches(".toml").split_once("_ratio").expect("table1_hH_ratioR.toml");
+        let number = |text: &str| text.split('_').map(|n| n.parse::<f64>().expect("a number")).reduce(|a, b| a / b);
+        let (h, ratio) = (number(h), number(ratio));
+        let case = cases["cases"]
+            .as_array()
+            .expect("a list")
+            .iter()
+            .find(|case| {
+                (case["h_over_b"].as_f64(), case["mu1_over_mu3"].as_f64(), case["nu"].as_f64()) == (h, ratio, Some(0.3))
+            })
+            .unwrap_or_else(|| panic!("{name}: no such case in layer_cases.json"));
+        let solution = solve(&scene);
+        let got = solution.edge.ratio.expect("a number");
+        let error = (got / case["flat"]["edge"].as_f64().expect("a number") - 1.0).abs();
+        assert!(error < 1e-4, "{name}: edge ratio {got}, error {error:.1e} above the default tolerance");
+        compared += 1;
+    }
+    assert_eq!(compared, 9);
+}
+
+#[test]
+fn a_batch_gives_the_same_bits_as_one_scene_after_another() {
+    let scenes: Vec<Scene> = scenes().into_iter().map(|(_, scene)| scene).collect();
+    for (scene, together) in scenes.iter().zip(solve_all(&scenes)) {
+        assert_eq!(format!("{:?}", solve(scene)), format!("{together:?}"));
+    }
+}
