@@ -1,7 +1,7 @@
 //! The Fourier integrals of CC13, cut at a finite wave number.
 
 use crate::even_table::{self, EvenTable};
-use crate::wave_numbers::Samples;
+use crate::wave_numbers::{Samples, too_wide};
 use serde::{Deserialize, Serialize};
 use slipzone_api::{
     Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Parts, Positive, Refusal, SurfaceFlexibility,
@@ -78,15 +78,6 @@ impl KernelStrategy for Truncated {
 
     fn is_pinned(&self) -> bool {
         self.cutoff.is_some()
-    }
-}
-
-/// The refusal of a contact so wide beside the layer that its kernel would cost too much.
-pub(crate) fn too_wide(reach: f64, cutoff: f64) -> Refusal {
-    Refusal::OutOfReach {
-        method: "truncated",
-        why: format!("a kernel up to |t| = {reach:.2e} h cut at S = {cutoff:.2e}/h takes more work than it is worth"),
-        remedy: "ask for a coarser tolerance or a smaller cutoff, or make the layer thicker beside the contact",
     }
 }
 

@@ -1,6 +1,5 @@
 //! The flexibility on Gauss panels of wave numbers.
 
-use crate::truncated::too_wide;
 use bilby::GaussLegendre;
 use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
 
@@ -65,5 +64,14 @@ impl Samples {
             }
         }
         Ok(samples)
+    }
+}
+
+/// The refusal of a contact so wide beside the layer that its kernel would cost too much.
+pub(crate) fn too_wide(reach: f64, cutoff: f64) -> Refusal {
+    Refusal::OutOfReach {
+        method: "truncated",
+        why: format!("a kernel up to |t| = {reach:.2e} h cut at S = {cutoff:.2e}/h takes more work than it is worth"),
+        remedy: "ask for a coarser tolerance or a smaller cutoff, or make the layer thicker beside the contact",
     }
 }
