@@ -12,8 +12,8 @@ const MOST_STEPS: u32 = 200;
 /// First half-width tried on a layer: wider ones cost more, and the walk gets there when it must.
 const WIDEST_START: f64 = 2.0;
 
-/// An excess this small is one of rounding.
-const ROUNDING: f64 = 1e-12;
+/// An excess this small is one of rounding, of the kernel tables included.
+const ROUNDING: f64 = 1e-11;
 
 /// The pressure under a punch whose contact grows, at the load of the problem.
 ///
@@ -29,6 +29,8 @@ pub(crate) fn pressed(layer: &mut Layer, known: Option<f64>) -> Result<Pressure,
         None if layer.has_depth() => (half_plane_size(layer.problem, target, by_force).min(WIDEST_START), LN_2),
         None => (half_plane_size(layer.problem, target, by_force), LN_2),
     };
+    // One table for the walk's first steps: a wider one would differ in its last bits.
+    layer.reach(start * step.exp())?;
     // ln(reached/target) is nearly linear in ln b for any punch.
     let mut excess = |log_b: f64| -> Result<f64, Refusal> {
         let pressure = smooth_punch(layer, log_b.exp())?;

@@ -32,8 +32,8 @@ slipzone_api::register!(Kernel, "truncated", "Fourier integral cut at a finite w
     parameters: [("cutoff", "wave number times thickness at which the integral is cut", false, [40.0, 80.0, 320.0])],
     source: "CC13 eqs. 43, 44");
 
-/// Cut-off at level 0: `exp(-2 S d)` is then far below round-off.
-const FIRST_CUTOFF: f64 = 40.0;
+/// Cut-off at level 0, over the depth: `exp(-2 S d)` is then below round-off.
+const FIRST_CUTOFF: f64 = 20.0;
 /// At level 0 the cut-off resolves at least this phase over the reach: what is left of the tail beyond
 /// ripples with wavelength `2 pi/S`, which must be short beside the contact.
 const FIRST_BAND: f64 = 16.0;

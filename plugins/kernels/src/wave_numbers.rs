@@ -19,8 +19,9 @@ pub(crate) struct Samples {
 /// is a Taylor polynomial even at modulus ratios of 1e6.
 const SMALLEST_PANEL: f64 = 1.0 / 256.0;
 
-/// A panel on which nothing but the tail is left, to this absolute size, is the last one.
-const NOTHING_LEFT: f64 = 2.0 * f64::EPSILON;
+/// A panel on which nothing but the tail is left, to this absolute size, is the last one: the rounding of
+/// a flexibility of order one.
+const NOTHING_LEFT: f64 = 1e-13;
 
 /// Most wave numbers for one table.
 const MOST_SAMPLES: usize = 1 << 14;

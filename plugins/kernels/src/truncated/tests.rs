@@ -99,11 +99,16 @@ fn the_parts_are_the_jump_and_the_logarithm() {
     // k_vv(0+) = -f(0+) = -pi/2; g(t) = -log t - euler + ..., and an odd smooth part vanishes at 0.
     let slope = at_origin(Component::NormalSlope);
     assert_eq!((slope.smooth, slope.sign, slope.log), (0.0, -FRAC_PI_2, 0.0));
-    for component in [Component::Coupling, Component::Depth] {
+    // What the cut leaves out at the origin: int_S^inf [1/s - 1/(1+s)] ds, and of the depth
+    // int_S^inf 1/(s^2 (1+s)) ds.
+    let s = FIRST_CUTOFF;
+    let left_out = (1.0 / s).ln_1p();
+    for (component, left_out) in [(Component::Coupling, left_out), (Component::Depth, left_out - 1.0 / s)] {
         let parts = at_origin(component);
         assert_eq!((parts.sign, parts.log), (0.0, -1.0), "{component:?}");
-        // Smooth at the origin, the tail beyond 1/s cut at S = 40: off by about 1/S.
-        assert!((parts.smooth + 0.577_215_664_901_532_9).abs() < 0.03, "{component:?}: {parts:?}");
+        // exp(-S), which the depth takes to be nothing, is 2e-9 at this coarsest cut-off.
+        let expected = -0.577_215_664_901_532_9 + left_out;
+        assert!((parts.smooth - expected).abs() < 2e-9, "{component:?}: {parts:?} against {expected}");
     }
 }
 
