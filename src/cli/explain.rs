@@ -63,19 +63,16 @@ fn derived(text: &mut String, scene: &Scene) -> std::fmt::Result {
 fn choices(text: &mut String, scene: &Scene, plan: &Plan) -> std::fmt::Result {
     writeln!(text, "\n# How it is solved.")?;
     let solver = &scene.solver;
-    let named = [
-        ("grading", Some(scene.layer.grading.typetag_name()), &plan.grading),
-        ("punch", Some(scene.punch.typetag_name()), &String::new()),
-        ("flexibility", solver.flexibility.as_ref().map(|plugin| plugin.typetag_name()), &plan.flexibility),
-        ("kernel", solver.kernel.as_ref().map(|plugin| plugin.typetag_name()), &plan.kernel),
-        ("quadrature", solver.quadrature.as_ref().map(|plugin| plugin.typetag_name()), &plan.quadrature),
+    let methods = [
+        ("grading", scene.layer.grading.typetag_name(), true),
+        ("punch", scene.punch.typetag_name(), true),
+        ("flexibility", plan.flexibility.as_str(), solver.flexibility.is_some()),
+        ("kernel", plan.kernel.as_str(), solver.kernel.is_some()),
+        ("quadrature", plan.quadrature.as_str(), solver.quadrature.is_some()),
     ];
-    for (family, named, planned) in named {
-        match (named, planned.as_str()) {
-            (Some(name), _) => writeln!(text, "# {family:<12} {name} (named in the scene)")?,
-            (None, "") => writeln!(text, "# {family:<12} left to the solver")?,
-            (None, name) => writeln!(text, "# {family:<12} {name} (chosen by the solver)")?,
-        }
+    for (family, name, is_named) in methods {
+        let by = if is_named { "named in the scene" } else { "chosen by the solver" };
+        writeln!(text, "# {family:<12} {name} ({by})")?;
     }
     plan.reasons.iter().try_for_each(|reason| writeln!(text, "# {reason}"))
 }

@@ -29,6 +29,10 @@ impl Target {
     /// Checks that the file can be written, before any work is done.
     pub(super) fn new(path: &Path) -> Result<Self, Failure> {
         let failed = |why: &dyn std::fmt::Display| Failure::System(format!("cannot write {}: {why}", path.display()));
+        // `Path` does not tell `results/` from `results`.
+        if path.to_string_lossy().ends_with(std::path::is_separator) {
+            return Err(failed(&"that is the name of a directory"));
+        }
         let real = real(path).map_err(|error| failed(&error))?;
         let target = match fs::metadata(&real) {
             Ok(found) if found.is_dir() => return Err(failed(&"it is a directory")),

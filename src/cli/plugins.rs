@@ -35,7 +35,7 @@ pub(super) fn run(name: Option<&str>, json: bool) -> Result<Outcome, Failure> {
 fn list(text: &mut String, plugins: &[&PluginInfo]) -> fmt::Result {
     let width = plugins.iter().map(|info| info.name.len()).max().unwrap_or(0);
     for family in Family::ALL {
-        writeln!(text, "{} ({})", family.name(), place(family))?;
+        writeln!(text, "{} ({})", family.name(), family.place())?;
         for info in plugins.iter().filter(|info| info.family == family) {
             writeln!(text, "  {:width$}  {}", info.name, info.summary)?;
         }
@@ -48,7 +48,7 @@ fn describe(text: &mut String, info: &PluginInfo) -> fmt::Result {
     if !text.is_empty() {
         writeln!(text)?;
     }
-    writeln!(text, "{} ({}, in {})", info.name, info.family.name(), place(info.family))?;
+    writeln!(text, "{} ({}, in {})", info.name, info.family.name(), info.family.place())?;
     writeln!(text, "  {}\n\nkeys", info.summary)?;
     if info.parameters.is_empty() {
         writeln!(text, "  none")?;
@@ -59,18 +59,7 @@ fn describe(text: &mut String, info: &PluginInfo) -> fmt::Result {
         let required = if key.required { "" } else { " (optional)" };
         writeln!(text, "  {}: {}{required}{samples}", key.name, key.summary)?;
     }
-    writeln!(text, "\nexample\n  [{}]", place(info.family))?;
+    writeln!(text, "\nexample\n  [{}]", info.family.place())?;
     info.example.lines().try_for_each(|line| writeln!(text, "  {line}"))?;
     writeln!(text, "\nsource\n  {}", info.source)
-}
-
-/// Where a scene names a plugin of a family.
-fn place(family: Family) -> &'static str {
-    match family {
-        Family::Grading => "layer.grading",
-        Family::Punch => "punch",
-        Family::Flexibility => "solver.flexibility",
-        Family::Kernel => "solver.kernel",
-        Family::Quadrature => "solver.quadrature",
-    }
 }

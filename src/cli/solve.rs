@@ -6,6 +6,8 @@ use super::output::{self, Target};
 use super::{Failure, Outcome, print};
 use slipzone::engine::{self, Solution, Status};
 use slipzone::report;
+#[cfg(feature = "plot")]
+use slipzone::report::FigureError;
 
 /// A way of writing a solution to a file; `None` when there is nothing to write.
 type Writer = fn(&Solution) -> Option<String>;
@@ -47,5 +49,10 @@ pub(super) fn run(arguments: &Solve) -> Result<Outcome, Failure> {
 
 #[cfg(feature = "plot")]
 fn figure(solution: &Solution) -> Option<String> {
-    report::svg(solution).map_err(|error| print::note(&format!("no figure was drawn: {error}"))).ok()
+    let told = |error| match error {
+        // The reason is told with the status.
+        FigureError::Refused(_) => print::note("no figure was drawn: the scene was refused"),
+        other => print::note(&format!("no figure was drawn: {other}")),
+    };
+    report::svg(solution).map_err(told).ok()
 }

@@ -35,6 +35,19 @@ pub(super) fn short(value: f64, digits: usize) -> String {
     exponent.map_or_else(|| mantissa.to_owned(), |e| format!("{mantissa}e{e}"))
 }
 
+/// A number as it is set in print: `-2.1e-5` as `−2.1×10⁻⁵`.
+#[cfg(feature = "plot")]
+pub(super) fn typeset(number: &str) -> String {
+    let with_minus = |mantissa: &str| mantissa.replace('-', "\u{2212}");
+    let Some((mantissa, exponent)) = number.split_once('e') else { return with_minus(number) };
+    let raised = |c: char| match c.to_digit(10) {
+        Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
+        None => '⁻',
+    };
+    let power = format!("10{}", exponent.chars().map(raised).collect::<String>());
+    if mantissa == "1" { power } else { format!("{}×{power}", with_minus(mantissa)) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -57,6 +70,13 @@ mod tests {
         ] {
             assert_eq!(significant(value, digits), text);
         }
+    }
+
+    #[cfg(feature = "plot")]
+    #[test]
+    fn print_has_powers_and_minus_signs() {
+        let printed = ["2.1e-5", "-2.1e5", "1e7", "-0.5", "0.25"].map(typeset);
+        assert_eq!(printed, ["2.1×10⁻⁵", "−2.1×10⁵", "10⁷", "−0.5", "0.25"]);
     }
 
     #[test]

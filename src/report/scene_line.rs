@@ -3,12 +3,13 @@
 use crate::engine::Solution;
 use crate::report::labels::{Labels, one_line, with_unit};
 use crate::report::number::short;
+#[cfg(feature = "plot")]
+use crate::report::number::typeset;
 use crate::scene::{Layer, Load};
-use serde::Serialize;
 use serde_json::Value;
-use slipzone_api::{Base, Friction, Plane};
+use slipzone_api::{Base, Friction, Plane, PunchProfile};
 
-/// Letters for the field's symbols.
+/// Letters for the field's symbols, and how numbers are set.
 pub(super) struct Alphabet {
     mu: &'static str,
     mu1: &'static str,
@@ -17,37 +18,50 @@ pub(super) struct Alphabet {
     nu: &'static str,
     eta: &'static str,
     delta: &'static str,
+    typeset: fn(&str) -> String,
 }
 
 /// For terminals and logs.
-pub(super) const ASCII: Alphabet =
-    Alphabet { mu: "mu", mu1: "mu1", mu3: "mu3", gamma: "gamma", nu: "nu", eta: "eta", delta: "delta" };
+pub(super) const ASCII: Alphabet = Alphabet {
+    mu: "mu",
+    mu1: "mu1",
+    mu3: "mu3",
+    gamma: "gamma",
+    nu: "nu",
+    eta: "eta",
+    delta: "delta",
+    typeset: str::to_owned,
+};
 /// For figures.
 #[cfg(feature = "plot")]
 pub(super) const GREEK: Alphabet =
-    Alphabet { mu: "µ", mu1: "µ₁", mu3: "µ₃", gamma: "γ", nu: "ν", eta: "η", delta: "δ" };
+    Alphabet { mu: "µ", mu1: "µ₁", mu3: "µ₃", gamma: "γ", nu: "ν", eta: "η", delta: "δ", typeset };
 
-/// Digits of the numbers in the line: they remind, they are not data.
-const DIGITS: usize = 4;
+impl Alphabet {
+    /// A number of the line, with few digits: it reminds, it is not data.
+    fn number(&self, value: f64) -> String {
+        (self.typeset)(&short(value, 4))
+    }
+}
 
 /// The scene's parts, widest meaning first: geometry, material, base, punch, friction, load.
 pub(super) fn scene_parts(solution: &Solution, letters: &Alphabet) -> Vec<String> {
     let (scene, labels) = (&solution.scene, Labels::new(&solution.units));
     let mut parts = layer(&scene.layer, solution.load.half_width, &labels, letters);
-    parts.push(format!("{} = {}", letters.nu, short(scene.layer.poisson.get(), DIGITS)));
+    parts.push(format!("{} = {}", letters.nu, letters.number(scene.layer.poisson.get())));
     parts.push(plane(scene.layer.plane).into());
     parts.push(base(&scene.layer.base, &labels, letters));
-    parts.push(punch(&scene.punch));
+    parts.push(punch(&*scene.punch, letters));
     parts.push(match &scene.friction {
         None => "frictionless".into(),
-        Some(Friction::Goodman { coefficient }) => format!("{} = {}", letters.eta, short(coefficient.get(), DIGITS)),
+        Some(Friction::Goodman { coefficient }) => format!("{} = {}", letters.eta, letters.number(coefficient.get())),
     });
     let (symbol, value, unit) = match &scene.load {
         Load::Force(v) => ("P", v, &labels.force),
         Load::HalfWidth(v) => ("b", v, &labels.length),
         Load::Indentation(v) => (letters.delta, v, &labels.length),
     };
-    parts.push(format!("{symbol} = {}", with_unit(&short(value.get(), DIGITS), unit)));
+    parts.push(format!("{symbol} = {}", with_unit(&letters.number(value.get()), unit)));
     parts
 }
 
@@ -63,17 +77,17 @@ fn layer(layer: &Layer, half_width: Option<f64>, labels: &Labels, letters: &Alph
     let mut parts = Vec::new();
     if let Some(h) = layer.thickness {
         parts.push(match half_width {
-            Some(b) => format!("h/b = {}", short(h.get() / b, DIGITS)),
-            None => format!("h = {}", with_unit(&short(h.get(), DIGITS), &labels.length)),
+            Some(b) => format!("h/b = {}", letters.number(h.get() / b)),
+            None => format!("h = {}", with_unit(&letters.number(h.get()), &labels.length)),
         });
     }
-    let kind = plugin_type(&layer.grading);
+    let kind = layer.grading.typetag_name();
     // A law that cannot be had (that may be why the scene was refused) still has a name.
     let Ok(law) = layer.grading.law(layer.thickness) else {
-        parts.push(kind);
+        parts.push(kind.into());
         return parts;
     };
-    let surface = with_unit(&short(law.surface_modulus(), DIGITS), &labels.stress);
+    let surface = with_unit(&letters.number(law.surface_modulus()), &labels.stress);
     match (law.exponent(), layer.thickness) {
         (Some(0.0), _) => parts.push(format!("{kind}, {} = {surface}", letters.mu)),
         (_, Some(_)) => {
@@ -83,7 +97,7 @@ fn layer(layer: &Layer, half_width: Option<f64>, labels: &Labels, letters: &Alph
                 letters.mu1,
                 letters.mu1,
                 letters.mu3,
-                fraction(ratio)
+                fraction(ratio, letters)
             ));
         }
         (Some(gamma), None) => {
@@ -92,7 +106,7 @@ fn layer(layer: &Layer, half_width: Option<f64>, labels: &Labels, letters: &Alph
                 "{kind}, {} = {surface}, {} = {}{per_length}",
                 letters.mu1,
                 letters.gamma,
-                short(gamma, DIGITS)
+                letters.number(gamma)
             ));
         }
         (None, None) => parts.push(format!("{kind}, {} = {surface}", letters.mu1)),
@@ -101,11 +115,11 @@ fn layer(layer: &Layer, half_width: Option<f64>, labels: &Labels, letters: &Alph
 }
 
 /// A ratio, as `1/8` where that is what it is: so it stands in the literature.
-fn fraction(ratio: f64) -> String {
+fn fraction(ratio: f64, letters: &Alphabet) -> String {
     let inverse = ratio.recip();
     // Moduli given with rounding still make a whole number.
     let whole = (inverse - inverse.round()).abs() < 1e-9 * inverse;
-    if inverse > 1.5 && inverse < 1e4 && whole { format!("1/{inverse:.0}") } else { short(ratio, DIGITS) }
+    if inverse > 1.5 && inverse < 1e4 && whole { format!("1/{inverse:.0}") } else { letters.number(ratio) }
 }
 
 fn base(base: &Base, labels: &Labels, letters: &Alphabet) -> String {
@@ -115,35 +129,27 @@ fn base(base: &Base, labels: &Labels, letters: &Alphabet) -> String {
         Base::HalfPlane { shear, poisson } => format!(
             "bonded to a half-plane ({} = {}, {} = {})",
             letters.mu,
-            with_unit(&short(shear.get(), DIGITS), &labels.stress),
+            with_unit(&letters.number(shear.get()), &labels.stress),
             letters.nu,
-            short(poisson.get(), DIGITS)
+            letters.number(poisson.get())
         ),
         Base::Infinite => "half-plane".into(),
     }
 }
 
-/// A plugin by its `type`.
-fn plugin_type(plugin: &impl Serialize) -> String {
-    match serde_json::to_value(plugin) {
-        Ok(Value::Object(table)) => table.get("type").and_then(Value::as_str).map(one_line).unwrap_or_default(),
-        _ => String::new(),
-    }
-}
-
 /// The punch by its `type` and those of its keys that fit into a line.
-fn punch(punch: &impl Serialize) -> String {
-    let Ok(Value::Object(table)) = serde_json::to_value(punch) else { return String::new() };
+fn punch(punch: &dyn PunchProfile, letters: &Alphabet) -> String {
+    let name = format!("{} punch", punch.typetag_name());
+    let Ok(Value::Object(table)) = serde_json::to_value(punch) else { return name };
     let scalar = |(key, value): (&String, &Value)| {
         let value = match value {
-            Value::Number(number) => short(number.as_f64()?, DIGITS),
+            Value::Number(number) => letters.number(number.as_f64()?),
             Value::String(text) if key != "type" => one_line(text),
             _ => return None,
         };
         Some(format!("{} = {value}", key.replace('_', "-")))
     };
     let keys: Vec<_> = table.iter().filter_map(scalar).collect();
-    let name = format!("{} punch", plugin_type(&table));
     if keys.is_empty() { name } else { format!("{name} ({})", keys.join(", ")) }
 }
 
@@ -167,6 +173,9 @@ mod tests {
 
     #[test]
     fn ratios_read_as_in_the_literature() {
-        assert_eq!([0.125, 1.0 / 3.0, 8.0, 1.0, 0.7].map(fraction), ["1/8", "1/3", "8", "1", "0.7"]);
+        assert_eq!(
+            [0.125, 1.0 / 3.0, 8.0, 1.0, 0.7].map(|ratio| fraction(ratio, &ASCII)),
+            ["1/8", "1/3", "8", "1", "0.7"]
+        );
     }
 }

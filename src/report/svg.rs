@@ -5,7 +5,7 @@ mod curves;
 use crate::engine::first_not_finite;
 use crate::engine::{Slip, Solution, Status, StickReport};
 use crate::report::labels::{Labels, one_line, with_unit};
-use crate::report::number::{digits, short};
+use crate::report::number::{digits, short, significant, typeset};
 use crate::report::scene_line::{GREEK, scene_parts};
 use curves::{Curves, Frame, Stroke};
 use kuva::backend::svg::SvgBackend;
@@ -21,16 +21,16 @@ use std::sync::Arc;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FigureError {
     /// The scene was refused, so there are no numbers; the reason is the solution's.
-    #[error("no figure: the scene was refused: {0}")]
+    #[error("the scene was refused: {0}")]
     Refused(String),
     /// A number is not finite; see [`first_not_finite`].
-    #[error("no figure: {0}")]
+    #[error("{0}")]
     NotFinite(String),
     /// Without contact half-width and mean pressure there are no axes.
-    #[error("no figure: the solution has no contact half-width or no mean pressure")]
+    #[error("the solution has no contact half-width or no mean pressure")]
     NoScale,
     /// A curve needs two points.
-    #[error("no figure: the pressure is known and bounded at {0} point(s) of the profile; a curve takes at least 2")]
+    #[error("the pressure is known and bounded at {0} point(s) of the profile; a curve takes at least 2")]
     NoProfile(usize),
 }
 
@@ -65,7 +65,7 @@ pub fn svg(solution: &Solution) -> Result<String, FigureError> {
     }
     // Room between subtitle and frame for the names of the zones and, if need be, for the alarm.
     let (names, alarm) = (names(solution), alarm(solution));
-    let lines = f64::from(u8::from(!names.is_empty()) + u8::from(alarm.is_some()));
+    let lines = (alarm.len() + usize::from(!names.is_empty())) as f64;
     let plain = ComputedLayout::from_layout(&layout);
     let layout = layout.with_force_margins_y(plain.margin_top + lines * LINE, plain.margin_bottom + LEGEND);
     let computed = ComputedLayout::from_layout(&layout);
@@ -76,8 +76,8 @@ pub fn svg(solution: &Solution) -> Result<String, FigureError> {
     for (x, name) in names {
         write(&mut scene, computed.map_x(x), computed.margin_top - 0.4 * LINE, name, INK, false);
     }
-    if let Some(alarm) = alarm {
-        write(&mut scene, SIZE.0 / 2.0, computed.margin_top - (lines - 0.6) * LINE, alarm, ALARM, true);
+    for (line, text) in alarm.into_iter().enumerate() {
+        write(&mut scene, SIZE.0 / 2.0, computed.margin_top - (lines - line as f64 - 0.6) * LINE, text, ALARM, true);
     }
     outline(&mut scene, &computed);
     legend(&mut scene, &computed, &curves.strokes());
@@ -101,7 +101,7 @@ fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
     });
     let own = |path: &str, value: f64, unit: &str| {
         let supported = solution.error.each.get(path).map_or(SCALE_DIGITS, |e| digits(*e).min(SCALE_DIGITS));
-        with_unit(&short(value, supported), unit)
+        with_unit(&typeset(&short(value, supported)), unit)
     };
     Layout::new((-HALF_RANGE, HALF_RANGE), (frame.bottom, frame.top))
         .with_width(SIZE.0)
@@ -134,8 +134,8 @@ fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
         .with_x_label_offset(0.0, -LEGEND)
 }
 
-/// Characters that a line of the subtitle holds.
-const SUBTITLE: usize = 92;
+/// Characters that a line of the subtitle holds, in the widest of the fonts asked for.
+const SUBTITLE: usize = 78;
 
 /// The parts in lines that break between two parts, never within one.
 fn lines(parts: &[String]) -> String {
@@ -190,7 +190,7 @@ fn names(solution: &Solution) -> Vec<(f64, String)> {
     };
     let shown = |path: &str, value: f64| {
         let supported = solution.error.each.get(path).map_or(4, |e| digits(*e).min(4));
-        power_of_ten(&short(value, supported))
+        typeset(&significant(value, supported))
     };
     let size = match stick.one_minus_ratio {
         // 0.9999 would hide how wide the slip zone is.
@@ -201,30 +201,32 @@ fn names(solution: &Solution) -> Vec<(f64, String)> {
     vec![(-slip, left.into()), (0.0, format!("stick, {size}")), (slip, right.into())]
 }
 
-/// `2.1e-5` as `2.1×10⁻⁵`.
-fn power_of_ten(number: &str) -> String {
-    let Some((mantissa, exponent)) = number.split_once('e') else { return number.replace('-', "\u{2212}") };
-    let raised = |c: char| match c.to_digit(10) {
-        Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
-        None => '⁻',
-    };
-    format!("{mantissa}×10{}", exponent.chars().map(raised).collect::<String>())
-}
-
-/// What is wrong with the numbers, if anything, as far as it fits into a line.
-fn alarm(solution: &Solution) -> Option<String> {
+/// What is wrong with the numbers, if anything, as far as it fits into two lines.
+fn alarm(solution: &Solution) -> Vec<String> {
     const LONGEST: usize = 68;
+    const MOST_LINES: usize = 2;
     let status = match solution.status {
-        Status::Converged | Status::Refused => return None,
+        Status::Converged | Status::Refused => return Vec::new(),
         Status::NotConverged => "NOT CONVERGED",
         Status::AssumptionViolated => "ASSUMPTION VIOLATED",
     };
-    let text = match &solution.reason {
-        Some(reason) => format!("{status}: {}", one_line(reason)),
-        None => status.to_owned(),
-    };
-    let short = if text.chars().count() > LONGEST { text.chars().take(LONGEST).chain(['…']).collect() } else { text };
-    Some(literal(&short))
+    let reason = solution.reason.as_deref().map(one_line).unwrap_or_default();
+    let text = if reason.is_empty() { status.to_owned() } else { format!("{status}: {reason}") };
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        let full = lines.len() == MOST_LINES;
+        let last = lines.last_mut().expect("never empty");
+        if last.chars().count() + word.chars().count() < LONGEST {
+            last.push_str(if last.is_empty() { "" } else { " " });
+            last.push_str(word);
+        } else if full {
+            last.push('…');
+            break;
+        } else {
+            lines.push(word.chars().take(LONGEST).collect());
+        }
+    }
+    lines.iter().map(|line| literal(line)).collect()
 }
 
 /// Grid, edges of the contact and of the stick zone: under the curves, none in the legend.
@@ -370,7 +372,7 @@ mod tests {
     fn zones_and_curves_are_named() {
         let found = texts(&svg(&samples::flat_with_friction()).unwrap());
         let names =
-            ["slip \u{2192}", "stick, a/b = 0.553", "\u{2190} slip", "pressure p", "shear q", "friction limit ±ηp"];
+            ["slip \u{2192}", "stick, a/b = 0.5530", "\u{2190} slip", "pressure p", "shear q", "friction limit ±ηp"];
         for name in names {
             assert!(found.iter().any(|text| text == name), "{name} in {found:?}");
         }
@@ -381,7 +383,7 @@ mod tests {
     #[test]
     fn a_narrow_slip_zone_shows_how_narrow() {
         let found = texts(&svg(&samples::flat(1.0 - 2.1e-5, 0.3, Slip::Inward, 201)).unwrap());
-        assert!(found.contains(&"stick, 1 \u{2212} a/b = 2.1×10⁻⁵".to_owned()), "{found:?}");
+        assert!(found.contains(&"stick, 1 \u{2212} a/b = 2.100×10⁻⁵".to_owned()), "{found:?}");
     }
 
     #[test]
@@ -432,6 +434,10 @@ mod tests {
             (solution.status, solution.reason) = (status, Some("x & y".into()));
             assert!(texts(&svg(&solution).unwrap()).contains(&flag.to_owned()));
         }
+        solution.reason = Some("word ".repeat(50));
+        let alarm = alarm(&solution);
+        assert_eq!(alarm.len(), 2);
+        assert!(alarm.iter().all(|line| line.chars().count() <= 68) && alarm[1].ends_with("word…"), "{alarm:?}");
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use crate::engine::{Slip, Solution, Status};
 use crate::report::labels::{Labels, one_line};
-use crate::report::number::{digits, significant};
+use crate::report::number::{digits, short, significant};
 use crate::report::scene_line::{ASCII, scene_parts};
 use slipzone_api::Base;
 use std::collections::BTreeMap;
@@ -10,6 +10,9 @@ use std::fmt::Write;
 
 /// Digits of a number that comes without an estimate.
 const DIGITS_WITHOUT_ESTIMATE: usize = 6;
+
+/// Digits of a number that is exact: as many as a decimal fraction keeps through a division or two.
+const DIGITS_OF_EXACT: usize = 15;
 
 /// The solution as a page of aligned text: status first, then every number with its unit and its own error
 /// estimate, with only as many digits as the estimate supports and one more. Never `NaN`: a number that does
@@ -124,8 +127,7 @@ fn number(value: f64, estimate: Option<f64>) -> String {
     match estimate {
         _ if value == 0.0 => "0".into(),
         _ if !value.is_finite() => "not finite".into(),
-        Some(0.0) if (1e-4..1e6).contains(&value.abs()) => format!("{value}"),
-        Some(0.0) => format!("{value:e}"),
+        Some(0.0) => short(value, DIGITS_OF_EXACT),
         Some(estimate) => significant(value, digits(estimate)),
         None => significant(value, DIGITS_WITHOUT_ESTIMATE),
     }

@@ -11,6 +11,9 @@ use toml::de::{DeTable, DeValue};
 /// The version of the format that this program reads.
 const FORMAT: &str = "1";
 
+/// The section that every scene has, in words.
+const LOAD: &str = "[load] with one of `force`, `half_width`, `indentation`";
+
 /// Checks `format` before anything else: the rest is read by its rules.
 pub(super) fn format(document: &Document) -> Result<(), SceneError> {
     let expected = "`format = 1`, the only version so far";
@@ -33,7 +36,6 @@ pub(super) fn format(document: &Document) -> Result<(), SceneError> {
 
 /// Checks that there is exactly one load; its value is left to the decoder.
 pub(super) fn load(document: &Document) -> Result<(), SceneError> {
-    const LOAD: &str = "[load] with one of `force`, `half_width`, `indentation`";
     const LOADS: [&str; 3] = ["force", "half_width", "indentation"];
     let Some(table) = document.table(&["load"]) else {
         return match document.value(&["load"]) {
@@ -175,7 +177,7 @@ fn meaning(document: &Document, path: &[&str], key: &str) -> String {
         _ if parameter.is_some() => format!("`{key}`: {}", parameter.map_or("", |parameter| parameter.summary)),
         ([], "layer") => "[layer] with `thickness`, `poisson` and `grading`".into(),
         ([], "punch") => format!("[punch] with `type`, {}", names(Family::Punch)),
-        ([], "load") => "[load] with one of `force`, `half_width`, `indentation`".into(),
+        ([], "load") => LOAD.into(),
         (["layer"], "poisson") => "`poisson`: Poisson's ratio, a number above -1 and up to 0.5".into(),
         (["layer"], "grading") => format!("`grading`: a table with `type`, {}", names(Family::Grading)),
         (["friction"], "type") => "`type = \"goodman\"`".into(),
@@ -212,14 +214,7 @@ fn wrong_type(document: &Document, path: &[&str], expected: &str) -> SceneError 
 
 /// The family of plugins that a path of the scene holds.
 fn family(path: &[&str]) -> Option<Family> {
-    match path {
-        ["layer", "grading"] => Some(Family::Grading),
-        ["punch"] => Some(Family::Punch),
-        ["solver", "flexibility"] => Some(Family::Flexibility),
-        ["solver", "kernel"] => Some(Family::Kernel),
-        ["solver", "quadrature"] => Some(Family::Quadrature),
-        _ => None,
-    }
+    Family::ALL.into_iter().find(|family| family.place().split('.').eq(path.iter().copied()))
 }
 
 /// The plugin that the table at a path names.

@@ -185,8 +185,12 @@ fn an_output_that_cannot_be_written_leaves_the_others_alone() {
     fs::create_dir(folder.path().join("taken")).unwrap();
     fs::write(folder.path().join("out.json"), "old").unwrap();
     let before = files(folder.path());
-    for (name, csv) in [("directory", "taken"), ("missing", "nowhere/out.csv"), ("file_as_folder", "good.toml/out.csv")]
-    {
+    for (name, csv) in [
+        ("directory", "taken"),
+        ("directory_to_come", "results/"),
+        ("missing", "nowhere/out.csv"),
+        ("file_as_folder", "good.toml/out.csv"),
+    ] {
         let output = run(folder.path(), ["solve", "good.toml", "--json", "out.json", "--csv", csv]);
         assert_eq!(output.status.code(), Some(3), "{name}");
         assert_eq!(fs::read_to_string(folder.path().join("out.json")).unwrap(), "old", "{name}");

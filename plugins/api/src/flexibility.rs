@@ -17,8 +17,7 @@ pub struct LayerModel {
 /// Surface flexibility at one wave number, scaled: the entries of `s F(s)/A0`.
 ///
 /// For `p = P cos(sx)`, `q = Q sin(sx)`: `v = (Fvv P + Fuv Q) cos(sx)`, `u = (Fuv P + Fuu Q) sin(sx)`.
-/// All three are of order one at each `s`: they tend to `1`, `1`, `-beta` as `s` grows, and to 0 like
-/// `s` at the origin when the base is rigid.
+/// They tend to `1`, `1`, `-beta` as `s` grows, and on a rigid base to 0 at least like `s` at the origin.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SurfaceFlexibility {
     /// `s Fvv/A0`: indentation by pressure.
@@ -29,7 +28,7 @@ pub struct SurfaceFlexibility {
     pub uv: f64,
 }
 
-/// Config half: how `F(s)` is got (`layer` by `transfer-matrix`, `compliance`, ...).
+/// Config half: how `F(s)` is got (such as `compliance`).
 #[typetag::serde(tag = "type")]
 pub trait Flexibility: dyn_clone::DynClone + Debug + Send + Sync {
     /// Prepares the layer; refuses a base or law that the method cannot treat.

@@ -57,7 +57,7 @@ pub struct KernelRequest<'a> {
     pub components: &'a [Component],
 }
 
-/// Config half: how the kernels are got from the flexibility (`truncated`, `split`, ...).
+/// Config half: how the kernels are got from the flexibility (such as `truncated`).
 #[typetag::serde(tag = "type")]
 pub trait KernelStrategy: dyn_clone::DynClone + Debug + Send + Sync {
     /// Evaluates the flexibility where it must and builds the tables.

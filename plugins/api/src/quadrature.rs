@@ -62,7 +62,7 @@ pub struct Density<'a> {
     pub carrier: f64,
 }
 
-/// Config half: the discretisation (`gauss-chebyshev`, ...).
+/// Config half: the discretisation (such as `gauss-chebyshev`).
 #[typetag::serde(tag = "type")]
 pub trait Quadrature: dyn_clone::DynClone + Debug + Send + Sync {
     /// Lays out nodes and collocation points for one density.

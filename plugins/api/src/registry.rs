@@ -22,6 +22,17 @@ impl Family {
     /// All families, in the order in which a scene names them.
     pub const ALL: [Self; 5] = [Self::Grading, Self::Punch, Self::Flexibility, Self::Kernel, Self::Quadrature];
 
+    /// Where a scene names a plugin of this family, such as `layer.grading`.
+    pub fn place(self) -> &'static str {
+        match self {
+            Self::Grading => "layer.grading",
+            Self::Punch => "punch",
+            Self::Flexibility => "solver.flexibility",
+            Self::Kernel => "solver.kernel",
+            Self::Quadrature => "solver.quadrature",
+        }
+    }
+
     /// Name in words.
     pub fn name(self) -> &'static str {
         match self {
