@@ -4,8 +4,7 @@ use super::contact::{Contact, Verdict};
 use super::error_estimate::{Numbers, extrapolated, judged_by_twin};
 use super::layer::{Layer, Work};
 use super::problem::Problem;
-use super::{Plan, Solution, Status, checks, solution};
-use crate::scene::Scene;
+use crate::plan::Methods;
 use slipzone_api::Refusal;
 use std::collections::BTreeMap;
 
@@ -26,25 +25,20 @@ pub(super) struct Judged {
     pub(super) stopped: Option<String>,
 }
 
-/// Solves a scene whose methods are all filled in.
-pub(super) fn to_tolerance(scene: &Scene, mut plan: Plan) -> Result<Solution, Refusal> {
-    let problem = Problem::new(scene)?;
-    let missing =
-        || Refusal::NotBuilt { what: "a scene without methods".into(), remedy: "fill in the plan first".into() };
-    let flexibility = scene.solver.flexibility.as_ref().ok_or_else(missing)?;
-    let kernel = scene.solver.kernel.as_ref().ok_or_else(missing)?;
-    let quadrature = scene.solver.quadrature.as_ref().ok_or_else(missing)?;
+/// Solves a problem with the methods given.
+pub(super) fn to_tolerance(
+    problem: &Problem,
+    methods: &Methods,
+    tolerance: f64,
+    work: &Work,
+) -> Result<Judged, Refusal> {
+    let Methods { flexibility, kernel, quadrature } = methods;
     let response = flexibility.respond(&problem.layer)?;
-    let work = Work::default();
-    let tolerance = scene.solver.tolerance.get();
     let at_level = |kernel_level: u32, quadrature_level: u32, level: u32, coarser: Option<&Contact>| {
-        let strategy = kernel.refined(kernel_level);
-        let quadrature = quadrature.refined(quadrature_level);
-        let mut layer = Layer::new(&problem, response.as_ref(), strategy.as_ref(), quadrature.as_ref(), &work);
-        let contact = Contact::solve(&mut layer, tolerance, level, coarser)?;
-        Ok::<_, Refusal>(contact)
+        let (kernel, quadrature) = (kernel.refined(kernel_level), quadrature.refined(quadrature_level));
+        let mut layer = Layer::new(problem, response.as_ref(), kernel.as_ref(), quadrature.as_ref(), work);
+        Contact::solve(&mut layer, tolerance, level, coarser)
     };
-
     let mut judged = if kernel.is_pinned() || quadrature.is_pinned() {
         let kernel_level = if kernel.is_pinned() { 0 } else { BESIDE_PINNED };
         let quadrature_level = if quadrature.is_pinned() { 0 } else { BESIDE_PINNED };
@@ -60,11 +54,7 @@ pub(super) fn to_tolerance(scene: &Scene, mut plan: Plan) -> Result<Solution, Re
     for given in problem.given() {
         judged.errors.insert(given.into(), 0.0);
     }
-    plan.unknowns = judged.contact.pressure.size();
-    plan.flexibility_evaluations = work.flexibility_evaluations.get();
-    plan.factorisations = work.factorisations.get();
-    let (status, reason) = verdict(scene, &problem, &judged);
-    solution::assemble(scene, plan, &problem, &judged, status, reason)
+    Ok(judged)
 }
 
 /// Doubles the resolution until the estimate meets the tolerance.
@@ -120,61 +110,4 @@ fn bound_of_stick(contact: &Contact) -> Option<BTreeMap<String, f64>> {
     };
     let each = [("stick.half_width", of_ratio), ("stick.ratio", of_ratio), ("stick.one_minus_ratio", of_gap)];
     Some(each.map(|(name, error)| (name.to_owned(), error)).into())
-}
-
-/// Status and reason of a solved scene.
-fn verdict(scene: &Scene, problem: &Problem, judged: &Judged) -> (Status, Option<String>) {
-    let violated = |why: String| (Status::AssumptionViolated, Some(why));
-    if let Some((x, p)) = checks::tension(&judged.contact.pressure) {
-        return violated(format!(
-            "the pressure is negative, {p:.4} times the mean at |x| = {x:.4} b: the punch lifts off there, and \
-             contact with gaps is not modelled"
-        ));
-    }
-    if !problem.is_convex() {
-        return violated("the punch is not convex: the contact may break up into several".into());
-    }
-    if let (Some(stick), Some(eta)) = (&judged.contact.friction, problem.friction) {
-        let zone = stick.shear.zone;
-        let b = judged.contact.pressure.half_width;
-        let not_converged = |why: String| (Status::NotConverged, Some(why));
-        match &stick.verdict {
-            Verdict::Holds => {}
-            Verdict::Fails(what) => {
-                return violated(format!("no stick zone satisfies the conditions of friction: {what}"));
-            }
-            Verdict::None => {
-                return violated(format!(
-                    "no stick zone belongs to a friction coefficient of {eta} with slip in one direction only"
-                ));
-            }
-            Verdict::TooNarrow => {
-                return not_converged(format!(
-                    "the stick zone is narrower than {:.1e} of the contact, the narrowest looked for; its tractions are those reported, full sliding but for that",
-                    zone.half_width / b
-                ));
-            }
-            Verdict::TooWide => {
-                return not_converged(format!(
-                    "the surface sticks to within {:.1e} of the contact's edge, which is as close as this resolution can tell; the stick zone reported is a lower bound",
-                    zone.slip_width / b
-                ));
-            }
-        }
-    }
-    let (tolerance, worst) = (scene.solver.tolerance.get(), worst(&judged.errors));
-    if worst.1 <= tolerance {
-        return (Status::Converged, None);
-    }
-    let why = match &judged.stopped {
-        Some(refusal) => format!("; refinement ended: {refusal}"),
-        None => String::new(),
-    };
-    let reason = format!("estimated error {:.1e} of {} exceeds the tolerance {tolerance:.1e}{why}", worst.1, worst.0);
-    (Status::NotConverged, Some(reason))
-}
-
-/// The least certain number.
-pub(super) fn worst(errors: &BTreeMap<String, f64>) -> (&str, f64) {
-    errors.iter().fold(("", 0.0), |worst, (name, e)| if *e > worst.1 { (name.as_str(), *e) } else { worst })
 }
