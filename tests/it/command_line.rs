@@ -267,15 +267,17 @@ mod unix {
 
     #[test]
     fn an_interrupt_has_its_exit_code() {
-        use std::io::Read;
+        use std::io::{Read, Write};
         let folder = folder();
-        // It waits for a scene that does not come; half a second is ample for it to get there.
         let mut child =
             program(folder.path()).args(["check", "-"]).stdin(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-        std::thread::sleep(std::time::Duration::from_millis(500));
+        // Once it has taken more than a pipe holds, it is reading and will go on to wait for the rest.
+        let mut scene = child.stdin.take().unwrap();
+        scene.write_all(&vec![b'#'; 1 << 20]).unwrap();
         let killed = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
         assert!(killed.success());
         let status = child.wait().unwrap();
+        drop(scene);
         let mut told = String::new();
         child.stderr.take().unwrap().read_to_string(&mut told).unwrap();
         assert_eq!(status.code(), Some(130), "{told}");
