@@ -8,6 +8,7 @@ mod command_line;
 mod friction;
 mod limits;
 mod properties;
+mod regressions;
 #[cfg(feature = "cli")]
 mod run;
 mod scene;
