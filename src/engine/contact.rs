@@ -166,7 +166,12 @@ impl Stick {
             (Some(narrow), _) => (narrow.0, Verdict::None),
             (None, _) => (curve.widest(), Verdict::None),
         };
-        let shear = curve.shear(lambda)?;
+        let mut shear = curve.shear(lambda)?;
+        if verdict == Verdict::TooNarrow {
+            // The narrowest stick zone looked for wants more friction than there is: all but it slides.
+            let sliding = eta.copysign(shear.friction);
+            shear = shear.rescaled(sliding);
+        }
         Ok(Self { shear, verdict, found })
     }
 }

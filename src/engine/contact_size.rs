@@ -9,6 +9,8 @@ use std::f64::consts::{FRAC_PI_2, LN_2};
 
 /// Steps of the walk towards a sign change; each is at least a factor of 2 at the coarsest resolution.
 const MOST_STEPS: u32 = 200;
+/// A step this small ends the walk where a contact cannot be solved.
+const SMALLEST_STEP: f64 = 0.1;
 /// First half-width tried on a layer: wider ones cost more, and the walk gets there when it must.
 const WIDEST_START: f64 = 2.0;
 
@@ -37,7 +39,11 @@ pub(crate) fn pressed(layer: &mut Layer, known: Option<f64>) -> Result<Pressure,
         let reached = if by_force { Some(pressure.force) } else { pressure.indentation };
         match reached {
             Some(reached) if reached > 0.0 => Ok((reached / target).ln()),
-            _ => Err(no_size(format!("a contact of half-width {:.3e} h bears no load", log_b.exp()))),
+            _ => Err(no_size(format!(
+                "at this resolution a contact of half-width {:.3e} h bears no load: it is too wide beside the layer for \
+                 the nodes, or the cutoff too small",
+                log_b.exp()
+            ))),
         }
     };
     let (lower, upper) = bracket(&mut excess, start.ln(), step)?;
@@ -60,14 +66,22 @@ fn bracket(
 ) -> Result<(f64, f64), Refusal> {
     let from = excess(start)?;
     let direction = if from > 0.0 { -1.0 } else { 1.0 };
-    let mut here = start;
+    let (mut here, mut growth) = (start, 2.0);
     for _ in 0..MOST_STEPS {
         let next = here + direction * step;
-        if excess(next)? * direction >= 0.0 {
-            return Ok((here.min(next), here.max(next)));
+        match excess(next) {
+            Ok(excess) if excess * direction >= 0.0 => return Ok((here.min(next), here.max(next))),
+            Ok(_) => {
+                here = next;
+                step = (growth * step).min(2.0 * LN_2);
+            }
+            Err(refusal) if step < SMALLEST_STEP => return Err(refusal),
+            // Beyond what this resolution can solve; the load may be borne before.
+            Err(_) => {
+                step *= 0.5;
+                growth = 1.0;
+            }
         }
-        here = next;
-        step = (2.0 * step).min(2.0 * LN_2);
     }
     Err(no_size(format!("no half-width between {:.3e} h and {:.3e} h bears the load", start.exp(), here.exp())))
 }

@@ -12,7 +12,8 @@ use std::collections::BTreeMap;
 const FINEST: u32 = 6;
 /// Resolution from which a stick zone out of reach is no longer searched for.
 const BOUND_LEVEL: u32 = 4;
-/// Extra resolution of the method that the scene left open beside one that it fixed.
+/// Extra resolution of what the scene left open beside a method that it fixed: of the other method, and of
+/// the slip zones.
 const BESIDE_PINNED: u32 = 3;
 
 /// A solved contact, how sure it is, and how that is known.
@@ -42,8 +43,8 @@ pub(super) fn to_tolerance(
     let mut judged = if kernel.is_pinned() || quadrature.is_pinned() {
         let kernel_level = if kernel.is_pinned() { 0 } else { BESIDE_PINNED };
         let quadrature_level = if quadrature.is_pinned() { 0 } else { BESIDE_PINNED };
-        let contact = at_level(kernel_level, quadrature_level, 0, None)?;
-        let twin = at_level(kernel_level + 1, quadrature_level + 1, 1, Some(&contact))?;
+        let contact = at_level(kernel_level, quadrature_level, BESIDE_PINNED, None)?;
+        let twin = at_level(kernel_level + 1, quadrature_level + 1, BESIDE_PINNED + 1, Some(&contact))?;
         let numbers = contact.numbers();
         let errors = judged_by_twin(&numbers, &twin.numbers());
         let how = "resolution fixed by the scene, compared with a twin of twice the resolution".into();
@@ -51,6 +52,8 @@ pub(super) fn to_tolerance(
     } else {
         refined(tolerance, |level, coarser| at_level(level, level, level, coarser))?
     };
+    // A bound does not change with the resolution, or does by chance: differences say nothing of its error.
+    judged.errors.extend(bound_of_stick(&judged.contact).unwrap_or_default());
     for given in problem.given() {
         judged.errors.insert(given.into(), 0.0);
     }
@@ -84,10 +87,7 @@ fn refined(
                 break;
             }
         }
-        if level >= BOUND_LEVEL
-            && let Some(bounds) = contact.as_ref().and_then(bound_of_stick)
-        {
-            errors.extend(bounds);
+        if level >= BOUND_LEVEL && contact.as_ref().and_then(bound_of_stick).is_some() {
             break;
         }
     }
@@ -104,8 +104,8 @@ fn bound_of_stick(contact: &Contact) -> Option<BTreeMap<String, f64>> {
     let b = contact.pressure.half_width;
     let (ratio, one_minus) = (stick.shear.zone.half_width / b, stick.shear.zone.slip_width / b);
     let (of_ratio, of_gap) = match stick.verdict {
-        Verdict::TooNarrow => (1.0, ratio),
-        Verdict::TooWide => (one_minus, 1.0),
+        Verdict::TooNarrow => (1.0, ratio / one_minus),
+        Verdict::TooWide => (one_minus / ratio, 1.0),
         _ => return None,
     };
     let each = [("stick.half_width", of_ratio), ("stick.ratio", of_ratio), ("stick.one_minus_ratio", of_gap)];

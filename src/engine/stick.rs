@@ -45,6 +45,14 @@ pub(crate) struct Shear {
 }
 
 impl Shear {
+    /// The same stick zone under another friction coefficient, `q` in proportion: right in the slip zone,
+    /// and in the stick zone only where that is too narrow to matter.
+    pub(crate) fn rescaled(mut self, friction: f64) -> Self {
+        let factor = friction / self.friction;
+        self.unknowns.iter_mut().for_each(|unknown| *unknown *= factor);
+        Self { friction, at_edge: factor * self.at_edge, ..self }
+    }
+
     /// Shear traction in the stick zone.
     pub(crate) fn in_stick(&self, station: Station) -> f64 {
         self.rule.value(Density { unknowns: &self.unknowns, carrier: self.at_edge }, station)

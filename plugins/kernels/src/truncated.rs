@@ -53,7 +53,12 @@ impl KernelStrategy for Truncated {
         };
         let scale = f64::from(1_u32 << self.level.min(20));
         let chosen = (FIRST_CUTOFF / depth).max(FIRST_BAND / request.reach);
-        let cutoff = self.cutoff.map_or(chosen, |cutoff| cutoff.get() / depth) * scale;
+        let cutoff = match self.cutoff.map(|cutoff| cutoff.get() / depth) {
+            // Below the first cut-off chosen, doubling gains little: a twin could not judge its coarser self.
+            Some(given) if self.level > 0 => given.max(chosen) * scale,
+            Some(given) => given,
+            None => chosen * scale,
+        };
         let per_panel = FIRST_NODES + 2 * self.level as usize;
         let samples = Samples::up_to(cutoff, response, depth, request.reach, per_panel)?;
         let band = samples.cutoff * request.reach;

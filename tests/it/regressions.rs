@@ -1,0 +1,73 @@
+//! Scenes that once went wrong.
+
+use crate::sketch::Sketch;
+use slipzone::engine::Status;
+
+/// The shear reported was that of the narrowest stick zone looked for, 16 times `eta p` here, and the bound
+/// on `a` was claimed to be good to 1e-13.
+#[test]
+fn a_stick_zone_too_narrow_to_be_found_is_a_bound_amid_full_sliding() {
+    let eta = 1e-3; // a/b = 4 exp(-pi beta/(2 eta)) = 1e-194
+    for solver in ["", "[solver]\nquadrature = { type = \"gauss-chebyshev\", n = 40 }"] {
+        let scene = Sketch::half_plane(0.3).rubbing(eta).with(solver).with("[output]\nx = [-0.6, 0.3, 0.9]");
+        let solution = scene.solve();
+        assert_eq!(solution.status, Status::NotConverged);
+        let shear = solution.profile.shear.unwrap();
+        for ((q, p), side) in shear.iter().zip(&solution.profile.pressure).zip([-1.0, 1.0, 1.0]) {
+            let ratio = q.unwrap() / (side * eta * p.unwrap());
+            assert!((ratio - 1.0).abs() < 1e-14, "|q| = {ratio} eta p: a product and a quotient");
+        }
+        let error = &solution.error;
+        assert!(error.each["stick.ratio"] >= 1.0 && error.each["stick.half_width"] >= 1.0, "{:?}", error.each);
+        assert!(error.estimate.unwrap() >= 1.0);
+    }
+}
+
+/// Four nodes cannot tell where the slip zone begins; the bound was passed off as a number.
+#[test]
+fn a_bound_from_a_pinned_resolution_has_the_error_of_a_bound() {
+    let pinned = "[solver]\nquadrature = { type = \"gauss-chebyshev\", n = 4 }";
+    let solution = Sketch::flat(5.0, 0.125, 0.3).rubbing(0.3).with(pinned).solve();
+    assert_eq!(solution.status, Status::NotConverged);
+    let stick = solution.stick.unwrap();
+    let (ratio, one_minus_ratio) = (stick.ratio.unwrap(), stick.one_minus_ratio.unwrap());
+    assert_eq!(solution.error.each["stick.one_minus_ratio"].to_bits(), 1.0_f64.to_bits());
+    // The true a is somewhere between the bound and b.
+    assert_eq!(solution.error.each["stick.ratio"].to_bits(), (one_minus_ratio / ratio).to_bits());
+}
+
+/// The twin of a cut-off far too small was too small itself, and the error underestimated by 5 to 280.
+#[test]
+fn a_pinned_cutoff_far_too_small_is_judged_honestly() {
+    for (h, cutoff) in [(2.0, 0.13), (10.0, 0.22), (70.0, 0.3), (400.0, 0.12), (2.0, 1.0), (10.0, 5.0)] {
+        for ratio in [1.0, 0.2, 5.0] {
+            let scene = Sketch::flat(h, ratio, -0.1);
+            let pinned = format!("[solver]\nkernel = {{ type = \"truncated\", cutoff = {cutoff:?} }}");
+            let (coarse, fine) =
+                (scene.clone().with(&pinned).solve(), scene.with("[solver]\ntolerance = 1e-6").solve());
+            let numbers = [
+                ("edge.ratio", coarse.edge.ratio, fine.edge.ratio),
+                ("pressure.centre", coarse.pressure.centre, fine.pressure.centre),
+                ("load.indentation", coarse.load.indentation, fine.load.indentation),
+            ];
+            for (name, coarse_value, fine_value) in numbers {
+                let (found, exact) = (coarse_value.unwrap(), fine_value.unwrap());
+                let error = ((found - exact) / found).abs();
+                let allowed = coarse.error.each[name] + 2.0 * fine.error.each[name];
+                assert!(error <= allowed, "h = {h}, S = {cutoff}, mu1/mu3 = {ratio}: {name} {error:e} > {allowed:e}");
+            }
+        }
+    }
+}
+
+/// The search for the width stepped over it to where 16 nodes bear no load, and gave up.
+#[test]
+fn a_wide_contact_is_found_from_its_indentation() {
+    let sketch = Sketch::flat(1.0, 1.0, 0.3).cylinder();
+    let by_width = sketch.clone().loaded("half_width = 8.0").solve();
+    let depth = by_width.load.indentation.unwrap();
+    let by_depth = sketch.loaded(&format!("indentation = {depth:?}")).solve();
+    assert_eq!((by_width.status, by_depth.status), (Status::Converged, Status::Converged), "{:?}", by_depth.reason);
+    let found = by_depth.load.half_width.unwrap();
+    assert!((found / 8.0 - 1.0).abs() < 1e-4, "within the tolerance of both: {found}");
+}
