@@ -2,12 +2,16 @@
 
 use super::{Failure, Outcome, input, print};
 use slipzone::api::{Base, Friction};
+use slipzone::engine;
 use slipzone::scene::{Load, Scene};
 use std::path::Path;
 
 pub(super) fn run(path: &Path) -> Result<Outcome, Failure> {
     let scene = input::scene(path)?;
     print::result(&format!("ok: {}", summary(&scene)))?;
+    if let Some(refusal) = engine::refusal(&scene) {
+        print::result(&format!("but solving it would be refused: {refusal}"))?;
+    }
     Ok(Outcome::Done)
 }
 

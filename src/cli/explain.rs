@@ -74,5 +74,6 @@ fn choices(text: &mut String, scene: &Scene, plan: &Plan) -> std::fmt::Result {
         let by = if is_named { "named in the scene" } else { "chosen by the solver" };
         writeln!(text, "# {family:<12} {name} ({by})")?;
     }
-    plan.reasons.iter().try_for_each(|reason| writeln!(text, "# {reason}"))
+    plan.reasons.iter().try_for_each(|reason| writeln!(text, "# {reason}"))?;
+    engine::refusal(scene).map_or(Ok(()), |refusal| writeln!(text, "# It would be refused: {refusal}"))
 }

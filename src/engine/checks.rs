@@ -154,3 +154,46 @@ impl<'a> SlipStrain<'a> {
         parts[0].value(t)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::layer::{Layer, Work};
+    use crate::engine::normal::SharpPunch;
+    use crate::engine::problem::Problem;
+    use crate::engine::stick_search::FrictionCurve;
+    use crate::plan;
+    use crate::scene::parse;
+
+    /// docs/theory.md, "Direction of slip": at nu = 0.45, h = 0.5 b and eta = 0.1 the true root slips outwards
+    /// with a/b = 0.281461; a second one at 1 - a/b = 1.6e-4 would need |q| = 2.7 eta p inside the stick zone.
+    #[test]
+    fn a_spurious_root_is_turned_down_and_the_true_one_accepted() {
+        let text = "format = 1\n\
+            layer = { thickness = 0.5, poisson = 0.45, grading = { type = \"homogeneous\", modulus = 1.0 } }\n\
+            punch = { type = \"flat\", half_width = 1.0 }\n\
+            friction = { type = \"goodman\", coefficient = 0.1 }\nload = { force = 1.0 }\n";
+        let chosen = plan::choose(&parse("spurious.toml", text).expect("a good scene"));
+        let problem = Problem::new(&chosen.scene).expect("a flat punch");
+        let response = chosen.methods.flexibility.respond(&problem.layer).expect("a bonded layer");
+        // 256 nodes resolve the slip zone of the spurious root.
+        let (kernel, quadrature) = (chosen.methods.kernel.refined(2), chosen.methods.quadrature.refined(5));
+        let work = Work::default();
+        let mut layer = Layer::new(&problem, response.as_ref(), kernel.as_ref(), quadrature.as_ref(), &work);
+        let pressure = SharpPunch::new(&mut layer, 2.0).expect("a pressure").under(2.0);
+        assert!(tension(&pressure).is_none());
+        let curve = FrictionCurve { layer: &layer, pressure: &pressure, slip_nodes: 64, tolerance: 1e-6 };
+
+        let shear_at = |one_minus_ratio: f64| {
+            let shear = curve.shear((1.0 / one_minus_ratio - 1.0).ln()).expect("a shear");
+            assert!((shear.friction + 0.1).abs() < 5e-3, "a root of eta(a) = -0.1: {}", shear.friction);
+            shear
+        };
+        let spurious = shear_at(1.6e-4);
+        let (x, load) = overload(&pressure, &spurious).expect("friction cannot hold");
+        assert!(x < 0.999 && (load - 2.7).abs() < 0.1, "|q| = {load} eta p at {x} b");
+        let genuine = shear_at(1.0 - 0.281_461);
+        assert_eq!(overload(&pressure, &genuine), None);
+        assert_eq!(wrong_slip(&layer, &pressure, &genuine), None);
+    }
+}

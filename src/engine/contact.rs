@@ -5,13 +5,15 @@ use super::error_estimate::Numbers;
 use super::layer::Layer;
 use super::normal::{Pressure, SharpPunch};
 use super::problem::LoadInLayerUnits;
-use super::stick::Shear;
+use super::stick::{Shear, StickZone};
 use super::stick_search::{Found, FrictionCurve};
 use super::{Slip, contact_size};
 use slipzone_api::{Refusal, Station};
 
 /// Resolutions at which the whole friction curve is scanned for roots; finer ones follow those found.
 const SCANNED_LEVELS: u32 = 2;
+/// Friction below this share of the coefficient at every stick zone is rounding: there is no shear.
+const NO_SHEAR: f64 = 1e-10;
 /// Nodes on either side of the slip zone's grid: at the coarsest resolution, and added per level.
 const SLIP_NODES: (usize, usize) = (24, 8);
 
@@ -36,12 +38,14 @@ pub(crate) struct Stick {
 pub(crate) enum Verdict {
     /// A root at which both conditions of friction hold.
     Holds,
-    /// Roots, but each fails a condition: what the best of them fails, and where.
+    /// Roots, but each fails a condition: what the first of them fails, and where.
     Fails(String),
     /// No root; the stick zone is narrower than what was looked for.
     TooNarrow,
     /// No root; the slip zone is narrower than what the resolution can tell.
     TooWide,
+    /// No shear arises, whatever the zone: everything sticks without friction.
+    NoShear,
     /// No root in between: the direction of slip changes along the contact.
     None,
 }
@@ -129,9 +133,12 @@ impl Contact {
         Some(middle + 0.5 * slope * slope / (2.0 * middle - left - right))
     }
 
-    /// Direction of slip of the shear reported.
+    /// Direction of slip of the shear reported, where there is one to tell.
     pub(crate) fn slip(&self) -> Option<Slip> {
         let stick = self.friction.as_ref()?;
+        if matches!(stick.verdict, Verdict::NoShear | Verdict::TooWide) {
+            return None; // nothing slips, or too narrow a zone to tell which way
+        }
         Some(if stick.shear.friction < 0.0 { Slip::Outward } else { Slip::Inward })
     }
 }
@@ -159,6 +166,11 @@ impl Stick {
         if let Some((shear, verdict)) = best {
             return Ok(Self { shear, verdict, found });
         }
+        if found.samples.iter().all(|(_, friction)| friction.abs() < NO_SHEAR * eta) {
+            let all = StickZone { half_width: pressure.half_width, slip_width: 0.0 };
+            let shear = curve.shear(0.0)?.rescaled(0.0).over(all);
+            return Ok(Self { shear, verdict: Verdict::NoShear, found });
+        }
         let (narrow, wide) = (found.samples.first(), found.samples.last());
         let (lambda, verdict) = match (narrow, wide) {
             (Some(narrow), _) if narrow.1.abs() > eta => (narrow.0, Verdict::TooNarrow),
@@ -171,6 +183,12 @@ impl Stick {
             // The narrowest stick zone looked for wants more friction than there is: all but it slides.
             let sliding = eta.copysign(shear.friction);
             shear = shear.rescaled(sliding);
+        }
+        if verdict == Verdict::TooWide {
+            // The widest stick zone looked for needs less friction than there is; what slips beyond it
+            // slides at the limit all the same.
+            let sliding = eta.copysign(shear.friction);
+            shear = shear.sliding_at(sliding);
         }
         Ok(Self { shear, verdict, found })
     }

@@ -61,6 +61,15 @@ pub fn solve_all(scenes: &[Scene]) -> Vec<Solution> {
     scenes.par_iter().map(solve).collect()
 }
 
+/// Why [`solve`] would refuse a scene before computing anything; `None` where it would try.
+pub fn refusal(scene: &Scene) -> Option<Refusal> {
+    let chosen = plan::choose(scene);
+    match Problem::new(&chosen.scene) {
+        Ok(problem) => chosen.methods.flexibility.respond(&problem.layer).err(),
+        Err(refusal) => Some(refusal),
+    }
+}
+
 /// Which methods would solve a scene, and why.
 pub fn plan(scene: &Scene) -> Plan {
     plan::choose(scene).plan

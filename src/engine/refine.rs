@@ -1,5 +1,6 @@
 //! Refines a scene until its error estimate meets the tolerance.
 
+use super::checks::tension;
 use super::contact::{Contact, Verdict};
 use super::error_estimate::{Numbers, extrapolated, judged_by_twin};
 use super::layer::{Layer, Work};
@@ -10,7 +11,7 @@ use std::collections::BTreeMap;
 
 /// Finest resolution: 2^6 times the coarsest.
 const FINEST: u32 = 6;
-/// Resolution from which a stick zone out of reach is no longer searched for.
+/// Resolution from which refinement no longer helps a stick zone out of reach, or a pressure that pulls.
 const BOUND_LEVEL: u32 = 4;
 /// Extra resolution of what the scene left open beside a method that it fixed: of the other method, and of
 /// the slip zones.
@@ -87,7 +88,8 @@ fn refined(
                 break;
             }
         }
-        if level >= BOUND_LEVEL && contact.as_ref().and_then(bound_of_stick).is_some() {
+        let is_hopeless = |contact: &Contact| bound_of_stick(contact).is_some() || tension(&contact.pressure).is_some();
+        if level >= BOUND_LEVEL && contact.as_ref().is_some_and(is_hopeless) {
             break;
         }
     }

@@ -48,9 +48,19 @@ impl Shear {
     /// The same stick zone under another friction coefficient, `q` in proportion: right in the slip zone,
     /// and in the stick zone only where that is too narrow to matter.
     pub(crate) fn rescaled(mut self, friction: f64) -> Self {
-        let factor = friction / self.friction;
+        let factor = if friction == 0.0 { 0.0 } else { friction / self.friction };
         self.unknowns.iter_mut().for_each(|unknown| *unknown *= factor);
         Self { friction, at_edge: factor * self.at_edge, ..self }
+    }
+
+    /// The same shear in the stick zone, and another friction coefficient in the slip zone.
+    pub(crate) fn sliding_at(self, friction: f64) -> Self {
+        Self { friction, ..self }
+    }
+
+    /// The same densities taken to live on another zone: for a shear that vanishes.
+    pub(crate) fn over(self, zone: StickZone) -> Self {
+        Self { zone, ..self }
     }
 
     /// Shear traction in the stick zone.

@@ -14,6 +14,9 @@ const COARSE_BELOW: f64 = -4.0;
 const RESOLVED: f64 = 4.0;
 /// A finer resolution scans again what lies this close to the end of a coarser one's scan.
 const OVERLAP: f64 = 1.0;
+/// What is left of `eta(lambda) - eta` at a root, over `eta`, is of the order of the root's tolerance;
+/// beside a pole it is huge.
+const POLE: f64 = 0.1;
 /// Roots closer than this in `lambda` are one.
 const SAME_ROOT: f64 = 1e-6;
 /// Position tolerance of a root in `lambda`, over the tolerance of the scene: an error in `lambda` is at
@@ -121,7 +124,8 @@ impl FrictionCurve<'_> {
     fn root_between(&self, lower: f64, upper: f64, target: f64) -> Result<Option<f64>, Refusal> {
         let solver = Toms748Root::new(lower, upper).with_absolute_position_tolerance(ROOT_SHARE * self.tolerance);
         match solver.solve(|lambda| self.friction(lambda).map(|eta| eta - target)) {
-            Ok(root) => Ok(Some(root.root())),
+            // A sign change may also be a pole, where the system for q is singular.
+            Ok(root) => Ok((root.value().abs() < POLE * target.abs()).then_some(root.root())),
             Err(RootError::Evaluation(refusal)) => Err(refusal),
             Err(_) => Ok(None),
         }

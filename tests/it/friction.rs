@@ -79,3 +79,24 @@ fn a_stiff_skin_on_a_soft_layer_lifts_off_in_the_middle() {
         assert_eq!(solution.status, status, "mu1/mu3 = {ratio}: {:?}", solution.reason);
     }
 }
+
+#[test]
+fn without_coupling_everything_sticks_and_nothing_shears() {
+    // nu = 1/2 in plane strain: beta = 0, and a half-plane has no other coupling.
+    let solution = Sketch::half_plane(0.5).rubbing(0.3).solve();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+    let stick = solution.stick.expect("friction");
+    assert_eq!((stick.ratio, stick.one_minus_ratio, stick.slip), (Some(1.0), Some(0.0), None));
+    let shear = solution.profile.shear.expect("friction");
+    assert!(shear[1..200].iter().all(|q| q.is_some_and(|q| q.abs() < f64::MIN_POSITIVE)));
+}
+
+#[test]
+fn a_pole_of_the_friction_curve_is_no_stick_zone() {
+    // The system for q is singular at a/b = 4.02e-4 here: eta(a) changes sign through infinity.
+    let solution = Sketch::flat(5.0, 1e3, 0.3).rubbing(0.3).solve();
+    assert_eq!(solution.status, Status::AssumptionViolated, "the pressure pulls: {:?}", solution.reason);
+    let shear = solution.profile.shear.expect("friction");
+    let largest = shear.iter().flatten().fold(0.0_f64, |most, q| most.max(q.abs()));
+    assert!(largest < 10.0, "|q| = {largest} under a mean pressure of 0.5");
+}

@@ -63,7 +63,7 @@ pub trait KernelStrategy: dyn_clone::DynClone + Debug + Send + Sync {
     /// Evaluates the flexibility where it must and builds the tables.
     fn tabulate(&self, response: &dyn LayerResponse, request: &KernelRequest) -> Result<Box<dyn KernelTable>, Refusal>;
 
-    /// The same strategy at a resolution `2^level` times as fine.
+    /// The same strategy at a resolution at least `2^level` times as fine: fine enough to judge this one.
     fn refined(&self, level: u32) -> Box<dyn KernelStrategy>;
 
     /// Whether the scene itself fixed the resolution.

@@ -52,7 +52,7 @@ impl Flexibility for Compliance {
 fn not_built(what: &str) -> Refusal {
     Refusal::NotBuilt {
         what: format!("{what} in flexibility `{METHOD}`"),
-        remedy: "it arrives with the general layers; until then use a rigid base".into(),
+        remedy: "only rigid bases, and homogeneous solids without a base, can be solved".into(),
     }
 }
 

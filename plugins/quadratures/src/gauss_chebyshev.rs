@@ -38,10 +38,10 @@ impl TryFrom<usize> for EvenCount {
     type Error = String;
 
     fn try_from(n: usize) -> Result<Self, String> {
-        if n.is_multiple_of(2) && (4..=MOST_NODES).contains(&n) {
+        if n.is_multiple_of(2) && (4..=MOST_PINNED).contains(&n) {
             Ok(Self(n))
         } else {
-            Err(format!("expected an even number of nodes from 4 to {MOST_NODES}, found {n}"))
+            Err(format!("expected an even number of nodes from 4 to {MOST_PINNED}, found {n}"))
         }
     }
 }
@@ -59,6 +59,8 @@ slipzone_api::register!(Quadrature, "gauss-chebyshev", "the published scheme; tr
 
 /// Nodes at level 0.
 const FIRST_NODES: usize = 16;
+/// Most nodes that a scene may ask for: a twin of twice as many judges them.
+const MOST_PINNED: usize = MOST_NODES / 2;
 /// Most nodes that one interval may get; a dense factorisation of half as many takes about a second.
 const MOST_NODES: usize = 4096;
 

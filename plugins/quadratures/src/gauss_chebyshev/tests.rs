@@ -191,7 +191,7 @@ fn a_kernel_with_a_jump_converges_to_second_order() {
 
 #[test]
 fn odd_counts_are_not_nodes() {
-    for bad in [0, 2, 7, MOST_NODES + 2] {
+    for bad in [0, 2, 7, MOST_PINNED + 2] {
         assert!(EvenCount::try_from(bad).is_err(), "{bad}");
     }
 }
