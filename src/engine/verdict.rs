@@ -12,9 +12,8 @@ const UNRESOLVED: f64 = 0.1;
 
 /// Status and reason of a solved contact.
 pub(super) fn verdict(problem: &Problem, judged: &Judged, tolerance: f64) -> (Status, Option<String>) {
-    let (status, reason) = match objection(problem, judged, tolerance) {
-        None => return (Status::Converged, None),
-        Some(objection) => objection,
+    let Some((status, reason)) = objection(problem, judged, tolerance) else {
+        return (Status::Converged, None);
     };
     let ended = judged.stopped.as_ref().map_or(String::new(), |refusal| format!("; refinement ended: {refusal}"));
     (status, Some(reason + &ended))
