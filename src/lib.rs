@@ -1,4 +1,29 @@
 //! Partial-slip contact between a rigid punch and an elastic graded layer of finite thickness.
+//!
+//! A scene goes in, a solution comes out; both are plain data. Lengths, stresses and forces per length
+//! are in any consistent units.
+//!
+//! ```
+//! use slipzone::engine::{Status, solve};
+//!
+//! let scene = slipzone::scene::parse("example.toml", r#"
+//!     format = 1
+//!     layer = { thickness = 5.0, poisson = 0.3, grading = { type = "exponential", surface = 1.0, base = 8.0 } }
+//!     punch = { type = "flat", half_width = 1.0 }
+//!     friction = { type = "goodman", coefficient = 0.3 }
+//!     load = { force = 1.0 }
+//! "#).unwrap();
+//! let solution = solve(&scene);
+//! assert_eq!(solution.status, Status::Converged);
+//!
+//! // a/b of an independent program: 0.9726279998; within what the solution claims of itself.
+//! let ratio = solution.stick.unwrap().ratio.unwrap();
+//! assert!((ratio / 0.9726279998 - 1.0).abs() <= solution.error.each["stick.ratio"]);
+//! ```
+//!
+//! [`scene`] reads and checks, [`engine`] solves, [`report`] writes text, JSON, CSV and figures. What a
+//! scene can name are plugins of five families, whose contracts are in [`api`]; the repository's `docs/`
+//! has their formulas, the theory and a worked example of a new one.
 
 #[cfg(any(test, doctest))]
 mod doctests;

@@ -183,6 +183,9 @@ fn names(solution: &Solution) -> Vec<(f64, String)> {
         return Vec::new();
     };
     // Arrows point where the surface slides.
+    if stick.one_minus_ratio == Some(0.0) {
+        return vec![(0.0, "stick everywhere".into())];
+    }
     let (left, right) = match stick.slip {
         Some(Slip::Inward) => ("slip \u{2192}", "\u{2190} slip"),
         Some(Slip::Outward) => ("\u{2190} slip", "slip \u{2192}"),
@@ -378,6 +381,15 @@ mod tests {
         }
         let found = texts(&svg(&samples::cylinder_without_friction()).unwrap());
         assert!(!found.iter().any(|text| text.contains("slip") || text.contains("shear")), "{found:?}");
+    }
+
+    #[test]
+    fn where_nothing_slips_no_zone_is_called_slip() {
+        let mut solution = samples::flat(1.0, 0.3, Slip::Inward, 201);
+        solution.stick.as_mut().expect("friction").one_minus_ratio = Some(0.0);
+        let found = texts(&svg(&solution).expect("a profile"));
+        assert!(found.contains(&"stick everywhere".to_owned()), "{found:?}");
+        assert!(!found.iter().any(|text| text.contains("slip")), "{found:?}");
     }
 
     #[test]
