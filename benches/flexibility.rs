@@ -65,8 +65,8 @@ fn wave_numbers() -> Vec<f64> {
 fn served(response: &dyn LayerResponse, wave_numbers: &[f64]) -> (Vec<f64>, Option<slipzone::api::Refusal>) {
     let (mut served, mut refusal) = (Vec::new(), None);
     for &s in wave_numbers {
-        match response.surface_into(&[s], &mut [SurfaceFlexibility::default()]) {
-            Ok(()) => served.push(s),
+        match response.surface(s) {
+            Ok(_) => served.push(s),
             Err(why) => refusal = Some(why),
         }
     }

@@ -2,7 +2,7 @@
 
 use super::layer::Layer;
 use super::normal::Pressure;
-use super::stick::{OddPair, Shear};
+use super::stick::Shear;
 use slipzone_api::double_exponential;
 use slipzone_api::{Component, Station};
 use std::f64::consts::PI;
@@ -16,17 +16,21 @@ const SLIP_NODES: usize = 16;
 /// Nodes on either side of the grids over which the tractions are.
 const SOURCE_NODES: usize = 80;
 
+/// Points of `[0, half_width)` in cosine spacing: what happens beside an edge is as narrow as its field.
+fn samples(half_width: f64) -> impl Iterator<Item = Station> {
+    (0..SAMPLES).map(move |i| {
+        let angle = 0.5 * PI * i as f64 / SAMPLES as f64;
+        let gap = 2.0 * half_width * (0.25 * PI - 0.5 * angle).sin().powi(2);
+        Station { x: half_width * angle.sin(), gap }
+    })
+}
+
 /// Where the pressure pulls: `(x/b, p/mean)` of its lowest point, if it is negative anywhere.
 pub(crate) fn tension(pressure: &Pressure) -> Option<(f64, f64)> {
     let b = pressure.half_width;
     let mean = pressure.force / (2.0 * b);
-    let lowest = (0..SAMPLES)
-        .map(|i| {
-            // Cosine spacing: a dip beside a sharp edge is as narrow as the edge field.
-            let angle = 0.5 * PI * i as f64 / SAMPLES as f64;
-            let gap = 2.0 * b * (0.25 * PI - 0.5 * angle).sin().powi(2);
-            (angle.sin(), pressure.at(Station { x: b * angle.sin(), gap }) / mean)
-        })
+    let lowest = samples(b)
+        .map(|station| (station.x / b, pressure.at(station) / mean))
         .min_by(|one, other| one.1.total_cmp(&other.1))?;
     (lowest.1 < -1e-9).then_some(lowest)
 }
@@ -34,13 +38,11 @@ pub(crate) fn tension(pressure: &Pressure) -> Option<(f64, f64)> {
 /// Where friction cannot hold: `(x/b, |q|/(eta p))` of the worst point of the stick zone, if above 1.
 pub(crate) fn overload(pressure: &Pressure, shear: &Shear) -> Option<(f64, f64)> {
     let (a, b) = (shear.zone.half_width, pressure.half_width);
-    let worst = (1..SAMPLES)
-        .map(|i| {
-            let angle = 0.5 * PI * i as f64 / SAMPLES as f64;
-            let gap = 2.0 * a * (0.25 * PI - 0.5 * angle).sin().powi(2);
-            let x = a * angle.sin();
-            let limit = shear.friction.abs() * pressure.at(Station { x, gap: gap + shear.zone.slip_width });
-            (x / b, shear.in_stick(Station { x, gap }).abs() / limit)
+    let worst = samples(a)
+        .skip(1) // q = 0 in the middle, whatever the limit
+        .map(|station| {
+            let limit = shear.friction.abs() * pressure.at(shear.zone.in_contact(station));
+            (station.x / b, shear.in_stick(station).abs() / limit)
         })
         .max_by(|one, other| one.1.total_cmp(&other.1))?;
     (worst.1 > 1.0 + MARGIN).then_some(worst)
@@ -100,7 +102,7 @@ impl<'a> SlipStrain<'a> {
             .iter()
             .map(|node| {
                 let station = Station { x: node.from_lower, gap: node.to_upper };
-                let p = pressure.at(Station { x: station.x, gap: station.gap + zone.slip_width });
+                let p = pressure.at(zone.in_contact(station));
                 let z = shear.in_stick(station) - shear.friction * p;
                 [station.x, station.gap, node.weight * z, node.weight * p]
             })
@@ -131,27 +133,22 @@ impl<'a> SlipStrain<'a> {
         // (1/pi) PV int p/(x - r) dr from the normal equation.
         let principal = self.layer.problem.slope(x) / a0 - self.by_normal[i];
         // Both halves of q = eta p sign(r) + z: 1/(x - r) and the kernel, folded.
-        let mut odd = OddPair::new(self.layer, Component::ShearStrain, self.stick.len());
-        let folded = odd.at(x, self.stick.iter().map(|s| s[0]));
+        let values = |distances: Vec<f64>| self.layer.kernel_values(Component::ShearStrain, &distances);
+        let near = values(self.stick.iter().map(|s| x - s[0]).collect());
+        let far = values(self.stick.iter().map(|s| x + s[0]).collect());
         let by_z: f64 = self
             .stick
             .iter()
-            .zip(folded)
-            .map(|(&[r, gap, z, _], k)| z * (2.0 * r / ((node.from_lower + gap) * (x + r)) + k))
+            .zip(near.iter().zip(&far))
+            .map(|(&[r, gap, z, _], (near, far))| z * (2.0 * r / ((node.from_lower + gap) * (x + r)) + near - far))
             .sum();
-        let mirrored = |r: f64, p: f64| p * (1.0 / (x + r) + self.kernel_at(x + r));
-        let by_mirror: f64 = self.stick.iter().map(|s| mirrored(s[0], s[3])).sum::<f64>()
-            + self.slip.iter().map(|s| mirrored(s[0], s[1])).sum::<f64>();
+        let beyond = values(self.slip.iter().map(|s| x + s[0]).collect());
+        let mirrored = |r: f64, p: f64, k: f64| p * (1.0 / (x + r) + k);
+        let by_mirror: f64 = self.stick.iter().zip(far).map(|(s, k)| mirrored(s[0], s[3], k)).sum::<f64>()
+            + self.slip.iter().zip(beyond).map(|(s, k)| mirrored(s[0], s[1], k)).sum::<f64>();
 
         let p = self.pressure.at(zone.in_slip(node));
         -(eta * (principal + self.by_shear[i]) + (by_z - 2.0 * eta * by_mirror) / PI + beta * p - self.by_coupling[i])
-    }
-
-    fn kernel_at(&self, t: f64) -> f64 {
-        let Some((table, component)) = self.layer.kernel(Component::ShearStrain) else { return 0.0 };
-        let mut parts = [slipzone_api::Parts::default()];
-        table.parts_into(component, &[t], &mut parts);
-        parts[0].value(t)
     }
 }
 

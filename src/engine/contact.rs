@@ -20,6 +20,8 @@ const SLIP_NODES: (usize, usize) = (24, 8);
 /// A solved contact in layer units.
 pub(crate) struct Contact {
     pub(crate) pressure: Pressure,
+    /// Depth of the punch; `None` on a half-plane.
+    indentation: Option<f64>,
     pub(crate) friction: Option<Stick>,
 }
 
@@ -63,7 +65,7 @@ impl Contact {
                 let punch = SharpPunch::new(layer, half_width)?;
                 let force = match layer.problem.load {
                     LoadInLayerUnits::Force(force) => force,
-                    LoadInLayerUnits::Indentation(depth) => punch.force_at(depth).unwrap_or(f64::NAN),
+                    LoadInLayerUnits::Indentation(depth) => punch.force_at(layer, depth).unwrap_or(f64::NAN),
                     LoadInLayerUnits::HalfWidth(_) => f64::NAN,
                 };
                 if !(force.is_finite() && force > 0.0) {
@@ -84,7 +86,7 @@ impl Contact {
             }
             None => None,
         };
-        Ok(Self { pressure, friction })
+        Ok(Self { indentation: pressure.depth(layer), pressure, friction })
     }
 
     /// The numbers reported, in layer units, by their path in the result.
@@ -99,7 +101,7 @@ impl Contact {
             ("edge.stress_intensity", p.edge_factor / b.sqrt()),
             ("edge.ratio", p.edge_factor / p.force),
         ]);
-        if let Some(depth) = p.indentation {
+        if let Some(depth) = self.indentation {
             numbers.insert("load.indentation", depth);
         }
         if let Some(peak) = self.peak() {
@@ -123,12 +125,13 @@ impl Contact {
         let b = self.pressure.half_width;
         let step = b / SAMPLES as f64;
         let p = |i: usize| self.pressure.at(Station { x: i as f64 * step, gap: b - i as f64 * step });
-        let top = (0..SAMPLES).max_by(|&i, &j| p(i).total_cmp(&p(j)))?;
+        let samples: Vec<f64> = (0..SAMPLES).map(p).collect();
+        let (top, _) = samples.iter().enumerate().max_by(|one, other| one.1.total_cmp(other.1))?;
         if top == 0 || top == SAMPLES - 1 {
-            return Some(p(top));
+            return Some(samples[top]);
         }
         // Vertex of the parabola through the highest sample and its neighbours.
-        let (left, middle, right) = (p(top - 1), p(top), p(top + 1));
+        let (left, middle, right) = (samples[top - 1], samples[top], samples[top + 1]);
         let slope = 0.5 * (right - left);
         Some(middle + 0.5 * slope * slope / (2.0 * middle - left - right))
     }
@@ -178,18 +181,15 @@ impl Stick {
             (Some(narrow), _) => (narrow.0, Verdict::None),
             (None, _) => (curve.widest(), Verdict::None),
         };
-        let mut shear = curve.shear(lambda)?;
-        if verdict == Verdict::TooNarrow {
+        let shear = curve.shear(lambda)?;
+        let sliding = eta.copysign(shear.friction);
+        let shear = match verdict {
             // The narrowest stick zone looked for wants more friction than there is: all but it slides.
-            let sliding = eta.copysign(shear.friction);
-            shear = shear.rescaled(sliding);
-        }
-        if verdict == Verdict::TooWide {
-            // The widest stick zone looked for needs less friction than there is; what slips beyond it
-            // slides at the limit all the same.
-            let sliding = eta.copysign(shear.friction);
-            shear = shear.sliding_at(sliding);
-        }
+            Verdict::TooNarrow => shear.rescaled(sliding),
+            // The widest one needs less; what slips beyond it slides at the limit all the same.
+            Verdict::TooWide => shear.sliding_at(sliding),
+            _ => shear,
+        };
         Ok(Self { shear, verdict, found })
     }
 }

@@ -36,7 +36,7 @@ pub(crate) fn pressed(layer: &mut Layer, known: Option<f64>) -> Result<Pressure,
     // ln(reached/target) is nearly linear in ln b for any punch.
     let mut excess = |log_b: f64| -> Result<f64, Refusal> {
         let pressure = smooth_punch(layer, log_b.exp())?;
-        let reached = if by_force { Some(pressure.force) } else { pressure.indentation };
+        let reached = if by_force { Some(pressure.force) } else { pressure.depth(layer) };
         match reached {
             Some(reached) if reached > 0.0 => Ok((reached / target).ln()),
             _ => Err(no_size(format!(

@@ -1,7 +1,7 @@
 //! One layer at one resolution: its response, its kernels over a range of lengths, and the work counted.
 
 use super::problem::Problem;
-use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Quadrature, Refusal};
+use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Parts, Quadrature, Refusal};
 use std::cell::Cell;
 
 /// What the normal problem needs: the slope kernel, and the depth for the indentation.
@@ -55,6 +55,14 @@ impl<'a> Layer<'a> {
     /// A kernel for the quadratures; `None` on a homogeneous half-plane, which has none.
     pub(crate) fn kernel(&self, component: Component) -> Option<(&dyn KernelTable, Component)> {
         self.kernels.as_deref().map(|table| (table, component))
+    }
+
+    /// A kernel at each distance; zeros on a homogeneous half-plane.
+    pub(crate) fn kernel_values(&self, component: Component, distances: &[f64]) -> Vec<f64> {
+        let Some(table) = &self.kernels else { return vec![0.0; distances.len()] };
+        let mut parts = vec![Parts::default(); distances.len()];
+        table.parts_into(component, distances, &mut parts);
+        distances.iter().zip(parts).map(|(t, parts)| parts.value(*t)).collect()
     }
 
     /// Whether depths are defined: not on a half-plane.

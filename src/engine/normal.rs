@@ -9,8 +9,6 @@ pub(crate) struct Pressure {
     pub(crate) force: f64,
     /// `lim p sqrt(b^2 - x^2)` at the edge.
     pub(crate) edge_factor: f64,
-    /// Depth of the punch; `None` on a half-plane.
-    pub(crate) indentation: Option<f64>,
     rule: Box<dyn Rule>,
     unknowns: Vec<f64>,
 }
@@ -28,6 +26,11 @@ impl Pressure {
             self.rule.potential_into(&self.unknowns, kernel, targets, &mut out);
         }
         out
+    }
+
+    /// Depth of the punch; `None` on a half-plane.
+    pub(crate) fn depth(&self, layer: &Layer) -> Option<f64> {
+        depth_at_centre(layer, self.rule.as_ref(), &self.unknowns)
     }
 
     /// Distance to the edge of the outermost collocation point: what the resolution can tell apart there.
@@ -50,8 +53,6 @@ pub(crate) struct SharpPunch {
     by_force: Vec<f64>,
     /// Unknowns of the face's own shape at zero force.
     by_shape: Vec<f64>,
-    /// Depth per unit force and of the shape at zero force; `None` on a half-plane.
-    depths: Option<(f64, f64)>,
 }
 
 impl SharpPunch {
@@ -71,14 +72,13 @@ impl SharpPunch {
         let mut solved = layer.solve(&rows, &[&force, &shape])?;
         let by_shape = solved.pop().expect("two right-hand sides");
         let by_force = solved.pop().expect("two right-hand sides");
-        let depth = |unknowns: &[f64]| depth_at_centre(layer, rule.as_ref(), unknowns);
-        let depths = depth(&by_force).zip(depth(&by_shape));
-        Ok(Self { half_width, rule, by_force, by_shape, depths })
+        Ok(Self { half_width, rule, by_force, by_shape })
     }
 
     /// Force that gives an indentation; `None` on a half-plane.
-    pub(crate) fn force_at(&self, indentation: f64) -> Option<f64> {
-        self.depths.map(|(per_force, of_shape)| (indentation - of_shape) / per_force)
+    pub(crate) fn force_at(&self, layer: &Layer, indentation: f64) -> Option<f64> {
+        let depth = |unknowns: &[f64]| depth_at_centre(layer, self.rule.as_ref(), unknowns);
+        Some((indentation - depth(&self.by_shape)?) / depth(&self.by_force)?)
     }
 
     pub(crate) fn under(self, force: f64) -> Pressure {
@@ -87,7 +87,6 @@ impl SharpPunch {
             half_width: self.half_width,
             force,
             edge_factor: self.rule.edge_factor(&unknowns),
-            indentation: self.depths.map(|(per_force, of_shape)| force * per_force + of_shape),
             rule: self.rule,
             unknowns,
         }
@@ -107,8 +106,7 @@ pub(crate) fn smooth_punch(layer: &mut Layer, half_width: f64) -> Result<Pressur
     let mut resultant = vec![0.0; n];
     rule.resultant_into(&mut resultant);
     let force = resultant.iter().zip(&unknowns).map(|(r, u)| r * u).sum();
-    let indentation = depth_at_centre(layer, rule.as_ref(), &unknowns);
-    Ok(Pressure { half_width, force, edge_factor: 0.0, indentation, rule, unknowns })
+    Ok(Pressure { half_width, force, edge_factor: 0.0, rule, unknowns })
 }
 
 /// Surface depth `v(0) = delta - g(0)` under a pressure; `None` on a half-plane.

@@ -4,7 +4,7 @@
 use super::layer::Layer;
 use super::normal::Pressure;
 use slipzone_api::double_exponential::{self, Node};
-use slipzone_api::{Component, Density, Edge, Parity, Parts, Refusal, Rule, Span, Station};
+use slipzone_api::{Component, Density, Edge, Parity, Refusal, Rule, Span, Station};
 use std::f64::consts::PI;
 
 /// A stick zone `|x| <= a`, with the width of the slip zone kept exactly.
@@ -23,7 +23,7 @@ impl StickZone {
     }
 
     /// The gap to the contact's edge of a point at `gap` from the stick zone's.
-    fn in_contact(self, station: Station) -> Station {
+    pub(crate) fn in_contact(self, station: Station) -> Station {
         Station { x: station.x, gap: station.gap + self.slip_width }
     }
 
@@ -120,52 +120,22 @@ pub(crate) fn shear(layer: &Layer, pressure: &Pressure, zone: StickZone, slip_no
 fn slip_potential(layer: &Layer, pressure: &Pressure, zone: StickZone, stations: &[Station], nodes: usize) -> Vec<f64> {
     let grid = double_exponential::nodes(zone.slip_width, nodes);
     let weighted: Vec<f64> = grid.iter().map(|node| node.weight * pressure.at(zone.in_slip(node))).collect();
-    let mut kernel = OddPair::new(layer, Component::ShearStrain, grid.len());
+    let r: Vec<f64> = grid.iter().map(|node| zone.half_width + node.from_lower).collect();
     let mut out = Vec::with_capacity(stations.len());
     for station in stations {
-        let regular = kernel.at(station.x, grid.iter().map(|node| zone.half_width + node.from_lower));
+        let distances: Vec<f64> = r.iter().flat_map(|r| [station.x - r, station.x + r]).collect();
+        let kernel = layer.kernel_values(Component::ShearStrain, &distances);
         let sum: f64 = grid
             .iter()
+            .zip(&r)
             .zip(&weighted)
-            .zip(regular)
-            .map(|((node, weighted), k)| {
-                let r = zone.half_width + node.from_lower;
+            .zip(kernel.chunks_exact(2))
+            .map(|(((node, r), weighted), k)| {
                 // 1/(x - r) - 1/(x + r), with r - x from distances to the stick zone's edge.
-                weighted * (k - 2.0 * r / ((node.from_lower + station.gap) * (r + station.x)))
+                weighted * (k[0] - k[1] - 2.0 * r / ((node.from_lower + station.gap) * (r + station.x)))
             })
             .sum();
         out.push(sum / PI);
     }
     out
-}
-
-/// `k(x - r) - k(x + r)`: a kernel folded for odd densities, or zeros where there is none.
-pub(crate) struct OddPair<'a> {
-    layer: &'a Layer<'a>,
-    component: Component,
-    distances: Vec<f64>,
-    parts: Vec<Parts>,
-    folded: Vec<f64>,
-}
-
-impl<'a> OddPair<'a> {
-    pub(crate) fn new(layer: &'a Layer<'a>, component: Component, n: usize) -> Self {
-        Self { layer, component, distances: Vec::new(), parts: vec![Parts::default(); 2 * n], folded: vec![0.0; n] }
-    }
-
-    /// One value per source point `r`.
-    pub(crate) fn at(&mut self, x: f64, r: impl Iterator<Item = f64>) -> &[f64] {
-        let Some((table, component)) = self.layer.kernel(self.component) else { return &self.folded };
-        self.distances.clear();
-        for r in r {
-            self.distances.extend([x - r, x + r]);
-        }
-        table.parts_into(component, &self.distances, &mut self.parts);
-        for ((folded, t), parts) in
-            self.folded.iter_mut().zip(self.distances.chunks_exact(2)).zip(self.parts.chunks_exact(2))
-        {
-            *folded = parts[0].value(t[0]) - parts[1].value(t[1]);
-        }
-        &self.folded
-    }
 }

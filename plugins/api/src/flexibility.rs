@@ -38,11 +38,20 @@ dyn_clone::clone_trait_object!(Flexibility);
 
 /// Run-time half: the surface flexibility of one layer.
 pub trait LayerResponse: Send + Sync {
-    /// `out[i] = s F/A0` at `s = wave_numbers[i] >= 0`, in units of `1/h`.
+    /// `s F/A0` at `wave_number` `s >= 0`, in units of `1/h`.
+    fn surface(&self, wave_number: f64) -> Result<SurfaceFlexibility, Refusal>;
+
+    /// [`Self::surface`] at each of `wave_numbers`; ends at the first refusal.
     ///
     /// # Panics
     /// When the slices differ in length.
-    fn surface_into(&self, wave_numbers: &[f64], out: &mut [SurfaceFlexibility]) -> Result<(), Refusal>;
+    fn surface_into(&self, wave_numbers: &[f64], out: &mut [SurfaceFlexibility]) -> Result<(), Refusal> {
+        assert_eq!(wave_numbers.len(), out.len(), "one flexibility per wave number");
+        for (&s, out) in wave_numbers.iter().zip(out) {
+            *out = self.surface(s)?;
+        }
+        Ok(())
+    }
 
     /// Elastic constants at the surface.
     fn elastic(&self) -> Elastic;

@@ -63,10 +63,8 @@ struct HalfPlane {
 }
 
 impl LayerResponse for HalfPlane {
-    fn surface_into(&self, wave_numbers: &[f64], out: &mut [SurfaceFlexibility]) -> Result<(), Refusal> {
-        assert_eq!(wave_numbers.len(), out.len(), "one flexibility per wave number");
-        out.fill(surface_tail::half_plane(self.elastic));
-        Ok(())
+    fn surface(&self, _s: f64) -> Result<SurfaceFlexibility, Refusal> {
+        Ok(surface_tail::half_plane(self.elastic))
     }
 
     fn elastic(&self) -> Elastic {
@@ -90,8 +88,8 @@ struct Exponential {
     gamma: f64,
 }
 
-impl Exponential {
-    fn surface(&self, s: f64) -> SurfaceFlexibility {
+impl LayerResponse for Exponential {
+    fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
         let doublings = (s.max(self.gamma.abs()) / THIN).log2().ceil().max(1.0);
         // Depths in units of the first slice: s delta and gamma delta are small whatever s is.
         let delta = (-doublings).exp2();
@@ -101,17 +99,7 @@ impl Exponential {
         for _ in 1..doublings as u32 {
             slice = slice.doubled();
         }
-        surface_tail::scaled(&slice.over(&slice.a), sigma, self.elastic)
-    }
-}
-
-impl LayerResponse for Exponential {
-    fn surface_into(&self, wave_numbers: &[f64], out: &mut [SurfaceFlexibility]) -> Result<(), Refusal> {
-        assert_eq!(wave_numbers.len(), out.len(), "one flexibility per wave number");
-        for (&s, out) in wave_numbers.iter().zip(out) {
-            *out = self.surface(s);
-        }
-        Ok(())
+        Ok(surface_tail::scaled(&slice.over(&slice.a), sigma, self.elastic))
     }
 
     fn elastic(&self) -> Elastic {

@@ -44,9 +44,7 @@ pub(crate) fn exponential(gamma: f64, nu: f64) -> LayerModel {
 
 /// One wave number by one method.
 pub(crate) fn at(method: &dyn Flexibility, layer: &LayerModel, s: f64) -> SurfaceFlexibility {
-    let mut out = [SurfaceFlexibility::default()];
-    method.respond(layer).unwrap().surface_into(&[s], &mut out).unwrap();
-    out[0]
+    method.respond(layer).unwrap().surface(s).unwrap()
 }
 
 /// Largest difference between two flexibilities: `vv`, `uu` relative to themselves, `uv`, which may pass

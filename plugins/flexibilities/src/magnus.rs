@@ -60,33 +60,6 @@ impl<'a> General<'a> {
         self.law.modulus(depth) / self.law.surface_modulus()
     }
 
-    fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
-        let reach = (0.5 * (FORGOTTEN + self.contrast) / s).min(1.0);
-        // Neville's table of the compliances over slices of thickness delta, delta/2, delta/4, ...
-        let mut row: Vec<SurfaceFlexibility> = Vec::new();
-        for level in 0.. {
-            let Some(compliance) = self.march(s, reach, level) else { break };
-            let mut finer = surface_tail::scaled(&compliance, s, self.elastic);
-            let last = row.last().copied();
-            let mut order = 4;
-            for coarser in &mut row {
-                let next = extrapolated(finer, *coarser, order);
-                *coarser = finer;
-                finer = next;
-                order += 2;
-            }
-            row.push(finer);
-            if last.is_some_and(|last| agree(last, finer)) {
-                return Ok(finer);
-            }
-        }
-        Err(Refusal::OutOfReach {
-            method: "compliance",
-            why: format!("the law varies too fast for {MOST} slices at wave number s = {s:.6e}/h"),
-            remedy: "give the law's kinks and jumps as breakpoints, or smooth it",
-        })
-    }
-
     /// Compliance at the surface in units of `1/mu1`, `level` halvings after the coarsest slices; `None`
     /// when that takes too many of them.
     fn march(&self, s: f64, reach: f64, level: u32) -> Option<Matrix2<f64>> {
@@ -141,12 +114,31 @@ fn agree(x: SurfaceFlexibility, y: SurfaceFlexibility) -> bool {
 }
 
 impl LayerResponse for General<'_> {
-    fn surface_into(&self, wave_numbers: &[f64], out: &mut [SurfaceFlexibility]) -> Result<(), Refusal> {
-        assert_eq!(wave_numbers.len(), out.len(), "one flexibility per wave number");
-        for (&s, out) in wave_numbers.iter().zip(out) {
-            *out = self.surface(s)?;
+    fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
+        let reach = (0.5 * (FORGOTTEN + self.contrast) / s).min(1.0);
+        // Neville's table of the compliances over slices of thickness delta, delta/2, delta/4, ...
+        let mut row: Vec<SurfaceFlexibility> = Vec::new();
+        for level in 0.. {
+            let Some(compliance) = self.march(s, reach, level) else { break };
+            let mut finer = surface_tail::scaled(&compliance, s, self.elastic);
+            let last = row.last().copied();
+            let mut order = 4;
+            for coarser in &mut row {
+                let next = extrapolated(finer, *coarser, order);
+                *coarser = finer;
+                finer = next;
+                order += 2;
+            }
+            row.push(finer);
+            if last.is_some_and(|last| agree(last, finer)) {
+                return Ok(finer);
+            }
         }
-        Ok(())
+        Err(Refusal::OutOfReach {
+            method: "compliance",
+            why: format!("the law varies too fast for {MOST} slices at wave number s = {s:.6e}/h"),
+            remedy: "give the law's kinks and jumps as breakpoints, or smooth it",
+        })
     }
 
     fn elastic(&self) -> Elastic {

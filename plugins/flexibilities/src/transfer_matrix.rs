@@ -87,7 +87,27 @@ impl Response {
         });
         Matrix4::from_columns(&columns)
     }
+}
 
+/// By how much the product `G = H(s, 0) H(s, h)^-1` may magnify the rounding of its factors.
+///
+/// The sum of the squared condition of `H(s, h)` and the cancellation in the two columns of `G` in use, both
+/// entry by entry, so that neither the growth of the columns nor the units of the rows count.
+fn amplification(
+    top: &Matrix4<Complex64>,
+    bottom: &Matrix4<Complex64>,
+    inverse: &Matrix4<Complex64>,
+    transfer: &Matrix4<Complex64>,
+) -> f64 {
+    let size = |m: &Matrix4<Complex64>| m.map(Complex64::norm);
+    let condition = size(bottom) * size(inverse);
+    // Blocks that lead from displacements to displacements and from tractions to tractions carry no unit.
+    let condition = condition.fixed_view::<2, 2>(0, 0).max().max(condition.fixed_view::<2, 2>(2, 2).max());
+    let cancellation = (size(top) * size(inverse)).component_div(&size(transfer));
+    condition * condition + cancellation.fixed_view::<4, 2>(0, 2).max()
+}
+
+impl LayerResponse for Response {
     fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
         let refusal = |why: String| Refusal::WaveNumber { method: METHOD, wave_number: s, why, remedy: REMEDY };
         let kappa = self.elastic.kappa;
@@ -125,34 +145,6 @@ impl Response {
             Err(refusal(format!("the eigenvectors are so close that an error of {error:.0e} is to be expected")))
         }
     }
-}
-
-/// By how much the product `G = H(s, 0) H(s, h)^-1` may magnify the rounding of its factors.
-///
-/// The sum of the squared condition of `H(s, h)` and the cancellation in the two columns of `G` in use, both
-/// entry by entry, so that neither the growth of the columns nor the units of the rows count.
-fn amplification(
-    top: &Matrix4<Complex64>,
-    bottom: &Matrix4<Complex64>,
-    inverse: &Matrix4<Complex64>,
-    transfer: &Matrix4<Complex64>,
-) -> f64 {
-    let size = |m: &Matrix4<Complex64>| m.map(Complex64::norm);
-    let condition = size(bottom) * size(inverse);
-    // Blocks that lead from displacements to displacements and from tractions to tractions carry no unit.
-    let condition = condition.fixed_view::<2, 2>(0, 0).max().max(condition.fixed_view::<2, 2>(2, 2).max());
-    let cancellation = (size(top) * size(inverse)).component_div(&size(transfer));
-    condition * condition + cancellation.fixed_view::<4, 2>(0, 2).max()
-}
-
-impl LayerResponse for Response {
-    fn surface_into(&self, wave_numbers: &[f64], out: &mut [SurfaceFlexibility]) -> Result<(), Refusal> {
-        assert_eq!(wave_numbers.len(), out.len(), "one flexibility per wave number");
-        for (&s, out) in wave_numbers.iter().zip(out) {
-            *out = self.surface(s)?;
-        }
-        Ok(())
-    }
 
     fn elastic(&self) -> Elastic {
         self.elastic
@@ -178,8 +170,7 @@ mod tests {
     use slipzone_api::Plane;
 
     fn surface(layer: &LayerModel, s: f64) -> Result<SurfaceFlexibility, Refusal> {
-        let mut out = [SurfaceFlexibility::default()];
-        TransferMatrix {}.respond(layer)?.surface_into(&[s], &mut out).map(|()| out[0])
+        TransferMatrix {}.respond(layer)?.surface(s)
     }
 
     /// Whatever it returns agrees with the compliance to 1e-8 of each entry; everything else is refused.

@@ -12,13 +12,10 @@ struct Rational {
 }
 
 impl LayerResponse for Rational {
-    fn surface_into(&self, wave_numbers: &[f64], out: &mut [SurfaceFlexibility]) -> Result<(), Refusal> {
-        self.asked.fetch_add(out.len(), Ordering::Relaxed);
-        for (s, out) in wave_numbers.iter().zip(out) {
-            let f = s / (1.0 + s);
-            *out = SurfaceFlexibility { vv: f, uu: f, uv: 1.0 - f - self.elastic().beta() };
-        }
-        Ok(())
+    fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
+        self.asked.fetch_add(1, Ordering::Relaxed);
+        let f = s / (1.0 + s);
+        Ok(SurfaceFlexibility { vv: f, uu: f, uv: 1.0 - f - self.elastic().beta() })
     }
 
     fn elastic(&self) -> Elastic {
