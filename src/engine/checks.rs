@@ -192,5 +192,12 @@ mod tests {
         let genuine = shear_at(1.0 - 0.281_461);
         assert_eq!(overload(&pressure, &genuine), None);
         assert_eq!(wrong_slip(&layer, &pressure, &genuine), None);
+
+        // The strain starts from the stick zone's, which is 0, at the zone's edge: every term of it counts. 1e-3 is
+        // far above the discretisation (3e-6) and far below any term left out.
+        let targets = double_exponential::nodes(genuine.zone.slip_width, SLIP_NODES);
+        let strain = SlipStrain::new(&layer, &pressure, &genuine, &targets);
+        let (at_edge, amid) = (strain.at(0, &targets[0]), strain.at(SLIP_NODES, &targets[SLIP_NODES]));
+        assert!(at_edge.abs() < 1e-3 * amid.abs(), "u'(a) = {at_edge} beside {amid} in the middle of the slip zone");
     }
 }
