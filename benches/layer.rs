@@ -4,6 +4,7 @@ use slipzone::api::{
     Base, Component, Elastic, Flexibility, KernelRequest, LayerModel, LayerResponse, ModulusLaw, Plane, Poisson,
 };
 use slipzone_flexibilities::Compliance;
+use std::sync::Arc;
 
 /// Half-width of the contact: the layer is five of them thick.
 pub(crate) const HALF_WIDTH: f64 = 0.2;
@@ -16,22 +17,22 @@ pub(crate) const ALL: &[Component] =
 
 /// Kernels over the contact.
 pub(crate) fn request(components: &[Component]) -> KernelRequest<'_> {
-    KernelRequest { reach: 2.0 * HALF_WIDTH, components }
+    KernelRequest { reach: 2.0 * HALF_WIDTH, components, accuracy: 1e-10 }
 }
 
 /// Plane strain, Poisson's ratio 0.3, on a rigid base.
-pub(crate) fn bonded(law: Box<dyn ModulusLaw>) -> LayerModel {
+pub(crate) fn bonded(law: Box<dyn ModulusLaw>) -> Arc<LayerModel> {
     let poisson = Poisson::new(0.3).expect("a constant in range");
-    LayerModel { law, elastic: Elastic::new(Plane::Strain, poisson), base: Base::Rigid }
+    Arc::new(LayerModel { law, elastic: Elastic::new(Plane::Strain, poisson), base: Base::Rigid })
 }
 
 /// Eight times as stiff at the base.
-pub(crate) fn graded() -> LayerModel {
+pub(crate) fn graded() -> Arc<LayerModel> {
     bonded(Box::new(Octupled))
 }
 
 /// Its flexibility by the method that serves everywhere.
-pub(crate) fn response(layer: &LayerModel) -> Box<dyn LayerResponse + '_> {
+pub(crate) fn response(layer: &Arc<LayerModel>) -> Box<dyn LayerResponse> {
     Compliance {}.respond(layer).expect("an exponential law on a rigid base")
 }
 

@@ -2,6 +2,7 @@
 
 use crate::{Base, Elastic, ModulusLaw, Refusal};
 use std::fmt::Debug;
+use std::sync::Arc;
 
 /// The elastic layer as the flexibility plugins see it, in its own units (see the crate's page).
 #[derive(Debug)]
@@ -32,7 +33,7 @@ pub struct SurfaceFlexibility {
 #[typetag::serde(tag = "type")]
 pub trait Flexibility: dyn_clone::DynClone + Debug + Send + Sync {
     /// Prepares the layer; refuses a base or law that the method cannot treat.
-    fn respond<'a>(&self, layer: &'a LayerModel) -> Result<Box<dyn LayerResponse + 'a>, Refusal>;
+    fn respond(&self, layer: &Arc<LayerModel>) -> Result<Box<dyn LayerResponse>, Refusal>;
 }
 dyn_clone::clone_trait_object!(Flexibility);
 
@@ -56,9 +57,10 @@ pub trait LayerResponse: Send + Sync {
     /// Elastic constants at the surface.
     fn elastic(&self) -> Elastic;
 
-    /// Coefficient of `1/s` in `s F/A0` as `s` grows, beyond its limit (`vv`, `uu`, `uv`); `None` where
-    /// the law does not tell its gradient at the surface. A homogeneous surface has zeros.
-    fn leading_tail(&self) -> Option<SurfaceFlexibility>;
+    /// Coefficients of `1/s`, `1/s^2`, ... in `s F/A0` as `s` grows, beyond its limit (`vv`, `uu`, `uv`):
+    /// `terms` of them, or as many as the law's derivatives at the surface give. A homogeneous surface has
+    /// zeros; a law that tells nothing of its gradient has an empty series.
+    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility>;
 
     /// Depth `d` below which the surface feels something that its own derivatives do not tell (a base,
     /// a kink): what is left of `s F` after its series in `1/s` decays like `exp(-2 s d)`. `None` when

@@ -36,9 +36,16 @@ pub trait ModulusLaw: Debug + Send + Sync {
         None
     }
 
-    /// `d ln mu / d depth` at the surface where it exists; it sets the kernel's jump and logarithm.
-    fn surface_gradient(&self) -> Option<f64> {
-        self.exponent()
+    /// Taylor coefficients of `modulus(depth)/surface_modulus()` at the surface: `terms` of them, or as many
+    /// as are known (the first is 1). They set the kernel's jump and logarithm.
+    fn surface_series(&self, terms: usize) -> Vec<f64> {
+        let Some(gamma) = self.exponent() else { return vec![1.0; terms.min(1)] };
+        let next = |term: &mut f64, k: usize| {
+            let here = *term;
+            *term *= gamma / (k + 1) as f64;
+            Some(here)
+        };
+        (0..terms).scan(1.0, next).collect()
     }
 
     /// Depths, ascending, at which the law has a kink or a jump.

@@ -55,6 +55,9 @@ pub struct KernelRequest<'a> {
     pub reach: f64,
     /// The kernels that will be asked for; nothing else is tabulated.
     pub components: &'a [Component],
+    /// Error wanted: of `reach` times the kernel for the slopes and the coupling, of the kernel itself for
+    /// [`Component::Depth`]. A strategy that does not know its error takes no notice.
+    pub accuracy: f64,
 }
 
 /// Config half: how the kernels are got from the flexibility (such as `truncated`).
@@ -64,6 +67,7 @@ pub trait KernelStrategy: dyn_clone::DynClone + Debug + Send + Sync {
     fn tabulate(&self, response: &dyn LayerResponse, request: &KernelRequest) -> Result<Box<dyn KernelTable>, Refusal>;
 
     /// The same strategy at a resolution at least `2^level` times as fine: fine enough to judge this one.
+    /// One whose tables bound their own error may return itself.
     fn refined(&self, level: u32) -> Box<dyn KernelStrategy>;
 
     /// Whether the scene itself fixed the resolution.
@@ -78,6 +82,28 @@ pub trait KernelTable: Send + Sync {
     /// # Panics
     /// When the slices differ in length or the component was not requested.
     fn parts_into(&self, component: Component, distances: &[f64], out: &mut [Parts]);
+
+    /// `out[i]` = the kernel's value at `distances[i]`, of either sign but not 0, and within the reach.
+    ///
+    /// # Panics
+    /// As [`Self::parts_into`].
+    fn values_into(&self, component: Component, distances: &[f64], out: &mut [f64]) {
+        let mut parts = vec![Parts::default(); distances.len()];
+        self.parts_into(component, distances, &mut parts);
+        for ((out, parts), t) in out.iter_mut().zip(parts).zip(distances) {
+            *out = parts.value(*t);
+        }
+    }
+
+    /// Bound on the error, in the terms of [`KernelRequest::accuracy`], by the strategy's own proof; `None`
+    /// where it has none and only a refined twin can tell.
+    fn error(&self) -> Option<f64> {
+        None
+    }
+
+    /// The shortest length over which the parts vary (distance of their nearest complex singularity, about):
+    /// what a sum over points must resolve, in units of the thickness.
+    fn length(&self) -> f64;
 
     /// Number of wave numbers at which the flexibility was evaluated.
     fn flexibility_evaluations(&self) -> usize;

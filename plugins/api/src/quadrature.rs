@@ -68,7 +68,7 @@ pub trait Quadrature: dyn_clone::DynClone + Debug + Send + Sync {
     /// Lays out nodes and collocation points for one density.
     fn rule(&self, span: &Span) -> Result<Box<dyn Rule>, Refusal>;
 
-    /// The same scheme at a resolution `2^level` times as fine.
+    /// The same scheme, `level` steps finer. A step takes at least 5/4 and at most twice the unknowns.
     fn refined(&self, level: u32) -> Box<dyn Quadrature>;
 
     /// Whether the scene itself fixed the resolution.
@@ -85,19 +85,29 @@ pub trait Rule: Send + Sync {
     fn unknowns(&self) -> usize;
 
     /// Points at which the equation is collocated, ascending; with a parity only those at `x >= 0`
-    /// that are not satisfied by symmetry. One fewer than the unknowns for [`Edge::Sharp`] even
-    /// densities, as many for [`Edge::Smooth`] even and one more for [`Edge::Continued`] odd ones.
+    /// that are not satisfied by symmetry. One fewer than the unknowns for [`Edge::Sharp`] even densities;
+    /// together with [`Self::edge_condition`], where there is one, as many for [`Edge::Smooth`] even
+    /// densities and one more for [`Edge::Continued`] odd ones.
     fn collocation(&self) -> &[Station];
+
+    /// Moves the rule to `[-half_width, half_width]`; nothing is allocated.
+    fn stretch(&mut self, half_width: f64);
+
+    /// Row of the condition that the ends of a [`Edge::Smooth`] or [`Edge::Continued`] density are not
+    /// singular, `sum row[j] unknowns[j] = 0`; `None` where the rule's own terms see to it.
+    fn edge_condition(&self) -> Option<&[f64]> {
+        None
+    }
 
     /// The operator: `rows[i * unknowns + j]`, rows = collocation points, columns = unknowns.
     /// `kernel` is `None` on a half-plane, where only the Cauchy part is left.
-    fn operator_into(&self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]);
+    fn operator_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]);
 
     /// The operator applied to the carrier, at each collocation point.
     ///
     /// A [`Edge::Continued`] density is the sum of what the unknowns describe and of its value at the
     /// end times a carrier that is one there. Rules that need no such help leave the zeros.
-    fn carrier_into(&self, kernel: Option<(&dyn KernelTable, Component)>, out: &mut [f64]) {
+    fn carrier_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, out: &mut [f64]) {
         let _ = kernel;
         out.fill(0.0);
     }
@@ -105,14 +115,37 @@ pub trait Rule: Send + Sync {
     /// Row of the resultant: `int f dx = sum row[j] unknowns[j]`.
     fn resultant_into(&self, row: &mut [f64]);
 
-    /// The density at a point strictly inside its interval.
-    fn value(&self, density: Density, at: Station) -> f64;
+    /// The density at points strictly inside its interval.
+    ///
+    /// # Panics
+    /// When the slices differ in length.
+    fn values_into(&self, density: Density, at: &[Station], out: &mut [f64]);
+
+    /// [`Self::values_into`] at one point.
+    fn value(&self, density: Density, at: Station) -> f64 {
+        let mut value = [0.0];
+        self.values_into(density, &[at], &mut value);
+        value[0]
+    }
 
     /// `lim f sqrt(gap (c2 - c1 - gap))` at the upper end; 0 unless the edge is [`Edge::Sharp`].
     fn edge_factor(&self, unknowns: &[f64]) -> f64;
 
-    /// `(1/pi) int f(r) k(x - r) dr` (no Cauchy part) at any `targets` within the interval, ends
-    /// included; not only at collocation points. Sign and log parts are resolved at least to the order
-    /// of the rule itself.
-    fn potential_into(&self, unknowns: &[f64], kernel: (&dyn KernelTable, Component), targets: &[f64], out: &mut [f64]);
+    /// Prepares `(1/pi) int f(r) k(x - r) dr` (no Cauchy part) for [`Self::potential_into`]: fills `samples`
+    /// with whatever the rule needs to know of it.
+    fn sample_potential(&mut self, unknowns: &[f64], kernel: (&dyn KernelTable, Component), samples: &mut Vec<f64>);
+
+    /// `(1/pi) int f(r) k(x - r) dr` at any `targets` within the interval, ends included; not only at
+    /// collocation points. `samples` comes from [`Self::sample_potential`] with the same kernel. Sign and log
+    /// parts are resolved at least to the order of the rule itself.
+    ///
+    /// # Panics
+    /// When the slices differ in length.
+    fn potential_into(
+        &mut self,
+        samples: &[f64],
+        kernel: (&dyn KernelTable, Component),
+        targets: &[Station],
+        out: &mut [f64],
+    );
 }

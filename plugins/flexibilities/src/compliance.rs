@@ -5,6 +5,7 @@ use crate::slice::{Slice, generator};
 use crate::surface_tail;
 use serde::{Deserialize, Serialize};
 use slipzone_api::{Base, Elastic, Flexibility, LayerModel, LayerResponse, Refusal, SurfaceFlexibility};
+use std::sync::Arc;
 
 const METHOD: &str = "compliance";
 
@@ -30,7 +31,7 @@ slipzone_api::register!(Flexibility, "compliance", "compliance carried from the 
 
 #[typetag::serde(name = "compliance")]
 impl Flexibility for Compliance {
-    fn respond<'a>(&self, layer: &'a LayerModel) -> Result<Box<dyn LayerResponse + 'a>, Refusal> {
+    fn respond(&self, layer: &Arc<LayerModel>) -> Result<Box<dyn LayerResponse>, Refusal> {
         let elastic = layer.elastic;
         match (layer.base, layer.law.exponent()) {
             (Base::Infinite, Some(0.0)) => Ok(Box::new(HalfPlane { elastic })),
@@ -40,7 +41,7 @@ impl Flexibility for Compliance {
                 why: format!("ln(mu3/mu1) = {gamma} is beyond +-{STEEPEST}"),
                 remedy: "use a modulus at the base that is closer to the one at the surface",
             }),
-            (Base::Rigid, None) => Ok(Box::new(General::new(layer))),
+            (Base::Rigid, None) => Ok(Box::new(General::new(Arc::clone(layer)))),
             (Base::Infinite, _) => Err(not_built("a graded solid without a base")),
             (Base::Frictionless, _) => Err(not_built("a base without friction")),
             (Base::HalfPlane { .. }, _) => Err(not_built("an elastic half-plane as base")),
@@ -71,8 +72,8 @@ impl LayerResponse for HalfPlane {
         self.elastic
     }
 
-    fn leading_tail(&self) -> Option<SurfaceFlexibility> {
-        Some(SurfaceFlexibility::default())
+    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
+        vec![SurfaceFlexibility::default(); terms]
     }
 
     fn depth(&self) -> Option<f64> {
@@ -106,8 +107,8 @@ impl LayerResponse for Exponential {
         self.elastic
     }
 
-    fn leading_tail(&self) -> Option<SurfaceFlexibility> {
-        Some(surface_tail::leading_tail(self.elastic, self.gamma))
+    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
+        surface_tail::exponential(self.elastic, self.gamma, terms)
     }
 
     fn depth(&self) -> Option<f64> {
@@ -125,7 +126,7 @@ mod tests {
     use proptest::prelude::*;
     use slipzone_api::{Plane, Poisson, Positive};
 
-    fn compliance(layer: &LayerModel, s: f64) -> SurfaceFlexibility {
+    fn compliance(layer: &Arc<LayerModel>, s: f64) -> SurfaceFlexibility {
         at(&Compliance {}, layer, s)
     }
 
@@ -215,7 +216,7 @@ mod tests {
     fn limit_and_tail_at_large_wave_numbers() {
         for (gamma, nu) in [(2.0, 0.3), (-2.0, 0.3), (1.0, 0.5), (-4.0, -0.9)] {
             let layer = exponential(gamma, nu);
-            let tail = Compliance {}.respond(&layer).unwrap().leading_tail().unwrap();
+            let tail = Compliance {}.respond(&layer).unwrap().tail(1)[0];
             let rest = |s: f64| {
                 let (found, limit) = (entries(compliance(&layer, s)), entries(surface_tail::half_plane(layer.elastic)));
                 let tail = entries(tail);
@@ -264,12 +265,12 @@ mod tests {
 
     #[test]
     fn a_solid_without_base_is_its_limit_bit_for_bit() {
-        let layer = LayerModel { base: Base::Infinite, ..exponential(0.0, 0.3) };
+        let layer = Arc::new(LayerModel { base: Base::Infinite, ..Arc::into_inner(exponential(0.0, 0.3)).unwrap() });
         let response = Compliance {}.respond(&layer).unwrap();
         let mut out = [SurfaceFlexibility::default(); 3];
         response.surface_into(&[0.0, 1.0, 1e6], &mut out).unwrap();
         assert_eq!(out, [SurfaceFlexibility { vv: 1.0, uu: 1.0, uv: -layer.elastic.beta() }; 3]);
-        assert_eq!((response.depth(), response.leading_tail()), (None, Some(SurfaceFlexibility::default())));
+        assert_eq!((response.depth(), response.tail(1)), (None, vec![SurfaceFlexibility::default()]));
     }
 
     #[test]
@@ -285,7 +286,7 @@ mod tests {
     fn refuses_what_it_cannot_treat() {
         let substrate = Base::HalfPlane { shear: Positive::new(1.0).unwrap(), poisson: Poisson::new(0.3).unwrap() };
         for base in [Base::Frictionless, substrate, Base::Infinite] {
-            let layer = LayerModel { base, ..exponential(1.0, 0.3) };
+            let layer = Arc::new(LayerModel { base, ..Arc::into_inner(exponential(1.0, 0.3)).unwrap() });
             assert!(matches!(Compliance {}.respond(&layer), Err(Refusal::NotBuilt { .. })), "{base:?}");
         }
         let steep = exponential(1.01 * STEEPEST, 0.3);

@@ -1,6 +1,7 @@
 //! Layers that the tests of this crate share.
 
 use slipzone_api::{Base, Elastic, Flexibility, LayerModel, ModulusLaw, Plane, Poisson, SurfaceFlexibility};
+use std::sync::Arc;
 
 /// `2 exp(gamma y)`: the surface modulus must drop out.
 #[derive(Debug)]
@@ -33,17 +34,18 @@ impl ModulusLaw for Opaque {
     }
 }
 
-pub(crate) fn bonded(law: impl ModulusLaw + 'static, plane: Plane, nu: f64) -> LayerModel {
-    LayerModel { law: Box::new(law), elastic: Elastic::new(plane, Poisson::new(nu).unwrap()), base: Base::Rigid }
+pub(crate) fn bonded(law: impl ModulusLaw + 'static, plane: Plane, nu: f64) -> Arc<LayerModel> {
+    let elastic = Elastic::new(plane, Poisson::new(nu).unwrap());
+    Arc::new(LayerModel { law: Box::new(law), elastic, base: Base::Rigid })
 }
 
 /// Plane strain, rigid base, `exp(gamma y)`.
-pub(crate) fn exponential(gamma: f64, nu: f64) -> LayerModel {
+pub(crate) fn exponential(gamma: f64, nu: f64) -> Arc<LayerModel> {
     bonded(Exponential(gamma), Plane::Strain, nu)
 }
 
 /// One wave number by one method.
-pub(crate) fn at(method: &dyn Flexibility, layer: &LayerModel, s: f64) -> SurfaceFlexibility {
+pub(crate) fn at(method: &dyn Flexibility, layer: &Arc<LayerModel>, s: f64) -> SurfaceFlexibility {
     method.respond(layer).unwrap().surface(s).unwrap()
 }
 

@@ -3,7 +3,8 @@
 use crate::slice::{Slice, generator};
 use crate::surface_tail;
 use nalgebra::Matrix2;
-use slipzone_api::{Elastic, LayerModel, LayerResponse, ModulusLaw, Refusal, SurfaceFlexibility};
+use slipzone_api::{Elastic, LayerModel, LayerResponse, Refusal, SurfaceFlexibility};
+use std::sync::Arc;
 
 /// Largest `s delta` of the coarsest slices; the series in [`Slice::thin`] need not be exact on these.
 const THIN: f64 = 0.5;
@@ -31,17 +32,18 @@ const FORGOTTEN: f64 = 48.0;
 /// 151-238, section 5), so breakpoints are never touched. The error is a series in even powers of the
 /// thickness, from the fourth on: halving all slices and extrapolating removes one power after another.
 #[derive(Debug)]
-pub(crate) struct General<'a> {
-    law: &'a dyn ModulusLaw,
-    elastic: Elastic,
+pub(crate) struct General {
+    layer: Arc<LayerModel>,
+    /// The surface modulus.
+    unit: f64,
     /// 0, the breakpoints, 1.
     stretches: Vec<f64>,
     /// `ln(max mu/min mu)`.
     contrast: f64,
 }
 
-impl<'a> General<'a> {
-    pub(crate) fn new(layer: &'a LayerModel) -> Self {
+impl General {
+    pub(crate) fn new(layer: Arc<LayerModel>) -> Self {
         let law = layer.law.as_ref();
         let inside = law.breakpoints().iter().copied().filter(|&y| y > 0.0 && y < 1.0);
         let stretches: Vec<f64> = [0.0].into_iter().chain(inside).chain([1.0]).collect();
@@ -52,12 +54,13 @@ impl<'a> General<'a> {
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), mu| (least.min(mu), most.max(mu)));
         // Of a law without numbers nothing is left but the bound on the work.
         let contrast = (most - least).max(0.0);
-        Self { law, elastic: layer.elastic, stretches, contrast }
+        let unit = law.surface_modulus();
+        Self { layer, unit, stretches, contrast }
     }
 
     /// Modulus in units of the surface modulus.
     fn modulus(&self, depth: f64) -> f64 {
-        self.law.modulus(depth) / self.law.surface_modulus()
+        self.layer.law.modulus(depth) / self.unit
     }
 
     /// Compliance at the surface in units of `1/mu1`, `level` halvings after the coarsest slices; `None`
@@ -65,7 +68,7 @@ impl<'a> General<'a> {
     fn march(&self, s: f64, reach: f64, level: u32) -> Option<Matrix2<f64>> {
         let mut compliance = if reach < 1.0 {
             // The base is out of sight; any start does, the local half-plane least harm.
-            surface_tail::half_plane_compliance(self.elastic) / (s * self.modulus(reach))
+            surface_tail::half_plane_compliance(self.layer.elastic) / (s * self.modulus(reach))
         } else {
             Matrix2::zeros()
         };
@@ -91,7 +94,7 @@ impl<'a> General<'a> {
         let (upper, lower) = (self.modulus(middle - offset), self.modulus(middle + offset));
         // Depths in units of delta, stresses in units of a modulus within the slice.
         let unit = (upper * lower).sqrt();
-        let at = |modulus: f64| generator(self.elastic, s * delta, 0.0, modulus / unit);
+        let at = |modulus: f64| generator(self.layer.elastic, s * delta, 0.0, modulus / unit);
         let (upper, lower) = (at(upper), at(lower));
         let magnus = (upper + lower) / 2.0 + (lower * upper - upper * lower) * (3.0_f64.sqrt() / 12.0);
         let scale = delta / unit;
@@ -113,14 +116,14 @@ fn agree(x: SurfaceFlexibility, y: SurfaceFlexibility) -> bool {
         && (x.uv - y.uv).abs() <= TOLERANCE * (y.vv * y.uu).sqrt()
 }
 
-impl LayerResponse for General<'_> {
+impl LayerResponse for General {
     fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
         let reach = (0.5 * (FORGOTTEN + self.contrast) / s).min(1.0);
         // Neville's table of the compliances over slices of thickness delta, delta/2, delta/4, ...
         let mut row: Vec<SurfaceFlexibility> = Vec::new();
         for level in 0.. {
             let Some(compliance) = self.march(s, reach, level) else { break };
-            let mut finer = surface_tail::scaled(&compliance, s, self.elastic);
+            let mut finer = surface_tail::scaled(&compliance, s, self.layer.elastic);
             let last = row.last().copied();
             let mut order = 4;
             for coarser in &mut row {
@@ -142,11 +145,12 @@ impl LayerResponse for General<'_> {
     }
 
     fn elastic(&self) -> Elastic {
-        self.elastic
+        self.layer.elastic
     }
 
-    fn leading_tail(&self) -> Option<SurfaceFlexibility> {
-        Some(surface_tail::leading_tail(self.elastic, self.law.surface_gradient()?))
+    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
+        let [_, gradient] = self.layer.law.surface_series(2)[..] else { return Vec::new() };
+        surface_tail::exponential(self.layer.elastic, gradient, terms.min(1))
     }
 
     fn depth(&self) -> Option<f64> {
@@ -163,7 +167,7 @@ mod tests {
 
     type Law = fn(f64) -> f64;
 
-    fn general(modulus: Law, breakpoints: &'static [f64], nu: f64) -> LayerModel {
+    fn general(modulus: Law, breakpoints: &'static [f64], nu: f64) -> Arc<LayerModel> {
         bonded(Opaque { modulus, breakpoints }, Plane::Strain, nu)
     }
 

@@ -27,9 +27,10 @@ pub(crate) fn half_plane_compliance(elastic: Elastic) -> Matrix2<f64> {
 /// `D C0 = [[-2, 2 beta], [0, 0]]`, so `A - C0 D = [[2, 1], [-1, 0]]` for every `kappa`, and `E + D C0` is
 /// minus its transpose (`2 beta + lambda = 1`). The three equations for a symmetric `C1` then give
 /// `C1 = (kappa + 1)/8 [[1, -1], [-1, (kappa + 5)/(kappa + 1)]]`, and `s F mu = -(C0 + C1 gamma/s + ...)`.
-pub(crate) fn leading_tail(elastic: Elastic, gradient: f64) -> SurfaceFlexibility {
+pub(crate) fn exponential(elastic: Elastic, gradient: f64, terms: usize) -> Vec<SurfaceFlexibility> {
     let half = gradient / 2.0;
-    SurfaceFlexibility { vv: -half * (elastic.kappa + 5.0) / (elastic.kappa + 1.0), uu: -half, uv: half }
+    let first = SurfaceFlexibility { vv: -half * (elastic.kappa + 5.0) / (elastic.kappa + 1.0), uu: -half, uv: half };
+    vec![first; terms.min(1)]
 }
 
 /// `s F/A0` from a compliance `C` (order `(u, v)`) in units of `scale mu1`: `F = -C`.
@@ -46,7 +47,7 @@ mod tests {
     use nalgebra::{Matrix4, Vector4};
     use slipzone_api::{Plane, Poisson};
 
-    /// The Sylvester equation of [`leading_tail`] as four linear equations for the entries of `C1`.
+    /// The Sylvester equation of [`exponential`] as four linear equations for the entries of `C1`.
     fn by_direct_solve(elastic: Elastic, gradient: f64) -> SurfaceFlexibility {
         let a = Matrix2::new(0.0, 1.0, -elastic.lambda(), 0.0);
         let d = Matrix2::new(8.0 / (1.0 + elastic.kappa), 0.0, 0.0, 0.0);
@@ -63,7 +64,7 @@ mod tests {
     fn closed_form_solves_the_sylvester_equation() {
         for (plane, nu) in [(Plane::Strain, -0.99), (Plane::Strain, 0.3), (Plane::Strain, 0.5), (Plane::Stress, 0.2)] {
             let elastic = Elastic::new(plane, Poisson::new(nu).unwrap());
-            let (closed, direct) = (leading_tail(elastic, -2.5), by_direct_solve(elastic, -2.5));
+            let (closed, direct) = (exponential(elastic, -2.5, 1)[0], by_direct_solve(elastic, -2.5));
             for (x, y) in [(closed.vv, direct.vv), (closed.uu, direct.uu), (closed.uv, direct.uv)] {
                 // Entries of order one out of a well-conditioned 4x4 system.
                 assert!((x - y).abs() < 1e-14, "nu = {nu}: {closed:?} against {direct:?}");

@@ -5,6 +5,7 @@ use nalgebra::{Matrix4, Vector4};
 use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
 use slipzone_api::{Base, Elastic, Flexibility, LayerModel, LayerResponse, Refusal, SurfaceFlexibility};
+use std::sync::Arc;
 
 const METHOD: &str = "transfer-matrix";
 
@@ -41,7 +42,7 @@ slipzone_api::register!(Flexibility, "transfer-matrix", "the published route thr
 
 #[typetag::serde(name = "transfer-matrix")]
 impl Flexibility for TransferMatrix {
-    fn respond<'a>(&self, layer: &'a LayerModel) -> Result<Box<dyn LayerResponse + 'a>, Refusal> {
+    fn respond(&self, layer: &Arc<LayerModel>) -> Result<Box<dyn LayerResponse>, Refusal> {
         match (layer.base, layer.law.exponent()) {
             (Base::Rigid, Some(gamma)) => Ok(Box::new(Response { elastic: layer.elastic, gamma })),
             (Base::Rigid, None) => Err(not_built("a law other than the exponential one")),
@@ -150,8 +151,8 @@ impl LayerResponse for Response {
         self.elastic
     }
 
-    fn leading_tail(&self) -> Option<SurfaceFlexibility> {
-        Some(surface_tail::leading_tail(self.elastic, self.gamma))
+    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
+        surface_tail::exponential(self.elastic, self.gamma, terms)
     }
 
     fn depth(&self) -> Option<f64> {
@@ -169,7 +170,7 @@ mod tests {
     use crate::fixtures::{Exponential, Opaque, at, bonded, distance, exponential};
     use slipzone_api::Plane;
 
-    fn surface(layer: &LayerModel, s: f64) -> Result<SurfaceFlexibility, Refusal> {
+    fn surface(layer: &Arc<LayerModel>, s: f64) -> Result<SurfaceFlexibility, Refusal> {
         TransferMatrix {}.respond(layer)?.surface(s)
     }
 
@@ -220,7 +221,7 @@ mod tests {
 
     #[test]
     fn refuses_where_the_route_ends() {
-        let why = |layer: &LayerModel, s| match surface(layer, s) {
+        let why = |layer: &Arc<LayerModel>, s| match surface(layer, s) {
             Err(Refusal::WaveNumber { method: METHOD, wave_number, why, remedy: REMEDY })
                 if wave_number.to_bits() == s.to_bits() =>
             {
@@ -246,7 +247,7 @@ mod tests {
     #[test]
     fn other_laws_and_bases_are_not_built() {
         let general = bonded(Opaque { modulus: |y| 1.0 + y, breakpoints: &[] }, Plane::Strain, 0.3);
-        let infinite = LayerModel { base: Base::Infinite, ..exponential(0.0, 0.3) };
+        let infinite = Arc::new(LayerModel { base: Base::Infinite, ..Arc::into_inner(exponential(0.0, 0.3)).unwrap() });
         for layer in [general, infinite] {
             assert!(matches!(TransferMatrix {}.respond(&layer), Err(Refusal::NotBuilt { .. })));
         }

@@ -71,10 +71,10 @@ impl KernelStrategy for Truncated {
         let integral = Integral {
             samples: &samples,
             beta: response.elastic().beta(),
-            tail: response.leading_tail().unwrap_or_default(),
+            tail: response.tail(1).first().copied().unwrap_or_default(),
         };
         let kernels = integral.tabulate(request.components, request.reach, nodes);
-        Ok(Box::new(Table { kernels, flexibility_evaluations: samples.s.len() }))
+        Ok(Box::new(Table { kernels, length: depth, flexibility_evaluations: samples.s.len() }))
     }
 
     fn refined(&self, level: u32) -> Box<dyn KernelStrategy> {
@@ -180,6 +180,7 @@ impl Kernel {
 /// The tabulated kernels of one layer.
 struct Table {
     kernels: Vec<Kernel>,
+    length: f64,
     flexibility_evaluations: usize,
 }
 
@@ -191,6 +192,10 @@ impl KernelTable for Table {
         for (t, out) in distances.iter().zip(out) {
             *out = kernel.parts(*t, kernel.smooth.at(*t));
         }
+    }
+
+    fn length(&self) -> f64 {
+        self.length
     }
 
     fn flexibility_evaluations(&self) -> usize {

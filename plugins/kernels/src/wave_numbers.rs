@@ -40,7 +40,7 @@ impl Samples {
         // Gauss with n nodes takes cos(k x) on [-1, 1] to round-off for k up to about n/2.
         let widest = per_panel as f64 / reach;
         let rule = GaussLegendre::new(per_panel).expect("at least one node");
-        let (beta, tail) = (response.elastic().beta(), response.leading_tail().unwrap_or_default());
+        let (beta, tail) = (response.elastic().beta(), response.tail(1).first().copied().unwrap_or_default());
         let mut samples = Self::default();
         while samples.cutoff < cutoff {
             let lower = samples.cutoff;

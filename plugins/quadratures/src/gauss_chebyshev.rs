@@ -151,6 +151,17 @@ impl ChebyshevRule {
         }
     }
 
+    fn value_at(&self, density: Density, at: Station) -> f64 {
+        let t = at.x / self.half_width;
+        let relative_gap = at.gap / self.half_width;
+        let root = (relative_gap * (2.0 - relative_gap)).sqrt();
+        let smooth = self.grid.interpolate(density.unknowns, self.mirror(), t);
+        match self.edge {
+            Edge::Sharp => smooth / root,
+            Edge::Smooth | Edge::Continued => smooth * root + density.carrier * t,
+        }
+    }
+
     fn scratch(&self) -> Scratch {
         let n = self.grid.t.len();
         Scratch { distances: vec![0.0; 2 * n], parts: vec![Parts::default(); 2 * n], folded: vec![0.0; n] }
@@ -178,7 +189,15 @@ impl Rule for ChebyshevRule {
         &self.stations
     }
 
-    fn operator_into(&self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]) {
+    fn stretch(&mut self, half_width: f64) {
+        let factor = half_width / self.half_width;
+        self.half_width = half_width;
+        for station in &mut self.stations {
+            *station = Station { x: factor * station.x, gap: factor * station.gap };
+        }
+    }
+
+    fn operator_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]) {
         let n = self.unknowns();
         assert_eq!(rows.len(), n * self.stations.len(), "rows = collocation points, columns = unknowns");
         let mut scratch = self.scratch();
@@ -196,7 +215,7 @@ impl Rule for ChebyshevRule {
         }
     }
 
-    fn carrier_into(&self, kernel: Option<(&dyn KernelTable, Component)>, out: &mut [f64]) {
+    fn carrier_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, out: &mut [f64]) {
         assert_eq!(out.len(), self.stations.len(), "one value per collocation point");
         out.fill(0.0);
         if self.edge != Edge::Continued {
@@ -222,14 +241,10 @@ impl Rule for ChebyshevRule {
         }
     }
 
-    fn value(&self, density: Density, at: Station) -> f64 {
-        let t = at.x / self.half_width;
-        let relative_gap = at.gap / self.half_width;
-        let root = (relative_gap * (2.0 - relative_gap)).sqrt();
-        let smooth = self.grid.interpolate(density.unknowns, self.mirror(), t);
-        match self.edge {
-            Edge::Sharp => smooth / root,
-            Edge::Smooth | Edge::Continued => smooth * root + density.carrier * t,
+    fn values_into(&self, density: Density, at: &[Station], out: &mut [f64]) {
+        assert_eq!(at.len(), out.len(), "one value per point");
+        for (out, at) in out.iter_mut().zip(at) {
+            *out = self.value_at(density, *at);
         }
     }
 
@@ -240,13 +255,19 @@ impl Rule for ChebyshevRule {
         }
     }
 
+    fn sample_potential(&mut self, unknowns: &[f64], _: (&dyn KernelTable, Component), samples: &mut Vec<f64>) {
+        samples.clear();
+        samples.extend_from_slice(unknowns);
+    }
+
     fn potential_into(
-        &self,
-        unknowns: &[f64],
+        &mut self,
+        samples: &[f64],
         kernel: (&dyn KernelTable, Component),
-        targets: &[f64],
+        targets: &[Station],
         out: &mut [f64],
     ) {
+        let unknowns = samples;
         assert_eq!(targets.len(), out.len(), "one value per target");
         // Jump and logarithm at the origin are integrated term by term against the Chebyshev series of
         // the density; what is left of the kernel is continuous and summed at the nodes.
@@ -262,7 +283,7 @@ impl Rule for ChebyshevRule {
         };
         let series = if jump == 0.0 && log == 0.0 { Vec::new() } else { self.grid.series(unknowns, self.mirror()) };
         let mut scratch = self.scratch();
-        for (out, x) in out.iter_mut().zip(targets) {
+        for (out, Station { x, .. }) in out.iter_mut().zip(targets) {
             self.folded_kernel(kernel, *x, reduced, &mut scratch);
             let summed: f64 =
                 unknowns.iter().zip(&self.grid.weight).zip(&scratch.folded).map(|((u, w), k)| u * w * k).sum();

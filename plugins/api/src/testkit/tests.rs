@@ -275,8 +275,9 @@ impl ModulusLaw for Ramp {
     fn exponent(&self) -> Option<f64> {
         matches!(self.fault, Fault::Exponent).then_some(self.growth)
     }
-    fn surface_gradient(&self) -> Option<f64> {
-        Some(if matches!(self.fault, Fault::Gradient) { 1.01 * self.growth } else { self.growth })
+    fn surface_series(&self, terms: usize) -> Vec<f64> {
+        let slope = if matches!(self.fault, Fault::Gradient) { 1.01 * self.growth } else { self.growth };
+        [1.0, slope].into_iter().chain(std::iter::repeat(0.0)).take(terms).collect()
     }
     fn breakpoints(&self) -> &[f64] {
         if matches!(self.fault, Fault::Breaks) { &[0.5, 0.2] } else { &[] }
@@ -290,7 +291,7 @@ fn a_grading_must_keep_its_contract() {
     for (growth, fault, words) in [
         (-2.0, Fault::None, "modulus(0.5) = 0"),
         (0.7, Fault::Exponent, "exponent() = 0.7"),
-        (0.7, Fault::Gradient, "surface_gradient()"),
+        (0.7, Fault::Gradient, "surface_series()"),
         (0.7, Fault::Surface, "surface_modulus() = 1.1"),
         (0.7, Fault::Breaks, "do not ascend"),
     ] {

@@ -22,8 +22,8 @@ impl LayerResponse for Rational {
         Elastic::new(Plane::Strain, Poisson::new(0.3).expect("in range"))
     }
 
-    fn leading_tail(&self) -> Option<SurfaceFlexibility> {
-        self.tail_known.then_some(SurfaceFlexibility { vv: -1.0, uu: -1.0, uv: 1.0 })
+    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
+        vec![SurfaceFlexibility { vv: -1.0, uu: -1.0, uv: 1.0 }; if self.tail_known { terms.min(1) } else { 0 }]
     }
 
     fn depth(&self) -> Option<f64> {
@@ -48,7 +48,7 @@ fn exact(component: Component, t: f64) -> f64 {
 }
 
 fn table(response: &dyn LayerResponse, level: u32, components: &[Component]) -> Box<dyn KernelTable> {
-    let request = KernelRequest { reach: 2.0, components };
+    let request = KernelRequest { reach: 2.0, components, accuracy: 1e-10 };
     Truncated::default().refined(level).tabulate(response, &request).expect("within reach")
 }
 
@@ -120,7 +120,7 @@ fn evaluates_the_flexibility_once_for_all_kernels() {
 #[test]
 fn refuses_a_contact_too_wide_for_its_layer() {
     let response = Rational { tail_known: true, ..Rational::default() };
-    let request = KernelRequest { reach: 1e6, components: &[Component::NormalSlope] };
+    let request = KernelRequest { reach: 1e6, components: &[Component::NormalSlope], accuracy: 1e-10 };
     let refusal = Truncated::default().tabulate(&response, &request).err().expect("a refusal");
     assert!(refusal.to_string().contains("more work than it is worth"), "{refusal}");
 }

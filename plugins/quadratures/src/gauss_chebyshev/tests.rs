@@ -17,6 +17,10 @@ impl KernelTable for Made {
         }
     }
 
+    fn length(&self) -> f64 {
+        1.0
+    }
+
     fn flexibility_evaluations(&self) -> usize {
         0
     }
@@ -31,7 +35,7 @@ fn apply(rows: &[f64], unknowns: &[f64]) -> Vec<f64> {
     rows.chunks(unknowns.len()).map(|row| row.iter().zip(unknowns).map(|(a, u)| a * u).sum()).collect()
 }
 
-fn operator(rule: &dyn Rule, kernel: Option<(&dyn KernelTable, Component)>) -> Vec<f64> {
+fn operator(rule: &mut dyn Rule, kernel: Option<(&dyn KernelTable, Component)>) -> Vec<f64> {
     let mut rows = vec![0.0; rule.unknowns() * rule.collocation().len()];
     rule.operator_into(kernel, &mut rows);
     rows
@@ -55,18 +59,18 @@ fn cauchy_integrals_of_chebyshev_polynomials_are_exact() {
     let (c, n) = (2.5, 24);
     // (1/pi) PV int T_k(t)/((x - t) sqrt(1 - t^2)) dt = -U_{k-1}(x), k = 4 (even) and 5 (odd).
     for (k, parity) in [(4, Parity::Even), (5, Parity::Odd)] {
-        let rule = rule(c, parity, Edge::Sharp, n);
+        let mut rule = rule(c, parity, Edge::Sharp, n);
         let values: Vec<f64> = angles(Edge::Sharp, n).iter().map(|a| (f64::from(k) * a).cos()).collect();
-        for (got, at) in apply(&operator(rule.as_ref(), None), &values).iter().zip(rule.collocation()) {
+        for (got, at) in apply(&operator(rule.as_mut(), None), &values).iter().zip(rule.collocation()) {
             let alpha = (at.x / c).acos();
             assert_close(*got, -(f64::from(k) * alpha).sin() / alpha.sin(), 1e-12, "T_k");
         }
     }
     // (1/pi) PV int U_k(t) sqrt(1 - t^2)/(x - t) dt = T_{k+1}(x), k = 4 (even) and 5 (odd).
     for (k, parity, edge) in [(4, Parity::Even, Edge::Smooth), (5, Parity::Odd, Edge::Continued)] {
-        let rule = rule(c, parity, edge, n);
+        let mut rule = rule(c, parity, edge, n);
         let values: Vec<f64> = angles(edge, n).iter().map(|a| (f64::from(k + 1) * a).sin() / a.sin()).collect();
-        for (got, at) in apply(&operator(rule.as_ref(), None), &values).iter().zip(rule.collocation()) {
+        for (got, at) in apply(&operator(rule.as_mut(), None), &values).iter().zip(rule.collocation()) {
             assert_close(*got, (f64::from(k + 1) * (at.x / c).acos()).cos(), 1e-12, "U_k");
         }
     }
@@ -89,10 +93,10 @@ fn equations_and_unknowns_are_counted_as_the_contract_says() {
 #[test]
 fn flat_punch_on_a_half_plane() {
     let (c, n) = (3.0, 16);
-    let rule = rule(c, Parity::Even, Edge::Sharp, n);
+    let mut rule = rule(c, Parity::Even, Edge::Sharp, n);
     // F = 1/(pi c) is the flat punch under unit force.
     let unknowns = vec![1.0 / (PI * c); rule.unknowns()];
-    assert!(apply(&operator(rule.as_ref(), None), &unknowns).iter().all(|v| v.abs() < 1e-14));
+    assert!(apply(&operator(rule.as_mut(), None), &unknowns).iter().all(|v| v.abs() < 1e-14));
     let mut row = vec![0.0; rule.unknowns()];
     rule.resultant_into(&mut row);
     assert_close(apply(&row, &unknowns)[0], 1.0, 1e-14, "resultant");
@@ -121,7 +125,7 @@ fn values_between_the_nodes_are_those_of_the_polynomial() {
 #[test]
 fn the_carrier_is_the_odd_density_that_is_one_at_the_end() {
     let (c, n) = (2.0, 200);
-    let rule = rule(c, Parity::Odd, Edge::Continued, n);
+    let mut rule = rule(c, Parity::Odd, Edge::Continued, n);
     // With k(t) = t^3, int_-c^c (r/c) (x - r)^3 dr = -2 c^2 x^2 - 2 c^4/5.
     let cubic = Made { smooth: |t| t * t * t, sign: 0.0, log: 0.0 };
     let mut carried = vec![0.0; rule.collocation().len()];
@@ -146,11 +150,13 @@ fn potentials_of_jump_and_logarithm_are_exact_anywhere() {
     let logarithm = Made { smooth: |_| 0.0, sign: 0.0, log: 1.0 };
     let jump = Made { smooth: |_| 0.0, sign: 1.0, log: 0.0 };
     for edge in [Edge::Sharp, Edge::Smooth] {
-        let rule = rule(c, Parity::Even, edge, 10);
+        let mut rule = rule(c, Parity::Even, edge, 10);
         let unknowns = vec![1.0; rule.unknowns()];
-        let potential = |made: &Made| {
-            let mut out = [0.0; 6];
-            rule.potential_into(&unknowns, (made, Component::Coupling), &targets, &mut out);
+        let mut potential = |made: &Made| {
+            let (mut samples, mut out) = (Vec::new(), [0.0; 6]);
+            let at = targets.map(|x: f64| Station { x, gap: c - x.abs() });
+            rule.sample_potential(&unknowns, (made, Component::Coupling), &mut samples);
+            rule.potential_into(&samples, (made, Component::Coupling), &at, &mut out);
             out
         };
         for ((x, by_log), by_jump) in targets.iter().zip(potential(&logarithm)).zip(potential(&jump)) {
@@ -174,8 +180,8 @@ fn a_kernel_with_a_jump_converges_to_second_order() {
     let errors: Vec<f64> = [16, 32, 64]
         .iter()
         .map(|&n| {
-            let rule = rule(1.0, Parity::Even, Edge::Sharp, n);
-            let rows = operator(rule.as_ref(), Some((&jump, Component::NormalSlope)));
+            let mut rule = rule(1.0, Parity::Even, Edge::Sharp, n);
+            let rows = operator(rule.as_mut(), Some((&jump, Component::NormalSlope)));
             let values: Vec<f64> = angles(Edge::Sharp, n).iter().map(|a| a.cos().powi(2)).collect();
             let got = apply(&rows, &values);
             // Density t^2/sqrt(1 - t^2): Cauchy part -U_1/2 = -x, jump part asin x - x sqrt(1 - x^2) over pi.
