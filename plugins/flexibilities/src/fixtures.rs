@@ -34,6 +34,23 @@ impl ModulusLaw for Opaque {
     }
 }
 
+/// A law that also tells its Taylor series at the surface, which ends after the coefficients given.
+#[derive(Debug)]
+pub(crate) struct Smooth {
+    pub(crate) law: Opaque,
+    pub(crate) series: &'static [f64],
+}
+
+impl ModulusLaw for Smooth {
+    fn modulus(&self, depth: f64) -> f64 {
+        self.law.modulus(depth)
+    }
+
+    fn surface_series(&self, terms: usize) -> Vec<f64> {
+        self.series.iter().copied().chain(std::iter::repeat(0.0)).take(terms).collect()
+    }
+}
+
 pub(crate) fn bonded(law: impl ModulusLaw + 'static, plane: Plane, nu: f64) -> Arc<LayerModel> {
     let elastic = Elastic::new(plane, Poisson::new(nu).unwrap());
     Arc::new(LayerModel { law: Box::new(law), elastic, base: Base::Rigid })
