@@ -53,7 +53,7 @@ pub(crate) fn exponential(elastic: Elastic, gradient: f64, terms: usize) -> Vec<
 ///
 /// The `Hk` are carried as Taylor polynomials. Each order differentiates once: `Hk` to degree `m` asks for `w` to
 /// degree `m + k - 1` and for `mu` to one more, so that `n + 1` coefficients (the leading 1 among them) give `n`
-/// terms, at about `terms^4/8` multiplications. The series is asymptotic; it diverges unless `ln mu` is entire.
+/// terms, at about `terms^4/8` multiplications. The series is in general only asymptotic.
 pub(crate) fn smooth(elastic: Elastic, modulus: &[f64], terms: usize) -> Vec<SurfaceFlexibility> {
     let terms = terms.min(modulus.len().saturating_sub(1));
     let gradient = logarithmic_gradient(modulus, terms);
