@@ -24,7 +24,7 @@ pub enum Parity {
 }
 
 /// What a density does at the ends of its interval.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Edge {
     /// Unbounded like `1/sqrt(gap)`: a sharp corner. The equations leave one number free (the resultant).
     Sharp,

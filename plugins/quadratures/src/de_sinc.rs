@@ -90,9 +90,9 @@ const MOST_STEPS: usize = 2048;
 const MOST_REACH: f64 = 6.0;
 
 impl DeSinc {
-    fn resolution(&self) -> Resolution {
+    fn resolution(&self, edge: Edge) -> Resolution {
         let n = self.n.map_or_else(|| ladder(self.level), |n| finer(n.0, self.level));
-        Resolution { n, u_max: self.u_max.map_or_else(|| reach(n), f64::from) }
+        Resolution { n, u_max: self.u_max.map_or_else(|| reach(n, edge), f64::from) }
     }
 }
 
@@ -109,7 +109,7 @@ impl Quadrature for DeSinc {
             }
             (Some(parity), _) => parity == Parity::Odd,
         };
-        let resolution = self.resolution();
+        let resolution = self.resolution(span.edge);
         if resolution.n > MOST_STEPS {
             return Err(Refusal::OutOfReach {
                 method: "de-sinc",
@@ -117,8 +117,8 @@ impl Quadrature for DeSinc {
                 remedy: "ask for a coarser tolerance or fewer steps",
             });
         }
-        let grid = resolution::grid(resolution, odd);
-        Ok(Box::new(DeSincRule::new(0.5 * (upper - lower), span.edge, resolution, grid)))
+        let grid = resolution::grid(resolution, odd, span.edge);
+        Ok(Box::new(DeSincRule::new(0.5 * (upper - lower), resolution, grid)))
     }
 
     fn refined(&self, level: u32) -> Box<dyn Quadrature> {

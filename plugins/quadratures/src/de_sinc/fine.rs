@@ -1,9 +1,10 @@
 //! Where the kernel part is summed: the nodes, or a grid an odd number of times as fine.
 
-use super::grid::Grid;
+use super::grid::{Grid, tail};
 use super::map::Place;
 use super::series::alternating;
 use super::shelf::Size;
+use slipzone_api::Edge;
 use spec_math::cephes64::sici;
 use std::f64::consts::{FRAC_2_PI, PI};
 
@@ -84,6 +85,9 @@ impl Fine {
         };
         // The middle node is its own mirror image, and both are summed.
         fine.weight[0] *= 0.5;
+        if grid.edge == Edge::Sharp {
+            fine.weight[n] += tail(&places, fine_step);
+        }
         for (i, v) in grid.staggered.iter().enumerate() {
             let d = (2 * i + 1) * factor; // in halves
             for (k, place) in places.iter().enumerate() {

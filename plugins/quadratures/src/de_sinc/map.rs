@@ -38,10 +38,10 @@ impl Place {
     }
 }
 
-/// `(w, u)` of `|x|` on `[-half_width, half_width]`.
-pub(super) fn locate(at: Station, half_width: f64) -> (f64, f64) {
+/// `u` of `|x|` on `[-half_width, half_width]`, infinite at the end.
+pub(super) fn locate(at: Station, half_width: f64) -> f64 {
     let t = at.x.abs() / half_width;
     // Each form where it keeps its digits.
     let w = if t < 0.5 { t.atanh() } else { 0.5 * ((2.0 * half_width - at.gap) / at.gap).ln() };
-    (w, (w / FRAC_PI_2).asinh())
+    (w / FRAC_PI_2).asinh()
 }

@@ -3,6 +3,7 @@
 use super::fine::Fine;
 use super::grid::Grid;
 use super::shelf::Shelf;
+use slipzone_api::Edge;
 use std::f64::consts::{PI, SQRT_2};
 use std::sync::Arc;
 
@@ -41,9 +42,16 @@ const MOST_DIGITS: f64 = 36.0;
 /// Distance of the kernel's nearest singularity in terms of [`slipzone_api::KernelTable::length`].
 const POLE: f64 = 0.77;
 
-/// Where the grid ends.
-pub(super) fn reach(n: usize) -> f64 {
-    (2.6 + 0.25 * (n as f64).ln()).min(4.6)
+/// Where a grid of `n` steps ends in `u`: where the pieces left out weigh as much as the steps do.
+///
+/// Measured on flat punches (sharp) and stick zones (continued). What lies beyond the end is not lost but taken
+/// for the continuation of the last node, which suits `F ~ 1` at a sharp edge better than `F ~ gap`.
+pub(super) fn reach(n: usize, edge: Edge) -> f64 {
+    match edge {
+        Edge::Sharp => (2.3 + 0.82 * (n as f64 / 6.0).ln()).clamp(2.0, 3.9),
+        Edge::Smooth => (2.6 + 0.7 * (n as f64 / 6.0).ln()).clamp(2.4, 4.0),
+        Edge::Continued => (3.2 + 0.35 * (n as f64 / 8.0).ln()).clamp(2.8, 4.4),
+    }
 }
 
 impl Resolution {
@@ -62,17 +70,17 @@ impl Resolution {
 /// Odd, in steps of about `sqrt 2`, so that few grids serve all.
 const FACTORS: [usize; 16] = [1, 3, 5, 7, 9, 13, 19, 27, 39, 55, 77, 109, 155, 219, 309, 437];
 
-static GRIDS: Shelf<(usize, u64, bool), Grid> = Shelf::new();
-static FINE_GRIDS: Shelf<(usize, u64, bool, usize), Fine> = Shelf::new();
+static GRIDS: Shelf<(usize, u64, bool, Edge), Grid> = Shelf::new();
+static FINE_GRIDS: Shelf<(usize, u64, bool, Edge, usize), Fine> = Shelf::new();
 
 /// The grid of a resolution.
-pub(super) fn grid(resolution: Resolution, odd: bool) -> Arc<Grid> {
+pub(super) fn grid(resolution: Resolution, odd: bool, edge: Edge) -> Arc<Grid> {
     let Resolution { n, u_max } = resolution;
-    GRIDS.get((n, u_max.to_bits(), odd), || Grid::new(n, u_max, odd))
+    GRIDS.get((n, u_max.to_bits(), odd, edge), || Grid::new(n, u_max, odd, edge))
 }
 
 /// The grid on which kernels are summed.
 pub(super) fn fine_grid(resolution: Resolution, grid: &Grid, factor: usize) -> Arc<Fine> {
     let Resolution { n, u_max } = resolution;
-    FINE_GRIDS.get((n, u_max.to_bits(), grid.odd, factor), || Fine::new(grid, factor))
+    FINE_GRIDS.get((n, u_max.to_bits(), grid.odd, grid.edge, factor), || Fine::new(grid, factor))
 }

@@ -15,7 +15,6 @@ const BATCH: usize = 256;
 
 pub(super) struct DeSincRule {
     half_width: f64,
-    edge: Edge,
     resolution: Resolution,
     grid: Arc<Grid>,
     /// Where the kernel is summed; changes when the interval or the kernel do.
@@ -35,14 +34,14 @@ struct Scratch {
 }
 
 impl DeSincRule {
-    pub(super) fn new(half_width: f64, edge: Edge, resolution: Resolution, grid: Arc<Grid>) -> Self {
+    pub(super) fn new(half_width: f64, resolution: Resolution, grid: Arc<Grid>) -> Self {
         let scratch = Scratch {
             distances: vec![0.0; 2 * BATCH],
             parts: vec![Parts::default(); 2 * BATCH],
             folded: Vec::new(),
             spread: Vec::new(),
         };
-        let mut rule = Self { half_width, edge, resolution, grid, fine: None, stations: Vec::new(), scratch };
+        let mut rule = Self { half_width, resolution, grid, fine: None, stations: Vec::new(), scratch };
         rule.stations = vec![Station { x: 0.0, gap: 0.0 }; rule.grid.staggered.len()];
         rule.stretch(half_width);
         rule
@@ -111,7 +110,7 @@ impl Rule for DeSincRule {
     }
 
     fn edge_condition(&self) -> Option<&[f64]> {
-        (self.edge != Edge::Sharp).then_some(self.grid.edge_row.as_slice())
+        (self.grid.edge != Edge::Sharp).then_some(self.grid.edge_row.as_slice())
     }
 
     fn row_scale(&self) -> Option<&[f64]> {
@@ -140,14 +139,14 @@ impl Rule for DeSincRule {
 
     fn values_into(&self, density: Density, at: &[Station], out: &mut [f64]) {
         assert_eq!(at.len(), out.len(), "one value per point");
-        let shape = Shape::new(&self.grid, self.edge, density);
+        let shape = Shape::new(&self.grid, density);
         for (out, at) in out.iter_mut().zip(at) {
             *out = shape.value(*at, self.half_width);
         }
     }
 
     fn edge_factor(&self, unknowns: &[f64]) -> f64 {
-        match self.edge {
+        match self.grid.edge {
             Edge::Sharp => self.half_width * dot(&self.grid.edge_row, unknowns),
             Edge::Smooth | Edge::Continued => 0.0,
         }
@@ -183,8 +182,7 @@ impl Rule for DeSincRule {
         let odd = self.grid.odd != kernel.1.is_odd();
         let (edge, rest) = samples.split_last().expect("samples of a potential");
         for (out, at) in out.iter_mut().zip(targets) {
-            let (_, u) = locate(*at, self.half_width);
-            let varying = at_halves(rest, odd, u / self.grid.step);
+            let varying = at_halves(rest, odd, locate(*at, self.half_width) / self.grid.step);
             *out = if odd {
                 edge * at.x / self.half_width + varying * at.x.signum()
             } else {

@@ -16,10 +16,11 @@ pub(super) fn at_nodes(signed: &[f64], odd: bool, t: f64) -> f64 {
         return sign * signed[whole(nearest)];
     }
     // 1/(t - j) + 1/(t + j) = 2 t/(t^2 - j^2), with minus 2 j/(t^2 - j^2); the middle node counts once.
+    let (middle, others) = signed.split_first().expect("t < signed.len() - 1");
     let sum = if odd {
-        folded(signed, t, 0.0, |y, j| y * j)
+        folded(others, t, 1.0, |y, j| y * j)
     } else {
-        t * (folded(signed, t, 0.0, |y, _| y) - 0.5 * signed[0] / (t * t))
+        t * folded(others, t, 1.0, |y, _| y) + 0.5 * middle / t
     };
     sign * (PI * (t - nearest)).sin() * 2.0 / PI * sum
 }

@@ -6,61 +6,79 @@ use super::rule::dot;
 use super::series::{alternating, at_nodes};
 use slipzone_api::{Density, Edge, Station};
 
-/// From here on `F` is its own limit to rounding: what is left is `gap log gap`, `gap/c = 2 exp(-2 w)`.
+/// From here on `F` of a sharp edge is its own limit to rounding: what is left is `gap log gap`,
+/// `gap/c = 2 exp(-2 w)`.
 const PLATEAU: f64 = 20.0;
 
-/// Where the last useful value of `F cosh^2 w` lies: `F` carries an error of a rounding times `exp(-w)`,
-/// and the value differs from its limit by `exp(-2 w)`; both are 1e-11 here.
-const USEFUL: f64 = 12.3;
-
-/// A density made ready for evaluation: `f = carrier x/c + y(u) cosh(w)^(1 - power)`.
+/// A density made ready for evaluation, with `s = sqrt(1 - x^2)` and `y` a sum of sinc functions:
+/// `f = (limit + y)/s` at sharp edges, `s (limit + y)` at smooth ones, `carrier x + s limit + y` at continued ones;
+/// `limit` times `x` where `f` is odd.
 pub(super) struct Shape<'a> {
     grid: &'a Grid,
-    edge: Edge,
     carrier: f64,
-    /// Limit of `y` at the upper end.
     limit: f64,
-    /// `(-1)^j (y_j - limit)` or, when odd, `(-1)^j (y_j - limit x_j)`; only where that is no rounding noise.
+    /// `(-1)^j y_j`, up to where it is all rounding.
     signed: Vec<f64>,
 }
 
 impl<'a> Shape<'a> {
-    pub(super) fn new(grid: &'a Grid, edge: Edge, density: Density) -> Self {
+    pub(super) fn new(grid: &'a Grid, density: Density) -> Self {
         assert_eq!(density.unknowns.len(), grid.unknowns(), "one number per unknown");
-        let odd = grid.odd;
-        let end_shape = |x: f64| if odd { x } else { 1.0 };
         let value = |j: usize| if j < grid.first { 0.0 } else { density.unknowns[j - grid.first] };
-        let last = |w: f64| grid.nodes.iter().take_while(|u| u.w < w).count() - 1;
-        let (limit, signed);
-        if edge == Edge::Sharp {
-            limit = dot(&grid.edge_row, density.unknowns);
-            let rest = |(j, x): (usize, f64)| alternating(j) * (value(j) - limit * end_shape(x));
-            signed = grid.nodes[..=last(PLATEAU)].iter().map(|u| u.x).enumerate().map(rest).collect();
+        let mut y: Vec<f64> = (0..grid.nodes.len()).map(value).collect();
+        let limit = if grid.edge == Edge::Sharp {
+            y.truncate(grid.nodes.iter().take_while(|u| u.w < PLATEAU).count());
+            dot(&grid.edge_row, density.unknowns)
         } else {
-            // The 1/sqrt(gap) that is to be absent is absent to a rounding of F, nearly the same at all nodes.
-            let noise = grid.nodes.get(last(PLATEAU) + 1).map_or(0.0, |_| value(last(PLATEAU) + 1));
-            let y = |j: usize| {
-                let node = &grid.nodes[j];
-                let bounded = value(j) - noise * end_shape(node.x);
-                (bounded / node.sech - density.carrier * node.x) / node.sech
+            bound(&mut y, grid, density.carrier)
+        };
+        for (j, (y, u)) in y.iter_mut().zip(&grid.nodes).enumerate() {
+            let scale = match grid.edge {
+                Edge::Sharp => 1.0,
+                Edge::Smooth => u.sech * u.sech,
+                Edge::Continued => u.sech,
             };
-            let end = last(USEFUL);
-            limit = y(end) / end_shape(grid.nodes[end].x);
-            signed = (0..=end).map(|j| alternating(j) * (y(j) - limit * end_shape(grid.nodes[j].x))).collect();
+            let ending = if grid.edge == Edge::Continued { limit * u.sech } else { limit };
+            *y = alternating(j) * (*y / scale - ending * grid.ending(u.x));
         }
-        Self { grid, edge, carrier: density.carrier, limit, signed }
+        Self { grid, carrier: density.carrier, limit, signed: y }
     }
 
     pub(super) fn value(&self, at: Station, half_width: f64) -> f64 {
-        let (_, u) = locate(at, half_width);
         let t = at.x / half_width;
-        let varying = at_nodes(&self.signed, self.grid.odd, u / self.grid.step);
-        let y = if self.grid.odd { self.limit * t + varying * t.signum() } else { self.limit + varying };
+        let (limit, sign) = if self.grid.odd { (self.limit * t, t.signum()) } else { (self.limit, 1.0) };
+        let varying = sign * at_nodes(&self.signed, self.grid.odd, locate(at, half_width) / self.grid.step);
         let relative = at.gap / half_width;
         let root = (relative * (2.0 - relative)).sqrt();
-        match self.edge {
-            Edge::Sharp => y / root,
-            Edge::Smooth | Edge::Continued => self.carrier * t + y * root,
+        match self.grid.edge {
+            Edge::Sharp => (limit + varying) / root,
+            Edge::Smooth => root * (limit + varying),
+            Edge::Continued => self.carrier * t + root * limit + varying,
         }
     }
+}
+
+/// Takes the carrier and the noise off `F` and cuts it where nothing else is left; returns `lim F/(1 - x^2)`.
+///
+/// The singular density that is to be absent is absent up to an error `e` only, and adds nearly the same
+/// number to `F` at all nodes; what stays of it once that is taken off is about `e/10`. It counts as
+/// `e exp(w)` in `f`. The first term left out behind the cut counts as `exp(-2 w)` (continued: `f` is
+/// regular `+ sqrt(gap)`) or `exp(-3 w)` (smooth), which is as much where `F ~ exp(-2 w)` is `e^(2/3)` or `e^(1/2)`.
+fn bound(f: &mut Vec<f64>, grid: &Grid, carrier: f64) -> f64 {
+    for (f, u) in f.iter_mut().zip(&grid.nodes) {
+        *f -= carrier * u.x * u.sech;
+    }
+    // The very last nodes feel the missing ones.
+    let n = f.len() - 1;
+    let noise = f[n - 1 - n / 16];
+    for (f, u) in f.iter_mut().zip(&grid.nodes) {
+        *f -= noise * grid.ending(u.x);
+    }
+    let largest = f.iter().fold(0.0_f64, |most, f| most.max(f.abs()));
+    let rest = 0.1 * noise.abs() + 0.1 * f64::EPSILON * largest;
+    let exponent = if grid.edge == Edge::Smooth { 0.5 } else { 2.0 / 3.0 };
+    let least = largest * (rest / largest).powf(exponent);
+    let end = (1..n).rev().find(|j| f[*j].abs() > least).unwrap_or(1);
+    f.truncate(end + 1);
+    f[end] / (grid.nodes[end].sech.powi(2) * grid.ending(grid.nodes[end].x))
 }

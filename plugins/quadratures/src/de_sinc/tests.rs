@@ -28,8 +28,7 @@ impl<S: Fn(f64) -> Parts + Send + Sync> KernelTable for Made<S> {
 }
 
 fn rule_of(c: f64, parity: Parity, edge: Edge, resolution: Resolution) -> DeSincRule {
-    let _ = c;
-    DeSincRule::new(c, edge, resolution, resolution::grid(resolution, parity == Parity::Odd))
+    DeSincRule::new(c, resolution, resolution::grid(resolution, parity == Parity::Odd, edge))
 }
 
 fn operator(rule: &mut dyn Rule, kernel: Option<(&dyn KernelTable, Component)>) -> Vec<f64> {
