@@ -24,7 +24,7 @@ pub enum Parity {
 }
 
 /// What a density does at the ends of its interval.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Edge {
     /// Unbounded like `1/sqrt(gap)`: a sharp corner. The equations leave one number free (the resultant).
     Sharp,
@@ -102,18 +102,19 @@ pub trait Rule: Send + Sync {
         None
     }
 
-    /// Factors, one per collocation point and without dimension, that [`Self::operator_into`] and
-    /// [`Self::carrier_into`] have multiplied their rows by, so that rows near an edge are no larger than
-    /// others; the right-hand side takes the same. `None` where there are none.
+    /// Factor by which each row that [`Self::operator_into`] and [`Self::carrier_into`] write is multiplied
+    /// already, one per collocation point, dimensionless; `None` where all are 1. Right-hand sides want the
+    /// same factor. Points that crowd at an end need it: their rows differ by many orders of magnitude, and
+    /// elimination chooses its pivots by size.
     fn row_scale(&self) -> Option<&[f64]> {
         None
     }
 
-    /// The operator: `rows[i * unknowns + j]`, rows = collocation points, columns = unknowns.
-    /// `kernel` is `None` on a half-plane, where only the Cauchy part is left.
+    /// The operator: `rows[i * unknowns + j]`, rows = collocation points, columns = unknowns; each row times
+    /// its [`Self::row_scale`]. `kernel` is `None` on a half-plane, where only the Cauchy part is left.
     fn operator_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]);
 
-    /// The operator applied to the carrier, at each collocation point.
+    /// The operator applied to the carrier, at each collocation point; times its [`Self::row_scale`].
     ///
     /// A [`Edge::Continued`] density is the sum of what the unknowns describe and of its value at the
     /// end times a carrier that is one there. Rules that need no such help leave the zeros.

@@ -1,11 +1,14 @@
 //! Quadratures: how a singular integral equation becomes matrix rows. One file per plugin.
 
+mod de_sinc;
 mod gauss_chebyshev;
 
+pub use de_sinc::DeSinc;
 pub use gauss_chebyshev::GaussChebyshev;
 
 /// Names every module that registers a plugin, so that no linker drops this crate.
 pub fn link() {
+    de_sinc::link();
     gauss_chebyshev::link();
 }
 

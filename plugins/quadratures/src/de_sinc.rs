@@ -1,0 +1,137 @@
+//! Double-exponential sinc collocation.
+
+mod fine;
+mod grid;
+mod map;
+mod resolution;
+mod rule;
+mod series;
+mod shape;
+mod shelf;
+
+use resolution::{Resolution, finer, ladder, reach};
+use rule::DeSincRule;
+use serde::{Deserialize, Serialize};
+use slipzone_api::{Edge, Parity, Positive, Quadrature, Refusal, Rule, Span};
+
+/// TODO
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DeSinc {
+    /// Steps over half the interval; left out, the solver chooses.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    n: Option<StepCount>,
+    /// Where the grid ends in `u`; left out, it goes with `n`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    u_max: Option<Reach>,
+    /// Added refinements, chosen by the solver.
+    #[serde(skip)]
+    level: u32,
+}
+
+/// A number of steps that a scene may ask for.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[serde(try_from = "usize", into = "usize")]
+struct StepCount(usize);
+
+impl TryFrom<usize> for StepCount {
+    type Error = String;
+
+    fn try_from(n: usize) -> Result<Self, String> {
+        if (LEAST_STEPS..=MOST_PINNED).contains(&n) {
+            Ok(Self(n))
+        } else {
+            Err(format!("expected {LEAST_STEPS} to {MOST_PINNED} steps over half the contact, found {n}"))
+        }
+    }
+}
+
+impl From<StepCount> for usize {
+    fn from(n: StepCount) -> usize {
+        n.0
+    }
+}
+
+/// An end of the grid that a scene may ask for.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[serde(try_from = "f64", into = "f64")]
+struct Reach(Positive);
+
+impl TryFrom<f64> for Reach {
+    type Error = String;
+
+    fn try_from(u_max: f64) -> Result<Self, String> {
+        match Positive::new(u_max) {
+            Ok(reach) if u_max <= MOST_REACH => Ok(Self(reach)),
+            _ => Err(format!("expected an end of the grid above 0 and up to {MOST_REACH}, found {u_max}")),
+        }
+    }
+}
+
+impl From<Reach> for f64 {
+    fn from(reach: Reach) -> f64 {
+        reach.0.get()
+    }
+}
+
+slipzone_api::register!(Quadrature, "de-sinc", "double-exponential sinc collocation; exact with jumps, logarithms and unknown edge behaviour",
+    example: "type = \"de-sinc\"\nn = 32",
+    parameters: [("n", "steps over half the contact", false, [8.0, 32.0, 128.0]),
+                 ("u_max", "where the grid ends, x = c tanh((pi/2) sinh u)", false, [3.4, 4.0, 4.6])],
+    source: "H. Takahasi, M. Mori (1974); F. Stenger (1993); docs/theory.md section 3");
+
+/// Fewest steps that a scene may ask for.
+const LEAST_STEPS: usize = 4;
+/// Most steps that a scene may ask for: a twin of twice as many judges them.
+const MOST_PINNED: usize = MOST_STEPS / 2;
+/// Most steps that half an interval may get.
+const MOST_STEPS: usize = 2048;
+/// Largest `u`: the last gap is then 1e-275 of the half-width.
+const MOST_REACH: f64 = 6.0;
+
+impl DeSinc {
+    fn resolution(&self, edge: Edge) -> Resolution {
+        let n = self.n.map_or_else(|| ladder(self.level), |n| finer(n.0, self.level));
+        Resolution { n, u_max: self.u_max.map_or_else(|| reach(n, edge), f64::from) }
+    }
+}
+
+#[typetag::serde(name = "de-sinc")]
+impl Quadrature for DeSinc {
+    fn rule(&self, span: &Span) -> Result<Box<dyn Rule>, Refusal> {
+        let [lower, upper] = span.interval;
+        let odd = match (span.parity, span.edge) {
+            (Some(Parity::Even), Edge::Continued) | (None, _) => {
+                return Err(Refusal::NotBuilt {
+                    what: format!("de-sinc for a density of {:?} parity and {:?} edges", span.parity, span.edge),
+                    remedy: "only symmetric contacts are solved".into(),
+                });
+            }
+            (Some(parity), _) => parity == Parity::Odd,
+        };
+        let resolution = self.resolution(span.edge);
+        if resolution.n > MOST_STEPS {
+            return Err(Refusal::OutOfReach {
+                method: "de-sinc",
+                why: format!("{} steps asked for, {MOST_STEPS} are the most it takes", resolution.n),
+                remedy: "ask for a coarser tolerance or fewer steps",
+            });
+        }
+        let grid = resolution::grid(resolution, odd, span.edge);
+        Ok(Box::new(DeSincRule::new(0.5 * (upper - lower), resolution, grid)))
+    }
+
+    fn refined(&self, level: u32) -> Box<dyn Quadrature> {
+        Box::new(Self { level: self.level + level, ..self.clone() })
+    }
+
+    fn is_pinned(&self) -> bool {
+        self.n.is_some() || self.u_max.is_some()
+    }
+}
+
+/// See [`crate::link`].
+pub(crate) fn link() {}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,191 @@
+//! Where the kernel part is summed: the nodes, or a grid an odd number of times as fine.
+
+use super::grid::{Grid, tail};
+use super::map::Place;
+use super::series::alternating;
+use super::shelf::Size;
+use slipzone_api::Edge;
+use spec_math::cephes64::sici;
+use std::f64::consts::{FRAC_2_PI, PI};
+
+/// Distances and product weights from each staggered point, and from the end as one more row, to each fine
+/// node `u_k = k step/factor >= 0` and to its mirror image. With a whole number and a half of fine steps
+/// between them,
+///
+/// * `sign(x - r)` has the weight `(2/pi) Si(pi d)`, `d` being the distance in fine steps;
+/// * `log|x - r|` has the weight `log|x - r| - Ci(pi |d|)`: the sinc function's own integral against
+///   `log|d|` is `Cin(pi d) - log pi - gamma_E`, and the ratio of both logarithms is smooth.
+pub(super) struct Fine {
+    pub(super) factor: usize,
+    /// Fine nodes, `x_k`.
+    pub(super) x: Vec<f64>,
+    /// `x_i - x_k`, a row per staggered point and one for the end.
+    minus: Vec<f64>,
+    /// Weight of the logarithm of `|x_i - x_k|`, laid out alike.
+    log_minus: Vec<f64>,
+    /// Weight of the logarithm of `x_i + x_k`.
+    log_plus: Vec<f64>,
+    /// Weight of the sign at `d = (2 n - 1)/2 factor, ... , -n factor + factor/2`, descending.
+    sign_descending: Vec<f64>,
+    /// Weight of the sign at `d = 1/2, 3/2, ...`.
+    sign_ascending: Vec<f64>,
+    /// Weight of the sign seen from the end, where no step is near.
+    ones: Vec<f64>,
+    /// How many fine nodes matter, per row and for the end.
+    reach: Vec<usize>,
+    /// `step/factor P_k` per unit of `F_j`, where the fine node is a node.
+    pub(super) weight: Vec<f64>,
+    /// The same for the fine nodes between, a row of unknowns each.
+    between: Vec<f64>,
+}
+
+/// A term this small beside the largest of its kind is left out: it stands for `1e-13` of a rounding even
+/// where the kernel is some `1e7` times as large as the Cauchy part.
+const NEGLIGIBLE: f64 = 1e-22;
+
+/// Views of one row of a [`Fine`].
+pub(super) struct Row<'a> {
+    pub(super) minus: &'a [f64],
+    pub(super) log_minus: &'a [f64],
+    pub(super) log_plus: &'a [f64],
+    pub(super) sign_minus: &'a [f64],
+    pub(super) sign_plus: &'a [f64],
+}
+
+impl Fine {
+    pub(super) fn new(grid: &Grid, factor: usize) -> Self {
+        let n = grid.staggered.len();
+        let count = n * factor + 1;
+        let fine_step = grid.step / factor as f64;
+        let places: Vec<Place> = (0..count)
+            .map(|k| if k % factor == 0 { grid.nodes[k / factor] } else { Place::new(k as f64 * fine_step) })
+            .collect();
+        // Half-integers up to d = n factor - factor/2 + n factor.
+        let halves = 2 * n * factor;
+        let (sign_ascending, cosine): (Vec<f64>, Vec<f64>) = (0..halves)
+            .map(|m| sici(PI * (m as f64 + 0.5)))
+            .map(|(si, ci)| (FRAC_2_PI * si, ci))
+            .unzip();
+        let nearest = n * factor - factor / 2;
+        let sign_descending = sign_ascending[..nearest].iter().rev().copied();
+        let sign_descending = sign_descending.chain(sign_ascending.iter().map(|s| -s)).collect();
+
+        let mut fine = Self {
+            factor,
+            x: places.iter().map(|p| p.x).collect(),
+            minus: Vec::with_capacity((n + 1) * count),
+            log_minus: Vec::with_capacity((n + 1) * count),
+            log_plus: Vec::with_capacity((n + 1) * count),
+            sign_descending,
+            sign_ascending,
+            ones: vec![1.0; count],
+            reach: Vec::with_capacity(n + 1),
+            weight: grid.nodes.iter().map(|u| fine_step * u.slope).collect(),
+            between: between(grid, factor),
+        };
+        // The middle node is its own mirror image, and both are summed.
+        fine.weight[0] *= 0.5;
+        if grid.edge == Edge::Sharp {
+            fine.weight[n] += tail(&places, fine_step);
+        }
+        for (i, v) in grid.staggered.iter().enumerate() {
+            let d = (2 * i + 1) * factor; // in halves
+            for (k, place) in places.iter().enumerate() {
+                let minus = v.minus(place);
+                fine.minus.push(minus);
+                fine.log_minus.push(minus.abs().ln() - cosine[d.abs_diff(2 * k) / 2]);
+                fine.log_plus.push((v.x + place.x).ln() - cosine[d / 2 + k]);
+            }
+            fine.reach.push(places.iter().take_while(|p| v.slope * p.slope > NEGLIGIBLE).count());
+        }
+        // The end lies infinitely many steps away: no correction.
+        fine.minus.extend(places.iter().map(|p| p.gap));
+        fine.log_minus.extend(places.iter().map(|p| p.gap.ln()));
+        fine.log_plus.extend(places.iter().map(|p| (1.0 + p.x).ln()));
+        fine.reach.push(places.iter().take_while(|p| p.slope > NEGLIGIBLE).count());
+        fine
+    }
+
+    /// Number of fine nodes that matter to a row.
+    pub(super) fn reach(&self, i: usize) -> usize {
+        self.reach[i]
+    }
+
+    /// `row[j] += scale * sum_k folded[k] (step/factor) dP_k/dF_j` for all unknowns `j`.
+    pub(super) fn gather(&self, grid: &Grid, folded: &[f64], scale: f64, row: &mut [f64]) {
+        for (k, value) in folded.iter().enumerate() {
+            let value = scale * value;
+            let (node, off) = (k / self.factor, k % self.factor);
+            if off != 0 {
+                let between = &self.between[(k - node - 1) * row.len()..][..row.len()];
+                for (entry, b) in row.iter_mut().zip(between) {
+                    *entry += value * b;
+                }
+            } else if node >= grid.first {
+                row[node - grid.first] += value * self.weight[node];
+            }
+        }
+    }
+
+    /// `out[k] = (step/factor) P_k` from the unknowns.
+    pub(super) fn spread(&self, grid: &Grid, unknowns: &[f64], out: &mut Vec<f64>) {
+        out.clear();
+        out.extend((0..self.x.len()).map(|k| {
+            let (node, off) = (k / self.factor, k % self.factor);
+            if off != 0 {
+                let between = &self.between[(k - node - 1) * unknowns.len()..][..unknowns.len()];
+                between.iter().zip(unknowns).map(|(b, f)| b * f).sum()
+            } else if node >= grid.first {
+                self.weight[node] * unknowns[node - grid.first]
+            } else {
+                0.0
+            }
+        }));
+    }
+
+    /// Row of the `i`-th staggered point, or of the end when there are only `i` of them.
+    pub(super) fn row(&self, i: usize) -> Row<'_> {
+        let count = self.x.len();
+        let here = i * count..(i + 1) * count;
+        let rows = self.reach.len() - 1;
+        let (sign_minus, sign_plus) = if i == rows {
+            (self.ones.as_slice(), self.ones.as_slice())
+        } else {
+            (&self.sign_descending[(rows - 1 - i) * self.factor..], &self.sign_ascending[i * self.factor + self.factor / 2..])
+        };
+        Row {
+            minus: &self.minus[here.clone()],
+            log_minus: &self.log_minus[here.clone()],
+            log_plus: &self.log_plus[here],
+            sign_minus,
+            sign_plus,
+        }
+    }
+}
+
+/// `(step/factor) slope_j [sinc(k/factor - j) +- sinc(k/factor + j)]` for the fine nodes `k` that are no nodes.
+fn between(grid: &Grid, factor: usize) -> Vec<f64> {
+    let last = (grid.nodes.len() - 1) * factor;
+    let mut table = Vec::with_capacity((last - last / factor) * grid.unknowns());
+    for k in (0..last).filter(|k| k % factor != 0) {
+        let t = k as f64 / factor as f64;
+        // sin(pi (t -+ j)) = (-1)^j sin(pi t), and whole turns are dropped first.
+        let sine = (PI * (k % (2 * factor)) as f64 / factor as f64).sin() * grid.step / (PI * factor as f64);
+        table.extend(grid.nodes.iter().enumerate().skip(grid.first).map(|(j, u)| {
+            let at = j as f64;
+            let sincs = match (j, grid.odd) {
+                (0, _) => 1.0 / t,
+                (_, false) => 2.0 * t / ((t - at) * (t + at)),
+                (_, true) => 2.0 * at / ((t - at) * (t + at)),
+            };
+            alternating(j) * sine * u.slope * sincs
+        }));
+    }
+    table
+}
+
+impl Size for Fine {
+    fn numbers(&self) -> usize {
+        3 * self.minus.len() + self.between.len()
+    }
+}

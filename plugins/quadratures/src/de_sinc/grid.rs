@@ -1,0 +1,153 @@
+//! What a resolution and a parity fix, whatever the half-width: nodes, Cauchy matrix, edge functional.
+
+use super::map::Place;
+use super::shelf::Size;
+use slipzone_api::Edge;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// `n + 1` nodes `u_j = j step` and `n` staggered points `v_i = (i + 1/2) step` on half of `[-1, 1]`.
+///
+/// Unknowns are `F_j = f(x_j) sqrt(1 - x_j^2)`, `j = first..=n`. Rows are multiplied by
+/// `x'(v_i)/sqrt(1 - x_i^2)`: both ways of scaling leave entries and unknowns of order one at the edge.
+pub(super) struct Grid {
+    pub(super) odd: bool,
+    pub(super) edge: Edge,
+    pub(super) step: f64,
+    /// Nodes, the middle one included.
+    pub(super) nodes: Vec<Place>,
+    /// Collocation points.
+    pub(super) staggered: Vec<Place>,
+    /// Index of the node of the first unknown: an odd density has none in the middle.
+    pub(super) first: usize,
+    /// `x'(v_i)/sqrt(1 - x_i^2)`, the factor of each row.
+    pub(super) scale: Vec<f64>,
+    /// Cauchy part of the operator.
+    pub(super) cauchy: Vec<f64>,
+    /// `lim F` at the upper end as a sum over the unknowns.
+    pub(super) edge_row: Vec<f64>,
+    /// `int f dx` on `[-1, 1]` as a sum over the unknowns.
+    pub(super) resultant: Vec<f64>,
+}
+
+impl Grid {
+    pub(super) fn new(n: usize, u_max: f64, odd: bool, edge: Edge) -> Self {
+        let step = u_max / n as f64;
+        let nodes: Vec<Place> = (0..=n).map(|j| Place::new(j as f64 * step)).collect();
+        let staggered: Vec<Place> = (0..n).map(|i| Place::new((i as f64 + 0.5) * step)).collect();
+        let first = usize::from(odd);
+        let scale: Vec<f64> = staggered.iter().map(|v| v.slope).collect();
+        let cauchy = staggered.iter().flat_map(|v| nodes[first..].iter().map(move |u| entry(v, u, step, odd))).collect();
+        let both = |u: &Place| if odd { 0.0 } else { 2.0 * step * u.slope };
+        let mut resultant: Vec<f64> = nodes[first..].iter().map(both).collect();
+        if !odd {
+            resultant[0] *= 0.5;
+            if edge == Edge::Sharp {
+                resultant[n] += 2.0 * tail(&nodes, step);
+            }
+        }
+        let mut grid = Self { odd, edge, step, nodes, staggered, first, scale, cauchy, edge_row: Vec::new(), resultant };
+        grid.make_exact();
+        grid.edge_row = grid.edge_functional();
+        grid
+    }
+
+    pub(super) fn unknowns(&self) -> usize {
+        self.nodes.len() - self.first
+    }
+
+    /// Along which curve a density that does not vanish runs into its end, where only the end is known.
+    pub(super) fn ending(&self, x: f64) -> f64 {
+        if self.odd { x } else { 1.0 }
+    }
+
+    /// Adds to each row a multiple of `F_i + F_i+1` that makes it exact for the simplest density of its kind.
+    ///
+    /// Seen from a point near an end, `1/(x_i - x(u))` has poles at `w_i + i pi m` besides the one at `w_i`, and
+    /// they lie only `2 m/cosh v_i` off the real axis: the sum errs by `exp(-4 pi/(step cosh v_i))` times `F(v_i)`,
+    /// which near the end is the same for all densities of a kind. So do the nodes beyond the last one. In the
+    /// middle the correction is rounding.
+    fn make_exact(&mut self) {
+        let edge = self.edge;
+        let unknowns = self.unknowns();
+        let simplest: Vec<f64> = self.nodes.iter().map(|u| simplest(u, edge, self.odd)).collect();
+        for (i, row) in self.cauchy.chunks_mut(unknowns).enumerate() {
+            let got: f64 = row.iter().zip(&simplest[self.first..]).map(|(a, f)| a * f).sum();
+            let exact = self.scale[i] * simplest_integral(&self.staggered[i], edge, self.odd);
+            let share = (exact - got) / (simplest[i] + simplest[i + 1]);
+            for node in [i, i + 1] {
+                if node >= self.first {
+                    row[node - self.first] += share;
+                }
+            }
+        }
+    }
+
+    /// `pi F(1) = int f dx - int sqrt((1 + t)/(1 - t)) C(t) dt` with `C = (1/pi) PV int f(r)/(t - r) dr`.
+    ///
+    /// Folded by parity the second integrand is `t C/sqrt(1 - t^2)` for even densities and
+    /// `C/sqrt(1 - t^2)` for odd ones; the rows of the Cauchy matrix are its samples at the staggered points.
+    fn edge_functional(&self) -> Vec<f64> {
+        let mut row: Vec<f64> = self.resultant.iter().map(|r| r / PI).collect();
+        // Beyond the last point the integrand is what it is there.
+        let beyond = FRAC_PI_2 - self.step * self.scale.iter().rev().sum::<f64>();
+        let last = self.staggered.len() - 1;
+        for (i, (v, cauchy)) in self.staggered.iter().zip(self.cauchy.chunks(row.len())).enumerate() {
+            let share = self.step + if i == last { beyond / self.scale[last] } else { 0.0 };
+            let weight = -2.0 / PI * share * if self.odd { 1.0 } else { v.x };
+            for (entry, c) in row.iter_mut().zip(cauchy) {
+                *entry += weight * c;
+            }
+        }
+        row
+    }
+}
+
+/// `(1/pi) scale_i step P_j [1/(x_i - x_j) +- 1/(x_i + x_j)]` per unit of `F_j`.
+///
+/// With `x_i - x_j = sinh(w_i - w_j)/(cosh w_i cosh w_j)` all that is left is
+/// `(pi/4) step cosh u_j cosh v_i [1/sinh(w_i - w_j) +- 1/sinh(w_i + w_j)]`; the bracket is taken as one fraction.
+fn entry(v: &Place, u: &Place, step: f64, odd: bool) -> f64 {
+    let jacobian = 0.5 * FRAC_PI_2 * step * u.u.cosh() * v.u.cosh();
+    let difference = v.ahead_of(u).sinh();
+    if u.w == 0.0 {
+        return jacobian / difference;
+    }
+    let sum = (v.w + u.w).sinh();
+    let (a, b) = if odd { (u.w.sinh(), v.w.cosh()) } else { (v.w.sinh(), u.w.cosh()) };
+    2.0 * jacobian * (a / sum) * (b / difference)
+}
+
+/// Weight of all that lies beyond the last of some nodes, where `F` is what it is there: what a trapezoidal sum
+/// leaves of `int_0^1 dx/sqrt(1 - x^2)`.
+pub(super) fn tail(nodes: &[Place], step: f64) -> f64 {
+    let sum: f64 = nodes.iter().rev().map(|u| u.slope).sum();
+    FRAC_PI_2 - step * (sum - 0.5 * nodes[0].slope)
+}
+
+/// `F` of the simplest density of a kind: 1, `x`, `sqrt(1 - x^2)` and the like over `sqrt(1 - x^2)` ... and its `(1/pi) PV int f/(x - r) dr`.
+fn simplest(u: &Place, edge: Edge, odd: bool) -> f64 {
+    let power = match edge {
+        Edge::Sharp => 1.0,
+        Edge::Continued => u.sech,
+        Edge::Smooth => u.sech * u.sech,
+    };
+    if odd { power * u.x } else { power }
+}
+
+/// `(1/pi) PV int f(r)/(x - r) dr` of the density of [`simplest`].
+fn simplest_integral(v: &Place, edge: Edge, odd: bool) -> f64 {
+    match (edge, odd) {
+        (Edge::Sharp, false) => 0.0,
+        (Edge::Sharp, true) => -1.0,
+        (Edge::Smooth, false) => v.x,
+        (Edge::Smooth, true) => v.x * v.x - 0.5,
+        // ln((1 + x)/(1 - x)) = 2 w
+        (Edge::Continued, _) => 2.0 / PI * (v.x * v.w - 1.0),
+    }
+}
+
+impl Size for Grid {
+    fn numbers(&self) -> usize {
+        self.cauchy.len()
+    }
+}

@@ -1,0 +1,86 @@
+//! How many nodes, how far out, and how much finer the kernel is summed.
+
+use super::fine::Fine;
+use super::grid::Grid;
+use super::shelf::Shelf;
+use slipzone_api::Edge;
+use std::f64::consts::{PI, SQRT_2};
+use std::sync::Arc;
+
+/// A resolution: `n` steps up to `u_max`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Resolution {
+    pub(super) n: usize,
+    pub(super) u_max: f64,
+}
+
+/// Steps of level 0.
+const FIRST_STEPS: usize = 6;
+
+/// Steps over half the interval at a level: 6, 8, 11, 16, 22, 32, 45, 64, ..., powers of `sqrt 2` rounded down.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most 2^62
+pub(super) fn ladder(level: u32) -> usize {
+    FIRST_STEPS.max(grown(1, level.saturating_add(5)).floor() as usize)
+}
+
+/// `n 2^(level/2)`, rounded.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most 2^62
+pub(super) fn finer(n: usize, level: u32) -> usize {
+    grown(n, level).round() as usize
+}
+
+/// `n 2^(level/2)`, exact where that is whole; the growth ends far above all that is built.
+fn grown(n: usize, level: u32) -> f64 {
+    let odd = if level.is_multiple_of(2) { 1.0 } else { SQRT_2 };
+    n.saturating_mul(1 << (level / 2).min(30)) as f64 * odd
+}
+
+/// Half-width of the strip of `u` in which density and map are analytic, about.
+const STRIP: f64 = 1.1;
+/// `ln(1/eps)` beyond which only rounding is left.
+const MOST_DIGITS: f64 = 36.0;
+/// Distance of the kernel's nearest singularity in terms of [`slipzone_api::KernelTable::length`].
+const POLE: f64 = 0.77;
+
+/// Where a grid of `n` steps ends in `u`: where the pieces left out weigh as much as the steps do.
+///
+/// Measured on flat punches (sharp) and stick zones (continued). What lies beyond the end is not lost but taken
+/// for the continuation of the last node, which suits `F ~ 1` at a sharp edge better than `F ~ gap`.
+pub(super) fn reach(n: usize, edge: Edge) -> f64 {
+    match edge {
+        Edge::Sharp => (2.3 + 0.82 * (n as f64 / 6.0).ln()).clamp(2.0, 3.9),
+        Edge::Smooth => (2.6 + 0.7 * (n as f64 / 6.0).ln()).clamp(2.4, 4.0),
+        Edge::Continued => (3.2 + 0.35 * (n as f64 / 8.0).ln()).clamp(2.8, 4.4),
+    }
+}
+
+impl Resolution {
+    /// How many times finer than the nodes the kernel is summed, an odd number. `thinness` is the half-width
+    /// over the kernel's length.
+    pub(super) fn oversampling(self, thinness: f64) -> usize {
+        let step = self.u_max / self.n as f64;
+        let digits = (2.0 * PI * STRIP / step).min(MOST_DIGITS);
+        // Steps are longest in the middle, (pi/2) step; a pole at y0 leaves exp(-2 pi y0/step).
+        let wanted = 0.25 * thinness / POLE * step * digits;
+        let fit = FACTORS.iter().find(|factor| **factor as f64 >= wanted);
+        fit.copied().unwrap_or(FACTORS[FACTORS.len() - 1])
+    }
+}
+
+/// Odd, in steps of about `sqrt 2`, so that few grids serve all.
+const FACTORS: [usize; 16] = [1, 3, 5, 7, 9, 13, 19, 27, 39, 55, 77, 109, 155, 219, 309, 437];
+
+static GRIDS: Shelf<(usize, u64, bool, Edge), Grid> = Shelf::new();
+static FINE_GRIDS: Shelf<(usize, u64, bool, Edge, usize), Fine> = Shelf::new();
+
+/// The grid of a resolution.
+pub(super) fn grid(resolution: Resolution, odd: bool, edge: Edge) -> Arc<Grid> {
+    let Resolution { n, u_max } = resolution;
+    GRIDS.get((n, u_max.to_bits(), odd, edge), || Grid::new(n, u_max, odd, edge))
+}
+
+/// The grid on which kernels are summed.
+pub(super) fn fine_grid(resolution: Resolution, grid: &Grid, factor: usize) -> Arc<Fine> {
+    let Resolution { n, u_max } = resolution;
+    FINE_GRIDS.get((n, u_max.to_bits(), grid.odd, grid.edge, factor), || Fine::new(grid, factor))
+}
