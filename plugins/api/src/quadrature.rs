@@ -90,6 +90,13 @@ pub trait Rule: Send + Sync {
     /// densities and one more for [`Edge::Continued`] odd ones.
     fn collocation(&self) -> &[Station];
 
+    /// Factor, one per collocation point and dimensionless, by which the rows that [`Self::operator_into`] and
+    /// [`Self::carrier_into`] write are already multiplied; right-hand sides have to be multiplied by it.
+    /// `None` where it is one throughout.
+    fn row_scale(&self) -> Option<&[f64]> {
+        None
+    }
+
     /// Moves the rule to `[-half_width, half_width]`; nothing is allocated.
     fn stretch(&mut self, half_width: f64);
 

@@ -1,12 +1,15 @@
 //! Quadratures: how a singular integral equation becomes matrix rows. One file per plugin.
 
 mod gauss_chebyshev;
+mod graded_panels;
 
 pub use gauss_chebyshev::GaussChebyshev;
+pub use graded_panels::GradedPanels;
 
 /// Names every module that registers a plugin, so that no linker drops this crate.
 pub fn link() {
     gauss_chebyshev::link();
+    graded_panels::link();
 }
 
 #[cfg(test)]
