@@ -45,7 +45,7 @@ impl Rule for PanelRule {
     }
 
     fn row_scale(&self) -> Option<&[f64]> {
-        Some(&self.layout.sines)
+        (self.basis().edge != Edge::Smooth).then_some(&self.layout.row_scale)
     }
 
     fn stretch(&mut self, half_width: f64) {
@@ -68,7 +68,7 @@ impl Rule for PanelRule {
             self.regular.sum_at(*target, layout, self.half_width, kernel);
             self.regular.gather_into(layout, row);
             for (out, cauchy) in row.iter_mut().zip(&layout.cauchy[i * n..(i + 1) * n]) {
-                *out = cauchy + layout.sines[i] * *out;
+                *out = cauchy + layout.row_scale[i] * *out;
             }
         }
     }

@@ -1,7 +1,11 @@
-//! The rule against integrals in closed form.
+//! The rule against integrals in closed form, and small problems solved with it.
 
+mod exactness;
+mod kernels;
+mod solved;
+
+use super::mesh::Mesh;
 use super::*;
-use slipzone_api::reference::{flat_punch, partial_slip};
 use slipzone_api::{Component, Density, KernelTable, Parts, Station};
 use std::f64::consts::PI;
 
@@ -10,10 +14,37 @@ fn rule(c: f64, parity: Parity, edge: Edge, nodes: usize, panels: usize) -> Box<
     quadrature.rule(&Span::symmetric(c, parity, edge)).expect("a symmetric span")
 }
 
+/// Unknowns of the density whose piecewise polynomial `F` is this function of the angle.
+fn unknowns(parity: Parity, edge: Edge, nodes: usize, panels: usize, polynomial: impl Fn(f64) -> f64) -> Vec<f64> {
+    let (mesh, basis) = (Mesh::new(nodes, panels), Basis { parity, edge });
+    let count = basis.unknowns(mesh.nodes());
+    let kept = (0..mesh.nodes()).filter(|i| basis.unknown(*i).is_some_and(|j| j < count));
+    kept.map(|i| polynomial(mesh.node(i))).collect()
+}
+
 fn operator(rule: &mut dyn Rule, kernel: Option<(&dyn KernelTable, Component)>) -> Vec<f64> {
     let mut rows = vec![0.0; rule.unknowns() * rule.collocation().len()];
     rule.operator_into(kernel, &mut rows);
     rows
+}
+
+/// Factor of each row.
+fn row_scale(rule: &dyn Rule) -> Vec<f64> {
+    rule.row_scale().map_or_else(|| vec![1.0; rule.collocation().len()], <[f64]>::to_vec)
+}
+
+fn apply(rows: &[f64], unknowns: &[f64]) -> Vec<f64> {
+    rows.chunks(unknowns.len()).map(|row| row.iter().zip(unknowns).map(|(a, u)| a * u).sum()).collect()
+}
+
+/// The density without a carrier, which this rule does not need.
+fn value(rule: &dyn Rule, unknowns: &[f64], at: Station) -> f64 {
+    rule.value(Density { unknowns, carrier: 0.0 }, at)
+}
+
+#[track_caller]
+fn assert_close(got: f64, expected: f64, tolerance: f64, what: &str) {
+    assert!((got - expected).abs() <= tolerance, "{what}: {got:e} instead of {expected:e}");
 }
 
 /// Gaussian elimination with partial pivoting; `a` is square, row by row.
@@ -34,44 +65,72 @@ fn solve(mut a: Vec<f64>, mut b: Vec<f64>) -> Vec<f64> {
         }
     }
     for k in (0..n).rev() {
-        for j in k + 1..n {
-            b[k] -= a[k * n + j] * b[j];
-        }
-        b[k] /= a[k * n + k];
+        let known: f64 = (k + 1..n).map(|j| a[k * n + j] * b[j]).sum();
+        b[k] = (b[k] - known) / a[k * n + k];
     }
     b
 }
 
-/// Friction coefficient over `beta` at which the half-plane's stick zone ends at `a` (b = 1).
-fn stick_friction(one_minus: f64, nodes: usize, panels: usize) -> f64 {
-    let a = 1.0 - one_minus;
-    let mut rule = rule(a, Parity::Odd, Edge::Continued, nodes, panels);
-    let rows = operator(rule.as_mut(), None);
-    let n = rule.unknowns();
-    let outer = one_minus * (1.0 + a);
-    let scale = rule.row_scale().expect("scaled").to_vec();
-    let (mut matrix, mut right) = (Vec::new(), Vec::new());
-    for ((row, at), scale) in rows.chunks(n).zip(rule.collocation()).zip(scale) {
-        let inner = at.gap * (2.0 * a - at.gap);
-        let s = (outer + inner).sqrt();
-        let slip = -2.0 * (s + outer.sqrt()).ln() + inner.ln();
-        matrix.extend_from_slice(row);
-        matrix.push(scale * slip / (PI * PI * s));
-        right.push(-scale / (PI * s));
+/// A kernel of three parts, by functions of the distance and its own length.
+#[derive(Clone, Copy)]
+struct Made {
+    parts: fn(f64, f64) -> Parts,
+    length: f64,
+}
+
+impl KernelTable for Made {
+    fn parts_into(&self, _: Component, distances: &[f64], out: &mut [Parts]) {
+        assert_eq!(distances.len(), out.len());
+        for (t, out) in distances.iter().zip(out) {
+            *out = (self.parts)(*t, self.length);
+        }
     }
-    *solve(matrix, right).last().expect("eta")
+
+    fn length(&self) -> f64 {
+        self.length
+    }
+
+    fn flexibility_evaluations(&self) -> usize {
+        0
+    }
+}
+
+const JUMP: Made = Made { parts: |_, _| Parts { smooth: 0.0, sign: 1.0, log: 0.0 }, length: 1.0 };
+const LOGARITHM: Made = Made { parts: |_, _| Parts { smooth: 0.0, sign: 0.0, log: 1.0 }, length: 1.0 };
+
+#[test]
+fn counts_out_of_range_are_refused_with_the_range() {
+    for bad in [0, 3, 33] {
+        let fault = Count::<4, 32>::try_from(bad).expect_err("out of range");
+        assert!(fault.contains("from 4 to 32") && fault.contains(&bad.to_string()), "{fault}");
+    }
+    let pinned = |nodes: Option<usize>, panels: Option<usize>| GradedPanels {
+        nodes: nodes.map(Count),
+        panels: panels.map(Count),
+        level: 0,
+    };
+    assert!(!pinned(None, None).is_pinned());
+    assert!(pinned(Some(8), None).is_pinned() && pinned(None, Some(8)).is_pinned());
+    let span = Span::symmetric(1.0, Parity::Even, Edge::Sharp);
+    assert!(matches!(pinned(Some(32), Some(64)).refined(1).rule(&span), Err(Refusal::OutOfReach { .. })));
+    let lopsided = Span { interval: [-1.0, 1.0], parity: None, edge: Edge::Sharp };
+    assert!(matches!(pinned(None, None).rule(&lopsided), Err(Refusal::NotBuilt { .. })));
 }
 
 #[test]
-fn experiment() {
-    for (m, l) in [(6, 3), (7, 4), (9, 5), (11, 6), (13, 7), (15, 9), (18, 11), (21, 13)] {
-        for k in [1e-3, 0.5, 0.1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12] {
-            let k: f64 = k;
-            let (one_minus, what) = if k == 1e-3 { (1.0 - k, "k") } else { (k, "1-k") };
-            let got = stick_friction(one_minus, m, l);
-            let exact = partial_slip::friction(partial_slip::Stick::from_one_minus_ratio(one_minus), 1.0);
-            print!("  {what}={k:.0e}: {:.1e}", got / exact - 1.0);
+fn a_level_takes_five_quarters_to_twice_the_unknowns() {
+    let span = Span::symmetric(1.0, Parity::Even, Edge::Sharp);
+    let mut starts = vec![GradedPanels::default()];
+    for (nodes, panels) in [(4, 2), (5, 3), (8, 8), (21, 13)] {
+        starts.push(GradedPanels { nodes: Some(Count(nodes)), panels: Some(Count(panels)), level: 0 });
+    }
+    for start in starts {
+        let unknowns = |level| start.refined(level).rule(&span).map(|rule| rule.unknowns());
+        for level in 0..4 {
+            if let (Ok(coarse), Ok(fine)) = (unknowns(level), unknowns(level + 1)) {
+                let factor = fine as f64 / coarse as f64;
+                assert!((1.25..=2.0).contains(&factor), "{start:?}, level {level}: {coarse} to {fine}");
+            }
         }
-        println!("   ({m},{l})");
     }
 }
