@@ -62,10 +62,8 @@ impl Fine {
             .collect();
         // Half-integers up to d = n factor - factor/2 + n factor.
         let halves = 2 * n * factor;
-        let (sign_ascending, cosine): (Vec<f64>, Vec<f64>) = (0..halves)
-            .map(|m| sici(PI * (m as f64 + 0.5)))
-            .map(|(si, ci)| (FRAC_2_PI * si, ci))
-            .unzip();
+        let (sign_ascending, cosine): (Vec<f64>, Vec<f64>) =
+            (0..halves).map(|m| sici(PI * (m as f64 + 0.5))).map(|(si, ci)| (FRAC_2_PI * si, ci)).unzip();
         let nearest = n * factor - factor / 2;
         let sign_descending = sign_ascending[..nearest].iter().rev().copied();
         let sign_descending = sign_descending.chain(sign_ascending.iter().map(|s| -s)).collect();
@@ -151,7 +149,10 @@ impl Fine {
         let (sign_minus, sign_plus) = if i == rows {
             (self.ones.as_slice(), self.ones.as_slice())
         } else {
-            (&self.sign_descending[(rows - 1 - i) * self.factor..], &self.sign_ascending[i * self.factor + self.factor / 2..])
+            (
+                &self.sign_descending[(rows - 1 - i) * self.factor..],
+                &self.sign_ascending[i * self.factor + self.factor / 2..],
+            )
         };
         Row {
             minus: &self.minus[here.clone()],

@@ -36,7 +36,8 @@ impl Grid {
         let staggered: Vec<Place> = (0..n).map(|i| Place::new((i as f64 + 0.5) * step)).collect();
         let first = usize::from(odd);
         let scale: Vec<f64> = staggered.iter().map(|v| v.slope).collect();
-        let cauchy = staggered.iter().flat_map(|v| nodes[first..].iter().map(move |u| entry(v, u, step, odd))).collect();
+        let cauchy =
+            staggered.iter().flat_map(|v| nodes[first..].iter().map(move |u| entry(v, u, step, odd))).collect();
         let both = |u: &Place| if odd { 0.0 } else { 2.0 * step * u.slope };
         let mut resultant: Vec<f64> = nodes[first..].iter().map(both).collect();
         if !odd {
@@ -45,7 +46,8 @@ impl Grid {
                 resultant[n] += 2.0 * tail(&nodes, step);
             }
         }
-        let mut grid = Self { odd, edge, step, nodes, staggered, first, scale, cauchy, edge_row: Vec::new(), resultant };
+        let mut grid =
+            Self { odd, edge, step, nodes, staggered, first, scale, cauchy, edge_row: Vec::new(), resultant };
         grid.make_exact();
         grid.edge_row = grid.edge_functional();
         grid

@@ -187,11 +187,7 @@ impl Rule for DeSincRule {
         let (edge, rest) = samples.split_last().expect("samples of a potential");
         for (out, at) in out.iter_mut().zip(targets) {
             let varying = at_halves(rest, odd, locate(*at, self.half_width) / self.grid.step);
-            *out = if odd {
-                edge * at.x / self.half_width + varying * at.x.signum()
-            } else {
-                edge + varying
-            };
+            *out = if odd { edge * at.x / self.half_width + varying * at.x.signum() } else { edge + varying };
         }
     }
 }

@@ -1,17 +1,20 @@
 //! The rule against integrals in closed form, and whole equations against themselves.
 
-mod measure;
+mod equations;
+mod integrals;
+mod values;
 
 use super::*;
+use rule::dot;
 use slipzone_api::{Component, Density, KernelTable, Parts, Station};
 
-/// A made-up kernel `smooth(t) + sign(t) sign(t) + log|t| log(t)`.
-struct Made<S: Fn(f64) -> Parts + Send + Sync> {
-    parts: S,
+/// A made-up kernel.
+struct Made<P: Fn(f64) -> Parts + Send + Sync> {
+    parts: P,
     length: f64,
 }
 
-impl<S: Fn(f64) -> Parts + Send + Sync> KernelTable for Made<S> {
+impl<P: Fn(f64) -> Parts + Send + Sync> KernelTable for Made<P> {
     fn parts_into(&self, _: Component, distances: &[f64], out: &mut [Parts]) {
         for (t, out) in distances.iter().zip(out) {
             *out = (self.parts)(*t);
@@ -27,8 +30,19 @@ impl<S: Fn(f64) -> Parts + Send + Sync> KernelTable for Made<S> {
     }
 }
 
-fn rule_of(c: f64, parity: Parity, edge: Edge, resolution: Resolution) -> DeSincRule {
-    DeSincRule::new(c, resolution, resolution::grid(resolution, parity == Parity::Odd, edge))
+/// As over a graded layer of thickness `h`: a smooth part, a jump and a logarithm, poles at `h` and `2 h`.
+fn graded(h: f64) -> Made<impl Fn(f64) -> Parts + Send + Sync> {
+    let parts = move |t: f64| {
+        let z = t / h;
+        let (near, far) = (1.0 / (1.0 + z * z), 1.0 / (4.0 + z * z));
+        Parts { smooth: -0.6 * z * near / h, sign: 0.8 * far / h, log: 0.6 * z * far / h }
+    };
+    Made { parts, length: 1.3 * h }
+}
+
+fn rule(c: f64, parity: Parity, edge: Edge, n: usize) -> Box<dyn Rule> {
+    let quadrature = DeSinc { n: Some(StepCount(n)), ..DeSinc::default() };
+    quadrature.rule(&Span::symmetric(c, parity, edge)).expect("a symmetric span")
 }
 
 fn operator(rule: &mut dyn Rule, kernel: Option<(&dyn KernelTable, Component)>) -> Vec<f64> {
@@ -37,41 +51,82 @@ fn operator(rule: &mut dyn Rule, kernel: Option<(&dyn KernelTable, Component)>) 
     rows
 }
 
-/// Gaussian elimination with row pivoting; `matrix` is row-major.
+/// The nodes' `x/c` and `sqrt(1 - (x/c)^2)`, those of the unknowns only.
+fn nodes(parity: Parity, edge: Edge, n: usize) -> Vec<(f64, f64)> {
+    let odd = parity == Parity::Odd;
+    let grid = resolution::grid(Resolution { n, u_max: reach(n, edge) }, odd, edge);
+    grid.nodes[grid.first..].iter().map(|u| (u.x, u.sech)).collect()
+}
+
+/// Gaussian elimination with row pivoting.
 fn solve(matrix: &[f64], right: &[f64]) -> Vec<f64> {
     let n = right.len();
-    let mut rows: Vec<Vec<f64>> = matrix.chunks(n).zip(right).map(|(r, b)| [r, &[*b]].concat()).collect();
+    let mut rows: Vec<Vec<f64>> = matrix.chunks(n).zip(right).map(|(row, b)| [row, &[*b]].concat()).collect();
     for k in 0..n {
         let pivot = (k..n).max_by(|a, b| rows[*a][k].abs().total_cmp(&rows[*b][k].abs())).expect("a row");
         rows.swap(k, pivot);
         let (done, below) = rows.split_at_mut(k + 1);
-        let top = &done[k];
         for row in below {
-            let factor = row[k] / top[k];
-            for (entry, t) in row[k..].iter_mut().zip(&top[k..]) {
-                *entry -= factor * t;
+            let factor = row[k] / done[k][k];
+            for (entry, top) in row[k..].iter_mut().zip(&done[k][k..]) {
+                *entry -= factor * top;
             }
         }
     }
     let mut x = vec![0.0; n];
     for k in (0..n).rev() {
-        let known: f64 = (k + 1..n).map(|j| rows[k][j] * x[j]).sum();
-        x[k] = (rows[k][n] - known) / rows[k][k];
+        x[k] = (rows[k][n] - dot(&rows[k][k + 1..n], &x[k + 1..])) / rows[k][k];
     }
     x
 }
 
-/// A flat punch under unit force.
-fn flat_punch(rule: &mut DeSincRule, kernel: Option<&dyn KernelTable>) -> Vec<f64> {
+/// The unknowns under a flat punch pressed on by a unit force.
+fn flat_punch(rule: &mut dyn Rule, kernel: Option<&dyn KernelTable>) -> Vec<f64> {
+    let n = rule.unknowns();
     let mut rows = operator(rule, kernel.map(|k| (k, Component::NormalSlope)));
-    let mut last = vec![0.0; rule.unknowns()];
-    rule.resultant_into(&mut last);
-    rows.extend(&last);
-    let mut right = vec![0.0; rule.unknowns()];
-    right[rule.unknowns() - 1] = 1.0;
+    rows.resize(n * n, 0.0);
+    rule.resultant_into(&mut rows[n * (n - 1)..]);
+    let mut right = vec![0.0; n];
+    right[n - 1] = 1.0;
     solve(&rows, &right)
 }
 
-fn pressure(rule: &DeSincRule, unknowns: &[f64], x: f64, gap: f64) -> f64 {
+fn value(rule: &dyn Rule, unknowns: &[f64], x: f64, gap: f64) -> f64 {
     rule.value(Density { unknowns, carrier: 0.0 }, Station { x, gap })
+}
+
+#[track_caller]
+fn assert_close(got: f64, expected: f64, tolerance: f64, what: &str) {
+    assert!((got - expected).abs() <= tolerance, "{what}: {got:e} instead of {expected:e}");
+}
+
+#[test]
+fn steps_stay_within_the_contract_and_its_names() {
+    for (parity, edge) in [(Parity::Even, Edge::Sharp), (Parity::Odd, Edge::Continued)] {
+        for pinned in [None, Some(StepCount(4)), Some(StepCount(25))] {
+            let unknowns = |level: u32| {
+                let quadrature = DeSinc { n: pinned, ..DeSinc::default() }.refined(level);
+                quadrature.rule(&Span::symmetric(1.0, parity, edge)).expect("few enough").unknowns() as f64
+            };
+            for level in 0..11 {
+                let growth = unknowns(level + 1) / unknowns(level);
+                assert!((1.25..=2.0).contains(&growth), "{level}: {growth}");
+            }
+        }
+    }
+    assert_eq!([0, 1, 2, 3, 4, 5, 6, 7, 8].map(ladder), [6, 8, 11, 16, 22, 32, 45, 64, 90]);
+    assert!(DeSinc::default().refined(40).rule(&Span::symmetric(1.0, Parity::Even, Edge::Sharp)).is_err());
+}
+
+#[test]
+fn what_a_scene_may_not_ask_for() {
+    for bad in [0, 3, MOST_PINNED + 1] {
+        assert!(StepCount::try_from(bad).is_err(), "{bad} steps");
+    }
+    for bad in [0.0, -3.0, 6.1, f64::NAN, f64::INFINITY] {
+        assert!(Reach::try_from(bad).is_err(), "u_max = {bad}");
+    }
+    let whole = Span { interval: [0.0, 1.0], parity: None, edge: Edge::Sharp };
+    assert!(DeSinc::default().rule(&whole).is_err(), "no parity");
+    assert!(DeSinc::default().rule(&Span::symmetric(1.0, Parity::Even, Edge::Continued)).is_err());
 }

@@ -1,0 +1,143 @@
+//! The operator's rows applied to densities whose integrals are known.
+
+use super::*;
+use std::f64::consts::PI;
+
+/// Steps at which only rounding is left for polynomials of low degree over the root.
+const FINE: usize = 56;
+
+fn apply(rows: &[f64], unknowns: &[f64]) -> Vec<f64> {
+    rows.chunks(unknowns.len()).map(|row| dot(row, unknowns)).collect()
+}
+
+#[test]
+fn cauchy_integrals_of_chebyshev_polynomials() {
+    // (1/pi) PV int T_k/sqrt(1 - t^2) dt/(x - t) = -U_{k-1}(x); of U_k sqrt(1 - t^2), T_{k+1}(x).
+    for (parity, edge, k) in [
+        (Parity::Even, Edge::Sharp, 4),
+        (Parity::Odd, Edge::Sharp, 5),
+        (Parity::Even, Edge::Smooth, 4),
+        (Parity::Odd, Edge::Smooth, 5),
+        (Parity::Odd, Edge::Continued, 3),
+    ] {
+        let mut rule = rule(2.5, parity, edge, FINE);
+        let order = f64::from(k);
+        let density = |(x, s): (f64, f64)| match edge {
+            Edge::Sharp => (order * x.acos()).cos(),
+            Edge::Smooth | Edge::Continued => ((order + 1.0) * s.atan2(x)).sin() * s,
+        };
+        let unknowns: Vec<f64> = nodes(parity, edge, FINE).into_iter().map(density).collect();
+        let got = apply(&operator(rule.as_mut(), None), &unknowns);
+        let scale = rule.row_scale().expect("rows are scaled");
+        for ((got, at), scale) in got.iter().zip(rule.collocation()).zip(scale) {
+            let angle = (at.gap * (5.0 - at.gap)).sqrt().atan2(at.x);
+            let exact = match edge {
+                Edge::Sharp => -(order * angle).sin() / angle.sin(),
+                Edge::Smooth | Edge::Continued => ((order + 1.0) * angle).cos(),
+            };
+            // Some fifty terms of order 10, row by row.
+            assert_close(*got, scale * exact, 3e-13, &format!("{parity:?} {edge:?} at gap {:e}", at.gap));
+        }
+    }
+}
+
+#[test]
+fn jump_and_logarithm_are_integrated_exactly() {
+    // With F = T_k: int sign(x - r) f dr = -2 c sin(k a)/k, int log|x - r| f dr = -pi c cos(k a)/k, cos a = x/c.
+    let c = 2.5;
+    let jump = Made { parts: |_| Parts { sign: 1.0, ..Parts::default() }, length: 10.0 };
+    let logarithm = Made { parts: |_| Parts { log: 1.0, ..Parts::default() }, length: 10.0 };
+    // The same kernels said to be short: summed on a finer grid.
+    let short_jump = Made { parts: jump.parts, length: 0.8 };
+    let short_logarithm = Made { parts: logarithm.parts, length: 0.8 };
+    for (parity, k) in [(Parity::Even, 4.0), (Parity::Odd, 5.0)] {
+        let unknowns: Vec<f64> = nodes(parity, Edge::Sharp, FINE).iter().map(|(x, _)| (k * x.acos()).cos()).collect();
+        let mut rule = rule(c, parity, Edge::Sharp, FINE);
+        let cauchy = apply(&operator(rule.as_mut(), None), &unknowns);
+        let kernels: [(&dyn KernelTable, bool); 4] =
+            [(&jump, true), (&short_jump, true), (&logarithm, false), (&short_logarithm, false)];
+        for (kernel, jumps) in kernels {
+            let got = apply(&operator(rule.as_mut(), Some((kernel, Component::NormalSlope))), &unknowns);
+            for (i, at) in rule.collocation().iter().enumerate() {
+                let angle = (at.gap * (2.0 * c - at.gap)).sqrt().atan2(at.x);
+                let exact = if jumps { -2.0 * c * (k * angle).sin() / k } else { -PI * c * (k * angle).cos() / k };
+                let scale = rule.row_scale().expect("rows are scaled")[i];
+                assert_close(
+                    got[i] - cauchy[i],
+                    scale * exact / PI,
+                    1e-12,
+                    &format!("{parity:?} jump: {jumps} at {at:?}"),
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn equations_and_unknowns_are_counted_as_the_contract_says() {
+    for (parity, edge, excess) in
+        [(Parity::Even, Edge::Sharp, -1), (Parity::Even, Edge::Smooth, 0), (Parity::Odd, Edge::Continued, 1)]
+    {
+        let rule = rule(1.0, parity, edge, 12);
+        let condition = rule.edge_condition();
+        assert!(condition.is_none_or(|row| row.len() == rule.unknowns()));
+        let equations = rule.collocation().len() + usize::from(condition.is_some());
+        let count = |n: usize| i32::try_from(n).expect("a small count");
+        assert_eq!(count(equations) - count(rule.unknowns()), excess, "{parity:?} {edge:?}");
+        assert_eq!(rule.row_scale().map(<[f64]>::len), Some(rule.collocation().len()));
+        assert!(rule.collocation().windows(2).all(|s| s[0].x <= s[1].x && s[0].gap > s[1].gap));
+        assert!(rule.collocation().iter().all(|s| (s.x + s.gap - 1.0).abs() < 1e-15), "x and gap add up");
+    }
+}
+
+#[test]
+fn a_rule_stretched_is_a_fresh_rule() {
+    let kernel = graded(0.2);
+    for (parity, edge) in [(Parity::Even, Edge::Smooth), (Parity::Odd, Edge::Continued)] {
+        let mut stretched = rule(0.3, parity, edge, 16);
+        operator(stretched.as_mut(), Some((&kernel, Component::NormalSlope)));
+        stretched.stretch(1.7);
+        let mut fresh = rule(1.7, parity, edge, 16);
+        assert_eq!(stretched.collocation(), fresh.collocation());
+        let rows = |r: &mut dyn Rule| operator(r, Some((&kernel, Component::NormalSlope)));
+        assert!(rows(stretched.as_mut()) == rows(fresh.as_mut()), "bit for bit");
+    }
+}
+
+#[test]
+fn potentials_of_jump_and_logarithm_anywhere() {
+    let c = 0.5;
+    let targets = [-c, -0.31, 0.0, 0.123, 0.499, c].map(|x: f64| Station { x, gap: c - x.abs() });
+    // Sharp, F = 1: int log|x - r| f dr = pi c ln(c/2), int sign(x - r) f dr = 2 c asin(x/c). Smooth, f = s:
+    // int log|x - r| f dr = (pi/2) c (ln(c/2) + t^2 - 1/2), int sign(x - r) f dr = c (t s + asin t).
+    for length in [5.0, 0.2] {
+        let logarithm = Made { parts: |_| Parts { log: 1.0, ..Parts::default() }, length };
+        let jump = Made { parts: |_| Parts { sign: 1.0, ..Parts::default() }, length };
+        for edge in [Edge::Sharp, Edge::Smooth] {
+            let mut rule = rule(c, Parity::Even, edge, FINE);
+            let unknowns: Vec<f64> = nodes(Parity::Even, edge, FINE)
+                .iter()
+                .map(|(_, s)| if edge == Edge::Sharp { 1.0 } else { s * s })
+                .collect();
+            let mut potential = |kernel: (&dyn KernelTable, Component)| {
+                let (mut samples, mut out) = (Vec::new(), [0.0; 6]);
+                rule.sample_potential(&unknowns, kernel, &mut samples);
+                rule.potential_into(&samples, kernel, &targets, &mut out);
+                out
+            };
+            let by_log = potential((&logarithm, Component::Coupling));
+            let by_jump = potential((&jump, Component::NormalSlope));
+            for ((at, by_log), by_jump) in targets.iter().zip(by_log).zip(by_jump) {
+                let t = at.x / c;
+                let (log, sign) = if edge == Edge::Sharp {
+                    (c * (0.5 * c).ln(), 2.0 * c * t.asin() / PI)
+                } else {
+                    let inside = t * (1.0 - t * t).sqrt() + t.asin();
+                    (0.5 * c * ((0.5 * c).ln() + t * t - 0.5), c * inside / PI)
+                };
+                assert_close(by_log, log, 1e-12, "logarithm");
+                assert_close(by_jump, sign, 1e-12, "jump");
+            }
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! Densities between and beyond the nodes.
+
+use super::*;
+use slipzone_api::reference::flat_punch as punch;
+use std::f64::consts::PI;
+
+#[test]
+fn flat_punch_on_a_half_plane() {
+    let c = 3.0;
+    for n in [6, 16, 40] {
+        let mut rule = rule(c, Parity::Even, Edge::Sharp, n);
+        let unknowns = flat_punch(rule.as_mut(), None);
+        // The rule is exact for F = const: only rounding is left at any n.
+        assert_close(rule.edge_factor(&unknowns), punch::EDGE_RATIO, 1e-14, "edge factor");
+        for gap in [3.0, 1.0, 1e-3, 1e-12, 1e-14, 1e-100] {
+            let exact = punch::pressure(1.0, c, gap);
+            assert_close(value(rule.as_ref(), &unknowns, c - gap, gap) / exact, 1.0, 1e-13, "pressure by its gap");
+        }
+    }
+}
+
+#[test]
+fn values_between_the_nodes() {
+    let (c, n) = (2.0, 48);
+    let polynomial = |t: f64| 1.0 - 3.0 * t * t + 0.5 * t.powi(8);
+    for (parity, edge, power) in [
+        (Parity::Even, Edge::Sharp, -1),
+        (Parity::Even, Edge::Smooth, 1),
+        (Parity::Odd, Edge::Sharp, -1),
+        (Parity::Odd, Edge::Smooth, 1),
+    ] {
+        let odd = |t: f64| if parity == Parity::Odd { t } else { 1.0 };
+        let rule = rule(c, parity, edge, n);
+        let at_nodes = nodes(parity, edge, n);
+        let unknowns: Vec<f64> = at_nodes.iter().map(|(x, s)| odd(*x) * polynomial(*x) * s.powi(power + 1)).collect();
+        for t in [-0.999, -0.4, 0.0, at_nodes[3].0, 0.77, 0.999_999] {
+            let gap = c * (1.0 - t.abs());
+            let s = (gap * (2.0 * c - gap)).sqrt() / c;
+            let exact = odd(t) * polynomial(t) * s.powi(power);
+            // At u_max = 4 the strip in which t^8 stays moderate leaves 1e-11 at 48 steps.
+            assert_close(
+                value(rule.as_ref(), &unknowns, c * t, gap) / s.powi(power),
+                exact / s.powi(power),
+                1e-10,
+                &format!("{parity:?} {edge:?} t = {t}"),
+            );
+        }
+    }
+}
+
+#[test]
+fn a_continued_density_ends_at_its_carrier() {
+    // f = t + (1 - t^2)^(1/2) t/2: one at the end, with the square root that a stick zone has.
+    let (c, n) = (2.0, 32);
+    let rule = rule(c, Parity::Odd, Edge::Continued, n);
+    let unknowns: Vec<f64> =
+        nodes(Parity::Odd, Edge::Continued, n).iter().map(|(x, s)| s * x * (1.0 + 0.5 * s)).collect();
+    let density = Density { unknowns: &unknowns, carrier: 1.0 };
+    for gap in [2.0, 1.1, 0.3, 1e-4, 1e-9, 1e-14, 0.0] {
+        let t = 1.0 - gap / c;
+        let exact = t * (1.0 + 0.5 * (gap * (2.0 * c - gap)).sqrt() / c);
+        assert_close(rule.value(density, Station { x: c * t, gap }), exact, 1e-11, "upper half");
+        assert_close(rule.value(density, Station { x: -c * t, gap }), -exact, 1e-11, "lower half");
+    }
+}
+
+#[test]
+fn the_edge_functional_is_the_limit() {
+    // F = T_k: 1 at the upper end; f = U_k s: no singular part.
+    for (parity, k) in [(Parity::Even, 4.0), (Parity::Odd, 3.0)] {
+        let n = 56;
+        let sharp = rule(0.5, parity, Edge::Sharp, n);
+        let unknowns: Vec<f64> = nodes(parity, Edge::Sharp, n).iter().map(|(x, _)| (k * x.acos()).cos()).collect();
+        assert_close(sharp.edge_factor(&unknowns), 0.5, 1e-13, "T_k");
+        let smooth = rule(0.5, parity, Edge::Smooth, n);
+        let unknowns: Vec<f64> =
+            nodes(parity, Edge::Smooth, n).iter().map(|(x, s)| ((k + 1.0) * s.atan2(*x)).sin() * s).collect();
+        assert_close(dot(smooth.edge_condition().expect("a condition"), &unknowns), 0.0, 1e-13, "U_k s");
+        assert_close(smooth.edge_factor(&unknowns), 0.0, 0.0, "not singular");
+    }
+}
+
+#[test]
+fn resultants() {
+    let c = 1.5;
+    // int_-c^c 1/sqrt(1 - t^2) dx = pi c, int sqrt(1 - t^2) dx = pi c/2.
+    for (edge, exact) in [(Edge::Sharp, PI * c), (Edge::Smooth, 0.5 * PI * c)] {
+        let rule = rule(c, Parity::Even, edge, 40);
+        let mut row = vec![0.0; rule.unknowns()];
+        rule.resultant_into(&mut row);
+        let unknowns =
+            nodes(Parity::Even, edge, 40).into_iter().map(|(_, s)| if edge == Edge::Sharp { 1.0 } else { s * s });
+        assert_close(dot(&row, &unknowns.collect::<Vec<_>>()), exact, 1e-13, "resultant");
+    }
+}
