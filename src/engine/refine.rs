@@ -7,6 +7,7 @@ use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
 use super::stage::{Outcome, Stage, Task, Verdict};
 use crate::plan::Methods;
+use arrayvec::ArrayVec;
 use slipzone_api::Refusal;
 
 /// Most steps of refinement.
@@ -118,7 +119,7 @@ impl Ladder {
         methods: &Methods,
         tolerance: f64,
     ) -> Result<Judged, Refusal> {
-        let mut history: Vec<Numbers> = Vec::with_capacity(FINEST + 1);
+        let mut history: ArrayVec<Numbers, { FINEST + 1 }> = ArrayVec::new();
         let mut last: Option<(Outcome, usize)> = None;
         let (mut errors, mut stopped) = (Numbers::default(), None);
         let mut stalled = 0;

@@ -9,6 +9,7 @@ use super::quantity::{Numbers, Quantity};
 use super::stick::Shear;
 use super::stick_search::{Found, FrictionCurve, Samples};
 use super::stick_zone::StickZone;
+use arrayvec::ArrayVec;
 use slipzone_api::{Edge, Quadrature, Refusal, Station};
 
 /// Friction below this share of the coefficient at every stick zone is rounding: there is no shear.
@@ -144,7 +145,7 @@ impl Stage {
         shear.under(layer, &mut self.normal);
         if let Some(coarse) = coarse.filter(|coarse| !coarse.found.roots.is_empty()) {
             let mut curve = self.curve(layer, task);
-            let mut found = Found { roots: Vec::new(), ..coarse.found.clone() };
+            let mut found = Found { roots: ArrayVec::new(), ..coarse.found.clone() };
             let mut chosen = None;
             for (i, root) in coarse.found.roots.iter().enumerate() {
                 if let Some(root) = curve.follow(*root, eta)? {

@@ -5,6 +5,7 @@ use super::normal::Normal;
 use super::root;
 use super::stick::Shear;
 use super::stick_zone::StickZone;
+use arrayvec::ArrayVec;
 use basin::{RootError, Toms748Root};
 use slipzone_api::{Component, Refusal, Station};
 use std::f64::consts::PI;
@@ -25,6 +26,8 @@ const RESOLVED: f64 = 4.0;
 /// What is left of `eta(lambda) - eta` at a root, over `eta`, is of the order of the root's tolerance;
 /// beside a pole it is huge.
 const POLE: f64 = 0.1;
+/// Most roots kept; two or three are the most ever seen.
+const MOST_ROOTS: usize = 16;
 /// Roots closer than this in `lambda` are one.
 const SAME_ROOT: f64 = 1e-6;
 /// Position tolerance of a root in `lambda`, over the tolerance of the scene: an error in `lambda` is at
@@ -58,7 +61,7 @@ pub(crate) struct Root {
 /// What one scan found.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Found {
-    pub(crate) roots: Vec<Root>,
+    pub(crate) roots: ArrayVec<Root, MOST_ROOTS>,
     /// Whether a root lies below all stick zones looked for, or above.
     pub(crate) narrower: bool,
     pub(crate) wider: bool,
@@ -312,7 +315,8 @@ impl FrictionCurve<'_> {
 
 impl Found {
     fn add(&mut self, root: Root) {
-        if !self.roots.iter().any(|known| (known.lambda - root.lambda).abs() < SAME_ROOT) {
+        let is_new = !self.roots.iter().any(|known| (known.lambda - root.lambda).abs() < SAME_ROOT);
+        if is_new && !self.roots.is_full() {
             self.roots.push(root);
         }
     }
