@@ -19,6 +19,9 @@ fn equations_and_unknowns_are_counted_as_the_contract_says() {
         assert!(rule.collocation().windows(2).all(|s| s[0].x < s[1].x && s[0].gap > s[1].gap));
         let exact = |s: &Station| s.x > 0.0 && (s.x + s.gap - 1.0).abs() < 1e-15;
         assert!(rule.collocation().iter().all(exact), "x and gap add up to the half-width");
+        let mut row = vec![f64::NAN; rule.unknowns()];
+        rule.resultant_into(&mut row);
+        assert!(row.iter().all(|w| if parity == Parity::Odd { *w == 0.0 } else { *w > 0.0 }), "resultant {row:?}");
     }
 }
 

@@ -47,6 +47,9 @@ fn a_parabola_on_a_half_plane_to_its_edge() {
     let matrix = operator(rule.as_mut(), None);
     let right = rule.collocation().iter().map(|at| at.x / c).collect();
     let unknowns = solve(matrix, right);
+    let mut row = vec![0.0; rule.unknowns()];
+    rule.resultant_into(&mut row);
+    assert_close(apply(&row, &unknowns)[0], 0.5 * PI * c, 1e-13, "resultant");
     for gap in [2.0, 0.1, 1e-3, 1e-5, 1e-7] {
         let exact = (gap * (2.0 * c - gap)).sqrt() / c;
         // Rounding of the right side is amplified like its own size over sqrt(gap).
