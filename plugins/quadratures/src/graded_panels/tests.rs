@@ -2,6 +2,7 @@
 
 mod exactness;
 mod kernels;
+mod layer;
 mod solved;
 
 use super::mesh::Mesh;
