@@ -114,7 +114,7 @@ fn potentials_between_the_nodes_agree_with_the_rows() {
         rule.sample_potential(&unknowns, (&made, Component::NormalSlope), &mut samples);
         rule.potential_into(&samples, (&made, Component::NormalSlope), &stations, &mut out);
         for ((got, scale), (whole, cauchy)) in out.iter().zip(scale).zip(whole.iter().zip(&cauchy)) {
-            // Measured 2e-13: the potential varies no faster than the density.
+            // Measured: 1e-13; the potential varies no faster than the density.
             assert_close(scale * got, whole - cauchy, 2e-12, &format!("{parity:?} {edge:?}"));
         }
     }

@@ -113,9 +113,9 @@ fn friction(layer: &Layer, a: f64) -> f64 {
 #[test]
 fn pressure_on_a_bonded_layer() {
     for (thickness, poisson, edge, middle, nodes, panels) in [
-        (5.0, 0.3, 0.309722033261, 0.327009026499, 10, 5),
-        (2.0, 0.3, 0.27699960575, 0.362144496643, 10, 5),
-        (0.1, 0.45, 0.054266894922, 0.52700140157, 15, 7),
+        (5.0, 0.3, 0.309_722_033_261, 0.327_009_026_499, 10, 5),
+        (2.0, 0.3, 0.276_999_605_75, 0.362_144_496_643, 10, 5),
+        (0.1, 0.45, 0.054_266_894_922, 0.527_001_401_57, 15, 7),
     ] {
         let (rule, p) = pressure(&Layer::new(thickness, poisson), nodes, panels);
         let what = format!("h = {thickness}");
@@ -128,7 +128,9 @@ fn pressure_on_a_bonded_layer() {
 /// Ten digits of `a/b` are known; `eta` varies like `-beta/pi log(1 - a/b)`, so that it keeps nine of them.
 #[test]
 fn stick_zones_on_a_bonded_layer() {
-    for (thickness, ratio, eta) in [(5.0, 0.9154049145, 0.3), (2.0, 0.7549371337, 0.1), (10.0, 0.1198114563, 0.1)] {
+    for (thickness, ratio, eta) in
+        [(5.0, 0.915_404_914_5, 0.3), (2.0, 0.754_937_133_7, 0.1), (10.0, 0.119_811_456_3, 0.1)]
+    {
         let got = friction(&Layer::new(thickness, 0.3), ratio);
         assert_close(got / eta, 1.0, 2e-9, &format!("h = {thickness}, a/b = {ratio}"));
     }
