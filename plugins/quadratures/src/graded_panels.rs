@@ -25,7 +25,8 @@ use slipzone_api::{Edge, Parity, Quadrature, Refusal, Rule, Span};
 /// `nodes` Chebyshev points per panel: that is one equation fewer than nodes, and the condition at the end and an
 /// odd density's zero in the middle each take one node away, so that all counts are those of the contract with no
 /// extra row. Rows of sharp and continued densities are scaled by `sin(theta)`, which makes the operator a
-/// Hilbert transform of `F`; condition numbers are then below 200 at any resolution measured.
+/// Hilbert transform of `F`: condition numbers are 20 to 200 from 18 to 162 unknowns on a half-plane, up to
+/// 2000 where the contact is 200 times as wide as the layer is thick.
 ///
 /// Exact for such `F`: the Cauchy part (Legendre functions of the second kind, Neumann's formula); jump and
 /// logarithm (integrals of Legendre functions of either kind) times the polynomials through `nodes + 12` Gauss
