@@ -3,6 +3,7 @@
 mod beyond;
 mod column;
 mod exponential_integral;
+mod legendre;
 mod pieces;
 mod singular;
 mod spectrum;
