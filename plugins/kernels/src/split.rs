@@ -3,6 +3,7 @@
 mod beyond;
 mod column;
 mod exponential_integral;
+mod legendre;
 mod pieces;
 mod singular;
 mod spectrum;
@@ -165,18 +166,6 @@ impl Split {
             let scale = if column.component == Component::Depth { 1.0 } else { reach };
             rounding = rounding.max(scale * (rounded[i] + pieces.kernels[i].noise + spectrum.noise[i]));
             error = error.max(scale * (beyond_error[i] + spectrum.error[i] + pieces.kernels[i].error + rounded[i]));
-        }
-        if std::env::var("DBG").is_ok() {
-            eprintln!(
-                "cut {cut:?} beyond {beyond_error:?} spec {:?} pieces {:?} rounding {rounding:.1e} npieces {} nodes {nodes} terms {:?} t0 {:?} size {:?} ends {:?}",
-                spectrum.error,
-                pieces.kernels.iter().map(|k| k.error).collect::<Vec<_>>(),
-                pieces.ends.len(),
-                pieces.kernels.iter().map(|k| k.rows.iter().map(|r| r.len()).max()).collect::<Vec<_>>(),
-                singular.iter().map(Singular::width).collect::<Vec<_>>(),
-                pieces.kernels.iter().map(|k| k.noise).collect::<Vec<_>>(),
-                pieces.ends
-            );
         }
         let length = depth.min(window);
         Ok(Draft { pieces, length, error, rounding, evaluations: spectrum.evaluations + 2 })

@@ -2,6 +2,7 @@
 
 use super::column::Column;
 use super::exponential_integral;
+use super::pieces::LARGEST_LOG;
 use num_complex::Complex64;
 use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
 
@@ -57,8 +58,13 @@ impl Cut {
         response.surface_into(&s, &mut f)?;
         let bound = |column: &Column| {
             let [near, far] = std::array::from_fn(|i| column.rest(self.terms, s[i], &f[i]).abs());
-            // int_S^inf (S/s)^(k+1) ds = S/k; a lone 1/s oscillates and leaves pi/2 of the same.
-            let algebraic = self.cutoff / (column.used(self.terms).len() as f64).max(0.5);
+            // int_S^inf (S/s)^(k+1) ds = S/k. A lone 1/s oscillates: pi/2 of the same under a sine, and under a cosine
+            // its logarithm, at the smallest distance.
+            let algebraic = match column.used(self.terms).len() {
+                0 if column.component.is_odd() => 2.0 * self.cutoff,
+                0 => LARGEST_LOG * self.cutoff,
+                terms => self.cutoff / terms as f64,
+            };
             near.max(far) / depth + far * algebraic
         };
         Ok((columns.iter().map(bound).collect(), f[0]))

@@ -3,6 +3,9 @@
 use crate::even_table::chebyshev;
 use std::f64::consts::PI;
 
+/// The variable of a piece, the distance, and the parts there.
+type Sample = (f64, f64, Values);
+
 /// A kernel's parts (smooth, sign, log) at `t > 0`.
 pub(super) type Values = [f64; 3];
 
@@ -61,11 +64,12 @@ impl Pieces {
         let mut pieces = Self { ends: Vec::new(), kernels };
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // few and positive
         let fewer = (FIRST_NODES * nodes as f64).ceil() as usize;
-        let [at_origin, elsewhere] = [fewer, nodes].map(Variable::chebyshev);
+        let at_origin = Variable::chebyshev(fewer, &[NEAR_ORIGIN, 1.0]);
+        let elsewhere = Variable::chebyshev(nodes, &[1.0]);
         let (mut lower, mut width, mut halvings, mut quiet) = (0.0, plan.width, 0, 0);
         let mut floor: Vec<f64> = plan.kernels.iter().map(|(_, aim)| *aim).collect();
         let mut before = f64::INFINITY;
-        let mut values = vec![vec![Values::default(); plan.kernels.len()]; nodes + 1];
+        let mut values = vec![vec![Values::default(); plan.kernels.len()]; nodes + 2];
         while lower < plan.reach && pieces.ends.len() < MOST_PIECES {
             let upper = if lower + 1.01 * width >= plan.reach { plan.reach } else { lower + width };
             let variable = if lower == 0.0 { &at_origin } else { &elsewhere };
@@ -73,7 +77,7 @@ impl Pieces {
                 // (1 + v)/2 without cancellation for the first piece, whose variable is (t/upper)^2.
                 if lower == 0.0 { upper * (0.5 * (1.0 + v)).sqrt() } else { lower + (upper - lower) * 0.5 * (1.0 + v) }
             };
-            for (values, v) in values.iter_mut().zip(&variable.0) {
+            for (values, v) in values.iter_mut().zip(&variable.all) {
                 parts(place(*v), values);
             }
             let pieced: Vec<Piece> = plan
@@ -81,9 +85,9 @@ impl Pieces {
                 .iter()
                 .enumerate()
                 .map(|(i, (odd, aim))| {
-                    let own: Vec<(f64, Values)> =
-                        variable.0.iter().zip(&values).map(|(v, all)| (place(*v), all[i])).collect();
-                    Piece::through(&own, lower == 0.0, *odd, *aim)
+                    let own: Vec<Sample> =
+                        variable.all.iter().zip(&values).map(|(v, all)| (*v, place(*v), all[i])).collect();
+                    Piece::through(own.split_at(variable.nodes), lower == 0.0, *odd, *aim)
                 })
                 .collect();
             // In units of what is wanted, or of the noise once that has shown.
@@ -107,7 +111,7 @@ impl Pieces {
                 kernel.error = kernel.error.max(piece.error);
                 kernel.noise = kernel.noise.max(if worst > 1.0 { piece.error } else { piece.noise });
                 kernel.rows.push(piece.rows);
-                for (v, all) in variable.0.iter().zip(&values) {
+                for (v, all) in variable.all.iter().zip(&values) {
                     let form = if kernel.odd { -1.0 / place(*v) } else { 0.0 };
                     far[i] = far[i].max((all[i][0] - form).abs() + all[i][1].abs() + all[i][2].abs());
                 }
@@ -134,14 +138,23 @@ impl Pieces {
     }
 }
 
-/// Where the variable of a piece is sampled: Chebyshev nodes, and the upper end for a check.
-struct Variable(Vec<f64>);
+/// Where the variable of a piece is sampled: Chebyshev nodes, then the checks.
+struct Variable {
+    nodes: usize,
+    all: Vec<f64>,
+}
 
 impl Variable {
-    fn chebyshev(nodes: usize) -> Self {
-        Self((0..nodes).map(|j| (PI * (2 * j + 1) as f64 / (2 * nodes) as f64).cos()).chain([1.0]).collect())
+    /// An interpolant is worst at the ends of its range.
+    fn chebyshev(nodes: usize, checks: &[f64]) -> Self {
+        let cosine = |j: usize| (PI * (2 * j + 1) as f64 / (2 * nodes) as f64).cos();
+        Self { nodes, all: (0..nodes).map(cosine).chain(checks.iter().copied()).collect() }
     }
 }
+
+/// The variable `2 (t/upper)^2 - 1` at a thousandth of the first piece: nearly its lower end, where a kernel whose series
+/// is too short is not smooth.
+const NEAR_ORIGIN: f64 = -1.0 + 2e-6;
 
 /// One kernel on one piece.
 struct Piece {
@@ -156,28 +169,27 @@ const NOISE: f64 = 6.0 * f64::EPSILON;
 
 /// On the piece at the origin an even factor of the logarithm has its error multiplied by up to this: `|log t|`
 /// at the smallest distances that two points of a contact have, `exp(-40)` of the thickness.
-const LARGEST_LOG: f64 = 40.0;
+pub(super) const LARGEST_LOG: f64 = 40.0;
 
 impl Piece {
-    /// Through all but the last of `values`, which is at the upper end and shows the error.
+    /// Through the values at the nodes; those at the `checks`, of which the last is the upper end, show the error.
     ///
     /// The piece `at_origin` has the parity of each part built in: a kernel's smooth part and the factor of its
     /// logarithm are odd when it is (`odd`), the factor of its sign when it is not.
-    fn through(values: &[(f64, Values)], at_origin: bool, odd: bool, aim: f64) -> Self {
-        let (last, inner) = values.split_last().expect("a value at the end");
+    fn through((nodes, checks): (&[Sample], &[Sample]), at_origin: bool, odd: bool, aim: f64) -> Self {
+        let upper = checks.last().expect("a check at the upper end").1;
         let parity = [odd, !odd, odd].map(|odd| odd && at_origin);
         let mut piece = Self { rows: Vec::new(), error: 0.0, noise: 0.0 };
         for part in 0..3 {
-            let values: Vec<f64> = inner.iter().map(|(_, v)| v[part]).collect();
+            let values: Vec<f64> = nodes.iter().map(|(.., v)| v[part]).collect();
             let mut series = if parity[part] { odd_chebyshev(&values) } else { chebyshev(&values) };
-            // Of a polynomial of either parity the value at the end is the sum of the coefficients.
-            let seen = (series.iter().sum::<f64>() - last.1[part]).abs();
-            let tail = series[series.len() - 2..].iter().map(|c| c.abs()).sum::<f64>();
             let weight = match part {
                 2 if at_origin && !odd => LARGEST_LOG,
-                2 => last.0.ln().abs().max(1.0),
+                2 => upper.ln().abs().max(1.0),
                 _ => 1.0,
             };
+            let noise = NOISE * values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+            let left_out = remainder(&series, noise);
             // Drop what is not wanted.
             let mut dropped = 0.0;
             while let Some(c) = series.last() {
@@ -187,13 +199,17 @@ impl Piece {
                 dropped += c.abs();
                 series.pop();
             }
-            piece.error += weight * (2.0 * seen.max(tail) + dropped);
-            piece.noise += NOISE * weight * values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
             let mut powers = monomials(&series, parity[part]);
             if parity[part] {
                 // The table multiplies by t.
-                powers.iter_mut().for_each(|c| *c /= last.0);
+                powers.iter_mut().for_each(|c| *c /= upper);
             }
+            let seen = checks.iter().fold(0.0_f64, |most, (v, t, value)| {
+                let sum = powers.iter().rev().fold(0.0, |sum, c| sum * v + c);
+                most.max((if parity[part] { sum * t } else { sum } - value[part]).abs())
+            });
+            piece.error += weight * (2.0 * seen.max(left_out) + dropped);
+            piece.noise += weight * noise;
             for (power, c) in powers.into_iter().enumerate() {
                 if piece.rows.len() <= power {
                     piece.rows.push([0.0; 4]);
@@ -204,6 +220,21 @@ impl Piece {
         piece
     }
 }
+
+/// What the coefficients beyond the last sum up to, if they go on falling as they did; noise falls no more.
+fn remainder(series: &[f64], noise: f64) -> f64 {
+    let n = series.len();
+    let most = |range: std::ops::Range<usize>| series[range].iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+    let last = most(n - 2..n);
+    if last <= noise {
+        return last;
+    }
+    let ratio = (last / most(n / 2 - 1..n / 2 + 1).max(f64::MIN_POSITIVE)).powf(2.0 / n as f64);
+    last / (1.0 - ratio.min(SLOWEST))
+}
+
+/// Slowest decay assumed from one Chebyshev coefficient to the next.
+const SLOWEST: f64 = 0.95;
 
 /// Coefficients of `T_1, T_3, ...` in the odd interpolant through values at `cos((2j + 1) pi/4n)`.
 fn odd_chebyshev(values: &[f64]) -> Vec<f64> {
