@@ -65,10 +65,15 @@ impl Resolution {
         let strip = 0.55 / ((2.0 + 2.0 * thinness).ln() / PI).hypot(1.0);
         let digits = (2.0 * PI * strip / step).min(MOST_DIGITS);
         let wanted = 0.25 * step * digits * thinness / POLE;
-        let fit = FACTORS.iter().find(|factor| **factor as f64 >= wanted);
-        fit.copied().unwrap_or(FACTORS[FACTORS.len() - 1])
+        let room = MOST_ENTRIES / (self.n * self.n);
+        let fit = FACTORS.iter().find(|factor| **factor as f64 >= wanted).unwrap_or(&FACTORS[FACTORS.len() - 1]);
+        FACTORS.iter().rev().find(|factor| *factor <= fit && **factor <= room).copied().unwrap_or(1)
     }
 }
+
+/// Most distances in one table of a fine grid; it takes three to four such tables, 130 MB. A finer one would
+/// be asked for by more than 512 steps over a thin layer only; too coarse a one shows against its refined twin.
+const MOST_ENTRIES: usize = 1 << 22;
 
 /// Odd, in steps of about `sqrt 2`, so that few grids serve all.
 const FACTORS: [usize; 16] = [1, 3, 5, 7, 9, 13, 19, 27, 39, 55, 77, 109, 155, 219, 309, 437];
