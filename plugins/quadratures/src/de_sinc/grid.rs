@@ -29,6 +29,9 @@ pub(super) struct Grid {
     pub(super) resultant: Vec<f64>,
 }
 
+/// From this `u` on `x'/sqrt(1 - x^2)` is below the smallest number.
+const LAST_SLOPE: f64 = 6.9;
+
 impl Grid {
     pub(super) fn new(n: usize, u_max: f64, odd: bool, edge: Edge) -> Self {
         let step = u_max / n as f64;
@@ -90,9 +93,14 @@ impl Grid {
     /// `C/sqrt(1 - t^2)` for odd ones; the rows of the Cauchy matrix are its samples at the staggered points.
     fn edge_functional(&self) -> Vec<f64> {
         let mut row: Vec<f64> = self.resultant.iter().map(|r| r / PI).collect();
-        // Beyond the last point the integrand is what it is there.
-        let beyond = FRAC_PI_2 - self.step * self.scale.iter().rev().sum::<f64>();
-        let last = self.staggered.len() - 1;
+        // Beyond the last point C is what it is there. Those weights are summed, not taken as the rest of pi/2:
+        // the rest's rounding would be multiplied by 1/scale.
+        let points = self.staggered.len();
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few times the number of points
+        let vanished = points + (LAST_SLOPE / self.step) as usize;
+        let next = |i: usize| Place::new((i as f64 + 0.5) * self.step).slope;
+        let beyond = self.step * (points..vanished).map(next).sum::<f64>();
+        let last = points - 1;
         for (i, (v, cauchy)) in self.staggered.iter().zip(self.cauchy.chunks(row.len())).enumerate() {
             let share = self.step + if i == last { beyond / self.scale[last] } else { 0.0 };
             let weight = -2.0 / PI * share * if self.odd { 1.0 } else { v.x };
