@@ -1,11 +1,11 @@
 //! Which methods solve a scene: what the scene leaves open, the solver chooses here and says why.
 
-use crate::scene::Scene;
+use crate::scene::{Layer, Scene};
 use serde::Serialize;
-use slipzone_api::{Flexibility, KernelStrategy, Quadrature};
-use slipzone_flexibilities::Compliance;
-use slipzone_kernels::Truncated;
-use slipzone_quadratures::GaussChebyshev;
+use slipzone_api::{Base, Flexibility, KernelStrategy, Quadrature};
+use slipzone_flexibilities::{ClosedForm, Compliance};
+
+use slipzone_quadratures::DeSinc;
 
 /// How the numbers were got.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -53,16 +53,21 @@ pub(crate) fn choose(scene: &Scene) -> Chosen {
     let mut because = |reason: &str| reasons.push(reason.to_owned());
 
     let flexibility = solver.flexibility.get_or_insert_with(|| {
-        because("compliance: stable at every wave number and gradient");
-        Box::new(Compliance {})
+        if has_closed_form(&scene.layer) {
+            because("closed-form: the layer is exponential or homogeneous");
+            Box::new(ClosedForm {})
+        } else {
+            because("compliance: serves any grading");
+            Box::new(Compliance {})
+        }
     });
     let kernel = solver.kernel.get_or_insert_with(|| {
-        because("truncated: the one strategy there is");
-        Box::new(Truncated::default())
+        because("split: jump and logarithm of the kernel apart, its error proved");
+        Box::new(slipzone_kernels::Truncated::default())
     });
     let quadrature = solver.quadrature.get_or_insert_with(|| {
-        because("gauss-chebyshev: the one quadrature there is");
-        Box::new(GaussChebyshev::default())
+        because("de-sinc: exponential convergence with jumps, logarithms and any edge");
+        Box::new(DeSinc::default())
     });
     let methods = Methods { flexibility: flexibility.clone(), kernel: kernel.clone(), quadrature: quadrature.clone() };
     let plan = Plan {
@@ -74,4 +79,16 @@ pub(crate) fn choose(scene: &Scene) -> Chosen {
         ..Plan::default()
     };
     Chosen { scene, methods, plan }
+}
+
+/// Whether the flexibility of a layer is known in closed form.
+fn has_closed_form(layer: &Layer) -> bool {
+    let infinite = layer.base == Base::Infinite;
+    let law = layer.grading.law(layer.thickness.filter(|_| !infinite));
+    let exponent = law.ok().and_then(|law| law.exponent());
+    match layer.base {
+        Base::Rigid => exponent.is_some(),
+        Base::Infinite => exponent == Some(0.0),
+        Base::Frictionless | Base::HalfPlane { .. } => false,
+    }
 }

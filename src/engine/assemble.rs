@@ -1,11 +1,13 @@
 //! A solved contact in the scene's units.
 
-use super::contact::Contact;
 use super::finite::first_not_finite;
 use super::problem::Problem;
-use super::refine::Judged;
-use super::solution::{EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Solution, Status, StickReport};
-use super::verdict::worst;
+use super::quantity::Quantity;
+use super::refine::{How, Judged};
+use super::solution::{
+    EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Slip, Solution, Status, StickReport,
+};
+use super::stage::{Stage, Verdict};
 use crate::plan::Plan;
 use crate::scene::{Load, Scene};
 use slipzone_api::{Refusal, Station};
@@ -15,45 +17,46 @@ pub(super) fn solution(
     scene: &Scene,
     plan: Plan,
     problem: &Problem,
+    stage: &Stage,
     judged: &Judged,
     status: Status,
     reason: Option<String>,
 ) -> Result<Solution, Refusal> {
     let (length, stress) = (problem.length, problem.stress);
-    let number = |path: &str, unit: f64| judged.numbers.get(path).map(|value| value * unit);
+    let number = |quantity, unit: f64| judged.outcome.numbers.get(quantity).map(|value| value * unit);
     // What the scene gives is reported as given, not after its way through the layer's units.
     let (given_force, given_width, given_depth) = match scene.load {
         Load::Force(force) => (Some(force.get()), None, None),
         Load::HalfWidth(half_width) => (None, Some(half_width.get()), None),
         Load::Indentation(depth) => (None, None, Some(depth.get())),
     };
-    let force = given_force.or(number("load.force", stress * length));
-    let half_width = given_width.or(number("load.half_width", length));
+    let force = given_force.or(number(Quantity::Force, stress * length));
+    let half_width = given_width.or(number(Quantity::HalfWidth, length));
     let solution = Solution {
         status,
         reason,
-        load: LoadReport { force, half_width, indentation: given_depth.or(number("load.indentation", length)) },
+        load: LoadReport { force, half_width, indentation: given_depth.or(number(Quantity::Indentation, length)) },
         pressure: PressureReport {
-            centre: number("pressure.centre", stress),
+            centre: number(Quantity::Centre, stress),
             mean: force.zip(half_width).map(|(force, b)| force / (2.0 * b)),
-            peak: number("pressure.peak", stress),
+            peak: number(Quantity::Peak, stress),
         },
         edge: EdgeReport {
-            stress_intensity: number("edge.stress_intensity", stress * length.sqrt()),
-            ratio: number("edge.ratio", 1.0),
+            stress_intensity: number(Quantity::StressIntensity, stress * length.sqrt()),
+            ratio: number(Quantity::EdgeRatio, 1.0),
         },
-        stick: judged.contact.friction.as_ref().map(|_| StickReport {
-            half_width: number("stick.half_width", length),
-            ratio: number("stick.ratio", 1.0),
-            one_minus_ratio: number("stick.one_minus_ratio", 1.0),
-            slip: judged.contact.slip(),
+        stick: stage.shear.as_ref().map(|_| StickReport {
+            half_width: number(Quantity::StickHalfWidth, length),
+            ratio: number(Quantity::StickRatio, 1.0),
+            one_minus_ratio: number(Quantity::OneMinusRatio, 1.0),
+            slip: slip(stage, judged),
         }),
         error: ErrorReport {
-            estimate: Some(worst(&judged.errors).1),
-            each: judged.errors.clone(),
-            how: judged.how.clone(),
+            estimate: judged.errors.worst().map(|(_, error)| error),
+            each: judged.errors.iter().map(|(quantity, error)| (quantity.path().to_owned(), error)).collect(),
+            how: how(judged.how),
         },
-        profile: profile(scene, problem, &judged.contact),
+        profile: profile(scene, problem, stage),
         ..Solution::refused(scene, plan, String::new())
     };
     match first_not_finite(&solution) {
@@ -66,28 +69,51 @@ pub(super) fn solution(
     }
 }
 
+/// How the errors were estimated, in words.
+fn how(how: How) -> String {
+    match how {
+        How::Twin => "resolution fixed by the scene, compared with a finer twin".into(),
+        How::Sequence { count, kernels_proven } => {
+            let kernels = if kernels_proven { "; kernels by their own bound" } else { "" };
+            format!("differences between {count} resolutions, each finer than the one before, extrapolated{kernels}")
+        }
+    }
+}
+
+/// Direction of slip, where there is one to tell.
+fn slip(stage: &Stage, judged: &Judged) -> Option<Slip> {
+    let (shear, rubbing) = (stage.shear.as_ref()?, judged.outcome.rubbing.as_ref()?);
+    if matches!(rubbing.verdict, Verdict::NoShear | Verdict::TooWide) {
+        return None; // nothing slips, or too narrow a zone to tell which way
+    }
+    Some(if shear.friction < 0.0 { Slip::Outward } else { Slip::Inward })
+}
+
 /// Tractions at the points that the scene asks for.
-fn profile(scene: &Scene, problem: &Problem, contact: &Contact) -> Profile {
-    let b = contact.pressure.half_width;
+fn profile(scene: &Scene, problem: &Problem, stage: &Stage) -> Profile {
+    let b = stage.normal.half_width;
     let relative: Vec<f64> = scene.output.x.clone().unwrap_or_else(|| {
         let last = scene.output.points - 1;
         // Both halves from the same numbers, so that the samples are exactly symmetric.
         (0..=last).map(|i| (2.0 * i as f64 - last as f64) / last as f64).collect()
     });
-    let station = |x: &f64| Station { x: x * b, gap: (1.0 - x.abs()) * b };
-    let bounded = |value: f64| value.is_finite().then_some(value * problem.stress);
-    let sharp = contact.pressure.edge_factor != 0.0;
-    let sample = |at: &dyn Fn(Station) -> f64| -> Vec<Option<f64>> {
-        let one = |station: Station| match (station.gap > 0.0, sharp) {
-            (true, _) => bounded(at(station)),
-            (false, true) => None,
-            (false, false) => Some(0.0),
-        };
-        relative.iter().map(station).map(one).collect()
+    let sharp = stage.normal.is_sharp();
+    let value = |found: Option<f64>| match found {
+        Some(value) => value.is_finite().then_some(value * problem.stress),
+        None => (!sharp).then_some(0.0),
     };
-    Profile {
-        x: relative.iter().map(|x| x * b * problem.length).collect(),
-        pressure: sample(&|station| contact.pressure.at(station)),
-        shear: contact.friction.as_ref().map(|stick| sample(&|station| stick.shear.at(&contact.pressure, station))),
-    }
+    let stations: Vec<Station> = relative.iter().map(|x| Station { x: x * b, gap: (1.0 - x.abs()) * b }).collect();
+    let inside: Vec<Station> = stations.iter().copied().filter(|station| station.gap > 0.0).collect();
+    let mut pressure = vec![0.0; inside.len()];
+    stage.normal.values_into(&inside, &mut pressure);
+    // Points on the edge or beyond it have no value of their own.
+    let spread = |values: Vec<f64>| {
+        let mut values = values.into_iter();
+        stations.iter().map(|station| value(if station.gap > 0.0 { values.next() } else { None })).collect()
+    };
+    let shear = stage
+        .shear
+        .as_ref()
+        .map(|shear| spread(inside.iter().zip(&pressure).map(|(station, p)| shear.at(*station, *p)).collect()));
+    Profile { x: relative.iter().map(|x| x * b * problem.length).collect(), pressure: spread(pressure), shear }
 }

@@ -1,8 +1,9 @@
 //! How wide a growing contact becomes under a load.
 
-use super::layer::Layer;
-use super::normal::{Pressure, smooth_punch};
+use super::layer::{Layer, Wanted};
+use super::normal::Normal;
 use super::problem::{LoadInLayerUnits, Problem};
+use super::root;
 use basin::{RootError, Toms748Root};
 use slipzone_api::Refusal;
 use std::f64::consts::{FRAC_PI_2, LN_2};
@@ -17,37 +18,84 @@ const WIDEST_START: f64 = 2.0;
 /// An excess this small is one of rounding, of the kernel tables included.
 const ROUNDING: f64 = 1e-11;
 
-/// The pressure under a punch whose contact grows, at the load of the problem.
+/// How wide the contact is, and how its size grows: what the next resolution starts from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Size {
+    pub(crate) half_width: f64,
+    /// `d ln(load)/d ln b`.
+    slope: f64,
+}
+
+/// Solves the pressure under a punch whose contact grows, at the load of the problem.
 ///
-/// `known`: the half-width at a coarser resolution, where there was one.
-pub(crate) fn pressed(layer: &mut Layer, known: Option<f64>) -> Result<Pressure, Refusal> {
-    let target = match layer.problem.load {
-        LoadInLayerUnits::HalfWidth(b) => return smooth_punch(layer, b),
+/// `known`: the size at a coarser resolution, where there was one.
+pub(crate) fn press(
+    layer: &mut Layer,
+    problem: &Problem,
+    normal: &mut Normal,
+    wanted: Wanted,
+    position: f64,
+    known: Option<Size>,
+) -> Result<Size, Refusal> {
+    let target = match problem.load {
+        LoadInLayerUnits::HalfWidth(half_width) => {
+            layer.tabulate(Wanted { half_width, ..wanted })?;
+            normal.press_smooth(layer, problem, half_width)?;
+            return Ok(Size { half_width, slope: f64::NAN });
+        }
         LoadInLayerUnits::Force(target) | LoadInLayerUnits::Indentation(target) => target,
     };
-    let by_force = matches!(layer.problem.load, LoadInLayerUnits::Force(_));
-    let (start, step) = match known {
-        Some(b) => (b, 0.01),
-        None if layer.has_depth() => (half_plane_size(layer.problem, target, by_force).min(WIDEST_START), LN_2),
-        None => (half_plane_size(layer.problem, target, by_force), LN_2),
-    };
-    // One table for the walk's first steps: a wider one would differ in its last bits.
-    layer.reach(start * step.exp())?;
+    let by_force = matches!(problem.load, LoadInLayerUnits::Force(_));
     // ln(reached/target) is nearly linear in ln b for any punch.
     let mut excess = |log_b: f64| -> Result<f64, Refusal> {
-        let pressure = smooth_punch(layer, log_b.exp())?;
-        let reached = if by_force { Some(pressure.force) } else { pressure.depth(layer) };
+        let half_width = log_b.exp();
+        layer.tabulate(Wanted { half_width: roomy(half_width), ..wanted })?;
+        normal.press_smooth(layer, problem, half_width)?;
+        let reached = if by_force { Some(normal.force) } else { normal.depth(layer, problem) };
         match reached {
             Some(reached) if reached > 0.0 => Ok((reached / target).ln()),
             _ => Err(no_size(format!(
-                "at this resolution a contact of half-width {:.3e} h bears no load: it is too wide beside the layer for \
-                 the nodes, or the cutoff too small",
-                log_b.exp()
+                "at this resolution a contact of half-width {half_width:.3e} h bears no load: it is too wide beside the \
+                 layer for the nodes, or the cutoff too small"
             ))),
         }
     };
-    let (lower, upper) = bracket(&mut excess, start.ln(), step)?;
-    let log_b = match Toms748Root::new(lower, upper).with_absolute_position_tolerance(1e-14).solve(&mut excess) {
+    let near = match known {
+        Some(size) => root::polish(size.half_width.ln(), size.slope, f64::INFINITY, position, &mut excess)?,
+        None => None,
+    };
+    let (log_b, slope) = match near {
+        Some(near) => near,
+        None => {
+            let start = known.map_or_else(|| first_size(problem, target, by_force), |size| size.half_width);
+            search(start.ln(), if known.is_some() { 0.01 } else { LN_2 }, position, &mut excess)?
+        }
+    };
+    excess(log_b)?;
+    Ok(Size { half_width: log_b.exp(), slope })
+}
+
+/// A half-width that tables are made for, so that a search changes them rarely: the next power of two.
+fn roomy(half_width: f64) -> f64 {
+    half_width.log2().ceil().exp2().max(half_width)
+}
+
+/// The root from a start that may be far off, and the slope there.
+fn search(
+    start: f64,
+    step: f64,
+    position: f64,
+    excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
+) -> Result<(f64, f64), Refusal> {
+    let (lower, upper) = bracket(excess, start, step)?;
+    let mut last = [(lower, 0.0); 2];
+    let position = position.max(4.0 * f64::EPSILON * lower.abs().max(1.0));
+    let found = Toms748Root::new(lower, upper).with_absolute_position_tolerance(position).solve(|log_b| {
+        let excess = excess(log_b)?;
+        last = [last[1], (log_b, excess)];
+        Ok(excess)
+    });
+    let root = match found {
         Ok(root) => root.root(),
         // The walk widens the kernel tables, which changes last bits: a root at one end may lose its sign.
         Err(RootError::NotBracketed { lower, f_lower, .. }) if f_lower.abs() < ROUNDING => lower,
@@ -55,7 +103,8 @@ pub(crate) fn pressed(layer: &mut Layer, known: Option<f64>) -> Result<Pressure,
         Err(RootError::Evaluation(refusal)) => return Err(refusal),
         Err(other) => return Err(no_size(other.to_string())),
     };
-    smooth_punch(layer, log_b.exp())
+    let [(x0, f0), (x1, f1)] = last;
+    Ok((root, (f1 - f0) / (x1 - x0)))
 }
 
 /// Walks from `start` towards the sign change of an increasing function, in growing steps.
@@ -87,8 +136,9 @@ fn bracket(
 }
 
 /// The half-width on a half-plane, within a factor of 2; exact formulas for the cylinder
-/// (`P = pi b g'(b)/(2 A0)`), and of the right size for other convex shapes.
-fn half_plane_size(problem: &Problem, target: f64, by_force: bool) -> f64 {
+/// (`P = pi b g'(b)/(2 A0)`), and of the right size for other convex shapes. On a layer no wider than
+/// [`WIDEST_START`].
+fn first_size(problem: &Problem, target: f64, by_force: bool) -> f64 {
     let reached = |b: f64| {
         if by_force { FRAC_PI_2 * b * problem.slope(b) / problem.elastic.a0() } else { 2.0 * problem.height(b) }
     };
@@ -100,7 +150,7 @@ fn half_plane_size(problem: &Problem, target: f64, by_force: bool) -> f64 {
     while reached(b) < target && b < f64::MAX / 4.0 {
         b *= 2.0;
     }
-    b
+    if problem.has_base() { b.min(WIDEST_START) } else { b }
 }
 
 fn no_size(why: String) -> Refusal {

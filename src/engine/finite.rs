@@ -26,12 +26,29 @@ pub(crate) fn insist(solution: &Solution) {
 /// Walks through a value and keeps the path to where it is.
 #[derive(Default)]
 struct Probe {
-    path: Vec<String>,
+    path: Vec<Step>,
+}
+
+/// A step of the path; put into words only when something is found.
+enum Step {
+    Field(&'static str),
+    Item(usize),
+    Key(String),
+}
+
+impl Display for Step {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Field(name) => write!(f, ".{name}"),
+            Self::Item(index) => write!(f, "[{index}]"),
+            Self::Key(key) => write!(f, ".{key}"),
+        }
+    }
 }
 
 impl Probe {
-    fn step<T: Serialize + ?Sized>(&mut self, name: String, value: &T) -> Result<(), Found> {
-        self.path.push(name);
+    fn step<T: Serialize + ?Sized>(&mut self, step: Step, value: &T) -> Result<(), Found> {
+        self.path.push(step);
         value.serialize(&mut *self)?;
         self.path.pop();
         Ok(())
@@ -73,7 +90,11 @@ impl<'a> ser::Serializer for &'a mut Probe {
     type SerializeStructVariant = Inside<'a>;
 
     fn serialize_f64(self, v: f64) -> Result<(), Found> {
-        if v.is_finite() { Ok(()) } else { Err(Found(format!("`{}` is {v}", self.path.concat().trim_matches('.')))) }
+        if v.is_finite() {
+            return Ok(());
+        }
+        let path: String = self.path.iter().map(ToString::to_string).collect();
+        Err(Found(format!("`{}` is {v}", path.trim_matches('.'))))
     }
     fn serialize_f32(self, v: f32) -> Result<(), Found> {
         self.serialize_f64(v.into())
@@ -103,7 +124,7 @@ impl<'a> ser::Serializer for &'a mut Probe {
         variant: &'static str,
         value: &T,
     ) -> Result<(), Found> {
-        self.step(format!(".{variant}"), value)
+        self.step(Step::Field(variant), value)
     }
     fn serialize_seq(self, _: Option<usize>) -> Result<Inside<'a>, Found> {
         Ok(Inside::new(self))
@@ -141,13 +162,12 @@ impl<'a> Inside<'a> {
     }
 
     fn item<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Found> {
-        let name = format!("[{}]", self.next);
         self.next += 1;
-        self.probe.step(name, value)
+        self.probe.step(Step::Item(self.next - 1), value)
     }
 
-    fn field<T: Serialize + ?Sized>(&mut self, name: &str, value: &T) -> Result<(), Found> {
-        self.probe.step(format!(".{name}"), value)
+    fn field<T: Serialize + ?Sized>(&mut self, name: &'static str, value: &T) -> Result<(), Found> {
+        self.probe.step(Step::Field(name), value)
     }
 }
 
@@ -196,7 +216,7 @@ impl ser::SerializeMap for Inside<'_> {
     }
     fn serialize_value<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Found> {
         let key = std::mem::take(&mut self.key);
-        self.field(&key, value)
+        self.probe.step(Step::Key(key), value)
     }
     fn end(self) -> Result<(), Found> {
         Ok(())

@@ -1,82 +1,135 @@
-//! One layer at one resolution: its response, its kernels over a range of lengths, and the work counted.
+//! A layer prepared: its flexibility, and its kernels over the lengths asked for so far.
 
 use super::problem::Problem;
-use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Parts, Quadrature, Refusal};
-use std::cell::Cell;
+use crate::plan::{Methods, choose};
+use crate::scene::Scene;
+use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal};
 
 /// What the normal problem needs: the slope kernel, and the depth for the indentation.
 const NORMAL: &[Component] = &[Component::NormalSlope, Component::Depth];
 /// What friction adds.
 const ALL: &[Component] = &[Component::NormalSlope, Component::ShearStrain, Component::Coupling, Component::Depth];
 
-/// Work done, all resolutions together.
-#[derive(Debug, Default)]
-pub(crate) struct Work {
-    pub(crate) flexibility_evaluations: Cell<usize>,
-    pub(crate) factorisations: Cell<usize>,
+/// The flexibility of one layer and the kernel tables made of it, reused from load to load.
+pub struct Layer {
+    response: Box<dyn LayerResponse>,
+    strategy: Box<dyn KernelStrategy>,
+    tables: Option<Tables>,
+    flexibility_evaluations: usize,
+    /// The layer and the methods as a scene would write them.
+    described: String,
 }
 
-/// The methods at one resolution and what they made of the layer so far.
-pub(crate) struct Layer<'a> {
-    pub(crate) problem: &'a Problem,
-    pub(crate) quadrature: &'a dyn Quadrature,
-    response: &'a dyn LayerResponse,
-    strategy: &'a dyn KernelStrategy,
-    kernels: Option<Box<dyn KernelTable>>,
+/// Kernels over a range of lengths.
+struct Tables {
+    kernels: Box<dyn KernelTable>,
     reach: f64,
-    pub(crate) work: &'a Work,
+    frictional: bool,
+    accuracy: f64,
+    level: u32,
 }
 
-impl<'a> Layer<'a> {
-    pub(crate) fn new(
-        problem: &'a Problem,
-        response: &'a dyn LayerResponse,
-        strategy: &'a dyn KernelStrategy,
-        quadrature: &'a dyn Quadrature,
-        work: &'a Work,
-    ) -> Self {
-        Self { problem, quadrature, response, strategy, kernels: None, reach: 0.0, work }
+/// What the kernels must serve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Wanted {
+    /// Widest contact.
+    pub(crate) half_width: f64,
+    /// Whether shear is asked for.
+    pub(crate) frictional: bool,
+    /// Error, in the terms of [`KernelRequest::accuracy`].
+    pub(crate) accuracy: f64,
+    /// Refinement of strategies that do not know their own error.
+    pub(crate) level: u32,
+}
+
+impl Layer {
+    pub(crate) fn new(problem: &Problem, methods: &Methods) -> Result<Self, Refusal> {
+        Ok(Self {
+            response: methods.flexibility.respond(&problem.layer)?,
+            strategy: methods.kernel.clone(),
+            tables: None,
+            flexibility_evaluations: 0,
+            described: String::new(),
+        })
     }
 
-    /// Makes the kernels valid for contacts up to `half_width`; tables that reach that far are kept.
-    pub(crate) fn reach(&mut self, half_width: f64) -> Result<(), Refusal> {
-        let reach = 2.0 * half_width;
-        if self.response.depth().is_none() || reach <= self.reach {
+    /// The layer of a scene, with nothing tabulated yet.
+    pub fn of(scene: &Scene) -> Result<Self, Refusal> {
+        let chosen = choose(scene);
+        Ok(Self::new(&Problem::new(&chosen.scene)?, &chosen.methods)?.describing(&chosen.scene))
+    }
+
+    /// Takes note of the scene whose layer this is.
+    pub(super) fn describing(self, scene: &Scene) -> Self {
+        Self { described: description(scene), ..self }
+    }
+
+    /// Whether a scene is about this layer, to be solved by the same flexibility and kernels.
+    pub(super) fn is_of(&self, scene: &Scene) -> bool {
+        self.described == description(scene)
+    }
+
+    /// Makes the kernels serve; tables that do already are kept.
+    pub(crate) fn tabulate(&mut self, wanted: Wanted) -> Result<(), Refusal> {
+        let reach = 2.0 * wanted.half_width;
+        let serves = |tables: &Tables| {
+            let precise = if tables.kernels.error().is_some() {
+                tables.accuracy <= wanted.accuracy
+            } else {
+                tables.level == wanted.level
+            };
+            precise && reach <= tables.reach && (tables.frictional || !wanted.frictional)
+        };
+        if self.is_plain() || self.tables.as_ref().is_some_and(serves) {
             return Ok(());
         }
-        let components = if self.problem.friction.is_some() { ALL } else { NORMAL };
-        let table = self.strategy.tabulate(self.response, &KernelRequest { reach, components })?;
-        let evaluations = &self.work.flexibility_evaluations;
-        evaluations.set(evaluations.get() + table.flexibility_evaluations());
-        (self.kernels, self.reach) = (Some(table), reach);
+        let components = if wanted.frictional { ALL } else { NORMAL };
+        let request = KernelRequest { reach, components, accuracy: wanted.accuracy };
+        let kernels = self.strategy.refined(wanted.level).tabulate(self.response.as_ref(), &request)?;
+        self.flexibility_evaluations += kernels.flexibility_evaluations();
+        let Wanted { frictional, accuracy, level, .. } = wanted;
+        self.tables = Some(Tables { kernels, reach, frictional, accuracy, level });
         Ok(())
     }
 
     /// A kernel for the quadratures; `None` on a homogeneous half-plane, which has none.
     pub(crate) fn kernel(&self, component: Component) -> Option<(&dyn KernelTable, Component)> {
-        self.kernels.as_deref().map(|table| (table, component))
+        self.tables.as_ref().map(|tables| (tables.kernels.as_ref(), component))
     }
 
     /// A kernel at each distance; zeros on a homogeneous half-plane.
-    pub(crate) fn kernel_values(&self, component: Component, distances: &[f64]) -> Vec<f64> {
-        let Some(table) = &self.kernels else { return vec![0.0; distances.len()] };
-        let mut parts = vec![Parts::default(); distances.len()];
-        table.parts_into(component, distances, &mut parts);
-        distances.iter().zip(parts).map(|(t, parts)| parts.value(*t)).collect()
+    pub(crate) fn kernel_values(&self, component: Component, distances: &[f64], out: &mut [f64]) {
+        match &self.tables {
+            Some(tables) => tables.kernels.values_into(component, distances, out),
+            None => out.fill(0.0),
+        }
     }
 
-    /// Whether depths are defined: not on a half-plane.
-    pub(crate) fn has_depth(&self) -> bool {
-        self.response.depth().is_some()
+    /// The shortest length over which the kernels vary; infinite without kernels.
+    pub(crate) fn length(&self) -> f64 {
+        self.tables.as_ref().map_or(f64::INFINITY, |tables| tables.kernels.length())
     }
 
-    /// Solves a dense system and counts it.
-    pub(crate) fn solve(&self, rows: &[f64], right: &[&[f64]]) -> Result<Vec<Vec<f64>>, Refusal> {
-        self.work.factorisations.set(self.work.factorisations.get() + 1);
-        super::lu::solve(rows, right).ok_or_else(|| Refusal::OutOfReach {
-            method: "engine",
-            why: format!("the system of {} equations is singular to working precision", right[0].len()),
-            remedy: "take fewer nodes, or report the scene",
-        })
+    /// The error that the tables prove of themselves, in the terms of [`KernelRequest::accuracy`]; `None`
+    /// where only a refined twin can tell.
+    pub(crate) fn kernel_error(&self) -> Option<f64> {
+        self.tables.as_ref().map_or(Some(0.0), |tables| tables.kernels.error())
     }
+
+    /// Whether this is a homogeneous half-plane: no kernels, no depths.
+    pub(crate) fn is_plain(&self) -> bool {
+        self.response.depth().is_none()
+    }
+
+    /// Wave numbers at which the flexibility was evaluated so far.
+    #[must_use]
+    pub fn flexibility_evaluations(&self) -> usize {
+        self.flexibility_evaluations
+    }
+}
+
+/// What of a scene the flexibility and its kernels depend on.
+fn description(scene: &Scene) -> String {
+    let solver = &scene.solver;
+    serde_json::to_string(&(&scene.layer, &solver.flexibility, &solver.kernel)).expect("a scene is plain data")
 }

@@ -1,120 +1,182 @@
-//! The frictionless normal problem: pressure under a punch on a contact of given half-width.
+//! The frictionless normal problem at one resolution: pressure under a punch on a contact of given half-width.
 
+use super::dense::Dense;
 use super::layer::Layer;
-use slipzone_api::{Component, Density, Edge, Parity, Refusal, Rule, Span, Station};
+use super::problem::{LoadInLayerUnits, Problem};
+use slipzone_api::{Component, Density, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
 
-/// The pressure on one contact, in layer units.
-pub(crate) struct Pressure {
+/// The pressure under one punch, in layer units; solved again for each load, in the same memory.
+pub(crate) struct Normal {
     pub(crate) half_width: f64,
     pub(crate) force: f64,
-    /// `lim p sqrt(b^2 - x^2)` at the edge.
+    /// `lim p sqrt(b^2 - x^2)` at the edge; 0 at a smooth one.
     pub(crate) edge_factor: f64,
+    edge: Edge,
     rule: Box<dyn Rule>,
+    system: Dense,
+    resultant: Vec<f64>,
     unknowns: Vec<f64>,
+    /// The half-width at which the system of a sharp punch was solved.
+    solved_at: Option<f64>,
 }
 
-impl Pressure {
-    /// Pressure at a point strictly inside the contact.
-    pub(crate) fn at(&self, station: Station) -> f64 {
-        self.rule.value(Density { unknowns: &self.unknowns, carrier: 0.0 }, station)
-    }
-
-    /// `(1/pi) int p(r) k(x - r) dr` at each target within the contact; zeros without a kernel.
-    pub(crate) fn potential(&self, layer: &Layer, component: Component, targets: &[f64]) -> Vec<f64> {
-        let mut out = vec![0.0; targets.len()];
-        if let Some(kernel) = layer.kernel(component) {
-            self.rule.potential_into(&self.unknowns, kernel, targets, &mut out);
-        }
-        out
-    }
-
-    /// Depth of the punch; `None` on a half-plane.
-    pub(crate) fn depth(&self, layer: &Layer) -> Option<f64> {
-        depth_at_centre(layer, self.rule.as_ref(), &self.unknowns)
-    }
-
-    /// Distance to the edge of the outermost collocation point: what the resolution can tell apart there.
-    pub(crate) fn finest_gap(&self) -> f64 {
-        self.rule.collocation().last().map_or(self.half_width, |station| station.gap)
-    }
-
-    /// Number of unknowns behind it.
-    pub(crate) fn size(&self) -> usize {
-        self.unknowns.len()
-    }
-}
-
-/// Pressure under the punch with sharp corners at `half_width`, by force: the sum of a flat punch that
-/// carries the force and of a curved face that carries none.
-pub(crate) struct SharpPunch {
-    half_width: f64,
-    rule: Box<dyn Rule>,
-    /// Unknowns per unit force.
-    by_force: Vec<f64>,
-    /// Unknowns of the face's own shape at zero force.
-    by_shape: Vec<f64>,
-}
-
-impl SharpPunch {
-    pub(crate) fn new(layer: &mut Layer, half_width: f64) -> Result<Self, Refusal> {
-        layer.reach(half_width)?;
-        let rule = layer.quadrature.rule(&Span::symmetric(half_width, Parity::Even, Edge::Sharp))?;
+impl Normal {
+    /// Room for the pressure under a punch whose corners fix the contact (`Sharp`) or that has none (`Smooth`).
+    pub(crate) fn new(quadrature: &dyn Quadrature, edge: Edge) -> Result<Self, Refusal> {
+        let rule = quadrature.rule(&Span::symmetric(1.0, Parity::Even, edge))?;
         let n = rule.unknowns();
-        let mut rows = vec![0.0; n * n];
-        let (equations, resultant) = rows.split_at_mut(n * (n - 1));
-        rule.operator_into(layer.kernel(Component::NormalSlope), equations);
-        rule.resultant_into(resultant);
-        let a0 = layer.problem.elastic.a0();
-        let mut force = vec![0.0; n];
-        force[n - 1] = 1.0;
-        let mut shape: Vec<f64> = rule.collocation().iter().map(|s| layer.problem.slope(s.x) / a0).collect();
-        shape.push(0.0);
-        let mut solved = layer.solve(&rows, &[&force, &shape])?;
-        let by_shape = solved.pop().expect("two right-hand sides");
-        let by_force = solved.pop().expect("two right-hand sides");
-        Ok(Self { half_width, rule, by_force, by_shape })
+        Ok(Self {
+            half_width: 1.0,
+            force: 0.0,
+            edge_factor: 0.0,
+            edge,
+            rule,
+            system: Dense::new(n, 2),
+            resultant: vec![0.0; n],
+            unknowns: vec![0.0; n],
+            solved_at: None,
+        })
+    }
+
+    /// The pressure under a punch with sharp corners: the sum of a flat punch that carries the force and of a
+    /// curved face that carries none.
+    pub(crate) fn press_sharp(&mut self, layer: &Layer, problem: &Problem, half_width: f64) -> Result<(), Refusal> {
+        if self.solved_at != Some(half_width) {
+            self.solved_at = None;
+            self.assemble(layer, problem, half_width, 1);
+            let n = self.size();
+            self.rule.resultant_into(&mut self.system.rows[n * (n - 1)..]);
+            let (force, shape) = self.system.columns.split_at_mut(n);
+            force.fill(0.0);
+            force[n - 1] = 1.0;
+            let is_flat = shape.iter().all(|slope| *slope == 0.0);
+            self.system.solve(if is_flat { 1 } else { 2 })?;
+            self.solved_at = Some(half_width);
+        }
+        let load = match problem.load {
+            LoadInLayerUnits::Force(force) => force,
+            LoadInLayerUnits::Indentation(depth) => self.force_at(layer, problem, depth).unwrap_or(f64::NAN),
+            LoadInLayerUnits::HalfWidth(_) => f64::NAN,
+        };
+        if !(load.is_finite() && load > 0.0) {
+            return Err(Refusal::OutOfReach {
+                method: "load",
+                why: "no pressing force belongs to it under a punch of this width".into(),
+                remedy: "prescribe the force",
+            });
+        }
+        self.force = load;
+        for (i, unknown) in self.unknowns.iter_mut().enumerate() {
+            *unknown = load * self.system.column(0)[i] + self.system.column(1)[i];
+        }
+        self.edge_factor = self.rule.edge_factor(&self.unknowns);
+        Ok(())
+    }
+
+    /// The pressure under a punch whose contact ends smoothly.
+    pub(crate) fn press_smooth(&mut self, layer: &Layer, problem: &Problem, half_width: f64) -> Result<(), Refusal> {
+        self.assemble(layer, problem, half_width, 0);
+        let n = self.size();
+        if let Some(condition) = self.rule.edge_condition() {
+            self.system.rows[n * (n - 1)..].copy_from_slice(condition);
+            self.system.columns[n - 1] = 0.0;
+        }
+        self.system.solve(1)?;
+        self.unknowns.copy_from_slice(self.system.column(0));
+        self.rule.resultant_into(&mut self.resultant);
+        self.force = self.resultant.iter().zip(&self.unknowns).map(|(r, u)| r * u).sum();
+        self.edge_factor = 0.0;
+        Ok(())
+    }
+
+    /// Writes the collocated equations, and the face's slope as right-hand side `column`.
+    fn assemble(&mut self, layer: &Layer, problem: &Problem, half_width: f64, column: usize) {
+        self.half_width = half_width;
+        self.rule.stretch(half_width);
+        let n = self.size();
+        let equations = self.rule.collocation().len();
+        self.rule.operator_into(layer.kernel(Component::NormalSlope), &mut self.system.rows[..equations * n]);
+        let right = &mut self.system.columns[column * n..(column + 1) * n];
+        right.fill(0.0);
+        let a0 = problem.elastic.a0();
+        for (right, station) in right.iter_mut().zip(self.rule.collocation()) {
+            *right = problem.slope(station.x) / a0;
+        }
+        if let Some(scale) = self.rule.row_scale() {
+            right.iter_mut().zip(scale).for_each(|(right, scale)| *right *= scale);
+        }
     }
 
     /// Force that gives an indentation; `None` on a half-plane.
-    pub(crate) fn force_at(&self, layer: &Layer, indentation: f64) -> Option<f64> {
-        let depth = |unknowns: &[f64]| depth_at_centre(layer, self.rule.as_ref(), unknowns);
-        Some((indentation - depth(&self.by_shape)?) / depth(&self.by_force)?)
+    fn force_at(&mut self, layer: &Layer, problem: &Problem, indentation: f64) -> Option<f64> {
+        let kernel = layer.kernel(Component::Depth)?;
+        let a0 = problem.elastic.a0();
+        let by_force = a0 * self.rule.potential_at_centre(self.system.column(0), kernel);
+        let by_shape = a0 * self.rule.potential_at_centre(self.system.column(1), kernel) + problem.height(0.0);
+        Some((indentation - by_shape) / by_force)
     }
 
-    pub(crate) fn under(self, force: f64) -> Pressure {
-        let unknowns: Vec<f64> = self.by_force.iter().zip(&self.by_shape).map(|(f, s)| force * f + s).collect();
-        Pressure {
-            half_width: self.half_width,
-            force,
-            edge_factor: self.rule.edge_factor(&unknowns),
-            rule: self.rule,
-            unknowns,
+    /// Depth of the punch, `delta = v(0) + g(0)`; `None` on a half-plane.
+    pub(crate) fn depth(&mut self, layer: &Layer, problem: &Problem) -> Option<f64> {
+        let kernel = layer.kernel(Component::Depth)?;
+        let depth = self.rule.potential_at_centre(&self.unknowns, kernel);
+        Some(problem.elastic.a0() * depth + problem.height(0.0))
+    }
+
+    /// Pressure at points strictly inside the contact.
+    pub(crate) fn values_into(&self, at: &[Station], out: &mut [f64]) {
+        self.rule.values_into(self.density(), at, out);
+    }
+
+    /// Pressure at one such point.
+    pub(crate) fn at(&self, station: Station) -> f64 {
+        self.rule.value(self.density(), station)
+    }
+
+    fn density(&self) -> Density<'_> {
+        Density { unknowns: &self.unknowns, carrier: 0.0 }
+    }
+
+    /// Prepares `(1/pi) int p(r) k(x - r) dr` for [`Self::potential_into`]; nothing without a kernel.
+    pub(crate) fn sample_potential(&mut self, layer: &Layer, component: Component, samples: &mut Vec<f64>) {
+        if let Some(kernel) = layer.kernel(component) {
+            self.rule.sample_potential(&self.unknowns, kernel, samples);
         }
     }
-}
 
-/// Pressure under a punch whose contact ends smoothly at `half_width`.
-pub(crate) fn smooth_punch(layer: &mut Layer, half_width: f64) -> Result<Pressure, Refusal> {
-    layer.reach(half_width)?;
-    let rule = layer.quadrature.rule(&Span::symmetric(half_width, Parity::Even, Edge::Smooth))?;
-    let n = rule.unknowns();
-    let mut rows = vec![0.0; n * n];
-    rule.operator_into(layer.kernel(Component::NormalSlope), &mut rows);
-    let a0 = layer.problem.elastic.a0();
-    let slope: Vec<f64> = rule.collocation().iter().map(|s| layer.problem.slope(s.x) / a0).collect();
-    let unknowns = layer.solve(&rows, &[&slope])?.pop().expect("one right-hand side");
-    let mut resultant = vec![0.0; n];
-    rule.resultant_into(&mut resultant);
-    let force = resultant.iter().zip(&unknowns).map(|(r, u)| r * u).sum();
-    Ok(Pressure { half_width, force, edge_factor: 0.0, rule, unknowns })
-}
-
-/// Surface depth `v(0) = delta - g(0)` under a pressure; `None` on a half-plane.
-fn depth_at_centre(layer: &Layer, rule: &dyn Rule, unknowns: &[f64]) -> Option<f64> {
-    if !layer.has_depth() {
-        return None;
+    /// That potential within the contact; zeros without a kernel.
+    pub(crate) fn potential_into(
+        &mut self,
+        layer: &Layer,
+        component: Component,
+        samples: &[f64],
+        at: &[Station],
+        out: &mut [f64],
+    ) {
+        match layer.kernel(component) {
+            Some(kernel) => self.rule.potential_into(samples, kernel, at, out),
+            None => out.fill(0.0),
+        }
     }
-    let mut depth = [0.0];
-    rule.potential_into(unknowns, layer.kernel(Component::Depth)?, &[0.0], &mut depth);
-    Some(layer.problem.elastic.a0() * depth[0] + layer.problem.height(0.0))
+
+    /// Distance to the edge of the outermost collocation point over the half-width: what the resolution can
+    /// tell apart there.
+    pub(crate) fn finest_gap(&self) -> f64 {
+        self.rule.collocation().last().map_or(1.0, |station| station.gap / self.half_width)
+    }
+
+    /// Number of unknowns.
+    pub(crate) fn size(&self) -> usize {
+        self.unknowns.len()
+    }
+
+    /// Matrices factorised so far.
+    pub(crate) fn factorisations(&self) -> usize {
+        self.system.factorisations
+    }
+
+    /// Whether the contact's edge is sharp.
+    pub(crate) fn is_sharp(&self) -> bool {
+        self.edge == Edge::Sharp
+    }
 }

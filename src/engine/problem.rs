@@ -1,12 +1,14 @@
 //! A scene in the layer's own units: lengths in the thickness, stresses in the surface modulus.
 
+use super::quantity::Quantity;
 use crate::scene::{Load, Scene};
 use slipzone_api::{Base, Elastic, Friction, LayerModel, Positive, PunchShape, Refusal};
+use std::sync::Arc;
 
 /// What the engine solves.
 pub(crate) struct Problem {
     /// The elastic layer.
-    pub(crate) layer: LayerModel,
+    pub(crate) layer: Arc<LayerModel>,
     /// Its constants.
     pub(crate) elastic: Elastic,
     /// The punch, in the scene's units; see [`Self::height`], [`Self::slope`].
@@ -29,6 +31,23 @@ pub(crate) enum LoadInLayerUnits {
     Indentation(f64),
 }
 
+impl LoadInLayerUnits {
+    /// Scales a load by the scene's length and stress of one layer unit.
+    fn new(load: Load, length: f64, stress: f64) -> Self {
+        match load {
+            Load::Force(force) => Self::Force(force.get() / stress / length),
+            Load::HalfWidth(b) => Self::HalfWidth(b.get() / length),
+            Load::Indentation(depth) => Self::Indentation(depth.get() / length),
+        }
+    }
+}
+
+/// Coulomb's coefficient.
+fn coefficient(friction: Friction) -> f64 {
+    let Friction::Goodman { coefficient } = friction;
+    coefficient.get()
+}
+
 impl Problem {
     /// Scales the scene; refuses what no method here can solve.
     pub(crate) fn new(scene: &Scene) -> Result<Self, Refusal> {
@@ -39,12 +58,8 @@ impl Problem {
         // An infinite homogeneous solid has no length of its own.
         let length = layer.thickness.filter(|_| !infinite).map_or_else(|| shape.natural_length(), Positive::get);
         let stress = law.surface_modulus();
-        let load = match scene.load {
-            Load::Force(force) => LoadInLayerUnits::Force(force.get() / stress / length),
-            Load::HalfWidth(b) => LoadInLayerUnits::HalfWidth(b.get() / length),
-            Load::Indentation(depth) => LoadInLayerUnits::Indentation(depth.get() / length),
-        };
-        let friction = scene.friction.map(|Friction::Goodman { coefficient }| coefficient.get());
+        let load = LoadInLayerUnits::new(scene.load, length, stress);
+        let friction = scene.friction.map(coefficient);
         if friction.is_some() && shape.fixed_half_width().is_none() {
             return Err(Refusal::NotBuilt {
                 what: format!("friction under a punch whose contact grows (`{}`)", scene.punch.typetag_name()),
@@ -55,7 +70,7 @@ impl Problem {
         }
         let elastic = Elastic::new(layer.plane, layer.poisson);
         Ok(Self {
-            layer: LayerModel { law, elastic, base: layer.base },
+            layer: Arc::new(LayerModel { law, elastic, base: layer.base }),
             elastic,
             shape,
             length,
@@ -65,24 +80,33 @@ impl Problem {
         })
     }
 
-    /// The numbers of the result that the scene itself gives, by their path.
-    pub(crate) fn given(&self) -> Vec<&'static str> {
+    /// Takes another load.
+    pub(crate) fn press(&mut self, load: Load) {
+        self.load = LoadInLayerUnits::new(load, self.length, self.stress);
+    }
+
+    /// Takes another friction coefficient.
+    pub(crate) fn rub(&mut self, friction: Friction) {
+        self.friction = Some(coefficient(friction));
+    }
+
+    /// Whether the solid stands on something, so that depths are defined.
+    pub(crate) fn has_base(&self) -> bool {
+        self.layer.base != Base::Infinite
+    }
+
+    /// The numbers of the result that the scene itself gives.
+    pub(crate) fn given(&self) -> impl Iterator<Item = Quantity> {
         let by_load = match self.load {
-            LoadInLayerUnits::Force(_) => "load.force",
-            LoadInLayerUnits::HalfWidth(_) => "load.half_width",
-            LoadInLayerUnits::Indentation(_) => "load.indentation",
+            LoadInLayerUnits::Force(_) => Quantity::Force,
+            LoadInLayerUnits::HalfWidth(_) => Quantity::HalfWidth,
+            LoadInLayerUnits::Indentation(_) => Quantity::Indentation,
         };
-        let mut given = vec![by_load];
-        if self.fixed_half_width().is_some() {
-            given.push("load.half_width");
-            if by_load == "load.force" {
-                given.push("pressure.mean");
-            }
-        } else {
-            // A smooth edge has no stress intensity, whatever the resolution.
-            given.extend(["edge.stress_intensity", "edge.ratio"]);
-        }
-        given
+        let sharp = self.fixed_half_width().is_some();
+        let mean = (sharp && by_load == Quantity::Force).then_some(Quantity::Mean);
+        // A smooth edge has no stress intensity, whatever the resolution.
+        let edge = [Quantity::StressIntensity, Quantity::EdgeRatio].into_iter().filter(move |_| !sharp);
+        [by_load].into_iter().chain(sharp.then_some(Quantity::HalfWidth)).chain(mean).chain(edge)
     }
 
     /// Half-width that the punch's corners fix, in layer units.

@@ -1,115 +1,235 @@
 //! Refines a scene until its error estimate meets the tolerance.
 
-use super::checks::tension;
-use super::contact::{Contact, Verdict};
-use super::error_estimate::{Numbers, extrapolated, judged_by_twin};
-use super::layer::{Layer, Work};
+use super::checks;
+use super::error_estimate::{ROUNDING, extrapolated, judged_by_twin};
+use super::layer::{Layer, Wanted};
 use super::problem::Problem;
+use super::quantity::{Numbers, Quantity};
+use super::stage::{Outcome, Stage, Task, Verdict};
 use crate::plan::Methods;
+use arrayvec::ArrayVec;
 use slipzone_api::Refusal;
-use std::collections::BTreeMap;
 
-/// Finest resolution: 2^6 times the coarsest.
-const FINEST: u32 = 6;
-/// Resolution from which refinement no longer helps a stick zone out of reach, or a pressure that pulls.
-const BOUND_LEVEL: u32 = 4;
-/// Extra resolution of what the scene left open beside a method that it fixed: of the other method, and of
-/// the slip zones.
+/// Most steps of refinement.
+const FINEST: usize = 16;
+/// Step from which refinement no longer helps a stick zone out of reach, or a pressure that pulls.
+const BOUND_STEP: usize = 4;
+/// Extra steps of what the scene left open beside a method that it fixed: of the other method.
 const BESIDE_PINNED: u32 = 3;
+/// Share of the tolerance that the kernels may use up.
+const KERNEL_SHARE: f64 = 0.05;
+/// Errors that stop shrinking below this are those of rounding.
+pub(super) const ROUNDED: f64 = 1e-9;
 
-/// A solved contact, how sure it is, and how that is known.
+/// Every resolution solved so far, finest last used.
+#[derive(Default)]
+pub(super) struct Ladder {
+    stages: Vec<Stage>,
+}
+
+/// How sure a solved contact is, and how that is known.
 pub(super) struct Judged {
-    pub(super) contact: Contact,
-    pub(super) numbers: Numbers,
-    pub(super) errors: BTreeMap<String, f64>,
-    pub(super) how: String,
+    pub(super) outcome: Outcome,
+    /// Which stage of the ladder holds its tractions.
+    pub(super) stage: usize,
+    pub(super) errors: Numbers,
+    pub(super) how: How,
     /// Why refinement ended before the tolerance was met.
-    pub(super) stopped: Option<String>,
+    pub(super) stopped: Option<Refusal>,
 }
 
-/// Solves a problem with the methods given.
-pub(super) fn to_tolerance(
-    problem: &Problem,
-    methods: &Methods,
-    tolerance: f64,
-    work: &Work,
-) -> Result<Judged, Refusal> {
-    let Methods { flexibility, kernel, quadrature } = methods;
-    let response = flexibility.respond(&problem.layer)?;
-    let at_level = |kernel_level: u32, quadrature_level: u32, level: u32, coarser: Option<&Contact>| {
-        let (kernel, quadrature) = (kernel.refined(kernel_level), quadrature.refined(quadrature_level));
-        let mut layer = Layer::new(problem, response.as_ref(), kernel.as_ref(), quadrature.as_ref(), work);
-        Contact::solve(&mut layer, tolerance, level, coarser)
-    };
-    let mut judged = if kernel.is_pinned() || quadrature.is_pinned() {
-        let kernel_level = if kernel.is_pinned() { 0 } else { BESIDE_PINNED };
-        let quadrature_level = if quadrature.is_pinned() { 0 } else { BESIDE_PINNED };
-        let contact = at_level(kernel_level, quadrature_level, BESIDE_PINNED, None)?;
-        let twin = at_level(kernel_level + 1, quadrature_level + 1, BESIDE_PINNED + 1, Some(&contact))?;
-        let numbers = contact.numbers();
-        let errors = judged_by_twin(&numbers, &twin.numbers());
-        let how = "resolution fixed by the scene, compared with a twin of twice the resolution".into();
-        Judged { contact, numbers, errors, how, stopped: None }
-    } else {
-        refined(tolerance, |level, coarser| at_level(level, level, level, coarser))?
-    };
-    // A bound does not change with the resolution, or does by chance: differences say nothing of its error.
-    judged.errors.extend(bound_of_stick(&judged.contact).unwrap_or_default());
-    for given in problem.given() {
-        judged.errors.insert(given.into(), 0.0);
-    }
-    Ok(judged)
+/// How the errors were estimated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum How {
+    /// By a finer twin.
+    Twin,
+    /// By that many resolutions, the kernels by their own proof or not.
+    Sequence { count: usize, kernels_proven: bool },
 }
 
-/// Doubles the resolution until the estimate meets the tolerance.
-fn refined(
-    tolerance: f64,
-    at_level: impl Fn(u32, Option<&Contact>) -> Result<Contact, Refusal>,
-) -> Result<Judged, Refusal> {
-    let mut history: Vec<Numbers> = Vec::new();
-    let mut contact: Option<Contact> = None;
-    let mut stopped = None;
-    let mut errors = BTreeMap::new();
-    for level in 0..=FINEST {
-        match at_level(level, contact.as_ref()) {
-            Ok(next) => {
-                history.push(next.numbers());
-                contact = Some(next);
-            }
-            Err(refusal) if history.len() >= 3 => {
-                stopped = Some(refusal.to_string());
-                break;
-            }
-            Err(refusal) => return Err(refusal),
-        }
-        if let Some(estimate) = extrapolated(&history) {
-            errors = estimate;
-            if errors.values().all(|e| *e <= tolerance) {
-                break;
-            }
-        }
-        let is_hopeless = |contact: &Contact| bound_of_stick(contact).is_some() || tension(&contact.pressure).is_some();
-        if level >= BOUND_LEVEL && contact.as_ref().is_some_and(is_hopeless) {
-            break;
-        }
+impl Ladder {
+    /// The stage that a solved contact lives in.
+    pub(super) fn stage(&mut self, index: usize) -> &mut Stage {
+        &mut self.stages[index]
     }
-    let (Some(contact), Some(numbers)) = (contact, history.pop()) else {
-        unreachable!("level 0 returned or was pushed")
-    };
-    let how = format!("differences between {} resolutions, each twice the one before, extrapolated", history.len() + 1);
-    Ok(Judged { contact, numbers, errors, how, stopped })
+
+    /// Matrices factorised so far.
+    pub(super) fn factorisations(&self) -> usize {
+        let of = |stage: &Stage| {
+            stage.normal.factorisations() + stage.shear.as_ref().map_or(0, super::stick::Shear::factorisations)
+        };
+        self.stages.iter().map(of).sum()
+    }
+
+    /// Solves a problem with the methods given.
+    pub(super) fn to_tolerance(
+        &mut self,
+        layer: &mut Layer,
+        problem: &Problem,
+        methods: &Methods,
+        tolerance: f64,
+    ) -> Result<Judged, Refusal> {
+        let (kernel_pinned, quadrature_pinned) = (methods.kernel.is_pinned(), methods.quadrature.is_pinned());
+        let mut judged = if kernel_pinned || quadrature_pinned {
+            let kernel_level = if kernel_pinned { 0 } else { BESIDE_PINNED };
+            let quadrature_level = if quadrature_pinned { 0 } else { BESIDE_PINNED };
+            let mut solve = |index: usize, coarse: Option<&Outcome>| {
+                let step = u32::try_from(index).expect("two steps");
+                self.solve(
+                    layer,
+                    problem,
+                    methods,
+                    tolerance,
+                    (index, kernel_level + step, quadrature_level + step),
+                    coarse,
+                )
+            };
+            // The twin first: the tables left are those of the contact reported.
+            let twin = solve(1, None)?;
+            let mut outcome = solve(0, Some(&twin))?;
+            let task = Self::task(layer, problem, tolerance, kernel_level);
+            self.stages[0].settle(layer, task, &mut outcome)?;
+            let errors = judged_by_twin(&outcome.numbers, &twin.numbers);
+            Judged { outcome, stage: 0, errors, how: How::Twin, stopped: None }
+        } else {
+            self.refined(layer, problem, methods, tolerance)?
+        };
+        if let Some(of_kernels) = layer.kernel_error() {
+            let errors = judged.errors;
+            let spread = spread(&judged.outcome.numbers);
+            for (quantity, error) in errors.iter() {
+                judged.errors.set(quantity, error + spread * of_kernels);
+            }
+        }
+        // A bound does not change with the resolution, or does by chance: differences say nothing of its error.
+        if let Some(bound) = bound_of_stick(&judged.outcome) {
+            bound.iter().for_each(|(quantity, error)| judged.errors.set(quantity, error));
+        }
+        for given in problem.given() {
+            judged.errors.set(given, 0.0);
+        }
+        Ok(judged)
+    }
+
+    /// Takes finer steps until the estimate meets the tolerance.
+    fn refined(
+        &mut self,
+        layer: &mut Layer,
+        problem: &Problem,
+        methods: &Methods,
+        tolerance: f64,
+    ) -> Result<Judged, Refusal> {
+        let mut history: ArrayVec<Numbers, { FINEST + 1 }> = ArrayVec::new();
+        let mut last: Option<(Outcome, usize)> = None;
+        let (mut errors, mut stopped) = (Numbers::default(), None);
+        let mut stalled = 0;
+        for step in 0..=FINEST {
+            #[allow(clippy::cast_possible_truncation)] // at most FINEST
+            let level = step as u32;
+            let coarse = last.as_ref().map(|(outcome, _)| outcome);
+            let mut outcome = match self.solve(layer, problem, methods, tolerance, (step, level, level), coarse) {
+                Ok(outcome) => outcome,
+                Err(refusal) if history.len() >= 3 => {
+                    stopped = Some(refusal);
+                    break;
+                }
+                Err(refusal) => return Err(refusal),
+            };
+            history.push(outcome.numbers);
+            let mut done = false;
+            if let Some(estimate) = extrapolated(&history) {
+                let before = errors.worst().map_or(f64::INFINITY, |(_, error)| error);
+                errors = estimate;
+                let now = errors.worst().map_or(0.0, |(_, error)| error);
+                let met = now <= tolerance.max(2.0 * ROUNDING);
+                stalled = if now < ROUNDED && now > 0.5 * before { stalled + 1 } else { 0 };
+                done = met || stalled >= 2;
+            }
+            done |= step >= BOUND_STEP && self.is_hopeless(step, &outcome);
+            if done || step == FINEST {
+                let task = Self::task(layer, problem, tolerance, level);
+                let changed = self.stages[step].settle(layer, task, &mut outcome)?;
+                if changed {
+                    history.clear();
+                    history.push(outcome.numbers);
+                    errors = Numbers::default();
+                    done = false;
+                }
+            }
+            last = Some((outcome, step));
+            if done {
+                break;
+            }
+        }
+        let Some((mut outcome, stage)) = last else { unreachable!("step 0 returned or was kept") };
+        if stopped.is_some() {
+            // Settled by no step: the last one that could be solved is.
+            #[allow(clippy::cast_possible_truncation)] // at most FINEST
+            let task = Self::task(layer, problem, tolerance, stage as u32);
+            self.stages[stage].settle(layer, task, &mut outcome)?;
+        }
+        if errors == Numbers::default() {
+            // Changed its mind at the last step.
+            outcome.numbers.iter().for_each(|(quantity, _)| errors.set(quantity, 1.0));
+        }
+        let how = How::Sequence { count: stage + 1, kernels_proven: layer.kernel_error().is_some() };
+        Ok(Judged { outcome, stage, errors, how, stopped })
+    }
+
+    /// Solves on one stage, made when first asked for.
+    fn solve(
+        &mut self,
+        layer: &mut Layer,
+        problem: &Problem,
+        methods: &Methods,
+        tolerance: f64,
+        (index, kernel_level, quadrature_level): (usize, u32, u32),
+        coarse: Option<&Outcome>,
+    ) -> Result<Outcome, Refusal> {
+        while self.stages.len() <= index {
+            let missing = u32::try_from(index - self.stages.len()).expect("a few steps");
+            let quadrature = methods.quadrature.refined(quadrature_level - missing);
+            self.stages.push(Stage::new(problem, quadrature)?);
+        }
+        let task = Self::task(layer, problem, tolerance, kernel_level);
+        self.stages[index].solve(layer, task, coarse)
+    }
+
+    fn task<'a>(layer: &Layer, problem: &'a Problem, tolerance: f64, level: u32) -> Task<'a> {
+        let _ = layer;
+        let wanted = Wanted {
+            half_width: 0.0,
+            frictional: problem.friction.is_some(),
+            accuracy: KERNEL_SHARE * tolerance,
+            level,
+        };
+        Task { problem, wanted, tolerance }
+    }
+
+    /// Whether no refinement will help.
+    fn is_hopeless(&self, step: usize, outcome: &Outcome) -> bool {
+        bound_of_stick(outcome).is_some() || checks::tension(&self.stages[step].normal).is_some()
+    }
+}
+
+/// By how much an error of the kernels grows on its way into the numbers: a layer thinner than the contact
+/// answers a tilt of its surface over the whole width with a pressure larger by `b/h`.
+fn spread(numbers: &Numbers) -> f64 {
+    1.0 + numbers.get(Quantity::HalfWidth).unwrap_or(0.0)
 }
 
 /// Errors of a stick zone that is only bounded, not found; `None` where it is found.
-fn bound_of_stick(contact: &Contact) -> Option<BTreeMap<String, f64>> {
-    let stick = contact.friction.as_ref()?;
-    let b = contact.pressure.half_width;
-    let (ratio, one_minus) = (stick.shear.zone.half_width / b, stick.shear.zone.slip_width / b);
-    let (of_ratio, of_gap) = match stick.verdict {
+fn bound_of_stick(outcome: &Outcome) -> Option<Numbers> {
+    let rubbing = outcome.rubbing.as_ref()?;
+    let (ratio, one_minus) = (rubbing.zone.ratio(), rubbing.zone.one_minus_ratio());
+    let (of_ratio, of_gap) = match rubbing.verdict {
         Verdict::TooNarrow => (1.0, ratio / one_minus),
         Verdict::TooWide => (one_minus / ratio, 1.0),
         _ => return None,
     };
-    let each = [("stick.half_width", of_ratio), ("stick.ratio", of_ratio), ("stick.one_minus_ratio", of_gap)];
-    Some(each.map(|(name, error)| (name.to_owned(), error)).into())
+    let mut errors = Numbers::default();
+    errors.set(Quantity::StickHalfWidth, of_ratio);
+    errors.set(Quantity::StickRatio, of_ratio);
+    errors.set(Quantity::OneMinusRatio, of_gap);
+    Some(errors)
 }

@@ -1,141 +1,212 @@
-//! The stick zone of a flat punch under Goodman friction: for each half-width `a` the friction
-//! coefficient that belongs to it is explicit (docs/theory.md, "Stick zone").
+//! The shear under a flat punch with Goodman friction: for each stick zone the friction coefficient that
+//! belongs to it is explicit (docs/theory.md, "Stick zone").
 
+use super::dense::Dense;
 use super::layer::Layer;
-use super::normal::Pressure;
-use slipzone_api::double_exponential::{self, Node};
-use slipzone_api::{Component, Density, Edge, Parity, Refusal, Rule, Span, Station};
-use std::f64::consts::PI;
+use super::normal::Normal;
+use super::slip_grid::SlipGrid;
+use super::stick_zone::StickZone;
+use slipzone_api::{Component, Density, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
 
-/// A stick zone `|x| <= a`, with the width of the slip zone kept exactly.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct StickZone {
-    /// `a`.
-    pub(crate) half_width: f64,
-    /// `b - a`.
-    pub(crate) slip_width: f64,
-}
+/// Finer steps tried for a stick zone that crowds its contact's edge.
+const MOST_STEPS: usize = 16;
 
-impl StickZone {
-    /// From `lambda = ln(a/(b - a))`, the unknown in which both ends are far away.
-    pub(crate) fn from_log(lambda: f64, b: f64) -> Self {
-        Self { half_width: b / (1.0 + (-lambda).exp()), slip_width: b / (1.0 + lambda.exp()) }
-    }
-
-    /// The gap to the contact's edge of a point at `gap` from the stick zone's.
-    pub(crate) fn in_contact(self, station: Station) -> Station {
-        Station { x: station.x, gap: station.gap + self.slip_width }
-    }
-
-    /// A point of the slip zone on a double-exponential grid over it.
-    pub(crate) fn in_slip(self, node: &Node) -> Station {
-        Station { x: self.half_width + node.from_lower, gap: node.to_upper }
-    }
-}
-
-/// The shear traction that belongs to a stick zone.
+/// The shear at one resolution, in layer units; solved again for each stick zone, in the same memory.
 pub(crate) struct Shear {
     pub(crate) zone: StickZone,
-    /// Friction coefficient: positive for inward slip, negative for outward.
+    /// Friction coefficient that belongs to the zone: positive for inward slip, negative for outward.
     pub(crate) friction: f64,
-    rule: Box<dyn Rule>,
-    unknowns: Vec<f64>,
     /// `eta p(a)`.
     at_edge: f64,
+    quadrature: Box<dyn Quadrature>,
+    /// By steps of the quadrature's ladder beyond its own resolution.
+    grids: Vec<StickGrid>,
+    /// That of the zone solved last.
+    used: usize,
+    /// The unknowns of that zone.
+    unknowns: Vec<f64>,
+    slip: SlipGrid,
+    /// The coupling's potential under the pressure, sampled.
+    coupling: Vec<f64>,
+    solutions: usize,
+}
+
+/// The stick zone at one resolution.
+struct StickGrid {
+    rule: Box<dyn Rule>,
+    system: Dense,
+    operator: Vec<f64>,
+    carrier: Vec<f64>,
+    /// The collocation points, seen from the contact's edge.
+    stations: Vec<Station>,
+    coupled: Vec<f64>,
+    pressure: Vec<f64>,
+    by_slip: Vec<f64>,
+}
+
+impl StickGrid {
+    fn new(quadrature: &dyn Quadrature) -> Result<Self, Refusal> {
+        let rule = quadrature.rule(&Span::symmetric(1.0, Parity::Odd, Edge::Continued))?;
+        let (n, points) = (rule.unknowns(), rule.collocation().len());
+        let room = vec![0.0; points];
+        Ok(Self {
+            system: Dense::new(n + 1, 1),
+            operator: vec![0.0; points * n],
+            carrier: room.clone(),
+            stations: rule.collocation().to_vec(),
+            coupled: room.clone(),
+            pressure: room.clone(),
+            by_slip: room,
+            rule,
+        })
+    }
 }
 
 impl Shear {
-    /// The same stick zone under another friction coefficient, `q` in proportion: right in the slip zone,
-    /// and in the stick zone only where that is too narrow to matter.
-    pub(crate) fn rescaled(mut self, friction: f64) -> Self {
-        let factor = if friction == 0.0 { 0.0 } else { friction / self.friction };
-        self.unknowns.iter_mut().for_each(|unknown| *unknown *= factor);
-        Self { friction, at_edge: factor * self.at_edge, ..self }
+    /// Room for the shear of zones that a rule of `quadrature` resolves; zones that crowd the edge get finer
+    /// ones, unless the scene has fixed the resolution.
+    pub(crate) fn new(quadrature: Box<dyn Quadrature>) -> Result<Self, Refusal> {
+        let coarsest = StickGrid::new(quadrature.as_ref())?;
+        let slip = SlipGrid::new(coarsest.rule.unknowns());
+        Ok(Self {
+            zone: StickZone::default(),
+            friction: 0.0,
+            at_edge: 0.0,
+            quadrature,
+            grids: vec![coarsest],
+            used: 0,
+            unknowns: Vec::new(),
+            slip,
+            coupling: Vec::new(),
+            solutions: 0,
+        })
     }
 
-    /// The same shear in the stick zone, and another friction coefficient in the slip zone.
-    pub(crate) fn sliding_at(self, friction: f64) -> Self {
-        Self { friction, ..self }
+    /// Takes note of a new pressure.
+    pub(crate) fn under(&mut self, layer: &Layer, normal: &mut Normal) {
+        normal.sample_potential(layer, Component::Coupling, &mut self.coupling);
+    }
+
+    /// Solves the tangential equation for one stick zone with the friction coefficient as one more unknown,
+    /// and returns that coefficient.
+    ///
+    /// Inside the stick zone `q` is odd and meets `eta p(a)` at its ends; outside `q = eta p sign(x)`. The
+    /// equations at the collocation points, and the condition that `q` is not singular at the ends, make the
+    /// square system `[ T | p(a) carrier + slip ] (q, eta) = -beta p + (1/pi) int p k_uv`.
+    pub(crate) fn solve(
+        &mut self,
+        layer: &Layer,
+        normal: &mut Normal,
+        beta: f64,
+        zone: StickZone,
+    ) -> Result<f64, Refusal> {
+        self.used = self.resolution(zone)?;
+        let grid = &mut self.grids[self.used];
+        let rule = &mut grid.rule;
+        let n = rule.unknowns();
+        rule.stretch(zone.half_width);
+        let kernel = layer.kernel(Component::ShearStrain);
+        rule.operator_into(kernel, &mut grid.operator);
+        rule.carrier_into(kernel, &mut grid.carrier);
+
+        for (station, own) in grid.stations.iter_mut().zip(rule.collocation()) {
+            *station = zone.in_contact(*own);
+        }
+        normal.potential_into(layer, Component::Coupling, &self.coupling, &grid.stations, &mut grid.coupled);
+        normal.values_into(&grid.stations, &mut grid.pressure);
+        self.slip.potential_into(layer, normal, zone, rule.collocation(), &mut grid.by_slip);
+
+        let p_edge = self.slip.pressure_at_stick_edge();
+        let scale = rule.row_scale();
+        let (rows, right) = (&mut grid.system.rows, &mut grid.system.columns);
+        for (i, row) in rows.chunks_exact_mut(n + 1).take(grid.by_slip.len()).enumerate() {
+            let scale = scale.map_or(1.0, |scale| scale[i]);
+            row[..n].copy_from_slice(&grid.operator[i * n..(i + 1) * n]);
+            row[n] = p_edge * grid.carrier[i] + scale * grid.by_slip[i];
+            right[i] = scale * (grid.coupled[i] - beta * grid.pressure[i]);
+        }
+        if let Some(condition) = rule.edge_condition() {
+            let row = &mut rows[n * (n + 1)..];
+            row[..n].copy_from_slice(condition);
+            row[n] = 0.0;
+            right[n] = 0.0;
+        }
+        grid.system.solve(1)?;
+        self.solutions += 1;
+        let (friction, unknowns) = grid.system.column(0).split_last().expect("one unknown more than q has");
+        self.unknowns.clear();
+        self.unknowns.extend_from_slice(unknowns);
+        (self.zone, self.friction, self.at_edge) = (zone, *friction, friction * p_edge);
+        Ok(*friction)
+    }
+
+    /// The grid fine enough for a zone, made when first asked for.
+    fn resolution(&mut self, zone: StickZone) -> Result<usize, Refusal> {
+        if self.quadrature.is_pinned() {
+            return Ok(0);
+        }
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small positive count
+        let wanted = (zone.crowding() * self.grids[0].rule.unknowns() as f64) as usize;
+        let mut step = 0;
+        while self.grids[step].rule.unknowns() < wanted && step < MOST_STEPS {
+            step += 1;
+            if step == self.grids.len() {
+                #[allow(clippy::cast_possible_truncation)] // at most MOST_STEPS
+                match StickGrid::new(self.quadrature.refined(step as u32).as_ref()) {
+                    Ok(grid) => self.grids.push(grid),
+                    // The finest there is must do; the error estimate tells how well.
+                    Err(_) => return Ok(step - 1),
+                }
+            }
+        }
+        Ok(step)
+    }
+
+    /// Another friction coefficient for the same zone, `q` in proportion: right in the slip zone, and in the
+    /// stick zone only where that is too narrow to matter.
+    pub(crate) fn rescale(&mut self, friction: f64) {
+        let factor = if friction == 0.0 { 0.0 } else { friction / self.friction };
+        self.unknowns.iter_mut().for_each(|unknown| *unknown *= factor);
+        self.friction = friction;
+        self.at_edge *= factor;
+    }
+
+    /// Another friction coefficient in the slip zone, the same shear in the stick zone.
+    pub(crate) fn slide_at(&mut self, friction: f64) {
+        self.friction = friction;
     }
 
     /// The same densities taken to live on another zone: for a shear that vanishes.
-    pub(crate) fn over(self, zone: StickZone) -> Self {
-        Self { zone, ..self }
+    pub(crate) fn relocate(&mut self, zone: StickZone) {
+        self.zone = zone;
     }
 
-    /// Shear traction in the stick zone.
-    pub(crate) fn in_stick(&self, station: Station) -> f64 {
-        self.rule.value(Density { unknowns: &self.unknowns, carrier: self.at_edge }, station)
+    /// Shear traction at points of the stick zone; their gaps are to its edge.
+    pub(crate) fn in_stick_into(&self, at: &[Station], out: &mut [f64]) {
+        let density = Density { unknowns: &self.unknowns, carrier: self.at_edge };
+        self.grids[self.used].rule.values_into(density, at, out);
     }
 
-    /// Shear traction at any point strictly inside the contact.
-    pub(crate) fn at(&self, pressure: &Pressure, station: Station) -> f64 {
+    /// Shear traction at any point strictly inside the contact, where the pressure is `pressure`.
+    pub(crate) fn at(&self, station: Station, pressure: f64) -> f64 {
         let gap = station.gap - self.zone.slip_width;
-        let x = station.x.abs();
         let right = if gap > 0.0 {
-            self.in_stick(Station { x, gap })
+            let mut q = [0.0];
+            self.in_stick_into(&[Station { x: station.x.abs(), gap }], &mut q);
+            q[0]
         } else {
-            self.friction * pressure.at(Station { x, gap: station.gap })
+            self.friction * pressure
         };
         if station.x < 0.0 { -right } else { right }
     }
-}
 
-/// Solves the tangential equation with the friction coefficient as one more unknown.
-///
-/// Inside the stick zone `q` is odd and meets `eta p(a)` at its ends; outside `q = eta p sign(x)`. The
-/// equation at one collocation point more than `q` has unknowns makes the square system
-/// `[ T | p(a) carrier + slip ] (q, eta) = -beta p + (1/pi) int p k_uv`. `slip_nodes`: nodes on either
-/// side of the slip zone's grid.
-pub(crate) fn shear(layer: &Layer, pressure: &Pressure, zone: StickZone, slip_nodes: usize) -> Result<Shear, Refusal> {
-    let rule = layer.quadrature.rule(&Span::symmetric(zone.half_width, Parity::Odd, Edge::Continued))?;
-    let n = rule.unknowns();
-    let stations = rule.collocation().to_vec();
-    let kernel = layer.kernel(Component::ShearStrain);
-    let mut stick_rows = vec![0.0; n * (n + 1)];
-    rule.operator_into(kernel, &mut stick_rows);
-    let mut carrier = vec![0.0; n + 1];
-    rule.carrier_into(kernel, &mut carrier);
-
-    let p_edge = pressure.at(Station { x: zone.half_width, gap: zone.slip_width });
-    let by_slip = slip_potential(layer, pressure, zone, &stations, slip_nodes);
-    let x: Vec<f64> = stations.iter().map(|s| s.x).collect();
-    let coupled = pressure.potential(layer, Component::Coupling, &x);
-    let beta = layer.problem.elastic.beta();
-
-    let mut rows = Vec::with_capacity((n + 1) * (n + 1));
-    let mut right = Vec::with_capacity(n + 1);
-    for (i, station) in stations.iter().enumerate() {
-        rows.extend_from_slice(&stick_rows[i * n..(i + 1) * n]);
-        rows.push(p_edge * carrier[i] + by_slip[i]);
-        right.push(coupled[i] - beta * pressure.at(zone.in_contact(*station)));
+    /// The coupling's potential under the pressure, as [`Normal::potential_into`] wants it.
+    pub(crate) fn coupling(&self) -> &[f64] {
+        &self.coupling
     }
-    let mut unknowns = layer.solve(&rows, &[&right])?.pop().expect("one right-hand side");
-    let friction = unknowns.pop().expect("the last unknown");
-    Ok(Shear { zone, friction, rule, unknowns, at_edge: friction * p_edge })
-}
 
-/// `(1/pi) int over the slip zones of p(r) sign(r) [1/(x - r) + k_uu(x - r)] dr` at each station of the
-/// stick zone.
-fn slip_potential(layer: &Layer, pressure: &Pressure, zone: StickZone, stations: &[Station], nodes: usize) -> Vec<f64> {
-    let grid = double_exponential::nodes(zone.slip_width, nodes);
-    let weighted: Vec<f64> = grid.iter().map(|node| node.weight * pressure.at(zone.in_slip(node))).collect();
-    let r: Vec<f64> = grid.iter().map(|node| zone.half_width + node.from_lower).collect();
-    let mut out = Vec::with_capacity(stations.len());
-    for station in stations {
-        let distances: Vec<f64> = r.iter().flat_map(|r| [station.x - r, station.x + r]).collect();
-        let kernel = layer.kernel_values(Component::ShearStrain, &distances);
-        let sum: f64 = grid
-            .iter()
-            .zip(&r)
-            .zip(&weighted)
-            .zip(kernel.chunks_exact(2))
-            .map(|(((node, r), weighted), k)| {
-                // 1/(x - r) - 1/(x + r), with r - x from distances to the stick zone's edge.
-                weighted * (k[0] - k[1] - 2.0 * r / ((node.from_lower + station.gap) * (r + station.x)))
-            })
-            .sum();
-        out.push(sum / PI);
+    /// Systems solved so far.
+    pub(crate) fn factorisations(&self) -> usize {
+        self.solutions
     }
-    out
 }

@@ -1,133 +1,327 @@
 //! Every stick zone that a friction coefficient allows: roots of `eta(a) = +-eta`.
 
 use super::layer::Layer;
-use super::normal::Pressure;
-use super::stick::{Shear, StickZone, shear};
+use super::normal::Normal;
+use super::root;
+use super::stick::Shear;
+use super::stick_zone::StickZone;
+use arrayvec::ArrayVec;
 use basin::{RootError, Toms748Root};
-use slipzone_api::Refusal;
+use slipzone_api::{Component, Refusal, Station};
+use std::f64::consts::PI;
 
-/// `ln(a/(b - a))` at the smallest stick zone looked for: `a/b = 7e-13`.
-const NARROWEST: f64 = -28.0;
-/// Below this the half-plane law `eta ~ 1/ln(b/a)` rules and roots lie far apart.
-const COARSE_BELOW: f64 = -4.0;
+/// `lambda = ln(a/(b - a))` of the stick zones looked for is within this: `a/b` or `1 - a/b` down to 7e-13.
+const WIDEST: f64 = 28.0;
+/// Where the curve follows its asymptotes, seen from a contact that is narrow beside the layer: the
+/// corrections fall like `exp(2 lambda)` below and `lambda exp(-lambda)` above.
+const ASYMPTOTIC: (f64, f64) = (-4.0, 5.0);
+/// A slope that differs from that of the asymptote by less than this, relative, is on it.
+const ON_ASYMPTOTE: f64 = 0.03;
+/// Half of the bracket around a root that the asymptote predicts.
+const PREDICTED: f64 = 0.25;
+/// Step of the scan, and of its continuation where the asymptote is late.
+const STEPS: (f64, f64) = (1.0, 2.0);
 /// The curve is trusted where the slip zone is this many times as wide as the finest gap resolved.
 const RESOLVED: f64 = 4.0;
-/// A finer resolution scans again what lies this close to the end of a coarser one's scan.
-const OVERLAP: f64 = 1.0;
 /// What is left of `eta(lambda) - eta` at a root, over `eta`, is of the order of the root's tolerance;
 /// beside a pole it is huge.
 const POLE: f64 = 0.1;
+/// Most roots kept; two or three are the most ever seen.
+const MOST_ROOTS: usize = 16;
 /// Roots closer than this in `lambda` are one.
 const SAME_ROOT: f64 = 1e-6;
 /// Position tolerance of a root in `lambda`, over the tolerance of the scene: an error in `lambda` is at
 /// most that much, relative, in either zone's width.
 const ROOT_SHARE: f64 = 1e-3;
-/// First half-width of the bracket around a known root.
-const FIRST_STEP: f64 = 0.005;
-/// Widening steps tried around a root known from a coarser resolution.
-const MOST_STEPS: u32 = 10;
+/// The scan's own roots are only a start.
+const SCANNED: f64 = 1e-5;
+/// Half of the first bracket around a root that was lost, and how often it is doubled.
+const WIDENED: (f64, u32) = (0.005, 10);
 
 /// The friction law at one resolution, as a function of `lambda = ln(a/(b - a))`.
 pub(crate) struct FrictionCurve<'a> {
-    pub(crate) layer: &'a Layer<'a>,
-    pub(crate) pressure: &'a Pressure,
-    /// Nodes on either side of the slip zone's grid.
-    pub(crate) slip_nodes: usize,
+    pub(crate) layer: &'a Layer,
+    pub(crate) normal: &'a mut Normal,
+    pub(crate) shear: &'a mut Shear,
+    pub(crate) beta: f64,
     /// Relative error wanted of the zones' widths.
     pub(crate) tolerance: f64,
 }
 
-/// What the search at one resolution leaves for the next.
+/// A stick zone that balances.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Root {
+    pub(crate) lambda: f64,
+    /// `+1` for inward slip, `-1` for outward.
+    pub(crate) branch: f64,
+    /// `d eta/d lambda`.
+    slope: f64,
+}
+
+/// What one scan found.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Found {
-    /// Roots, as `(lambda, branch)`; the branch is `+1` for inward slip and `-1` for outward.
-    pub(crate) roots: Vec<(f64, f64)>,
-    /// `lambda` up to which the curve was scanned.
-    scanned: f64,
-    /// The samples of the scan, `(lambda, eta(lambda))`, ascending.
-    pub(crate) samples: Vec<(f64, f64)>,
+    pub(crate) roots: ArrayVec<Root, MOST_ROOTS>,
+    /// Whether a root lies below all stick zones looked for, or above.
+    pub(crate) narrower: bool,
+    pub(crate) wider: bool,
+    /// Largest `|eta|` of the scan.
+    pub(crate) largest: f64,
+}
+
+/// The curve sampled: `(lambda, eta(lambda))`, ascending. It depends on neither load nor friction.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Samples {
+    points: Vec<(f64, f64)>,
+    /// Whether the curve follows its asymptote beyond the first sample and the last.
+    low: bool,
+    high: bool,
 }
 
 impl FrictionCurve<'_> {
-    /// Shear traction and friction coefficient of one stick zone.
-    pub(crate) fn shear(&self, lambda: f64) -> Result<Shear, Refusal> {
-        let zone = StickZone::from_log(lambda, self.pressure.half_width);
-        shear(self.layer, self.pressure, zone, self.slip_nodes)
-    }
-
-    fn friction(&self, lambda: f64) -> Result<f64, Refusal> {
-        self.shear(lambda).map(|shear| shear.friction)
+    /// Friction coefficient of one stick zone; leaves its shear traction in `shear`.
+    pub(crate) fn at(&mut self, lambda: f64) -> Result<f64, Refusal> {
+        let zone = StickZone::from_log(lambda, self.normal.half_width);
+        self.shear.solve(self.layer, self.normal, self.beta, zone)
     }
 
     /// `lambda` of the widest stick zone that the resolution can tell from the whole contact.
     pub(crate) fn widest(&self) -> f64 {
-        let resolved = RESOLVED * self.pressure.finest_gap() / self.pressure.half_width;
-        -resolved.ln()
+        (-(RESOLVED * self.normal.finest_gap()).ln()).min(WIDEST)
     }
 
-    /// All roots of `eta(lambda) = +-eta` from a full scan.
-    pub(crate) fn scan(&self, eta: f64) -> Result<Found, Refusal> {
-        self.extend(eta, Found { scanned: NARROWEST, ..Found::default() })
+    /// `lambda` of the narrowest stick zone looked for.
+    pub(crate) fn narrowest() -> f64 {
+        -WIDEST
     }
 
-    /// The roots known from a coarser resolution, followed to this one.
-    pub(crate) fn follow(&self, eta: f64, coarse: &Found) -> Result<Found, Refusal> {
-        let mut found = Found { roots: Vec::new(), ..coarse.clone() };
-        for &(lambda, branch) in &coarse.roots {
-            let mut step = FIRST_STEP;
-            for _ in 0..MOST_STEPS {
-                let (lower, upper) = (lambda - step, (lambda + step).min(self.widest()));
-                if let Some(root) = self.root_between(lower, upper, branch * eta)? {
-                    found.roots.push((root, branch));
-                    break;
-                }
-                step *= 2.0;
+    /// `d(1/eta)/d lambda` for a narrow stick zone: `-2/(pi beta')`, with the strain that the pressure causes
+    /// in the middle, `beta' p(0) = beta p(0) - (1/pi) int p k_uv`.
+    fn slope_below(&mut self) -> f64 {
+        let middle = Station { x: 0.0, gap: self.normal.half_width };
+        let mut coupled = [0.0];
+        self.normal.potential_into(self.layer, Component::Coupling, self.shear.coupling(), &[middle], &mut coupled);
+        let strained = self.beta - coupled[0] / self.normal.at(middle);
+        -2.0 / (PI * strained)
+    }
+
+    /// Samples the curve up to where it follows its asymptotes.
+    pub(crate) fn sample(&mut self) -> Result<Samples, Refusal> {
+        let thin = (2.0 * self.normal.half_width / self.layer.length()).max(1.0).ln();
+        let top = (ASYMPTOTIC.1 + thin).min(self.widest());
+        let bottom = (ASYMPTOTIC.0 - thin).max(-WIDEST).min(top - 1.0);
+        let mut samples = Samples::default();
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most a few dozen
+        let count = ((top - bottom) / STEPS.0).ceil() as usize;
+        for k in 0..=count {
+            let lambda = bottom + (top - bottom) * k as f64 / count as f64;
+            samples.points.push((lambda, self.at(lambda)?));
+        }
+        let slope_above = self.beta / PI;
+        while !samples.high {
+            let [.., (from, below), (to, above)] = samples.points[..] else { unreachable!("two samples at least") };
+            samples.high = is_close((above - below) / (to - from), slope_above);
+            if samples.high || to >= self.widest() {
+                break;
             }
+            let next = (to + STEPS.1).min(self.widest());
+            samples.points.push((next, self.at(next)?));
+        }
+        let slope_below = self.slope_below();
+        while !samples.low {
+            let [(from, below), (to, above), ..] = samples.points[..] else { unreachable!("two samples at least") };
+            samples.low = is_close((above.recip() - below.recip()) / (to - from), slope_below);
+            if samples.low || from <= -WIDEST {
+                break;
+            }
+            let next = (from - STEPS.1).max(-WIDEST);
+            samples.points.insert(0, (next, self.at(next)?));
+        }
+        Ok(samples)
+    }
+
+    /// All roots of `eta(lambda) = +-eta` within a sampled curve and beyond it, those of inward slip first.
+    pub(crate) fn roots(&mut self, eta: f64, samples: &Samples) -> Result<Found, Refusal> {
+        let mut found = Found::default();
+        found.largest = samples.points.iter().fold(0.0, |most, (_, value)| most.max(value.abs()));
+        for branch in [1.0, -1.0] {
+            let target = branch * eta;
+            self.below(target, samples, branch, &mut found)?;
+            for pair in samples.points.windows(2) {
+                self.between((pair[0], pair[1]), target, branch, &mut found)?;
+            }
+            for triple in samples.points.windows(3) {
+                self.beside_extremum([triple[0], triple[1], triple[2]], target, branch, &mut found)?;
+            }
+            self.above(target, samples, branch, &mut found)?;
         }
         Ok(found)
     }
 
-    /// Adds the roots of the part of the curve that only this resolution can reach.
-    pub(crate) fn scan_on(&self, eta: f64, mut found: Found) -> Result<Found, Refusal> {
-        let end = found.scanned - OVERLAP;
-        found.samples.retain(|(lambda, _)| *lambda < end);
-        found.scanned = end;
-        self.extend(eta, found)
+    /// The root of a pair of samples with a sign change between them.
+    fn between(
+        &mut self,
+        ((from, value), (to, next)): ((f64, f64), (f64, f64)),
+        target: f64,
+        branch: f64,
+        found: &mut Found,
+    ) -> Result<(), Refusal> {
+        if (value - target) * (next - target) <= 0.0
+            && let Some(root) = self.root_between(from, to, target, branch, SCANNED)?
+        {
+            found.add(root);
+        }
+        Ok(())
     }
 
-    /// Scans from where `found` ends to the widest stick zone.
-    fn extend(&self, eta: f64, mut found: Found) -> Result<Found, Refusal> {
-        while found.scanned < self.widest() {
-            if found.samples.is_empty() {
-                found.samples.push((NARROWEST, self.friction(NARROWEST)?));
-            }
-            let (from, value) = *found.samples.last().expect("the scan's first sample");
-            let step = if from < COARSE_BELOW { 4.0 } else { 1.0 };
-            let to = (from + step).min(self.widest());
-            let next = self.friction(to)?;
-            for branch in [1.0, -1.0] {
-                let target = branch * eta;
-                if (value - target) * (next - target) < 0.0
-                    && let Some(root) = self.root_between(from, to, target)?
-                    && !found.roots.iter().any(|(known, _)| (known - root).abs() < SAME_ROOT)
-                {
-                    found.roots.push((root, branch));
-                }
-            }
-            found.samples.push((to, next));
-            found.scanned = to;
+    /// Two roots may hide between samples of one sign where the curve turns around near the target: the
+    /// parabola through three samples tells whether to look there.
+    fn beside_extremum(
+        &mut self,
+        [(l0, e0), (l1, e1), (l2, e2)]: [(f64, f64); 3],
+        target: f64,
+        branch: f64,
+        found: &mut Found,
+    ) -> Result<(), Refusal> {
+        let (f0, f1, f2) = (e0 - target, e1 - target, e2 - target);
+        let turns = f0 * f1 > 0.0 && f1 * f2 > 0.0 && f1.abs() < f0.abs() && f1.abs() < f2.abs();
+        if !turns {
+            return Ok(());
         }
-        Ok(found)
+        let (rise, bend) = ((f2 - f0) / (l2 - l0), ((f2 - f1) / (l2 - l1) - (f1 - f0) / (l1 - l0)) / (l2 - l0));
+        let vertex = (l1 - rise / (2.0 * bend)).clamp(l0, l2);
+        // Half of the way to the target is near enough to look.
+        let at_vertex = f1 - rise * rise / (4.0 * bend);
+        if at_vertex * f1 > 0.5 * f1 * f1 {
+            return Ok(());
+        }
+        let extra = (vertex, self.at(vertex)?);
+        let mut points = [(l0, e0), (l1, e1), (l2, e2), extra];
+        points.sort_by(|one, other| one.0.total_cmp(&other.0));
+        for pair in points.windows(2) {
+            self.between((pair[0], pair[1]), target, branch, found)?;
+        }
+        Ok(())
+    }
+
+    /// The root that the asymptote predicts below all samples.
+    fn below(&mut self, target: f64, samples: &Samples, branch: f64, found: &mut Found) -> Result<(), Refusal> {
+        let Some(&(lambda, value)) = samples.points.first() else { return Ok(()) };
+        // The curve falls towards zero there.
+        if value * target <= 0.0 || value.abs() <= target.abs() {
+            return Ok(());
+        }
+        if !samples.low {
+            found.narrower = true; // the scan went to its end
+            return Ok(());
+        }
+        let predicted = lambda + (target.recip() - value.recip()) / self.slope_below();
+        if predicted < -WIDEST {
+            found.narrower = true;
+            return Ok(());
+        }
+        self.near(predicted, f64::NEG_INFINITY, lambda, target, branch, found)
+    }
+
+    /// The root that the asymptote predicts above all samples.
+    fn above(&mut self, target: f64, samples: &Samples, branch: f64, found: &mut Found) -> Result<(), Refusal> {
+        let Some(&(lambda, value)) = samples.points.last() else { return Ok(()) };
+        if value >= target || (self.beta <= 0.0 && samples.high) {
+            // The curve rises with the slope beta/pi.
+            found.wider |= value.abs() < target.abs() && target > 0.0;
+            return Ok(());
+        }
+        let predicted = lambda + (target - value) * PI / self.beta;
+        if !samples.high || predicted > self.widest() {
+            found.wider |= target > 0.0;
+            return Ok(());
+        }
+        self.near(predicted, lambda, self.widest(), target, branch, found)
+    }
+
+    /// The root near a predicted place, between two limits.
+    fn near(
+        &mut self,
+        predicted: f64,
+        least: f64,
+        most: f64,
+        target: f64,
+        branch: f64,
+        found: &mut Found,
+    ) -> Result<(), Refusal> {
+        let mut half = PREDICTED;
+        for _ in 0..WIDENED.1 {
+            let (lower, upper) = ((predicted - half).max(least), (predicted + half).min(most));
+            if let Some(root) = self.root_between(lower, upper, target, branch, SCANNED)? {
+                found.add(root);
+                break;
+            }
+            half *= 2.0;
+        }
+        Ok(())
+    }
+
+    /// A root known from a coarser resolution, followed to this one; `None` where it is lost.
+    pub(crate) fn follow(&mut self, root: Root, eta: f64) -> Result<Option<Root>, Refusal> {
+        let Root { lambda, branch, slope } = root;
+        let (target, widest) = (branch * eta, self.widest());
+        let wanted = ROOT_SHARE * self.tolerance;
+        let near = root::polish(lambda, slope, widest, wanted, |lambda| Ok(self.at(lambda)? - target))?;
+        if let Some((lambda, slope)) = near {
+            return Ok(Some(Root { lambda, branch, slope }));
+        }
+        // Far from where it was.
+        let mut half = WIDENED.0;
+        for _ in 0..WIDENED.1 {
+            let (lower, upper) = (lambda - half, (lambda + half).min(widest));
+            if let Some(found) = self.root_between(lower, upper, target, branch, wanted)? {
+                return Ok(Some(found));
+            }
+            half *= 2.0;
+        }
+        Ok(None)
     }
 
     /// The root of `eta(lambda) = target` in an interval at whose ends the difference has two signs.
-    fn root_between(&self, lower: f64, upper: f64, target: f64) -> Result<Option<f64>, Refusal> {
-        let solver = Toms748Root::new(lower, upper).with_absolute_position_tolerance(ROOT_SHARE * self.tolerance);
-        match solver.solve(|lambda| self.friction(lambda).map(|eta| eta - target)) {
+    fn root_between(
+        &mut self,
+        lower: f64,
+        upper: f64,
+        target: f64,
+        branch: f64,
+        position: f64,
+    ) -> Result<Option<Root>, Refusal> {
+        if lower >= upper {
+            return Ok(None);
+        }
+        let mut last: [(f64, f64); 2] = [(lower, 0.0); 2];
+        let excess = |lambda: f64| {
+            let excess = self.at(lambda)? - target;
+            last = [last[1], (lambda, excess)];
+            Ok(excess)
+        };
+        match Toms748Root::new(lower, upper).with_absolute_position_tolerance(position).solve(excess) {
             // A sign change may also be a pole, where the system for q is singular.
-            Ok(root) => Ok((root.value().abs() < POLE * target.abs()).then_some(root.root())),
+            Ok(root) if root.value().abs() < POLE * target.abs() => {
+                let [(l0, f0), (l1, f1)] = last;
+                let slope = if l0 == l1 { f64::NAN } else { (f1 - f0) / (l1 - l0) };
+                Ok(Some(Root { lambda: root.root(), branch, slope }))
+            }
             Err(RootError::Evaluation(refusal)) => Err(refusal),
-            Err(_) => Ok(None),
+            _ => Ok(None),
         }
     }
+}
+
+impl Found {
+    fn add(&mut self, root: Root) {
+        let is_new = !self.roots.iter().any(|known| (known.lambda - root.lambda).abs() < SAME_ROOT);
+        if is_new && !self.roots.is_full() {
+            self.roots.push(root);
+        }
+    }
+}
+
+fn is_close(slope: f64, asymptote: f64) -> bool {
+    (slope - asymptote).abs() < ON_ASYMPTOTE * asymptote.abs()
 }

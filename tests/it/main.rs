@@ -9,6 +9,7 @@ mod examples;
 mod friction;
 mod limits;
 mod properties;
+mod random;
 mod regressions;
 #[cfg(feature = "cli")]
 mod run;

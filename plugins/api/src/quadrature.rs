@@ -90,6 +90,9 @@ pub trait Rule: Send + Sync {
     /// densities and one more for [`Edge::Continued`] odd ones.
     fn collocation(&self) -> &[Station];
 
+    /// Half of its interval.
+    fn half_width(&self) -> f64;
+
     /// Moves the rule to `[-half_width, half_width]`; nothing is allocated.
     fn stretch(&mut self, half_width: f64);
 
@@ -142,6 +145,15 @@ pub trait Rule: Send + Sync {
     /// Prepares `(1/pi) int f(r) k(x - r) dr` (no Cauchy part) for [`Self::potential_into`]: fills `samples`
     /// with whatever the rule needs to know of it.
     fn sample_potential(&mut self, unknowns: &[f64], kernel: (&dyn KernelTable, Component), samples: &mut Vec<f64>);
+
+    /// `(1/pi) int f(r) k(-r) dr`: the potential in the middle alone.
+    fn potential_at_centre(&mut self, unknowns: &[f64], kernel: (&dyn KernelTable, Component)) -> f64 {
+        let (mut samples, mut out) = (Vec::new(), [0.0]);
+        self.sample_potential(unknowns, kernel, &mut samples);
+        let half_width = self.half_width();
+        self.potential_into(&samples, kernel, &[Station { x: 0.0, gap: half_width }], &mut out);
+        out[0]
+    }
 
     /// `(1/pi) int f(r) k(x - r) dr` at any `targets` within the interval, ends included; not only at
     /// collocation points. `samples` comes from [`Self::sample_potential`] with the same kernel. Sign and log

@@ -1,5 +1,6 @@
 //! Stable recursion of the compliance from the base to the surface.
 
+use crate::half_plane::HalfPlane;
 use crate::magnus::General;
 use crate::slice::{Slice, generator};
 use crate::surface_tail;
@@ -13,7 +14,7 @@ const METHOD: &str = "compliance";
 const THIN: f64 = 0.25;
 
 /// Largest `|ln(mu3/mu1)|`: the moduli, and squares of what fades with them, stay within the range of floats.
-const STEEPEST: f64 = 300.0;
+pub(crate) const STEEPEST: f64 = 300.0;
 
 /// The compliance `d = C t` between displacement and traction, carried from the base to the surface.
 ///
@@ -54,30 +55,6 @@ fn not_built(what: &str) -> Refusal {
     Refusal::NotBuilt {
         what: format!("{what} in flexibility `{METHOD}`"),
         remedy: "only rigid bases, and homogeneous solids without a base, can be solved".into(),
-    }
-}
-
-/// A homogeneous solid without a base.
-#[derive(Debug)]
-struct HalfPlane {
-    elastic: Elastic,
-}
-
-impl LayerResponse for HalfPlane {
-    fn surface(&self, _s: f64) -> Result<SurfaceFlexibility, Refusal> {
-        Ok(surface_tail::half_plane(self.elastic))
-    }
-
-    fn elastic(&self) -> Elastic {
-        self.elastic
-    }
-
-    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
-        vec![SurfaceFlexibility::default(); terms]
-    }
-
-    fn depth(&self) -> Option<f64> {
-        None
     }
 }
 
@@ -122,7 +99,7 @@ pub(crate) fn link() {}
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fixtures::{Exponential as Law, Opaque, at, bonded, distance, exponential};
+    use crate::fixtures::{Exponential as Law, GOLDEN, Opaque, at, bonded, bonded_vv, distance, exponential};
     use proptest::prelude::*;
     use slipzone_api::{Plane, Poisson, Positive};
 
@@ -132,22 +109,6 @@ mod tests {
 
     fn entries(x: SurfaceFlexibility) -> [f64; 3] {
         [x.vv, x.uu, x.uv]
-    }
-
-    /// `s Fvv/A0` of a homogeneous bonded layer in plane strain (theory, section 2), numerator and denominator
-    /// times `exp(-2w)` so that neither overflows.
-    fn bonded_vv(w: f64, nu: f64) -> f64 {
-        let (kappa, x) = (3.0 - 4.0 * nu, 2.0 * w);
-        let fade = (-x).exp();
-        let (sinh, cosh) = (-(-2.0 * x).exp_m1() / 2.0, f64::midpoint(1.0, fade * fade));
-        // sinh x - x, whose difference cancels for small x: by its series there.
-        let rest = if x < 0.5 {
-            let series = (1..12).rev().fold(0.0, |sum, k| (1.0 + sum) * x * x / f64::from(2 * k * (2 * k + 1)));
-            fade * x * series
-        } else {
-            sinh - x * fade
-        };
-        ((kappa - 1.0) * sinh + rest) / (kappa * cosh + fade * (2.0 * w * w + 5.0 - 12.0 * nu + 8.0 * nu * nu))
     }
 
     #[test]
@@ -162,24 +123,6 @@ mod tests {
             }
         }
     }
-
-    /// `(nu, gamma, s, [vv, uu, uv])` in plane strain: `s F/A0 = s P11^-1 P12 4/(kappa + 1)` with the
-    /// propagator `P = exp(K)`, `K` from `slice::generator`, by mpmath's `expm` with 80 digits.
-    #[allow(clippy::excessive_precision, clippy::unreadable_literal)] // as they were computed
-    const GOLDEN: [(f64, f64, f64, [f64; 3]); 12] = [
-        (0.3, -13.8, 0.001, [29.121806940410983281, 100.44260076766072412, 0.013278462999273003777]),
-        (0.3, -13.8, 0.7, [3298.889754314275008, 18.260828391357123084, -165.58691006543329935]),
-        (0.3, -13.8, 12.0, [4.1140074734761803339, 1.7707140069300995418, -1.4029818260883636241]),
-        (0.3, 13.8, 0.001, [0.000029577018237761163822, 0.00010351956189088842097, 1.0716159995293210832e-9]),
-        (0.3, 13.8, 12.0, [0.33276676194621012759, 0.62071400695351779863, -0.027910718141172957056]),
-        (0.3, -2.0, 0.7, [0.92872566810172342688, 1.4255887737036690297, 0.00070881539855525276564]),
-        (0.5, -13.8, 0.7, [332.29028540707994518, 10.203580001549805437, -10.386545099672280155]),
-        (0.5, 13.8, 0.001, [1.5218581329435147698e-12, 0.00014492738447308798203, 1.0501836858439994167e-8]),
-        (0.5, 2.0, 5.0, [0.56611563863712319894, 0.83687954819652376388, 0.13141612251042790576]),
-        (-0.99, -13.8, 12.0, [2.5986360921612935031, 1.6671172043167634852, -1.5694311867380075783]),
-        (-0.99, 13.8, 0.001, [0.000027264691743340821134, 0.000036413917128313438483, -3.2883711433174903083e-9]),
-        (-0.99, 13.8, 12.0, [0.42749053583324553211, 0.51711728654663953695, -0.31349647484503867]),
-    ];
 
     #[test]
     fn golden_values_of_strong_gradings() {

@@ -1,18 +1,22 @@
 //! Flexibilities: how the surface flexibility `F(s)` of a layer is got. One file per plugin.
 
+mod closed_form;
 mod compliance;
 #[cfg(test)]
 mod fixtures;
+mod half_plane;
 mod magnus;
 mod slice;
 mod surface_tail;
 mod transfer_matrix;
 
+pub use closed_form::ClosedForm;
 pub use compliance::Compliance;
 pub use transfer_matrix::TransferMatrix;
 
 /// Names every module that registers a plugin, so that no linker drops this crate.
 pub fn link() {
+    closed_form::link();
     compliance::link();
     transfer_matrix::link();
 }

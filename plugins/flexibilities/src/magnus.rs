@@ -149,8 +149,7 @@ impl LayerResponse for General {
     }
 
     fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
-        let [_, gradient] = self.layer.law.surface_series(2)[..] else { return Vec::new() };
-        surface_tail::exponential(self.layer.elastic, gradient, terms.min(1))
+        surface_tail::smooth(self.layer.elastic, &self.layer.law.surface_series(terms + 1), terms)
     }
 
     fn depth(&self) -> Option<f64> {

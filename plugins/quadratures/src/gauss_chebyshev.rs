@@ -189,6 +189,10 @@ impl Rule for ChebyshevRule {
         &self.stations
     }
 
+    fn half_width(&self) -> f64 {
+        self.half_width
+    }
+
     fn stretch(&mut self, half_width: f64) {
         let factor = half_width / self.half_width;
         self.half_width = half_width;

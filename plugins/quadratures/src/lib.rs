@@ -2,14 +2,17 @@
 
 mod de_sinc;
 mod gauss_chebyshev;
+mod graded_panels;
 
 pub use de_sinc::DeSinc;
 pub use gauss_chebyshev::GaussChebyshev;
+pub use graded_panels::GradedPanels;
 
 /// Names every module that registers a plugin, so that no linker drops this crate.
 pub fn link() {
     de_sinc::link();
     gauss_chebyshev::link();
+    graded_panels::link();
 }
 
 #[cfg(test)]

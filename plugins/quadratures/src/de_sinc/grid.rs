@@ -52,7 +52,7 @@ impl Grid {
         let mut grid =
             Self { odd, edge, step, nodes, staggered, first, scale, cauchy, edge_row: Vec::new(), resultant };
         grid.make_exact();
-        grid.edge_row = grid.edge_functional();
+        grid.edge_row = if edge == Edge::Continued { grid.edge_locally() } else { grid.edge_functional() };
         grid
     }
 
@@ -85,6 +85,16 @@ impl Grid {
                 }
             }
         }
+    }
+
+    /// What is not `sqrt(gap)` in the last two `F`: 0 for a bounded density.
+    fn edge_locally(&self) -> Vec<f64> {
+        let mut row = vec![0.0; self.unknowns()];
+        let [.., before, last] = &self.nodes[..] else { unreachable!("two nodes at least") };
+        let n = row.len();
+        row[n - 1] = 1.0;
+        row[n - 2] = -(last.gap / before.gap).sqrt();
+        row
     }
 
     /// `pi F(1) = int f dx - int sqrt((1 + t)/(1 - t)) C(t) dt` with `C = (1/pi) PV int f(r)/(t - r) dr`.

@@ -104,6 +104,10 @@ impl Rule for DeSincRule {
         &self.stations
     }
 
+    fn half_width(&self) -> f64 {
+        self.half_width
+    }
+
     fn stretch(&mut self, half_width: f64) {
         self.half_width = half_width;
         for (station, v) in self.stations.iter_mut().zip(&self.grid.staggered) {

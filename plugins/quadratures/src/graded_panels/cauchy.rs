@@ -1,0 +1,101 @@
+//! The Cauchy part in the angle.
+
+use super::layout::Basis;
+use super::legendre::{Factor, Gauss};
+use super::pieces::Pieces;
+use slipzone_api::Parity;
+use std::f64::consts::PI;
+
+/// Distance of a pole from the middle of a piece, in half-lengths, from which on a piece is summed by Gauss.
+///
+/// `2.85^-(2 q - m)` is then left, at most 2e-14 of the piece's share. Seen from the contact's end, every panel
+/// but the first begins at 5/3: panels well outside the target's own must not be split into poles, whose
+/// difference loses digits like `theta/target`.
+const FAR: f64 = 1.6;
+
+/// `summand[k]` = weight of the piecewise polynomial at each Gauss point in `sin(target)/pi PV int f(r)/(x - r) dr`.
+///
+/// With the mirror image the kernel is `cot(theta - target) - cot(theta + target)` for an even density and the
+/// same with `1/sin` for an odd one. Both are `1/(theta - target) - 1/(theta + target) -+ 1/(theta + target - pi)`
+/// (minus for even, plus for odd) and a rest without poles nearer than `pi/2`. Near a pole, product integration
+/// of each pole and Gauss for the rest; elsewhere Gauss for the whole.
+pub(super) fn summand_into(target: f64, basis: Basis, pieces: &Pieces, gauss: &Gauss, summand: &mut [f64]) {
+    let q = gauss.z.len();
+    let even = basis.parity == Parity::Even;
+    let (whole, rest): (fn(f64, f64) -> f64, fn(f64, f64) -> f64) =
+        if even { (even_whole, even_rest) } else { (odd_whole, odd_rest) };
+    let poles = [(target, 1.0), (-target, -1.0), (PI - target, -basis.mirror())];
+    let (mut moments, mut product) = (Vec::new(), vec![0.0; q]);
+    for (piece, (out, angles)) in pieces.list.iter().zip(summand.chunks_mut(q).zip(pieces.angle.chunks(q))) {
+        let far = poles.iter().all(|(pole, _)| piece.local(*pole).abs() > FAR);
+        let smooth = if far { whole } else { rest };
+        for ((out, w), angle) in out.iter_mut().zip(&gauss.w).zip(angles) {
+            *out = w * piece.half_length * smooth(*angle, target);
+        }
+        for (pole, residue) in poles.into_iter().filter(|_| !far) {
+            let at = piece.local(pole);
+            if at.abs() <= FAR {
+                gauss.product_weights_into(Factor::Pole, at, &mut moments, &mut product);
+                for (out, product) in out.iter_mut().zip(&product) {
+                    *out += residue * product;
+                }
+            } else {
+                for ((out, w), z) in out.iter_mut().zip(&gauss.w).zip(&gauss.z) {
+                    *out += residue * w / (z - at);
+                }
+            }
+        }
+    }
+    for (out, measure) in summand.iter_mut().zip(&pieces.measure) {
+        *out *= measure / PI;
+    }
+}
+
+/// `cot(a - b) - cot(a + b)`.
+fn even_whole(a: f64, b: f64) -> f64 {
+    (2.0 * b).sin() / ((a - b).sin() * (a + b).sin())
+}
+
+/// `1/sin(a - b) - 1/sin(a + b)`.
+fn odd_whole(a: f64, b: f64) -> f64 {
+    2.0 * a.cos() * b.sin() / ((a - b).sin() * (a + b).sin())
+}
+
+/// `cot(a - b) - cot(a + b)` without its three poles, for `a` and `b` in `[0, pi/2]`.
+fn even_rest(a: f64, b: f64) -> f64 {
+    let (difference, sum) = (a - b, a + b);
+    // cot has the period pi: whichever pole is nearer is taken out by the series, the other added.
+    let rest_of_sum =
+        if sum < 0.5 * PI { cot_rest(sum) - 1.0 / (sum - PI) } else { cot_rest(sum - PI) - 1.0 / sum };
+    cot_rest(difference) - rest_of_sum
+}
+
+/// `1/sin(a - b) - 1/sin(a + b)` without its three poles, for `a` and `b` in `[0, pi/2]`.
+fn odd_rest(a: f64, b: f64) -> f64 {
+    let (difference, sum) = (a - b, a + b);
+    let rest_of_sum =
+        if sum < 0.5 * PI { csc_rest(sum) + 1.0 / (sum - PI) } else { csc_rest(PI - sum) - 1.0 / sum };
+    csc_rest(difference) - rest_of_sum
+}
+
+/// Below this the series, whose first term left out is then below `1e-17`; above, subtraction loses one digit.
+const SERIES: f64 = 0.1;
+
+/// `cot(z) - 1/z`.
+fn cot_rest(z: f64) -> f64 {
+    if z.abs() > SERIES {
+        return 1.0 / z.tan() - 1.0 / z;
+    }
+    let s = z * z;
+    -z * (1.0 / 3.0 + s * (1.0 / 45.0 + s * (2.0 / 945.0 + s * (1.0 / 4725.0 + s * (2.0 / 93555.0)))))
+}
+
+/// `1/sin(z) - 1/z`.
+fn csc_rest(z: f64) -> f64 {
+    if z.abs() > SERIES {
+        return 1.0 / z.sin() - 1.0 / z;
+    }
+    let s = z * z;
+    let tail = 31.0 / 15120.0 + s * (127.0 / 604_800.0 + s * (73.0 / 3_421_440.0));
+    z * (1.0 / 6.0 + s * (7.0 / 360.0 + s * tail))
+}

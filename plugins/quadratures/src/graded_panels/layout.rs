@@ -1,0 +1,144 @@
+//! What a rule knows before it knows the contact's half-width.
+
+use super::cauchy;
+use super::legendre::Gauss;
+use super::mesh::Mesh;
+use super::pieces::Pieces;
+use slipzone_api::{Edge, Parity};
+use std::collections::HashMap;
+use std::f64::consts::PI;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+/// How the numbers at the mesh's nodes describe a density.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Basis {
+    pub(super) parity: Parity,
+    pub(super) edge: Edge,
+}
+
+impl Basis {
+    /// `+1` or `-1`: the density at `-x` over that at `x`.
+    pub(super) fn mirror(self) -> f64 {
+        if self.parity == Parity::Even { 1.0 } else { -1.0 }
+    }
+
+    /// `f c sin(theta)/(c F)`, `F` being the piecewise polynomial: 1 where `f = F/sin(theta)`, `sin(theta)` where
+    /// `f = F`.
+    pub(super) fn measure(self, angle: f64) -> f64 {
+        if self.edge == Edge::Smooth { angle.sin() } else { 1.0 }
+    }
+
+    /// Factor of the row at a collocation point: 1 if the density is bounded as `F` itself is, otherwise
+    /// `sin(theta)`, which turns the operator into a Hilbert transform of `F`.
+    ///
+    /// With it the condition number (row-sum norm, half-plane) is 20 to 50 for 18 to 105 sharp or smooth unknowns
+    /// and 70 to 180 for continued ones; with the other choice it is up to 1e6.
+    fn row_scale(self, angle: f64) -> f64 {
+        if self.edge == Edge::Smooth { 1.0 } else { angle.sin() }
+    }
+
+    /// `F` vanishes at the contact's end unless the edge is sharp.
+    fn first(self) -> usize {
+        usize::from(self.edge != Edge::Sharp)
+    }
+
+    /// Number of unknowns on `nodes` nodes; an odd density also vanishes in the middle.
+    pub(super) fn unknowns(self, nodes: usize) -> usize {
+        nodes - self.first() - usize::from(self.parity == Parity::Odd)
+    }
+
+    /// The unknown at a node, counted from the contact's end; `None` at the end itself where `F` vanishes. The
+    /// middle node of an odd density gets a number beyond the last unknown.
+    pub(super) fn unknown(self, node: usize) -> Option<usize> {
+        node.checked_sub(self.first())
+    }
+
+    /// `F` at a node.
+    pub(super) fn coefficient(self, node: usize, unknowns: &[f64]) -> f64 {
+        self.unknown(node).and_then(|j| unknowns.get(j)).copied().unwrap_or(0.0)
+    }
+}
+
+/// Mesh, collocation points and Cauchy matrix: all that does not change with the half-width.
+pub(super) struct Layout {
+    pub(super) mesh: Mesh,
+    pub(super) gauss: Gauss,
+    pub(super) basis: Basis,
+    /// Angles of the collocation points, descending (`x` ascends).
+    pub(super) angles: Vec<f64>,
+    /// Factor of each row.
+    pub(super) row_scale: Vec<f64>,
+    /// Scaled Cauchy part of the operator: `rows[i * unknowns + j]`.
+    pub(super) cauchy: Vec<f64>,
+    /// Resultant over the half-width.
+    pub(super) resultant: Vec<f64>,
+}
+
+/// Gauss points per piece, for polynomials of degree `degree` times what they are integrated with.
+///
+/// Twelve more than the degree: `sin(theta)` over the longest panel (half-length 0.59) leaves
+/// `0.29^12/12! = 1e-15` of itself, a kernel part over a piece of [`super::regular::PIECE`] of its length as
+/// measured there.
+pub(super) fn gauss_points(degree: usize) -> usize {
+    degree + 12
+}
+
+impl Layout {
+    fn new(degree: usize, panels: usize, basis: Basis) -> Self {
+        let mesh = Mesh::new(degree, panels);
+        let gauss = Gauss::new(gauss_points(degree));
+        // Between the nodes: the zeros of the Chebyshev polynomial whose extrema the nodes are.
+        let middle = |panel: usize, i: usize| {
+            let offset = 2.0 * (0.5 * PI * (i as f64 + 0.5) / degree as f64).sin().powi(2);
+            mesh.breaks[panel] + mesh.half_length(panel) * offset
+        };
+        let angles: Vec<f64> =
+            (0..panels).rev().flat_map(|panel| (0..degree).rev().map(move |i| (panel, i))).map(|(p, i)| middle(p, i)).collect();
+        let row_scale: Vec<f64> = angles.iter().map(|a| basis.row_scale(*a)).collect();
+        let pieces = Pieces::new(&mesh, &gauss, basis, &vec![1; panels]);
+        let unknowns = basis.unknowns(mesh.nodes());
+
+        let mut cauchy = vec![0.0; angles.len() * unknowns];
+        let mut summand = vec![0.0; pieces.angle.len()];
+        for (row, (target, scale)) in cauchy.chunks_mut(unknowns).zip(angles.iter().zip(&row_scale)) {
+            cauchy::summand_into(*target, basis, &pieces, &gauss, &mut summand);
+            for out in &mut summand {
+                *out *= scale / target.sin();
+            }
+            pieces.gather_into(&summand, &mesh, basis, row);
+        }
+
+        let mut resultant = vec![0.0; unknowns];
+        for (piece, chunk) in pieces.list.iter().zip(summand.chunks_mut(gauss.z.len())) {
+            for (out, w) in chunk.iter_mut().zip(&gauss.w) {
+                *out = w * piece.half_length * (1.0 + basis.mirror());
+            }
+        }
+        for (out, measure) in summand.iter_mut().zip(&pieces.measure) {
+            *out *= measure;
+        }
+        pieces.gather_into(&summand, &mesh, basis, &mut resultant);
+        Self { mesh, gauss, basis, angles, row_scale, cauchy, resultant }
+    }
+
+    /// The layout of these numbers, from a store that the whole process shares: a solver asks for the same one
+    /// at every trial stick zone.
+    pub(super) fn shared(degree: usize, panels: usize, basis: Basis) -> Arc<Self> {
+        type Store = HashMap<(usize, usize, bool, u8), Arc<Layout>>;
+        static STORE: OnceLock<Mutex<Store>> = OnceLock::new();
+        let edge = match basis.edge {
+            Edge::Sharp => 0,
+            Edge::Smooth => 1,
+            Edge::Continued => 2,
+        };
+        let key = (degree, panels, basis.parity == Parity::Even, edge);
+        // A panic elsewhere leaves the store whole: entries are only ever added.
+        let store = || STORE.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(layout) = store().get(&key) {
+            return Arc::clone(layout);
+        }
+        // Built outside the lock; two threads may do the same work once.
+        let layout = Arc::new(Self::new(degree, panels, basis));
+        Arc::clone(store().entry(key).or_insert(layout))
+    }
+}

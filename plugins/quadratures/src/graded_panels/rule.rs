@@ -1,0 +1,135 @@
+//! One density of a given parity on `[-half_width, half_width]`.
+
+use super::layout::{Basis, Layout};
+use super::regular::Regular;
+use slipzone_api::{Component, Density, Edge, KernelTable, Parity, Rule, Station};
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// The layout, stretched.
+pub(super) struct PanelRule {
+    layout: Arc<Layout>,
+    half_width: f64,
+    stations: Vec<Station>,
+    regular: Regular,
+}
+
+impl PanelRule {
+    pub(super) fn new(half_width: f64, layout: Arc<Layout>) -> Self {
+        let stations = layout.angles.iter().map(|angle| station(*angle, half_width)).collect();
+        Self { layout, half_width, stations, regular: Regular::default() }
+    }
+
+    fn basis(&self) -> Basis {
+        self.layout.basis
+    }
+
+    /// The angle `0 <= theta <= pi/2` of `|x|`.
+    fn angle(&self, at: Station) -> f64 {
+        (2.0 * (at.gap / (2.0 * self.half_width)).max(0.0).sqrt().min(1.0).asin()).min(0.5 * PI)
+    }
+}
+
+/// `x = c cos(theta)`, its gap `2 c sin^2(theta/2)` without cancellation.
+fn station(angle: f64, half_width: f64) -> Station {
+    Station { x: half_width * (0.5 * PI - angle).sin(), gap: 2.0 * half_width * (0.5 * angle).sin().powi(2) }
+}
+
+impl Rule for PanelRule {
+    fn unknowns(&self) -> usize {
+        self.layout.resultant.len()
+    }
+
+    fn collocation(&self) -> &[Station] {
+        &self.stations
+    }
+
+    fn row_scale(&self) -> Option<&[f64]> {
+        (self.basis().edge != Edge::Smooth).then_some(&self.layout.row_scale)
+    }
+
+    fn half_width(&self) -> f64 {
+        self.half_width
+    }
+
+    fn stretch(&mut self, half_width: f64) {
+        self.half_width = half_width;
+        for (out, angle) in self.stations.iter_mut().zip(&self.layout.angles) {
+            *out = station(*angle, half_width);
+        }
+    }
+
+    fn operator_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]) {
+        let layout = &self.layout;
+        assert_eq!(rows.len(), layout.cauchy.len(), "rows = collocation points, columns = unknowns");
+        let Some(kernel) = kernel else {
+            rows.copy_from_slice(&layout.cauchy);
+            return;
+        };
+        let n = layout.resultant.len();
+        self.regular.prepare(layout, self.half_width, kernel.0.length());
+        for (i, (row, target)) in rows.chunks_mut(n).zip(&layout.angles).enumerate() {
+            self.regular.sum_at(*target, layout, self.half_width, kernel);
+            self.regular.gather_into(layout, row);
+            for (out, cauchy) in row.iter_mut().zip(&layout.cauchy[i * n..(i + 1) * n]) {
+                *out = cauchy + layout.row_scale[i] * *out;
+            }
+        }
+    }
+
+    fn resultant_into(&self, row: &mut [f64]) {
+        assert_eq!(row.len(), self.unknowns(), "one entry per unknown");
+        for (out, per_width) in row.iter_mut().zip(&self.layout.resultant) {
+            *out = self.half_width * per_width;
+        }
+    }
+
+    fn values_into(&self, density: Density, at: &[Station], out: &mut [f64]) {
+        assert_eq!(at.len(), out.len(), "one value per point");
+        let mut scratch = Vec::new();
+        let basis = self.basis();
+        for (out, at) in out.iter_mut().zip(at) {
+            let place = self.layout.mesh.locate(self.angle(*at));
+            let coefficient = |node| basis.coefficient(node, density.unknowns);
+            let polynomial = self.layout.mesh.interpolate(coefficient, place, &mut scratch);
+            let relative_gap = at.gap / self.half_width;
+            let sine = (relative_gap * (2.0 - relative_gap)).sqrt();
+            let value = if basis.edge == Edge::Smooth { polynomial } else { polynomial / sine };
+            *out = if at.x < 0.0 { basis.mirror() * value } else { value };
+        }
+    }
+
+    fn edge_factor(&self, unknowns: &[f64]) -> f64 {
+        // f sqrt(gap (2c - gap)) = f c sin(theta).
+        if self.basis().edge == Edge::Sharp { self.half_width * unknowns[0] } else { 0.0 }
+    }
+
+    fn sample_potential(&mut self, unknowns: &[f64], kernel: (&dyn KernelTable, Component), samples: &mut Vec<f64>) {
+        let layout = &self.layout;
+        let mut density = Vec::new();
+        let pieces = self.regular.prepare(layout, self.half_width, kernel.0.length());
+        pieces.density_into(unknowns, &layout.mesh, layout.basis, &mut density);
+        samples.clear();
+        for node in 0..layout.mesh.nodes() {
+            self.regular.sum_at(layout.mesh.node(node), layout, self.half_width, kernel);
+            samples.push(self.regular.summand.iter().zip(&density).map(|(weight, f)| weight * f).sum());
+        }
+    }
+
+    fn potential_into(
+        &mut self,
+        samples: &[f64],
+        (_, component): (&dyn KernelTable, Component),
+        targets: &[Station],
+        out: &mut [f64],
+    ) {
+        assert_eq!(targets.len(), out.len(), "one value per target");
+        let odd = component.is_odd() == (self.basis().parity == Parity::Even);
+        let mut scratch = Vec::new();
+        for (out, at) in out.iter_mut().zip(targets) {
+            let place = self.layout.mesh.locate(self.angle(*at));
+            let value = self.layout.mesh.interpolate(|node| samples[node], place, &mut scratch);
+            *out = if odd && at.x < 0.0 { -value } else { value };
+        }
+    }
+}

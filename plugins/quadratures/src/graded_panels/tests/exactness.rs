@@ -1,0 +1,118 @@
+//! The Cauchy part, the resultant and the values.
+
+use super::*;
+use slipzone_api::reference::flat_punch;
+
+#[test]
+fn equations_and_unknowns_are_counted_as_the_contract_says() {
+    for (parity, edge, excess) in [
+        (Parity::Even, Edge::Sharp, -1),
+        (Parity::Odd, Edge::Sharp, 0),
+        (Parity::Even, Edge::Smooth, 0),
+        (Parity::Odd, Edge::Smooth, 1),
+        (Parity::Odd, Edge::Continued, 1),
+    ] {
+        let rule = rule(1.0, parity, edge, 7, 4);
+        let count = |n: usize| i32::try_from(n).expect("a small count");
+        assert_eq!(count(rule.collocation().len()) - count(rule.unknowns()), excess, "{parity:?} {edge:?}");
+        assert!(rule.edge_condition().is_none());
+        assert!(rule.collocation().windows(2).all(|s| s[0].x < s[1].x && s[0].gap > s[1].gap));
+        let exact = |s: &Station| s.x > 0.0 && (s.x + s.gap - 1.0).abs() < 1e-15;
+        assert!(rule.collocation().iter().all(exact), "x and gap add up to the half-width");
+    }
+}
+
+/// `T_k` and `U_k` are no polynomials of the angle; 20 nodes leave `0.59^20/20! = 1e-23` of `cos(theta)`, 1e-14
+/// of `cos(6 theta)`.
+#[test]
+fn cauchy_integrals_of_chebyshev_polynomials() {
+    let (c, nodes, panels) = (2.5, 20, 6);
+    let check = |parity, edge, polynomial: &dyn Fn(f64) -> f64, exact: &dyn Fn(f64) -> f64| {
+        let mut rule = rule(c, parity, edge, nodes, panels);
+        let rows = operator(rule.as_mut(), None);
+        let got = apply(&rows, &unknowns(parity, edge, nodes, panels, polynomial));
+        for ((got, at), scale) in got.iter().zip(rule.collocation()).zip(row_scale(rule.as_ref())) {
+            let angle = 2.0 * (0.5 * at.gap / c).sqrt().asin();
+            assert_close(*got, scale * exact(angle), 1e-12, &format!("{parity:?} {edge:?} at {angle}"));
+        }
+    };
+    // (1/pi) PV int T_k(t)/((x - t) sqrt(1 - t^2)) dt = -U_{k-1}(x).
+    for (k, parity) in [(4.0, Parity::Even), (5.0, Parity::Odd)] {
+        check(parity, Edge::Sharp, &|a| (k * a).cos(), &|a| -(k * a).sin() / a.sin());
+    }
+    // (1/pi) PV int U_k(t) sqrt(1 - t^2)/(x - t) dt = T_{k+1}(x); f = F where smooth, F/sin where continued.
+    for (k, parity) in [(4.0, Parity::Even), (5.0, Parity::Odd)] {
+        check(parity, Edge::Smooth, &|a| ((k + 1.0) * a).sin(), &|a| ((k + 1.0) * a).cos());
+    }
+    check(Parity::Odd, Edge::Continued, &|a| (6.0 * a).sin() * a.sin(), &|a| (6.0 * a).cos());
+    // The density t: t ln((1 + t)/(1 - t)) - 2 over pi, from which the end value has its logarithm.
+    check(Parity::Odd, Edge::Continued, &|a| a.cos() * a.sin(), &|a| (-2.0 * a.cos() * (0.5 * a).tan().ln() - 2.0) / PI);
+}
+
+/// `f = (1 - t^2) atanh(t)` is `gap log gap` at the end. By Tricomi's `2 H(u H u) = (H u)^2 - u^2` with `u = 1`,
+/// `(1/pi) PV int atanh(r)/(x - r) dr = atanh(x)^2/pi - pi/4`, whence that of `f`.
+#[test]
+fn a_density_with_gap_log_gap_converges_exponentially() {
+    let atanh = |angle: f64| -(0.5 * angle).tan().ln();
+    let errors: Vec<f64> = [(6, 3), (9, 5), (12, 6), (15, 8)]
+        .into_iter()
+        .map(|(nodes, panels)| {
+            let mut rule = rule(1.0, Parity::Odd, Edge::Smooth, nodes, panels);
+            let rows = operator(rule.as_mut(), None);
+            let density = |a: f64| a.sin().powi(2) * atanh(a);
+            let got = apply(&rows, &unknowns(Parity::Odd, Edge::Smooth, nodes, panels, density));
+            let exact = |at: &Station| {
+                let angle = 2.0 * (0.5 * at.gap).sqrt().asin();
+                angle.sin().powi(2) * (atanh(angle).powi(2) / PI - 0.25 * PI) + 1.0 / PI
+            };
+            let error = |(got, at): (&f64, &Station)| (got - exact(at)).abs();
+            got.iter().zip(rule.collocation()).map(error).fold(0.0, f64::max)
+        })
+        .collect();
+    println!("{errors:?}");
+    assert!(errors.windows(2).all(|pair| pair[1] < 0.05 * pair[0]), "{errors:?}");
+    assert!(errors[3] < 1e-10, "{errors:?}");
+}
+
+#[test]
+fn flat_punch_on_a_half_plane() {
+    let c = 3.0;
+    let mut rule = rule(c, Parity::Even, Edge::Sharp, 6, 3);
+    // F = 1/(pi c) is the flat punch under unit force.
+    let unknowns = vec![1.0 / (PI * c); rule.unknowns()];
+    assert!(apply(&operator(rule.as_mut(), None), &unknowns).iter().all(|v| v.abs() < 1e-14));
+    let mut row = vec![0.0; rule.unknowns()];
+    rule.resultant_into(&mut row);
+    assert_close(apply(&row, &unknowns)[0], 1.0, 1e-14, "resultant");
+    assert_close(rule.edge_factor(&unknowns), flat_punch::EDGE_RATIO, 1e-14, "edge factor");
+    for gap in [1.0, 1e-3, 1e-12] {
+        let p = value(rule.as_ref(), &unknowns, Station { x: c - gap, gap });
+        assert_close(p / flat_punch::pressure(1.0, c, gap), 1.0, 1e-13, "pressure by its gap");
+    }
+}
+
+/// Relative accuracy, down to gaps far below the innermost panel.
+#[test]
+fn values_keep_their_digits_towards_the_end() {
+    let (c, nodes, panels) = (2.0, 16, 5);
+    // f = (1 + t^2)/sin, (1 + t^2) sin, t: at the end unbounded, zero and finite.
+    let polynomial = |a: f64| 1.0 + a.cos().powi(2);
+    type OfAngle<'a> = &'a dyn Fn(f64) -> f64;
+    let cases: [(Parity, Edge, OfAngle, OfAngle); 3] = [
+        (Parity::Even, Edge::Sharp, &polynomial, &|a| polynomial(a) / a.sin()),
+        (Parity::Even, Edge::Smooth, &|a| polynomial(a) * a.sin(), &|a| polynomial(a) * a.sin()),
+        (Parity::Odd, Edge::Continued, &|a| a.cos() * a.sin(), &|a| a.cos()),
+    ];
+    for (parity, edge, of_polynomial, of_density) in cases {
+        let rule = rule(c, parity, edge, nodes, panels);
+        let unknowns = unknowns(parity, edge, nodes, panels, of_polynomial);
+        for gap in [1e-15, 1e-9, 1e-4, 0.3, 1.1, 1.7_f64] {
+            let exact = of_density(2.0 * (0.5 * gap / c).sqrt().asin());
+            let got = value(rule.as_ref(), &unknowns, Station { x: c - gap, gap });
+            assert_close(got / exact, 1.0, 1e-12, &format!("{edge:?} at gap {gap:e}"));
+            let mirrored = value(rule.as_ref(), &unknowns, Station { x: gap - c, gap });
+            let sign = if parity == Parity::Odd { -1.0 } else { 1.0 };
+            assert_close(mirrored, sign * got, 0.0, "mirror image");
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! Sign, logarithmic and smooth parts.
+
+use super::*;
+
+/// Targets for potentials: ends, middle, and places on and off the nodes.
+const TARGETS: [f64; 7] = [-0.5, -0.31, 0.0, 0.123, 0.499, 0.499_999_999, 0.5];
+
+fn potential(rule: &mut dyn Rule, unknowns: &[f64], kernel: &Made, component: Component, c: f64) -> Vec<f64> {
+    let (mut samples, mut out) = (Vec::new(), vec![0.0; TARGETS.len()]);
+    let at = TARGETS.map(|x: f64| Station { x, gap: c - x.abs() });
+    rule.sample_potential(unknowns, (kernel, component), &mut samples);
+    rule.potential_into(&samples, (kernel, component), &at, &mut out);
+    out
+}
+
+#[test]
+fn potentials_of_jump_and_logarithm() {
+    let c = 0.5;
+    // Sharp, F = 1: int log|x - r|/sqrt(c^2 - r^2) dr = pi ln(c/2); int sign = pi - 2 acos(x/c). Smooth,
+    // F = sin: int sqrt(1 - t^2) log|x - ct| c dt = c pi/2 (ln(c/2) + t^2 - 1/2). Odd, F = cos:
+    // int t log|x - ct|/sqrt(1 - t^2) dt = -pi t.
+    // Lengths below the half-width cut the panels into pieces.
+    for length in [1.0, 0.07] {
+        let (jump, logarithm) = (Made { length, ..JUMP }, Made { length, ..LOGARITHM });
+        for (parity, edge) in [(Parity::Even, Edge::Sharp), (Parity::Even, Edge::Smooth), (Parity::Odd, Edge::Sharp)] {
+            let (nodes, panels) = (14, 4);
+            let mut rule = rule(c, parity, edge, nodes, panels);
+            let unknowns = unknowns(parity, edge, nodes, panels, |a| match (parity, edge) {
+                (Parity::Even, Edge::Sharp) => 1.0,
+                (Parity::Even, _) => a.sin(),
+                (Parity::Odd, _) => a.cos(),
+            });
+            let by_log = potential(rule.as_mut(), &unknowns, &logarithm, Component::Coupling, c);
+            let by_jump = potential(rule.as_mut(), &unknowns, &jump, Component::NormalSlope, c);
+            for ((x, by_log), by_jump) in TARGETS.iter().zip(by_log).zip(by_jump) {
+                let t: f64 = x / c;
+                let root = (1.0 - t * t).max(0.0).sqrt();
+                let (log, sign) = match (parity, edge) {
+                    (Parity::Even, Edge::Sharp) => (c * (0.5 * c).ln(), c * (1.0 - 2.0 * t.acos() / PI)),
+                    (Parity::Even, _) => (0.5 * c * ((0.5 * c).ln() + t * t - 0.5), c * (t * root + t.asin()) / PI),
+                    (Parity::Odd, _) => (-c * t, -2.0 * c * root / PI),
+                };
+                assert_close(by_log, log, 1e-13, &format!("logarithm, {parity:?} {edge:?} at {t}"));
+                assert_close(by_jump, sign, 1e-13, &format!("jump, {parity:?} {edge:?} at {t}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn rows_of_jump_and_logarithm_are_exact() {
+    let (c, nodes, panels) = (0.7, 14, 4);
+    let mut rule = rule(c, Parity::Even, Edge::Sharp, nodes, panels);
+    let unknowns = unknowns(Parity::Even, Edge::Sharp, nodes, panels, |a| (2.0 * a).cos());
+    let plain = operator(rule.as_mut(), None);
+    let stations = rule.collocation().to_vec();
+    let scale = row_scale(rule.as_ref());
+    let mut share = |kernel: &Made| {
+        let rows = operator(rule.as_mut(), Some((kernel, Component::NormalSlope)));
+        let only: Vec<f64> = rows.iter().zip(&plain).map(|(all, plain)| all - plain).collect();
+        apply(&only, &unknowns)
+    };
+    // T_2/sqrt: int T_k sign(x - r)/sqrt = -2 sin(k alpha)/k, int T_k log|x - r|/sqrt = -pi cos(k alpha)/k.
+    for (((by_jump, by_log), at), scale) in share(&JUMP).iter().zip(share(&LOGARITHM)).zip(&stations).zip(scale) {
+        let alpha = 2.0 * (0.5 * at.gap / c).sqrt().asin();
+        assert_close(*by_jump, -scale * c * (2.0 * alpha).sin() / PI, 1e-13, "jump");
+        assert_close(by_log, -scale * c * (2.0 * alpha).cos() / 2.0, 1e-13, "logarithm");
+    }
+}
+
+/// A smooth part with poles at `+-i length`: `int k(x - r)/sqrt(1 - r^2) dr` with `k = l^2/(l^2 + t^2)` is
+/// `pi l Re(1/sqrt(l^2 + ...))`: `Re[pi l/sqrt((l + ix)^2 + 1)]`.
+#[test]
+fn a_kernel_shorter_than_the_panels_is_resolved() {
+    for length in [2.0, 0.3, 0.01] {
+        let made = Made { parts: |t, l| Parts { smooth: l * l / (l * l + t * t), ..Parts::default() }, length };
+        let mut rule = rule(1.0, Parity::Even, Edge::Sharp, 8, 3);
+        let plain = operator(rule.as_mut(), None);
+        let rows = operator(rule.as_mut(), Some((&made, Component::Coupling)));
+        let only: Vec<f64> = rows.iter().zip(&plain).map(|(all, plain)| all - plain).collect();
+        let got = apply(&only, &vec![1.0; rule.unknowns()]);
+        for ((got, at), scale) in got.iter().zip(rule.collocation()).zip(row_scale(rule.as_ref())) {
+            // sqrt(z), z = (l + ix)^2 + 1 = u + iv: 1/sqrt(z) has the real part sqrt((|z| + u)/2)/|z|.
+            let (u, v) = (length * length - at.x * at.x + 1.0, 2.0 * length * at.x);
+            let size = u.hypot(v);
+            let exact = length * (0.5 * (size + u)).sqrt() / size;
+            // Rounding of x beside length: 1e-16/length.
+            assert_close(*got, scale * exact, 1e-13 + 1e-15 / length, &format!("length {length}, x = {}", at.x));
+        }
+    }
+}
+
+#[test]
+fn a_stretched_rule_is_a_new_one() {
+    let made = Made { parts: |t, l| Parts { smooth: t / l, sign: 1.0, log: t }, length: 0.4 };
+    for (parity, edge) in [(Parity::Even, Edge::Sharp), (Parity::Odd, Edge::Continued), (Parity::Even, Edge::Smooth)] {
+        let mut fresh = rule(3.1, parity, edge, 6, 4);
+        let mut stretched = rule(0.2, parity, edge, 6, 4);
+        let _ = operator(stretched.as_mut(), Some((&made, Component::NormalSlope)));
+        stretched.stretch(3.1);
+        assert_eq!(fresh.collocation(), stretched.collocation());
+        let rows = |rule: &mut dyn Rule| operator(rule, Some((&made, Component::NormalSlope)));
+        assert_eq!(rows(fresh.as_mut()), rows(stretched.as_mut()), "{parity:?} {edge:?}");
+        let resultant = |rule: &dyn Rule| {
+            let mut row = vec![0.0; rule.unknowns()];
+            rule.resultant_into(&mut row);
+            row
+        };
+        assert_eq!(resultant(fresh.as_ref()), resultant(stretched.as_ref()));
+    }
+}

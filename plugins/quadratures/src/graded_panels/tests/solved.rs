@@ -1,0 +1,116 @@
+//! Small contact problems.
+
+use super::*;
+use slipzone_api::reference::partial_slip::{self, Stick};
+
+/// Friction coefficient over `beta` at which the stick zone under a flat punch on a half-plane ends at
+/// `1 - one_minus` of the half-width 1.
+///
+/// `H q + eta J = -beta p` with `p = 1/(pi s)`, `s^2 = 1 - x^2`, and `J` the share of the slip zones,
+/// `-ln((s + w)/(s - w))/(pi^2 s)`, `w^2 = 1 - a^2`.
+fn stick_friction(one_minus: f64, nodes: usize, panels: usize) -> f64 {
+    let a = 1.0 - one_minus;
+    let mut rule = rule(a, Parity::Odd, Edge::Continued, nodes, panels);
+    let rows = operator(rule.as_mut(), None);
+    let outer = one_minus * (1.0 + a);
+    let (mut matrix, mut right) = (Vec::new(), Vec::new());
+    for ((row, at), scale) in rows.chunks(rule.unknowns()).zip(rule.collocation()).zip(row_scale(rule.as_ref())) {
+        let inner = at.gap * (2.0 * a - at.gap);
+        let s = (outer + inner).sqrt();
+        matrix.extend_from_slice(row);
+        matrix.push(-scale * (2.0 * (s + outer.sqrt()).ln() - inner.ln()) / (PI * PI * s));
+        right.push(-scale / (PI * s));
+    }
+    *solve(matrix, right).last().expect("eta")
+}
+
+#[test]
+fn stick_zones_on_a_half_plane_of_any_size() {
+    // Branch point of p at the distance 1 - a beyond the end of the stick zone: panels down to
+    // pi/2 4^-10 = 1.5e-6 serve gaps down to its square.
+    for one_minus in [1.0 - 1e-3, 0.5, 0.1, 1e-2, 1e-4, 1e-6, 1e-9, 1e-12] {
+        let exact = partial_slip::friction(Stick::from_one_minus_ratio(one_minus), 1.0);
+        let got = stick_friction(one_minus, 18, 11);
+        // 200 unknowns, condition below 1e3: 1e-13 of rounding at most.
+        assert_close(got / exact, 1.0, 1e-13, &format!("eta/beta at 1 - a/b = {one_minus:e}"));
+    }
+    // Few unknowns where the zones are of like size.
+    let exact = partial_slip::friction(Stick::from_ratio(0.5), 1.0);
+    assert_close(stick_friction(0.5, 9, 3) / exact, 1.0, 1e-10, "27 unknowns");
+}
+
+/// `H p = x/c` has the solution `sqrt(c^2 - x^2)/c`.
+#[test]
+fn a_parabola_on_a_half_plane_to_its_edge() {
+    let c = 2.0;
+    let mut rule = rule(c, Parity::Even, Edge::Smooth, 16, 6);
+    let matrix = operator(rule.as_mut(), None);
+    let right = rule.collocation().iter().map(|at| at.x / c).collect();
+    let unknowns = solve(matrix, right);
+    for gap in [2.0, 0.1, 1e-3, 1e-5, 1e-7] {
+        let exact = (gap * (2.0 * c - gap)).sqrt() / c;
+        // Rounding of the right side is amplified like its own size over sqrt(gap).
+        let tolerance = 1e-13 + 1e-14 / exact;
+        let got = value(rule.as_ref(), &unknowns, Station { x: c - gap, gap });
+        assert_close(got / exact, 1.0, tolerance, &format!("pressure at gap {gap:e}"));
+    }
+}
+
+/// Odd, with jump and logarithm, as the slope under pressure on a graded layer; poles at `+-i length`.
+fn graded(t: f64, length: f64) -> Parts {
+    let s = t / length;
+    let fade = 1.0 / (1.0 + s * s);
+    Parts { smooth: -s * fade / length, sign: 0.6 * fade / length, log: 0.4 * s * fade / length }
+}
+
+/// `-1/t + pi/(2 h sinh(pi t/2h))`, `h` half the length: with the Cauchy kernel it decays exponentially.
+fn local(t: f64, length: f64) -> Parts {
+    let scale = PI / length;
+    let z = scale * t;
+    // 1/sinh(z) - 1/z; the next term of the series is 31/15120 z^5 = 1e-16 of the first at 0.01.
+    let rest = if z.abs() < 0.01 { z * (-1.0 / 6.0 + z * z * (7.0 / 360.0)) } else { 1.0 / z.sinh() - 1.0 / z };
+    Parts { smooth: scale * rest, ..Parts::default() }
+}
+
+/// Edge factor, pressure in the middle, off it, and near the edge, under a flat punch of half-width 1 and
+/// unit force.
+fn flat_punch(kernel: &Made, nodes: usize, panels: usize) -> [f64; 4] {
+    let mut rule = rule(1.0, Parity::Even, Edge::Sharp, nodes, panels);
+    let mut matrix = operator(rule.as_mut(), Some((kernel, Component::NormalSlope)));
+    let mut row = vec![0.0; rule.unknowns()];
+    rule.resultant_into(&mut row);
+    matrix.extend_from_slice(&row);
+    let mut right = vec![0.0; rule.unknowns()];
+    *right.last_mut().expect("one at least") = 1.0;
+    let unknowns = solve(matrix, right);
+    let pressure = |gap: f64| value(rule.as_ref(), &unknowns, Station { x: 1.0 - gap, gap });
+    [rule.edge_factor(&unknowns), pressure(1.0), pressure(0.3), pressure(1e-6)]
+}
+
+fn largest_difference(one: [f64; 4], other: [f64; 4]) -> f64 {
+    one.iter().zip(other).map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, f64::max)
+}
+
+/// Measured: 7e-8, 2e-9, 3e-10 for a layer as thick as a length of 1, 0.2, 0.05 with 162 unknowns.
+#[test]
+fn a_graded_kernel_gains_digits_at_every_level() {
+    let kernel = Made { parts: graded, length: 1.0 };
+    let best = flat_punch(&kernel, 24, 12);
+    let levels = [(6, 3), (8, 4), (10, 5), (12, 6), (15, 7), (18, 9)];
+    let errors = levels.map(|(nodes, panels)| largest_difference(flat_punch(&kernel, nodes, panels), best));
+    println!("{errors:?}");
+    // Exponential: at least half a digit each, two thirds of a digit on average; the last is 1e-12.
+    assert!(errors.windows(2).all(|pair| pair[1] < 0.3 * pair[0]), "{errors:?}");
+    assert!(errors[5] < 3e-12, "{errors:?}");
+}
+
+#[test]
+fn thin_layers_agree_with_twice_the_resolution() {
+    // Contacts of 20 and 200 thicknesses; the boundary layer at the edge is what costs.
+    for (length, tolerance) in [(0.1, 1e-8), (0.01, 1e-9)] {
+        let kernel = Made { parts: local, length };
+        let error = largest_difference(flat_punch(&kernel, 18, 9), flat_punch(&kernel, 25, 13));
+        println!("{length}: {error:.1e}");
+        assert!(error < tolerance, "length {length}: {error:.1e}");
+    }
+}

@@ -1,0 +1,92 @@
+//! The numbers that a result reports and that errors are estimated for.
+
+/// A reported number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Quantity {
+    Force,
+    HalfWidth,
+    Indentation,
+    Centre,
+    Mean,
+    Peak,
+    StressIntensity,
+    EdgeRatio,
+    StickHalfWidth,
+    StickRatio,
+    OneMinusRatio,
+}
+
+impl Quantity {
+    pub(crate) const ALL: [Self; 11] = [
+        Self::Force,
+        Self::HalfWidth,
+        Self::Indentation,
+        Self::Centre,
+        Self::Mean,
+        Self::Peak,
+        Self::StressIntensity,
+        Self::EdgeRatio,
+        Self::StickHalfWidth,
+        Self::StickRatio,
+        Self::OneMinusRatio,
+    ];
+
+    /// Its path in the result.
+    pub(crate) fn path(self) -> &'static str {
+        match self {
+            Self::Force => "load.force",
+            Self::HalfWidth => "load.half_width",
+            Self::Indentation => "load.indentation",
+            Self::Centre => "pressure.centre",
+            Self::Mean => "pressure.mean",
+            Self::Peak => "pressure.peak",
+            Self::StressIntensity => "edge.stress_intensity",
+            Self::EdgeRatio => "edge.ratio",
+            Self::StickHalfWidth => "stick.half_width",
+            Self::StickRatio => "stick.ratio",
+            Self::OneMinusRatio => "stick.one_minus_ratio",
+        }
+    }
+}
+
+/// One number for each quantity that a scene has: values in layer units, or their relative errors.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Numbers([Option<f64>; Quantity::ALL.len()]);
+
+impl Numbers {
+    pub(crate) fn get(&self, quantity: Quantity) -> Option<f64> {
+        self.0[quantity as usize]
+    }
+
+    pub(crate) fn set(&mut self, quantity: Quantity, value: f64) {
+        self.0[quantity as usize] = Some(value);
+    }
+
+    /// Those that there are.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (Quantity, f64)> + '_ {
+        Quantity::ALL.into_iter().filter_map(|quantity| Some((quantity, self.get(quantity)?)))
+    }
+
+    /// The largest, and whose it is.
+    pub(crate) fn worst(&self) -> Option<(Quantity, f64)> {
+        self.iter().reduce(|worst, next| if next.1 > worst.1 { next } else { worst })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_quantity_has_its_place() {
+        for (place, quantity) in Quantity::ALL.into_iter().enumerate() {
+            assert_eq!(quantity as usize, place);
+        }
+        let mut numbers = Numbers::default();
+        assert_eq!(numbers.worst(), None);
+        numbers.set(Quantity::Centre, 2.0);
+        numbers.set(Quantity::Mean, 1.0);
+        assert_eq!(numbers.worst(), Some((Quantity::Centre, 2.0)));
+        assert_eq!((numbers.get(Quantity::Mean), numbers.get(Quantity::Peak)), (Some(1.0), None));
+    }
+}

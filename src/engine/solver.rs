@@ -1,0 +1,129 @@
+//! A scene made ready to be solved for one load after another.
+
+use super::assemble;
+use super::layer::Layer;
+use super::problem::Problem;
+use super::refine::{Judged, Ladder};
+use super::solution::Solution;
+use super::verdict::verdict;
+use crate::plan::{Chosen, Plan, choose};
+use crate::scene::{Load, Scene};
+use slipzone_api::{Friction, Refusal};
+
+/// A layer, a punch and the methods that solve them, with all that earlier loads left behind: kernel tables,
+/// rules, matrices, scratch.
+///
+/// A further load on the same layer evaluates no flexibility and allocates nothing until its report is
+/// written, unless the contact outgrows the tables.
+///
+/// ```
+/// use slipzone::{api::Positive, engine::Solver, scene::{self, Load}};
+///
+/// let scene = scene::parse("example.toml", r#"
+///     format = 1
+///     layer = { thickness = 5.0, poisson = 0.3, grading = { type = "exponential", surface = 1.0, base = 8.0 } }
+///     punch = { type = "cylinder", radius = 1.0 }
+///     load = { half_width = 1.0 }
+/// "#).unwrap();
+/// let mut solver = Solver::new(&scene).unwrap();
+/// let evaluations = solver.solve().plan.flexibility_evaluations;
+/// solver.press(Load::HalfWidth(Positive::new(0.9).unwrap()));
+/// let narrower = solver.solve();
+/// assert_eq!(narrower.plan.flexibility_evaluations, evaluations, "the layer is known already");
+/// assert_eq!(narrower.load.half_width, Some(0.9));
+/// ```
+pub struct Solver {
+    chosen: Chosen,
+    problem: Problem,
+    layer: Layer,
+    ladder: Ladder,
+    judged: Option<Judged>,
+}
+
+impl Solver {
+    /// Prepares a scene; refuses what no method can solve.
+    pub fn new(scene: &Scene) -> Result<Self, Refusal> {
+        Self::prepare(choose(scene)).map_err(|(refusal, _)| refusal)
+    }
+
+    /// Prepares, or gives the scene back.
+    pub(super) fn prepare(chosen: Chosen) -> Result<Self, (Refusal, Box<Chosen>)> {
+        let prepared = Problem::new(&chosen.scene)
+            .and_then(|problem| Layer::new(&problem, &chosen.methods).map(|layer| (problem, layer)));
+        match prepared {
+            Ok((problem, layer)) => Ok(Self { chosen, problem, layer, ladder: Ladder::default(), judged: None }),
+            Err(refusal) => Err((refusal, Box::new(chosen))),
+        }
+    }
+
+    /// Prepares another scene of the same layer, with all that is known of the layer already; refuses a scene
+    /// of another layer, or one that asks for other methods.
+    pub fn on(layer: Layer, scene: &Scene) -> Result<Self, Refusal> {
+        let chosen = choose(scene);
+        let problem = Problem::new(&chosen.scene)?;
+        if !layer.is_of(&chosen.scene) {
+            return Err(Refusal::NotBuilt {
+                what: "solving a scene on the tables of another layer, or of other methods,".into(),
+                remedy: "prepare it by itself: `Solver::new`".into(),
+            });
+        }
+        Ok(Self { chosen, problem, layer, ladder: Ladder::default(), judged: None })
+    }
+
+    /// The layer, to be used under another punch.
+    #[must_use]
+    pub fn into_layer(self) -> Layer {
+        self.layer.describing(&self.chosen.scene)
+    }
+
+    /// Takes another load.
+    pub fn press(&mut self, load: Load) {
+        self.chosen.scene.load = load;
+        self.problem.press(load);
+        self.judged = None;
+    }
+
+    /// Takes another friction coefficient.
+    ///
+    /// # Panics
+    /// When the scene was prepared without friction: there are no kernels for it.
+    pub fn rub(&mut self, friction: Friction) {
+        assert!(self.problem.friction.is_some(), "the scene was prepared without friction");
+        self.chosen.scene.friction = Some(friction);
+        self.problem.rub(friction);
+        self.judged = None;
+    }
+
+    /// Finds the numbers, and keeps them for [`Self::solve`]; writes no report.
+    pub fn find(&mut self) -> Result<(), Refusal> {
+        let tolerance = self.chosen.scene.solver.tolerance.get();
+        let Self { chosen, problem, layer, ladder, judged } = self;
+        *judged = Some(ladder.to_tolerance(layer, problem, &chosen.methods, tolerance)?);
+        Ok(())
+    }
+
+    /// Solves for the present load. Whatever happens is in the solution's `status` and `reason`.
+    pub fn solve(&mut self) -> Solution {
+        let found = if self.judged.is_some() { Ok(()) } else { self.find() };
+        match found.and_then(|()| self.report()) {
+            Ok(solution) => solution,
+            Err(refusal) => Solution::refused(&self.chosen.scene, self.chosen.plan.clone(), refusal.to_string()),
+        }
+    }
+
+    /// The report of what was found.
+    fn report(&mut self) -> Result<Solution, Refusal> {
+        let Some(judged) = &self.judged else { unreachable!("found before") };
+        let tolerance = self.chosen.scene.solver.tolerance.get();
+        let factorisations = self.ladder.factorisations();
+        let stage = self.ladder.stage(judged.stage);
+        let (status, reason) = verdict(&self.problem, &stage.normal, judged, tolerance);
+        let plan = Plan {
+            unknowns: stage.normal.size(),
+            flexibility_evaluations: self.layer.flexibility_evaluations(),
+            factorisations,
+            ..self.chosen.plan.clone()
+        };
+        assemble::solution(&self.chosen.scene, plan, &self.problem, stage, judged, status, reason)
+    }
+}

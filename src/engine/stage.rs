@@ -1,0 +1,313 @@
+//! One scene at one resolution: pressure, stick zone, and the numbers reported.
+
+use super::checks;
+use super::contact_size::{self, Size};
+use super::layer::{Layer, Wanted};
+use super::normal::Normal;
+use super::problem::Problem;
+use super::quantity::{Numbers, Quantity};
+use super::stick::Shear;
+use super::stick_search::{Found, FrictionCurve, Samples};
+use super::stick_zone::StickZone;
+use arrayvec::ArrayVec;
+use slipzone_api::{Edge, Quadrature, Refusal, Station};
+
+/// Friction below this share of the coefficient at every stick zone is rounding: there is no shear.
+const NO_SHEAR: f64 = 1e-10;
+/// Position tolerance of the search for a contact's size, `ln b`, over the tolerance of the scene.
+const SIZE_SHARE: f64 = 1e-3;
+/// Points at which a smooth pressure is compared before its peak is refined.
+const PEAK_SAMPLES: usize = 24;
+
+/// Rules, matrices and scratch of one resolution, reused from load to load.
+pub(crate) struct Stage {
+    pub(crate) normal: Normal,
+    pub(crate) shear: Option<Shear>,
+    /// The friction curve, and the half-width that it belongs to: it depends on no load.
+    curve: Option<(f64, Samples)>,
+}
+
+/// What one resolution found.
+#[derive(Clone, Debug)]
+pub(crate) struct Outcome {
+    /// The numbers reported, in layer units.
+    pub(crate) numbers: Numbers,
+    pub(crate) rubbing: Option<Rubbing>,
+    size: Option<Size>,
+}
+
+/// What friction makes of it.
+#[derive(Clone, Debug)]
+pub(crate) struct Rubbing {
+    pub(crate) zone: StickZone,
+    pub(crate) verdict: Verdict,
+    found: Found,
+    /// Which of the roots is reported.
+    chosen: usize,
+    /// Whether the roots come from this resolution's own scan.
+    scanned: bool,
+}
+
+/// Whether a stick zone was found, and whether it holds.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Verdict {
+    /// A root; that both conditions of friction hold is checked when it is settled.
+    Holds,
+    /// Roots, but each fails a condition: what the one reported fails, and where.
+    Fails(String),
+    /// No root; the stick zone is narrower than what was looked for.
+    TooNarrow,
+    /// No root; the slip zone is narrower than what the resolution can tell.
+    TooWide,
+    /// No shear arises, whatever the zone: everything sticks without friction.
+    NoShear,
+    /// No root in between: the direction of slip changes along the contact.
+    None,
+}
+
+/// What a stage needs to know beside its own scratch.
+#[derive(Clone, Copy)]
+pub(crate) struct Task<'a> {
+    pub(crate) problem: &'a Problem,
+    pub(crate) wanted: Wanted,
+    pub(crate) tolerance: f64,
+}
+
+impl Stage {
+    pub(crate) fn new(problem: &Problem, quadrature: Box<dyn Quadrature>) -> Result<Self, Refusal> {
+        let edge = if problem.fixed_half_width().is_some() { Edge::Sharp } else { Edge::Smooth };
+        let normal = Normal::new(quadrature.as_ref(), edge)?;
+        let shear = problem.friction.map(|_| Shear::new(quadrature)).transpose()?;
+        Ok(Self { normal, shear, curve: None })
+    }
+
+    /// Solves; `coarse` is what a coarser resolution found.
+    pub(crate) fn solve(
+        &mut self,
+        layer: &mut Layer,
+        task: Task,
+        coarse: Option<&Outcome>,
+    ) -> Result<Outcome, Refusal> {
+        let problem = task.problem;
+        let size = if let Some(half_width) = problem.fixed_half_width() {
+            layer.tabulate(Wanted { half_width, ..task.wanted })?;
+            self.normal.press_sharp(layer, problem, half_width)?;
+            None
+        } else {
+            let (position, known) = (SIZE_SHARE * task.tolerance, coarse.and_then(|c| c.size));
+            Some(contact_size::press(layer, problem, &mut self.normal, task.wanted, position, known)?)
+        };
+        let mut numbers = self.normal_numbers(layer, problem);
+        let rubbing = match problem.friction {
+            Some(eta) => Some(self.rub(layer, task, eta, coarse.and_then(|c| c.rubbing.as_ref()))?),
+            None => None,
+        };
+        if let Some(rubbing) = &rubbing {
+            rubbing.report(&mut numbers);
+        }
+        Ok(Outcome { numbers, rubbing, size })
+    }
+
+    /// The numbers of the pressure alone.
+    fn normal_numbers(&mut self, layer: &Layer, problem: &Problem) -> Numbers {
+        let mut numbers = Numbers::default();
+        let depth = self.normal.depth(layer, problem);
+        let (normal, b) = (&self.normal, self.normal.half_width);
+        numbers.set(Quantity::Force, normal.force);
+        numbers.set(Quantity::HalfWidth, b);
+        numbers.set(Quantity::Centre, normal.at(Station { x: 0.0, gap: b }));
+        numbers.set(Quantity::Mean, normal.force / (2.0 * b));
+        numbers.set(Quantity::StressIntensity, normal.edge_factor / b.sqrt());
+        numbers.set(Quantity::EdgeRatio, normal.edge_factor / normal.force);
+        if let Some(depth) = depth {
+            numbers.set(Quantity::Indentation, depth);
+        }
+        if !normal.is_sharp() {
+            numbers.set(Quantity::Peak, peak(normal));
+        }
+        numbers
+    }
+
+    /// The curve of friction coefficients over stick zones, and room for the shear.
+    fn curve<'a>(&'a mut self, layer: &'a Layer, task: Task) -> FrictionCurve<'a> {
+        FrictionCurve {
+            layer,
+            normal: &mut self.normal,
+            shear: self.shear.as_mut().expect("room for the shear was made with friction"),
+            beta: task.problem.elastic.beta(),
+            tolerance: task.tolerance,
+        }
+    }
+
+    /// Finds the stick zones: follows those of a coarser resolution, or looks for all.
+    fn rub(&mut self, layer: &Layer, task: Task, eta: f64, coarse: Option<&Rubbing>) -> Result<Rubbing, Refusal> {
+        let shear = self.shear.as_mut().expect("room for the shear was made with friction");
+        shear.under(layer, &mut self.normal);
+        if let Some(coarse) = coarse.filter(|coarse| !coarse.found.roots.is_empty()) {
+            let mut curve = self.curve(layer, task);
+            let mut found = Found { roots: ArrayVec::new(), ..coarse.found.clone() };
+            let mut chosen = None;
+            for (i, root) in coarse.found.roots.iter().enumerate() {
+                if let Some(root) = curve.follow(*root, eta)? {
+                    if i == coarse.chosen {
+                        chosen = Some(found.roots.len());
+                    }
+                    found.roots.push(root);
+                }
+            }
+            if let Some(chosen) = chosen {
+                let zone = StickZone::from_log(found.roots[chosen].lambda, self.normal.half_width);
+                return Ok(Rubbing { zone, verdict: Verdict::Holds, found, chosen, scanned: false });
+            }
+        }
+        self.scan(layer, task, eta)
+    }
+
+    /// Looks for all stick zones, and for the first that holds where there are several.
+    fn scan(&mut self, layer: &Layer, task: Task, eta: f64) -> Result<Rubbing, Refusal> {
+        let b = self.normal.half_width;
+        let samples = match self.curve.take() {
+            Some((half_width, samples)) if half_width == b => samples,
+            _ => self.curve(layer, task).sample()?,
+        };
+        let found = self.curve(layer, task).roots(eta, &samples)?;
+        self.curve = Some((b, samples));
+        let curve = self.curve(layer, task);
+        let (lambda, verdict) = match found.roots.first() {
+            Some(root) => (root.lambda, Verdict::Holds),
+            None if found.largest < NO_SHEAR * eta => (0.0, Verdict::NoShear),
+            None if found.narrower => (FrictionCurve::narrowest(), Verdict::TooNarrow),
+            None if found.wider => (curve.widest(), Verdict::TooWide),
+            None => (FrictionCurve::narrowest(), Verdict::None),
+        };
+        let zone = match verdict {
+            Verdict::NoShear => StickZone { half_width: b, slip_width: 0.0 },
+            _ => StickZone::from_log(lambda, b),
+        };
+        let mut rubbing = Rubbing { zone, verdict, found, chosen: 0, scanned: true };
+        if rubbing.found.roots.len() > 1 {
+            self.choose(layer, task, &mut rubbing)?;
+        }
+        Ok(rubbing)
+    }
+
+    /// Chooses the first root that satisfies both conditions of friction, if any does; leaves its shear.
+    fn choose(&mut self, layer: &Layer, task: Task, rubbing: &mut Rubbing) -> Result<(), Refusal> {
+        let b = self.normal.half_width;
+        let mut failure = None;
+        let first = rubbing.chosen;
+        let others = (0..rubbing.found.roots.len()).filter(|i| *i != first);
+        for i in [first].into_iter().chain(others) {
+            let lambda = rubbing.found.roots[i].lambda;
+            self.curve(layer, task).at(lambda)?;
+            match self.violation(layer, task.problem) {
+                None => {
+                    rubbing.chosen = i;
+                    rubbing.zone = StickZone::from_log(lambda, b);
+                    rubbing.verdict = Verdict::Holds;
+                    return Ok(());
+                }
+                Some(what) => failure = failure.or(Some(what)),
+            }
+        }
+        if let Some(what) = failure {
+            rubbing.verdict = Verdict::Fails(what);
+        }
+        Ok(())
+    }
+
+    /// Leaves the shear of the stick zone reported in `shear`, and checks it. Returns whether another zone than
+    /// before is reported.
+    pub(crate) fn settle(&mut self, layer: &Layer, task: Task, outcome: &mut Outcome) -> Result<bool, Refusal> {
+        let (Some(rubbing), Some(eta)) = (&mut outcome.rubbing, task.problem.friction) else { return Ok(false) };
+        if !rubbing.found.roots.is_empty() {
+            let before = rubbing.zone;
+            self.choose(layer, task, rubbing)?;
+            if rubbing.verdict != Verdict::Holds && !rubbing.scanned {
+                // This resolution may see what the one that was scanned did not.
+                let again = self.scan(layer, task, eta)?;
+                if !again.found.roots.is_empty() {
+                    *rubbing = again;
+                    self.choose(layer, task, rubbing)?;
+                }
+            }
+            if rubbing.verdict != Verdict::Holds {
+                let lambda = rubbing.found.roots[rubbing.chosen].lambda;
+                self.curve(layer, task).at(lambda)?;
+            }
+            let changed = (rubbing.zone.ratio() / before.ratio() - 1.0).abs() > 0.1
+                || (rubbing.zone.one_minus_ratio() / before.one_minus_ratio() - 1.0).abs() > 0.1;
+            rubbing.report(&mut outcome.numbers);
+            return Ok(changed);
+        }
+        let lambda = (rubbing.zone.half_width / rubbing.zone.slip_width).ln();
+        let finite = lambda.clamp(FrictionCurve::narrowest(), -FrictionCurve::narrowest());
+        let friction = self.curve(layer, task).at(finite)?;
+        let shear = self.shear.as_mut().expect("room for the shear was made with friction");
+        let sliding = eta.copysign(friction);
+        match rubbing.verdict {
+            // The narrowest stick zone looked for wants more friction than there is: all but it slides.
+            Verdict::TooNarrow => shear.rescale(sliding),
+            // The widest one needs less; what slips beyond it slides at the limit all the same.
+            Verdict::TooWide => shear.slide_at(sliding),
+            Verdict::NoShear => {
+                shear.rescale(0.0);
+                shear.relocate(rubbing.zone);
+            }
+            _ => {}
+        }
+        Ok(false)
+    }
+
+    /// The condition of friction that the stick zone solved last fails, and where.
+    fn violation(&mut self, layer: &Layer, problem: &Problem) -> Option<String> {
+        let (normal, shear) = (&mut self.normal, self.shear.as_ref()?);
+        let direction = if shear.friction < 0.0 { "outward" } else { "inward" };
+        let ratio = shear.zone.ratio();
+        if let Some((x, load)) = checks::overload(normal, shear) {
+            return Some(format!(
+                "with {direction} slip and a/b = {ratio:.6}, |q| reaches {load:.3} eta p at x = {x:.4} b inside the \
+                 stick zone"
+            ));
+        }
+        checks::wrong_slip(layer, problem, normal, shear).map(|x| {
+            format!("with {direction} slip and a/b = {ratio:.6}, the surface slides the other way at x = {x:.4} b")
+        })
+    }
+}
+
+impl Rubbing {
+    /// Adds the zone to the numbers reported.
+    fn report(&self, numbers: &mut Numbers) {
+        numbers.set(Quantity::StickHalfWidth, self.zone.half_width);
+        numbers.set(Quantity::StickRatio, self.zone.ratio());
+        numbers.set(Quantity::OneMinusRatio, self.zone.one_minus_ratio());
+    }
+}
+
+/// The largest pressure under a punch whose contact ends smoothly.
+fn peak(normal: &Normal) -> f64 {
+    let b = normal.half_width;
+    let at = |x: f64| normal.at(Station { x, gap: b - x });
+    let mut step = b / PEAK_SAMPLES as f64;
+    let samples: [f64; PEAK_SAMPLES] = std::array::from_fn(|i| at(i as f64 * step));
+    let (top, mut highest) =
+        samples.iter().copied().enumerate().fold((0, samples[0]), |top, next| if next.1 > top.1 { next } else { top });
+    if top == 0 || top == PEAK_SAMPLES - 1 {
+        return highest;
+    }
+    // Vertices of parabolas through three points that close in.
+    let mut x = top as f64 * step;
+    for _ in 0..3 {
+        let (left, middle, right) = (at(x - step), at(x), at(x + step));
+        let bend = 2.0 * middle - left - right;
+        if bend <= 0.0 {
+            break;
+        }
+        let shift = 0.5 * (right - left) / bend;
+        x += step * shift.clamp(-1.0, 1.0);
+        step *= 0.1;
+        highest = highest.max(at(x));
+    }
+    highest
+}

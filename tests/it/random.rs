@@ -1,0 +1,70 @@
+//! Random scenes over the whole region that is served, each against another quadrature at a finer resolution.
+//!
+//! `PROPTEST_CASES=2000 cargo test --release --test it random -- --nocapture` is the long run.
+
+use crate::sketch::Sketch;
+use proptest::prelude::*;
+use slipzone::engine::{Solution, Status};
+
+/// Layers from thin to thick, from soft skins to stiff ones; either punch; friction or none.
+fn sketches() -> impl Strategy<Value = Sketch> {
+    let log = |least: f64, most: f64| (least.ln()..most.ln()).prop_map(f64::exp);
+    let friction = proptest::option::weighted(0.6, log(0.02, 1.5));
+    (log(0.05, 1e4), log(1e-4, 1e4), 0.0..0.5_f64, any::<bool>(), friction).prop_map(|(h, ratio, nu, flat, eta)| {
+        let sketch = Sketch::flat(h, ratio, nu);
+        match (flat, eta) {
+            (false, _) => sketch.cylinder(),
+            (true, Some(eta)) => sketch.rubbing(eta),
+            (true, None) => sketch,
+        }
+    })
+}
+
+/// The numbers of a solution that are not given by the scene, by their path.
+fn numbers(solution: &Solution) -> Vec<(&'static str, f64)> {
+    let stick = solution.stick.as_ref();
+    [
+        ("load.force", solution.load.force),
+        ("load.indentation", solution.load.indentation),
+        ("pressure.centre", solution.pressure.centre),
+        ("edge.ratio", solution.edge.ratio),
+        ("stick.ratio", stick.and_then(|s| s.ratio)),
+        ("stick.one_minus_ratio", stick.and_then(|s| s.one_minus_ratio)),
+    ]
+    .into_iter()
+    .filter_map(|(path, value)| Some((path, value?)))
+    .collect()
+}
+
+/// 40 unless `PROPTEST_CASES` says otherwise.
+fn cases() -> u32 {
+    std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(40)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: cases(), ..ProptestConfig::default() })]
+
+    #[test]
+    fn errors_stay_within_three_tolerances(sketch in sketches(), digits in 3.0..12.0_f64) {
+        let tolerance = 10.0_f64.powf(-digits);
+        let solution = sketch.clone().with(&format!("[solver]\ntolerance = {tolerance:e}")).solve();
+        prop_assert_ne!(solution.status, Status::Refused, "{:?}", solution.reason);
+        let judge = "[solver]\ntolerance = 1e-13\nquadrature = { type = \"graded-panels\" }";
+        let reference = sketch.with(judge).solve();
+        let scale = |path: &str| solution.error.each[path].max(if solution.status == Status::Converged { 0.0 } else { tolerance });
+        for ((path, found), (_, exact)) in numbers(&solution).into_iter().zip(numbers(&reference)) {
+            if exact == 0.0 {
+                continue;
+            }
+            let error = (found / exact - 1.0).abs();
+            let allowed = if solution.status == Status::Converged { tolerance } else { scale(path) };
+            // What the judge does not know itself.
+            let blurred = reference.error.each[path];
+            prop_assert!(
+                error <= 3.0 * allowed + blurred,
+                "{}: error {:.1e}, tolerance {:.1e}, estimate {:.1e}, judge's {:.1e}; {:?} {:?}",
+                path, error, tolerance, solution.error.each[path], blurred, solution.status, solution.reason
+            );
+        }
+    }
+}
