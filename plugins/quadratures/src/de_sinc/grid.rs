@@ -68,9 +68,9 @@ impl Grid {
     /// Adds to each row a multiple of `F_i + F_i+1` that makes it exact for the simplest density of its kind.
     ///
     /// Seen from a point near an end, `1/(x_i - x(u))` has poles at `w_i + i pi m` besides the one at `w_i`, and
-    /// they lie only `2 m/cosh v_i` off the real axis: the sum errs by `exp(-4 pi/(step cosh v_i))` times `F(v_i)`,
-    /// which near the end is the same for all densities of a kind. So do the nodes beyond the last one. In the
-    /// middle the correction is rounding.
+    /// they lie only `2 m/cosh v_i` off the real axis: the sum errs by `exp(-4 pi/(step cosh v_i))` times `F` there,
+    /// whose form near the end is the same for all densities of a kind. What the nodes missing beyond the last
+    /// one would add is alike. In the middle the correction is rounding.
     fn make_exact(&mut self) {
         let edge = self.edge;
         let unknowns = self.unknowns();
@@ -144,7 +144,7 @@ pub(super) fn tail(nodes: &[Place], step: f64) -> f64 {
     FRAC_PI_2 - step * (sum - 0.5 * nodes[0].slope)
 }
 
-/// `F` of the simplest density of a kind: 1, `x`, `sqrt(1 - x^2)` and the like over `sqrt(1 - x^2)` ... and its `(1/pi) PV int f/(x - r) dr`.
+/// `F` of the simplest density of a kind: `f = 1/s`, `1` or `s` with `s = sqrt(1 - x^2)`, times `x` where odd.
 fn simplest(u: &Place, edge: Edge, odd: bool) -> f64 {
     let power = match edge {
         Edge::Sharp => 1.0,
