@@ -4,6 +4,7 @@ use crate::scene::{Layer, Scene};
 use serde::Serialize;
 use slipzone_api::{Base, Flexibility, KernelStrategy, Quadrature};
 use slipzone_flexibilities::{ClosedForm, Compliance};
+use slipzone_kernels::Split;
 
 use slipzone_quadratures::DeSinc;
 
@@ -63,7 +64,7 @@ pub(crate) fn choose(scene: &Scene) -> Chosen {
     });
     let kernel = solver.kernel.get_or_insert_with(|| {
         because("split: jump and logarithm of the kernel apart, its error proved");
-        Box::new(slipzone_kernels::Truncated::default())
+        Box::new(Split::default())
     });
     let quadrature = solver.quadrature.get_or_insert_with(|| {
         because("de-sinc: exponential convergence with jumps, logarithms and any edge");

@@ -12,6 +12,7 @@ mod properties;
 mod random;
 mod regressions;
 #[cfg(feature = "cli")]
+mod reuse;
 mod run;
 mod scene;
 mod sketch;

@@ -53,7 +53,7 @@ impl EvenTable {
 }
 
 /// Chebyshev coefficients of the interpolant through values at `cos((2j + 1) pi/2n)`.
-fn chebyshev(values: &[f64]) -> Vec<f64> {
+pub(crate) fn chebyshev(values: &[f64]) -> Vec<f64> {
     let n = values.len();
     let cosines: Vec<f64> = (0..4 * n).map(|m| (PI * m as f64 / (2 * n) as f64).cos()).collect();
     let coefficient = |k: usize| {

@@ -22,8 +22,8 @@ const FAR: f64 = 1.6;
 pub(super) fn summand_into(target: f64, basis: Basis, pieces: &Pieces, gauss: &Gauss, summand: &mut [f64]) {
     let q = gauss.z.len();
     let even = basis.parity == Parity::Even;
-    let (whole, rest): (fn(f64, f64) -> f64, fn(f64, f64) -> f64) =
-        if even { (even_whole, even_rest) } else { (odd_whole, odd_rest) };
+    let whole = if even { even_whole } else { odd_whole };
+    let rest = if even { even_rest } else { odd_rest };
     let poles = [(target, 1.0), (-target, -1.0), (PI - target, -basis.mirror())];
     let (mut moments, mut product) = (Vec::new(), vec![0.0; q]);
     for (piece, (out, angles)) in pieces.list.iter().zip(summand.chunks_mut(q).zip(pieces.angle.chunks(q))) {
@@ -65,16 +65,14 @@ fn odd_whole(a: f64, b: f64) -> f64 {
 fn even_rest(a: f64, b: f64) -> f64 {
     let (difference, sum) = (a - b, a + b);
     // cot has the period pi: whichever pole is nearer is taken out by the series, the other added.
-    let rest_of_sum =
-        if sum < 0.5 * PI { cot_rest(sum) - 1.0 / (sum - PI) } else { cot_rest(sum - PI) - 1.0 / sum };
+    let rest_of_sum = if sum < 0.5 * PI { cot_rest(sum) - 1.0 / (sum - PI) } else { cot_rest(sum - PI) - 1.0 / sum };
     cot_rest(difference) - rest_of_sum
 }
 
 /// `1/sin(a - b) - 1/sin(a + b)` without its three poles, for `a` and `b` in `[0, pi/2]`.
 fn odd_rest(a: f64, b: f64) -> f64 {
     let (difference, sum) = (a - b, a + b);
-    let rest_of_sum =
-        if sum < 0.5 * PI { csc_rest(sum) + 1.0 / (sum - PI) } else { csc_rest(PI - sum) - 1.0 / sum };
+    let rest_of_sum = if sum < 0.5 * PI { csc_rest(sum) + 1.0 / (sum - PI) } else { csc_rest(PI - sum) - 1.0 / sum };
     csc_rest(difference) - rest_of_sum
 }
 

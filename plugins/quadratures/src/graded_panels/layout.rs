@@ -22,8 +22,7 @@ impl Basis {
         if self.parity == Parity::Even { 1.0 } else { -1.0 }
     }
 
-    /// `f c sin(theta)/(c F)`, `F` being the piecewise polynomial: 1 where `f = F/sin(theta)`, `sin(theta)` where
-    /// `f = F`.
+    /// `f sin(theta)/F`, `F` being the piecewise polynomial: 1 where `f = F/sin(theta)`, `sin(theta)` where `f = F`.
     pub(super) fn measure(self, angle: f64) -> f64 {
         if self.edge == Edge::Smooth { angle.sin() } else { 1.0 }
     }
@@ -31,8 +30,8 @@ impl Basis {
     /// Factor of the row at a collocation point: 1 if the density is bounded as `F` itself is, otherwise
     /// `sin(theta)`, which turns the operator into a Hilbert transform of `F`.
     ///
-    /// With it the condition number (row-sum norm, half-plane) is 20 to 50 for 18 to 105 sharp or smooth unknowns
-    /// and 70 to 180 for continued ones; with the other choice it is up to 1e6.
+    /// With it the condition number (row-sum norm, half-plane) is 18 to 63 for 18 to 162 sharp or smooth unknowns
+    /// and 64 to 210 for continued ones; with the other choice it passes 1e6 at 105.
     fn row_scale(self, angle: f64) -> f64 {
         if self.edge == Edge::Smooth { 1.0 } else { angle.sin() }
     }
@@ -76,12 +75,14 @@ pub(super) struct Layout {
 
 /// Gauss points per piece, for polynomials of degree `degree` times what they are integrated with.
 ///
-/// Twelve more than the degree: `sin(theta)` over the longest panel (half-length 0.59) leaves
-/// `0.29^12/12! = 1e-15` of itself, a kernel part over a piece of [`super::regular::PIECE`] of its length as
-/// measured there.
+/// Twelve more than the degree: `sin(theta)` over the longest panel (half-length 0.39) leaves
+/// `0.2^12/12! = 1e-17` of itself, a kernel part what is measured at [`super::regular::PIECE`].
 pub(super) fn gauss_points(degree: usize) -> usize {
     degree + 12
 }
+
+/// Unknowns up to which a layout is stored: 8 MB of matrix.
+const MOST_STORED: usize = 1024;
 
 impl Layout {
     fn new(degree: usize, panels: usize, basis: Basis) -> Self {
@@ -92,8 +93,11 @@ impl Layout {
             let offset = 2.0 * (0.5 * PI * (i as f64 + 0.5) / degree as f64).sin().powi(2);
             mesh.breaks[panel] + mesh.half_length(panel) * offset
         };
-        let angles: Vec<f64> =
-            (0..panels).rev().flat_map(|panel| (0..degree).rev().map(move |i| (panel, i))).map(|(p, i)| middle(p, i)).collect();
+        let angles: Vec<f64> = (0..panels)
+            .rev()
+            .flat_map(|panel| (0..degree).rev().map(move |i| (panel, i)))
+            .map(|(p, i)| middle(p, i))
+            .collect();
         let row_scale: Vec<f64> = angles.iter().map(|a| basis.row_scale(*a)).collect();
         let pieces = Pieces::new(&mesh, &gauss, basis, &vec![1; panels]);
         let unknowns = basis.unknowns(mesh.nodes());
@@ -137,8 +141,11 @@ impl Layout {
         if let Some(layout) = store().get(&key) {
             return Arc::clone(layout);
         }
-        // Built outside the lock; two threads may do the same work once.
+        // Built outside the lock: at worst two threads do the same work once.
         let layout = Arc::new(Self::new(degree, panels, basis));
+        if layout.resultant.len() > MOST_STORED {
+            return layout;
+        }
         Arc::clone(store().entry(key).or_insert(layout))
     }
 }

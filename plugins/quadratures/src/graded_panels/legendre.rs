@@ -222,4 +222,19 @@ mod tests {
             assert!((got - 2.0 / f64::from(degree + 1)).abs() < 1e-14, "{q} nodes: {got}");
         }
     }
+
+    /// Neumann's integral by many Gauss points: the falling solution must not pick up the growing one.
+    #[test]
+    fn functions_of_the_second_kind_fall() {
+        let many = Gauss::new(96);
+        for x in [1.2_f64, -1.5, 2.4] {
+            let mut q = [0.0; 24];
+            q_into(x, &mut q);
+            for (n, q) in q.iter().enumerate() {
+                let p = |z: f64| if n == 0 { 1.0 } else { last_two_p(n, z).1 };
+                let exact: f64 = many.w.iter().zip(&many.z).map(|(w, z)| 0.5 * w * p(*z) / (x - z)).sum();
+                assert!((q - exact).abs() < 1e-14, "Q_{n}({x}) = {q:e}, not {exact:e}");
+            }
+        }
+    }
 }

@@ -6,7 +6,11 @@ use super::pieces::{Piece, Pieces};
 use slipzone_api::{Component, KernelTable, Parts};
 use std::f64::consts::PI;
 
-/// Longest piece in `x` over the length on which the kernel parts vary.
+/// Longest piece in `x` over the length on which the kernel parts vary (distance of their poles).
+///
+/// Measured on flat punches, kernels with poles at that distance, lengths from 2 to 0.01 half-widths, against
+/// pieces of 0.2 with more points: unknowns off by 1e-13 of the largest (1e-12 at 0.01, rounding); with pieces
+/// of 2 by 2e-9 at 6 nodes.
 pub(super) const PIECE: f64 = 1.0;
 
 /// Pieces and room for one target's kernel values; kept from call to call.
@@ -79,10 +83,9 @@ impl Regular {
             let out = &mut self.summand[direct.clone()];
             out.fill(0.0);
             let angles = &pieces.angle[direct.clone()];
-            for (points, factor, poles) in [
-                (direct.clone(), 1.0, [target, -target]),
-                (image, layout.basis.mirror(), [PI - target, PI + target]),
-            ] {
+            for (points, factor, poles) in
+                [(direct.clone(), 1.0, [target, -target]), (image, layout.basis.mirror(), [PI - target, PI + target])]
+            {
                 let share = Share { piece, gauss: &layout.gauss, angles, poles, half_width };
                 share.add(factor, &self.parts[points.clone()], &self.distances[points], &mut scratch, out);
             }

@@ -90,6 +90,36 @@ fn a_kernel_shorter_than_the_panels_is_resolved() {
     }
 }
 
+/// What the rows say at the collocation points, the samples say between the nodes.
+#[test]
+fn potentials_between_the_nodes_agree_with_the_rows() {
+    let made = Made {
+        parts: |t, l| Parts { smooth: (t / l).cos(), sign: l / (l * l + t * t), log: t / (l * l + t * t) },
+        length: 0.6,
+    };
+    let (nodes, panels) = (16, 6);
+    for (parity, edge) in [(Parity::Even, Edge::Sharp), (Parity::Odd, Edge::Continued), (Parity::Even, Edge::Smooth)] {
+        let mut rule = rule(1.0, parity, edge, nodes, panels);
+        // gap log gap at the end; odd in x, or even and smooth in the middle.
+        let unknowns = unknowns(parity, edge, nodes, panels, |a| {
+            let log = (0.5 * a).tan().max(f64::MIN_POSITIVE).ln();
+            let odd = a.cos() * a.sin() * (1.0 - a.sin() * a.cos() * log);
+            if parity == Parity::Odd { odd } else { a.cos() * odd }
+        });
+        let cauchy = apply(&operator(rule.as_mut(), None), &unknowns);
+        let whole = apply(&operator(rule.as_mut(), Some((&made, Component::NormalSlope))), &unknowns);
+        let scale = row_scale(rule.as_ref());
+        let stations = rule.collocation().to_vec();
+        let (mut samples, mut out) = (Vec::new(), vec![0.0; stations.len()]);
+        rule.sample_potential(&unknowns, (&made, Component::NormalSlope), &mut samples);
+        rule.potential_into(&samples, (&made, Component::NormalSlope), &stations, &mut out);
+        for ((got, scale), (whole, cauchy)) in out.iter().zip(scale).zip(whole.iter().zip(&cauchy)) {
+            // Measured: 1e-13; the potential varies no faster than the density.
+            assert_close(scale * got, whole - cauchy, 2e-12, &format!("{parity:?} {edge:?}"));
+        }
+    }
+}
+
 #[test]
 fn a_stretched_rule_is_a_new_one() {
     let made = Made { parts: |t, l| Parts { smooth: t / l, sign: 1.0, log: t }, length: 0.4 };

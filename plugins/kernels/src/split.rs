@@ -1,0 +1,190 @@
+//! Kernels split into what is singular, known exactly, and a smooth rest.
+
+mod beyond;
+mod column;
+mod exponential_integral;
+mod pieces;
+mod singular;
+mod spectrum;
+mod spherical_bessel;
+mod table;
+
+use beyond::{Beyond, Cut, MOST_TERMS};
+use column::Column;
+use num_complex::Complex64;
+use pieces::{Pieces, Plan};
+use serde::{Deserialize, Serialize};
+use singular::Singular;
+use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Positive, Refusal};
+use spectrum::Spectrum;
+use std::num::NonZeroU8;
+use table::Table;
+
+/// The Fourier integral over `[0, S]` and, beyond, the whole series of `s F` in `1/s`, transformed exactly.
+///
+/// `k(t) = int_0^S M(s) sin(st) ds + sum_k c_k int_S^inf s^-k sin(st) ds`, and with a cosine for the even kernels.
+/// The first integral is analytic in `t`; the second is `Im P(t) (i pi/2 - log t)`, `P = sum_k c_k (it)^(k-1)/(k-1)!`,
+/// plus a power series (`t > 0`). So jump and logarithm are known to all orders and the rest is smooth. Its tables
+/// bound their own error: `S`, the number of terms and the wave numbers follow from the accuracy wanted.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Split {
+    /// `S` times the depth that the surface feels; left out, chosen by the accuracy.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cutoff: Option<Positive>,
+    /// Terms of the series used beyond `S`, at most 40 and as many as the grading tells; left out, chosen
+    /// by the accuracy.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub terms: Option<NonZeroU8>,
+}
+
+slipzone_api::register!(Kernel, "split", "Fourier integral up to a wave number, series in 1/s beyond; jump and logarithm split off exactly",
+    example: "type = \"split\"",
+    parameters: [
+        ("cutoff", "wave number times thickness at which the series takes over", false, [10.0, 14.0, 40.0]),
+        ("terms", "terms of the series, 1 to 40", false, [8.0, 14.0, 22.0]),
+    ],
+    source: "docs/theory.md section 3");
+
+/// Times the aim is tightened when the bound misses the accuracy, and by how much.
+const ATTEMPTS: (u32, f64) = (3, 0.1);
+/// Rounding of a sum: this times the sum of its terms' sizes.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Rounding of `s F` that a flexibility may bring, over its size.
+const FLEXIBILITY: f64 = 32.0 * f64::EPSILON;
+/// What is left of the depth's integrand beyond the cut is smaller than the slope's by `1/S`, at least by this.
+const DEPTH_GAIN: f64 = 4.0;
+/// First width of the pieces over the depth, and over the window.
+const WIDTH: (f64, f64) = (0.5, 0.7);
+
+#[typetag::serde(name = "split")]
+impl KernelStrategy for Split {
+    fn tabulate(&self, response: &dyn LayerResponse, request: &KernelRequest) -> Result<Box<dyn KernelTable>, Refusal> {
+        let Some(depth) = response.depth() else {
+            return Err(Refusal::NotBuilt {
+                what: "a kernel of a homogeneous half-plane, which has none,".into(),
+                remedy: "solve it by its Cauchy part alone".into(),
+            });
+        };
+        let (mut accuracy, mut evaluations) = (request.accuracy, 0);
+        let mut best: Option<Draft> = None;
+        for _ in 0..ATTEMPTS.0 {
+            let draft = self.draft(response, request, depth, accuracy)?;
+            evaluations += draft.evaluations;
+            let rounded = draft.rounding > 0.5 * request.accuracy;
+            if best.as_ref().is_none_or(|best| draft.error < best.error) {
+                best = Some(draft);
+            }
+            let error = best.as_ref().map_or(f64::INFINITY, |best| best.error);
+            if error <= request.accuracy || rounded || self.is_pinned() {
+                break;
+            }
+            accuracy *= ATTEMPTS.1;
+        }
+        let draft = best.expect("at least one attempt");
+        Ok(Box::new(Table::new(request.components, draft.pieces, draft.length, draft.error, evaluations)))
+    }
+
+    fn refined(&self, _level: u32) -> Box<dyn KernelStrategy> {
+        Box::new(self.clone())
+    }
+
+    fn is_pinned(&self) -> bool {
+        self.cutoff.is_some() || self.terms.is_some()
+    }
+}
+
+/// One attempt at the tables.
+struct Draft {
+    pieces: Pieces,
+    length: f64,
+    /// In the terms of the request.
+    error: f64,
+    /// The part of it that no effort removes.
+    rounding: f64,
+    evaluations: usize,
+}
+
+impl Split {
+    fn draft(
+        &self,
+        response: &dyn LayerResponse,
+        request: &KernelRequest,
+        depth: f64,
+        accuracy: f64,
+    ) -> Result<Draft, Refusal> {
+        let tail = response.tail(MOST_TERMS);
+        let (beta, reach) = (response.elastic().beta(), request.reach);
+        let columns: Vec<Column> =
+            request.components.iter().map(|c| Column::new(*c, &tail, beta, accuracy, reach)).collect();
+        let aim = columns.iter().map(|column| column.aim).fold(f64::INFINITY, f64::min);
+        let slope_aim =
+            columns.iter().map(|c| if c.component == Component::Depth { DEPTH_GAIN * c.aim } else { c.aim });
+        let mut cut = Cut::choose(&tail, depth, slope_aim.fold(f64::INFINITY, f64::min));
+        if let Some(cutoff) = self.cutoff {
+            cut.cutoff = cutoff.get() / depth;
+        }
+        if let Some(terms) = self.terms {
+            cut.terms = usize::from(terms.get()).min(tail.len());
+        }
+        let (beyond_error, at_cutoff) = cut.rest(&columns, response, depth)?;
+        let spectrum = Spectrum::new(&columns, response, cut.cutoff, at_cutoff, reach)?;
+        let beyond = Beyond::new(cut, &columns);
+        let rounded: Vec<f64> = (0..columns.len())
+            .map(|i| FLEXIBILITY * spectrum.size[i] + ROUNDING * beyond.size(i) + 2.0 * f64::EPSILON * cut.cutoff)
+            .collect();
+        let singular: Vec<Singular> = columns.iter().map(|column| Singular::new(column, depth, reach)).collect();
+        let window = singular.iter().map(Singular::width).fold(f64::INFINITY, f64::min);
+        let plan = Plan {
+            reach,
+            width: if window.is_finite() { (WIDTH.0 * depth).min(WIDTH.1 * window) } else { reach },
+            local: if window.is_finite() { singular.iter().map(Singular::gone).fold(0.0, f64::max) } else { 0.0 },
+            kernels: columns
+                .iter()
+                .zip(&rounded)
+                .map(|(column, rounded)| (column.component.is_odd(), rounded.max(0.1 * column.aim)))
+                .collect(),
+        };
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small positive count
+        let nodes = (5.0 - aim.log10()).clamp(6.0, 18.0) as usize;
+        let mut bessel = vec![0.0; spectrum.terms()];
+        let mut integrals = vec![Complex64::default(); beyond.terms()];
+        let mut transforms = vec![Complex64::default(); columns.len()];
+        let pieces = Pieces::new(&plan, nodes, |t, out| {
+            transforms.fill(Complex64::default());
+            spectrum.add(t, &mut bessel, &mut transforms);
+            beyond.add(t, &mut integrals, &mut transforms);
+            for (((out, transform), column), singular) in out.iter_mut().zip(&transforms).zip(&columns).zip(&singular) {
+                let value = if column.component.is_odd() { transform.im } else { transform.re };
+                let (sign, log) = singular.at(t);
+                *out = [value - sign - t.ln() * log, sign, log];
+            }
+        });
+        let (mut error, mut rounding) = (0.0_f64, 0.0_f64);
+        for (i, column) in columns.iter().enumerate() {
+            let scale = if column.component == Component::Depth { 1.0 } else { reach };
+            rounding = rounding.max(scale * (rounded[i] + pieces.kernels[i].noise + spectrum.noise[i]));
+            error = error.max(scale * (beyond_error[i] + spectrum.error[i] + pieces.kernels[i].error + rounded[i]));
+        }
+        if std::env::var("DBG").is_ok() {
+            eprintln!(
+                "cut {cut:?} beyond {beyond_error:?} spec {:?} pieces {:?} rounding {rounding:.1e} npieces {} nodes {nodes} terms {:?} t0 {:?} size {:?} ends {:?}",
+                spectrum.error,
+                pieces.kernels.iter().map(|k| k.error).collect::<Vec<_>>(),
+                pieces.ends.len(),
+                pieces.kernels.iter().map(|k| k.rows.iter().map(|r| r.len()).max()).collect::<Vec<_>>(),
+                singular.iter().map(Singular::width).collect::<Vec<_>>(),
+                pieces.kernels.iter().map(|k| k.noise).collect::<Vec<_>>(),
+                pieces.ends
+            );
+        }
+        let length = depth.min(window);
+        Ok(Draft { pieces, length, error, rounding, evaluations: spectrum.evaluations + 2 })
+    }
+}
+
+/// See [`crate::link`].
+pub(crate) fn link() {}
+
+#[cfg(test)]
+mod tests;

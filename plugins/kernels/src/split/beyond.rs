@@ -1,0 +1,134 @@
+//! Where the integral over wave numbers is cut, and how many terms of the series stand for the rest.
+
+use super::column::Column;
+use super::exponential_integral;
+use num_complex::Complex64;
+use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
+
+/// The cut `S` and the number of terms of `s F` used beyond it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Cut {
+    pub(super) cutoff: f64,
+    pub(super) terms: usize,
+}
+
+/// Most terms of the series that are asked for.
+pub(super) const MOST_TERMS: usize = 40;
+
+/// Furthest cut, over the depth, for a series that ends before it is small.
+const FURTHEST: f64 = 1e4;
+
+/// Step by which the cut moves out until the series suffices.
+const STEP: f64 = 1.1;
+
+/// Part of the error that the estimates of either remainder may take.
+const SHARE: f64 = 0.2;
+
+impl Cut {
+    /// The nearest cut at which both remainders should be below their shares of `aim`: the base's,
+    /// `(2 S d)^2 exp(-2 S d)` as in a homogeneous layer, and the first terms of the series left out.
+    pub(super) fn choose(tail: &[SurfaceFlexibility], depth: f64, aim: f64) -> Self {
+        let mut phase: f64 = 4.0;
+        for _ in 0..8 {
+            phase = (1.0 / (SHARE * aim * depth)).ln().max(1.0) + 2.0 * (1.0 + phase).ln();
+        }
+        let nearest = 0.5 * phase.max(4.0) / depth;
+        let mut cut = Self { cutoff: nearest, terms: 0 };
+        loop {
+            let (terms, left) = shortest(tail, cut.cutoff, SHARE * aim);
+            cut.terms = terms;
+            if left <= SHARE * aim || tail.is_empty() || cut.cutoff * STEP > FURTHEST.max(nearest * depth) / depth {
+                return cut;
+            }
+            cut.cutoff *= STEP;
+        }
+    }
+
+    /// Bound on `int_S^inf |W - series| ds` by two values of the rest, at `S` and one `e^2` of the base's decay
+    /// further out, where only what falls algebraically is left. The cut's own flexibility is handed back.
+    pub(super) fn rest(
+        self,
+        columns: &[Column],
+        response: &dyn LayerResponse,
+        depth: f64,
+    ) -> Result<(Vec<f64>, SurfaceFlexibility), Refusal> {
+        let s = [self.cutoff, self.cutoff + 1.0 / depth];
+        let mut f = [SurfaceFlexibility::default(); 2];
+        response.surface_into(&s, &mut f)?;
+        let bound = |column: &Column| {
+            let [near, far] = std::array::from_fn(|i| column.rest(self.terms, s[i], &f[i]).abs());
+            // int_S^inf (S/s)^(k+1) ds = S/k; a lone 1/s oscillates and leaves pi/2 of the same.
+            let algebraic = self.cutoff / (column.used(self.terms).len() as f64).max(0.5);
+            near.max(far) / depth + far * algebraic
+        };
+        Ok((columns.iter().map(bound).collect(), f[0]))
+    }
+}
+
+/// Fewest terms whose remainder beyond `cutoff` is below `enough`, or the number that leaves least; and what
+/// they leave: twice the larger of the next two terms, integrated (single coefficients may vanish).
+fn shortest(tail: &[SurfaceFlexibility], cutoff: f64, enough: f64) -> (usize, f64) {
+    let mut power = 1.0;
+    // Terms of the integral of the series.
+    let sizes: Vec<f64> = (1..)
+        .zip(tail)
+        .map(|(k, c)| {
+            let size = c.vv.abs().max(c.uu.abs()).max(c.uv.abs()) * power / f64::from((k - 1).max(1));
+            power /= cutoff;
+            size
+        })
+        .collect();
+    let mut best = (sizes.len(), f64::INFINITY);
+    for (terms, pair) in sizes.windows(2).enumerate() {
+        let left = 2.0 * pair[0].max(pair[1]);
+        if left <= enough {
+            return (terms, left);
+        }
+        if left < best.1 {
+            best = (terms, left);
+        }
+    }
+    // A series that has ended says nothing of the next term but what its last ones were.
+    if sizes.len() < 2 { (sizes.len(), sizes.last().map_or(f64::INFINITY, |last| last / cutoff)) } else { best }
+}
+
+/// `sum_k c_k int_S^inf exp(ist) s^-k ds` for each kernel.
+#[derive(Clone, Debug)]
+pub(super) struct Beyond {
+    cutoff: f64,
+    /// `c_k S^(1-k)`, per kernel.
+    scaled: Vec<Vec<f64>>,
+}
+
+impl Beyond {
+    pub(super) fn new(cut: Cut, columns: &[Column]) -> Self {
+        let scaled = |column: &Column| {
+            let mut power = 1.0;
+            let term = |c: &f64| {
+                let term = c * power;
+                power /= cut.cutoff;
+                term
+            };
+            column.used(cut.terms).iter().map(term).collect()
+        };
+        Self { cutoff: cut.cutoff, scaled: columns.iter().map(scaled).collect() }
+    }
+
+    /// Longest series.
+    pub(super) fn terms(&self) -> usize {
+        self.scaled.iter().map(Vec::len).max().unwrap_or(0)
+    }
+
+    /// Sum of the terms' sizes, which their rounding is proportional to.
+    pub(super) fn size(&self, column: usize) -> f64 {
+        self.scaled[column].iter().map(|term| term.abs()).sum()
+    }
+
+    /// Adds the transforms at `t > 0` to `out`; `scratch` holds [`Self::terms`] numbers.
+    pub(super) fn add(&self, t: f64, scratch: &mut [Complex64], out: &mut [Complex64]) {
+        exponential_integral::sequence(self.cutoff * t, scratch);
+        for (out, scaled) in out.iter_mut().zip(&self.scaled) {
+            *out += scaled.iter().zip(scratch.iter()).map(|(c, e)| e * c).sum::<Complex64>();
+        }
+    }
+}

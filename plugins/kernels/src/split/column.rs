@@ -1,0 +1,55 @@
+//! One kernel as an integral: what stands before the wave, and its series.
+
+use slipzone_api::{Component, SurfaceFlexibility};
+
+/// `k(t) = int_0^inf W(s) {sin, cos}(st) ds` with `W ~ sum_k series[k - 1] s^-k` as `s` grows.
+///
+/// The depth needs no special treatment here: `W = s Fvv/(A0 s)` is finite at `s = 0` on a rigid base, and its
+/// logarithm comes from the leading term of its series, which is 1.
+#[derive(Clone, Debug)]
+pub(super) struct Column {
+    pub(super) component: Component,
+    /// All coefficients that are known.
+    pub(super) series: Vec<f64>,
+    /// Error aimed at, in the kernel's own unit.
+    pub(super) aim: f64,
+    beta: f64,
+}
+
+impl Column {
+    /// `accuracy` is in the terms of [`slipzone_api::KernelRequest`].
+    pub(super) fn new(component: Component, tail: &[SurfaceFlexibility], beta: f64, accuracy: f64, reach: f64) -> Self {
+        let (series, aim) = match component {
+            Component::NormalSlope => (tail.iter().map(|c| c.vv).collect(), accuracy / reach),
+            Component::ShearStrain => (tail.iter().map(|c| c.uu).collect(), accuracy / reach),
+            Component::Coupling => (tail.iter().map(|c| c.uv).collect(), accuracy / reach),
+            Component::Depth => (std::iter::once(1.0).chain(tail.iter().map(|c| c.vv)).collect(), accuracy),
+        };
+        // Of a kernel of order one, coarser than this is no answer at all.
+        Self { component, series, aim: aim.min(COARSEST), beta }
+    }
+
+    /// `W(s)`, `s > 0`.
+    pub(super) fn weight(&self, s: f64, f: &SurfaceFlexibility) -> f64 {
+        match self.component {
+            Component::NormalSlope => f.vv - 1.0,
+            Component::ShearStrain => f.uu - 1.0,
+            Component::Coupling => f.uv + self.beta,
+            Component::Depth => f.vv / s,
+        }
+    }
+
+    /// The terms of the series to use beyond the cut when `terms` of `s F` are: the depth has one more.
+    pub(super) fn used(&self, terms: usize) -> &[f64] {
+        let terms = if self.component == Component::Depth { terms + 1 } else { terms };
+        &self.series[..terms.min(self.series.len())]
+    }
+
+    /// `W(s)` less that part of its series.
+    pub(super) fn rest(&self, terms: usize, s: f64, f: &SurfaceFlexibility) -> f64 {
+        self.weight(s, f) - self.used(terms).iter().rev().fold(0.0, |sum, c| (sum + c) / s)
+    }
+}
+
+/// Coarsest error aimed at in a kernel: narrow contacts hardly feel it, but its own shape should be right.
+const COARSEST: f64 = 1e-2;

@@ -1,0 +1,119 @@
+//! The factors of `sign(t)` and `log|t|`, made local.
+
+use super::column::Column;
+use std::f64::consts::FRAC_PI_2;
+
+/// The singular part of a kernel, `P(t) (i pi/2 - log t)` for `t > 0` with `P = sum_k c_k (it)^(k-1)/(k-1)!`.
+///
+/// That is what `int_S^inf c_k exp(ist) s^-k ds` leaves at `t = 0` whatever `S` is. `P` grows like `exp(|gamma| t)`,
+/// and the smooth part would have to undo it; but only `t = 0` is singular. So `P` is replaced by
+/// `exp(-(t/t0)^2) [P exp((t/t0)^2)]_N`, the bracket being the Taylor polynomial of degree `N`: equal to `P` up to
+/// `t^N`, of its own order, and gone beyond a few `t0`. On short reaches `1/t0 = 0`.
+#[derive(Clone, Debug)]
+pub(super) struct Singular {
+    odd: bool,
+    /// Real part of the bracket: coefficients of `1`, `t^2`, ...
+    re: Vec<f64>,
+    /// Imaginary part: coefficients of `t`, `t^3`, ...
+    im: Vec<f64>,
+    /// `1/t0^2`.
+    narrowness: f64,
+}
+
+/// Widest window, over the depth: the smooth part then varies no faster than the layer makes it.
+const WIDEST: f64 = 0.8;
+/// The window narrows by this factor until the parts are small enough.
+const NARROWER: f64 = 0.85;
+/// How much larger than the kernel's order of magnitude the parts may be.
+const LARGEST: f64 = 3.0;
+/// Beyond this many `t0` a polynomial of degree [`DEGREE`] times the window is below 1e-16 of its largest value.
+const GONE: f64 = 8.0;
+/// Degree of the bracket at coarse accuracy; each digit adds one.
+const DEGREE: usize = 12;
+/// Most often narrowed: a thousandth of the depth is enough for `|gamma| h = 1e3`.
+const MOST_STEPS: u32 = 45;
+
+impl Singular {
+    /// The parts of `column` on `|t| <= reach`.
+    pub(super) fn new(column: &Column, depth: f64, reach: f64) -> Self {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most 16
+        let digits = (-column.aim.log10()).clamp(0.0, 16.0) as usize;
+        let taylor = signed_taylor(&column.series, DEGREE + digits);
+        let allowed = LARGEST * taylor[0].abs().max(1.0);
+        let open = Self::windowed(column, &taylor, 0.0);
+        if reach <= depth && open.largest(reach) <= allowed {
+            return open;
+        }
+        let mut t0 = WIDEST * depth;
+        let mut singular = Self::windowed(column, &taylor, 1.0 / (t0 * t0));
+        for _ in 0..MOST_STEPS {
+            if singular.largest(reach.min(GONE * t0)) <= allowed {
+                break;
+            }
+            t0 *= NARROWER;
+            singular = Self::windowed(column, &taylor, 1.0 / (t0 * t0));
+        }
+        singular
+    }
+
+    fn windowed(column: &Column, taylor: &[f64], narrowness: f64) -> Self {
+        let bracket: Vec<f64> = (0..taylor.len())
+            .map(|j| {
+                let (mut sum, mut gauss) = (0.0, 1.0);
+                for m in 0..=j / 2 {
+                    sum += taylor[j - 2 * m] * gauss;
+                    gauss *= narrowness / (m + 1) as f64;
+                }
+                sum
+            })
+            .collect();
+        Self {
+            odd: column.component.is_odd(),
+            re: bracket.iter().copied().step_by(2).collect(),
+            im: bracket.iter().copied().skip(1).step_by(2).collect(),
+            narrowness,
+        }
+    }
+
+    /// The factors of `sign(t)` and of `log|t|` at `t >= 0`.
+    pub(super) fn at(&self, t: f64) -> (f64, f64) {
+        let t2 = t * t;
+        let window = (-self.narrowness * t2).exp();
+        let horner = |coefficients: &[f64]| coefficients.iter().rev().fold(0.0, |sum, c| sum * t2 + c) * window;
+        let (re, im) = (horner(&self.re), t * horner(&self.im));
+        // The imaginary part of P (i pi/2 - log t) in the sine transforms, the real one in the others.
+        if self.odd { (FRAC_PI_2 * re, -im) } else { (-FRAC_PI_2 * im, -re) }
+    }
+
+    /// Largest of both on a grid over `[0, reach]`; the logarithm's where it is larger than one included.
+    fn largest(&self, reach: f64) -> f64 {
+        (0..=64).fold(0.0, |most, i| {
+            let t = reach * f64::from(i) / 64.0;
+            let (sign, log) = self.at(t);
+            most.max(sign.abs() / FRAC_PI_2).max(log.abs() * t.max(1.0).ln().max(1.0))
+        })
+    }
+
+    /// Where the parts have gone.
+    pub(super) fn gone(&self) -> f64 {
+        GONE * self.width()
+    }
+
+    /// `t0`; infinite without a window.
+    pub(super) fn width(&self) -> f64 {
+        self.narrowness.sqrt().recip()
+    }
+}
+
+/// `P = sum_j i^j p_j t^j`, `p_j = c_(j+1)/j!`, up to `degree`, with the sign of `i^j` put in: the even terms
+/// are its real part, the odd ones its imaginary part.
+fn signed_taylor(series: &[f64], degree: usize) -> Vec<f64> {
+    let mut factorial = 1.0;
+    (0..=degree)
+        .map(|j| {
+            let p = series.get(j).map_or(0.0, |c| c / factorial);
+            factorial *= (j + 1) as f64;
+            if j % 4 < 2 { p } else { -p }
+        })
+        .collect()
+}

@@ -1,0 +1,64 @@
+//! What a second load on a known layer costs: no flexibility, no memory.
+
+use crate::sketch::Sketch;
+use slipzone::api::{Friction, Positive};
+use slipzone::engine::{Solver, Status};
+use slipzone::scene::Load;
+
+fn positive(value: f64) -> Positive {
+    Positive::new(value).expect("positive")
+}
+
+/// Allocations made by finding the numbers for the solver's present load.
+fn allocations(solver: &mut Solver) -> u64 {
+    allocation_counter::measure(|| solver.find().expect("a solution")).count_total
+}
+
+#[test]
+fn a_second_load_allocates_nothing_and_asks_the_layer_nothing() {
+    let flat = Sketch::flat(5.0, 0.125, 0.3);
+    let loads: [(&str, Sketch, Load, Load); 4] = [
+        ("flat", flat.clone(), Load::Force(positive(1.0)), Load::Force(positive(2.5))),
+        ("rubbing", flat.clone().rubbing(0.3), Load::Force(positive(1.0)), Load::Force(positive(2.5))),
+        ("cylinder", flat.clone().cylinder(), Load::HalfWidth(positive(1.0)), Load::HalfWidth(positive(0.9))),
+        ("by force", flat.cylinder(), Load::Force(positive(3.0)), Load::Force(positive(2.5))),
+    ];
+    for (name, sketch, first, second) in loads {
+        let mut solver = Solver::new(&sketch.scene()).expect("a bonded layer");
+        solver.press(first);
+        let fresh = allocations(&mut solver);
+        assert!(fresh > 0, "{name}: the counter counts");
+        let before = solver.solve().plan;
+        solver.press(second);
+        let again = allocations(&mut solver);
+        let after = solver.solve();
+        assert_eq!(again, 0, "{name}: {fresh} allocations at first");
+        assert_eq!(after.status, Status::Converged, "{name}: {:?}", after.reason);
+        assert_eq!(after.plan.flexibility_evaluations, before.flexibility_evaluations, "{name}");
+    }
+}
+
+#[test]
+fn another_friction_coefficient_uses_the_curve_that_is_known() {
+    let sketch = Sketch::flat(5.0, 0.125, 0.3);
+    let mut solver = Solver::new(&sketch.clone().rubbing(0.3).scene()).expect("a bonded layer");
+    let first = solver.solve().plan.factorisations;
+    solver.rub(Friction::Goodman { coefficient: positive(0.1) });
+    let second = solver.solve();
+    let further = second.plan.factorisations - first;
+    assert!(2 * further < first, "{further} systems after {first}: the curve was scanned again");
+    let alone = sketch.rubbing(0.1).solve();
+    let ratio = |solution: &slipzone::engine::Solution| solution.stick.as_ref().expect("friction").ratio.expect("a ratio");
+    assert_eq!(ratio(&second).to_bits(), ratio(&alone).to_bits(), "reuse changes no bit");
+}
+
+#[test]
+fn a_layer_serves_another_punch() {
+    let flat = Sketch::flat(5.0, 0.125, 0.3);
+    let mut solver = Solver::new(&flat.scene()).expect("a bonded layer");
+    let evaluations = solver.solve().plan.flexibility_evaluations;
+    let mut round = Solver::on(solver.into_layer(), &flat.clone().cylinder().scene()).expect("the same layer");
+    assert_eq!(round.solve().plan.flexibility_evaluations, evaluations);
+    let other = Sketch::flat(5.0, 8.0, 0.3).scene();
+    assert!(Solver::on(round.into_layer(), &other).is_err(), "another layer's tables are of no use");
+}
