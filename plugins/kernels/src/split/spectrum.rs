@@ -36,8 +36,9 @@ const NODES_BY_JUMP: f64 = 2.0;
 const NODES: (usize, usize) = (12, 56);
 /// A panel that fails is sampled anew where up to this many times its nodes should do, and divided otherwise.
 const ANEW: f64 = 1.7;
-/// Beyond this distance the waves are fast anyway, or the kernel is nothing but `-1/t`.
-const FAR: f64 = 32.0;
+/// Beyond this distance the waves are fast for every panel, or the kernel is nothing but `-1/t`: a surface 1e4 times
+/// stiffer than the base feels its edge over 160 thicknesses.
+const FAR: f64 = 400.0;
 /// A first panel that fails is cut here: towards the origin the structure of a strong gradient is finer.
 const FIRST_SPLIT: f64 = 0.2;
 /// Where the first panel is looked at beside its nodes, over its width.
