@@ -168,7 +168,7 @@ impl Split {
             error = error.max(scale * (beyond_error[i] + spectrum.error[i] + pieces.kernels[i].error + rounded[i]));
         }
         let length = depth.min(window);
-        Ok(Draft { pieces, length, error, rounding, evaluations: spectrum.evaluations + 2 })
+        Ok(Draft { pieces, length, error, rounding, evaluations: spectrum.evaluations + beyond::CHECKS })
     }
 }
 

@@ -30,8 +30,19 @@ pub(super) struct Sampled {
     pub(super) noisy: Vec<bool>,
 }
 
-/// An end of a panel and the flexibility there.
-pub(super) type End = (f64, SurfaceFlexibility);
+/// An end of a panel, and the flexibility `at` it: at the origin a little beside it, where the depth is defined too.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct End {
+    pub(super) s: f64,
+    pub(super) at: f64,
+    pub(super) flexibility: SurfaceFlexibility,
+}
+
+impl End {
+    pub(super) fn new(response: &dyn LayerResponse, s: f64, at: f64) -> Result<Self, Refusal> {
+        Ok(Self { s, at, flexibility: response.surface(at)? })
+    }
+}
 
 /// Gauss nodes and the Legendre polynomials on them.
 pub(super) struct Legendre {
@@ -70,7 +81,7 @@ impl Legendre {
         upper: End,
         reach: f64,
     ) -> Result<Sampled, Refusal> {
-        let (middle, half) = (f64::midpoint(lower.0, upper.0), 0.5 * (upper.0 - lower.0));
+        let (middle, half) = (f64::midpoint(lower.s, upper.s), 0.5 * (upper.s - lower.s));
         let s: Vec<f64> = self.nodes.iter().map(|x| middle + half * x).collect();
         let mut f = vec![SurfaceFlexibility::default(); s.len()];
         response.surface_into(&s, &mut f)?;
@@ -86,14 +97,11 @@ impl Legendre {
                 .map(|(l, p)| (l as f64 + 0.5) * p.iter().zip(&weighted).map(|(p, w)| p * w).sum::<f64>())
                 .collect();
             // The second evaluation: at the ends, where an unresolved P_n is largest.
-            let at_upper = coefficients.iter().sum::<f64>() - column.weight(upper.0, &upper.1);
-            let alternating = coefficients.iter().zip([1.0, -1.0].iter().cycle()).map(|(c, sign)| c * sign);
-            let at_lower = if lower.0 > 0.0 || column.component.is_odd() {
-                alternating.sum::<f64>() - column.weight(lower.0, &lower.1)
-            } else {
-                0.0
-            };
-            let (error, ratio, noisy) = unresolved(&coefficients, at_upper.abs().max(at_lower.abs()), half * reach);
+            let seen = [lower, upper].map(|end| {
+                let sum = legendre_sum(&coefficients, (end.at - middle) / half);
+                (sum - column.weight(end.at, &end.flexibility)).abs()
+            });
+            let (error, ratio, noisy) = unresolved(&coefficients, seen[0].max(seen[1]), half * reach);
             sampled.error.push(2.0 * half * error);
             sampled.ratio.push(ratio);
             sampled.noisy.push(noisy);
@@ -121,7 +129,9 @@ fn unresolved(coefficients: &[f64], seen: f64, phase: f64) -> (f64, f64, bool) {
         // Not a series any more: the size of the noise, which each sample has, over the panel.
         return (4.0 * last, SLOWEST, true);
     }
-    let ratio = (last / earlier).powf(2.0 / n as f64).clamp(0.05, SLOWEST);
+    let first = most(0..3).max(f64::MIN_POSITIVE);
+    let ratio = (last / earlier).powf(2.0 / n as f64).max((last / first).powf(1.0 / n as f64)).powf(CAUTION);
+    let ratio = ratio.clamp(0.05, SLOWEST);
     let (mut sum, mut bessel, mut feigned) = (0.0, 1.0_f64, last * ratio.powi(i32::try_from(n).unwrap_or(i32::MAX)));
     for l in 0..n {
         sum += feigned * bessel.min(1.0);
@@ -136,6 +146,20 @@ fn unresolved(coefficients: &[f64], seen: f64, phase: f64) -> (f64, f64, bool) {
     }
     (sum, ratio, false)
 }
+
+/// `sum_l coefficients[l] P_l(x)`.
+fn legendre_sum(coefficients: &[f64], x: f64) -> f64 {
+    let (mut before, mut p, mut sum) = (0.0, 1.0, 0.0);
+    for (l, c) in coefficients.iter().enumerate() {
+        sum += c * p;
+        let a = (2 * l + 1) as f64 / (l + 1) as f64;
+        (before, p) = (p, a * x * p - (a - 1.0) * before);
+    }
+    sum
+}
+
+/// Power to which the decay seen is raised before it is trusted for as many coefficients again: it may slow down.
+const CAUTION: f64 = 0.92;
 
 /// Slowest decay assumed from one Legendre coefficient to the next.
 const SLOWEST: f64 = 0.95;

@@ -50,7 +50,9 @@ const WIDENING: f64 = 0.25;
 /// Widest piece, in units of the thickness.
 const WIDEST: f64 = 4.0;
 /// A piece that was halved and has not come below this part of its error is as good as it gets: noise.
-const STALL: f64 = 0.3;
+const STALL: f64 = 0.6;
+/// No noise is larger than this.
+const LARGEST_NOISE: f64 = 1e-11;
 /// Halvings of one piece before its error is accepted as it is.
 const MOST_HALVINGS: u32 = 12;
 
@@ -96,7 +98,8 @@ impl Pieces {
                 .zip(&floor)
                 .map(|(piece, floor)| piece.error / floor.max(piece.noise))
                 .fold(0.0, f64::max);
-            if worst > 1.0 && worst < STALL * before && halvings < MOST_HALVINGS {
+            let stalled = worst > STALL * before && pieced.iter().all(|piece| piece.error < LARGEST_NOISE);
+            if worst > 1.0 && !stalled && halvings < MOST_HALVINGS {
                 (before, halvings) = (worst, halvings + 1);
                 width *= 0.5;
                 continue;
@@ -109,7 +112,7 @@ impl Pieces {
             let mut far = vec![0.0_f64; plan.kernels.len()];
             for (i, (kernel, piece)) in pieces.kernels.iter_mut().zip(pieced).enumerate() {
                 kernel.error = kernel.error.max(piece.error);
-                kernel.noise = kernel.noise.max(if worst > 1.0 { piece.error } else { piece.noise });
+                kernel.noise = kernel.noise.max(if stalled { piece.error } else { piece.noise });
                 kernel.rows.push(piece.rows);
                 for (v, all) in variable.all.iter().zip(&values) {
                     let form = if kernel.odd { -1.0 / place(*v) } else { 0.0 };
@@ -202,13 +205,15 @@ impl Piece {
             let mut powers = monomials(&series, parity[part]);
             if parity[part] {
                 // The table multiplies by t.
-                powers.iter_mut().for_each(|c| *c /= upper);
+                for c in &mut powers {
+                    *c /= upper;
+                }
             }
             let seen = checks.iter().fold(0.0_f64, |most, (v, t, value)| {
                 let sum = powers.iter().rev().fold(0.0, |sum, c| sum * v + c);
                 most.max((if parity[part] { sum * t } else { sum } - value[part]).abs())
             });
-            piece.error += weight * (2.0 * seen.max(left_out) + dropped);
+            piece.error += weight * (3.0 * seen.max(left_out) + dropped);
             piece.noise += weight * noise;
             for (power, c) in powers.into_iter().enumerate() {
                 if piece.rows.len() <= power {

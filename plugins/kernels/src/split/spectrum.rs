@@ -27,19 +27,22 @@ pub(super) struct Spectrum {
 /// Part of the error that each panel may have: most often there are two.
 const SHARE: f64 = 0.15;
 /// Nodes of a panel by digit wanted: under a slow wave, where twice the nodes count, and under a fast one.
-const NODES_BY_DIGIT: (f64, f64) = (1.8, 3.6);
+const NODES_BY_DIGIT: (f64, f64) = (2.0, 3.6);
 /// Nodes added by each unit of the wave's phase over half a panel.
 const NODES_BY_PHASE: f64 = 0.75;
 /// Nodes added where the surface is stiffer than what lies below: times the logarithm of 1 + jump of the kernel.
 const NODES_BY_JUMP: f64 = 2.0;
 /// Fewest and most nodes of a panel.
-const NODES: (usize, usize) = (10, 56);
+const NODES: (usize, usize) = (12, 56);
 /// A panel that fails is sampled anew where up to this many times its nodes should do, and divided otherwise.
 const ANEW: f64 = 1.7;
-/// Beyond this distance the waves are fast anyway, or the kernel is nothing but `-1/t`.
-const FAR: f64 = 32.0;
+/// Beyond this distance the waves are fast for every panel, or the kernel is nothing but `-1/t`: a surface 1e4 times
+/// stiffer than the base feels its edge over 160 thicknesses.
+const FAR: f64 = 400.0;
 /// A first panel that fails is cut here: towards the origin the structure of a strong gradient is finer.
 const FIRST_SPLIT: f64 = 0.2;
+/// Where the first panel is looked at beside its nodes, over its width.
+const BESIDE_ORIGIN: f64 = 1e-4;
 /// Most wave numbers for one table.
 const MOST_SAMPLES: usize = 4096;
 
@@ -68,9 +71,9 @@ impl Spectrum {
         let slow = NODES_BY_DIGIT.0 * digits + NODES_BY_PHASE * phase;
         let nodes = even(slow.min(NODES_BY_DIGIT.1 * digits) + stiffer);
         let mut rules: Vec<Legendre> = Vec::new();
-        let origin = (0.0, response.surface(0.0)?);
-        let end = (cutoff, at_cutoff);
-        let middle = (FIRST_SPLIT * cutoff, response.surface(FIRST_SPLIT * cutoff)?);
+        let origin = End::new(response, 0.0, BESIDE_ORIGIN * FIRST_SPLIT * cutoff)?;
+        let end = End { s: cutoff, at: cutoff, flexibility: at_cutoff };
+        let middle = End::new(response, FIRST_SPLIT * cutoff, FIRST_SPLIT * cutoff)?;
         spectrum.evaluations += 1;
         let mut stack: Vec<(End, End, usize, f64)> =
             vec![(middle, end, nodes, f64::INFINITY), (origin, middle, nodes, f64::INFINITY)];
@@ -85,7 +88,7 @@ impl Spectrum {
             let missed = columns.iter().zip(&error).zip(&noisy).filter(|(_, noisy)| !**noisy);
             let worst = missed.map(|((column, error), _)| error / column.aim).fold(0.0, f64::max);
             let stalled = worst > STALL * before && error.iter().all(|error| *error < LARGEST_NOISE);
-            let given_up = spectrum.evaluations + nodes > MOST_SAMPLES || upper.0 - lower.0 < cutoff * 1e-6;
+            let given_up = spectrum.evaluations + nodes > MOST_SAMPLES || upper.s - lower.s < cutoff * 1e-6;
             if worst <= SHARE || stalled || given_up {
                 for ((sum, error), column_noisy) in spectrum.noise.iter_mut().zip(&error).zip(&noisy) {
                     *sum += if *column_noisy || stalled { *error } else { 0.0 };
@@ -108,8 +111,8 @@ impl Spectrum {
                 stack.push((lower, upper, needed, worst));
                 continue;
             }
-            let at = if lower.0 == 0.0 { FIRST_SPLIT * upper.0 } else { f64::midpoint(lower.0, upper.0) };
-            let middle = (at, response.surface(at)?);
+            let at = if lower.s == 0.0 { FIRST_SPLIT * upper.s } else { f64::midpoint(lower.s, upper.s) };
+            let middle = End::new(response, at, at)?;
             spectrum.evaluations += 1;
             stack.push((middle, upper, nodes, worst));
             stack.push((lower, middle, nodes, worst));

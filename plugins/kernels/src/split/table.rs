@@ -98,7 +98,7 @@ impl Table {
         let (slope, offset) = self.variables[piece];
         let v = slope * if piece == 0 { x * x } else { x } + offset;
         let mut sums = [0.0; 4];
-        for row in self.rows(kernel, piece).iter().rev() {
+        for row in kernel.rows[piece * kernel.terms..(piece + 1) * kernel.terms].iter().rev() {
             for (sum, c) in sums.iter_mut().zip(row) {
                 *sum = *sum * v + c;
             }
@@ -109,10 +109,6 @@ impl Table {
         } else {
             Parts { smooth: sums[0], sign: sums[1] * factor, log: sums[2] }
         }
-    }
-
-    fn rows<'a>(&self, kernel: &'a Kernel, piece: usize) -> &'a [[f64; 4]] {
-        &kernel.rows[piece * kernel.terms..(piece + 1) * kernel.terms]
     }
 }
 
