@@ -79,6 +79,33 @@ fn the_jump_and_the_logarithm_are_the_first_term_of_the_series() {
 }
 
 #[test]
+fn the_singular_parts_are_the_series_near_the_origin() {
+    // P = c1 + c2 it - c3 t^2/2 - c4 it^3/6 + ...; at t = 0.01 the terms left out are below 1e-11.
+    let response = layer(Exponential(-3.0 * LN_2), 0.3);
+    let tail = response.tail(5);
+    let t: f64 = 0.01;
+    for reach in [0.4, 40.0] {
+        let table = table(&*response, reach, &ALL, 1e-10);
+        for component in ALL {
+            let c: Vec<f64> = match component {
+                Component::NormalSlope => tail.iter().map(|c| c.vv).collect(),
+                Component::ShearStrain => tail.iter().map(|c| c.uu).collect(),
+                Component::Coupling => tail.iter().map(|c| c.uv).collect(),
+                Component::Depth => std::iter::once(1.0).chain(tail.iter().map(|c| c.vv)).collect(),
+            };
+            let re = c[0] - c[2] * t * t / 2.0 + c[4] * t.powi(4) / 24.0;
+            let im = c[1] * t - c[3] * t.powi(3) / 6.0;
+            let (sign, log) = if component.is_odd() { (FRAC_PI_2 * re, -im) } else { (-FRAC_PI_2 * im, -re) };
+            let mut parts = [Parts::default()];
+            table.parts_into(component, &[t], &mut parts);
+            let error = (parts[0].sign - sign).abs().max((parts[0].log - log).abs());
+            // Interpolated as finely as the kernel.
+            assert!(error < 1e-9, "{component:?}, reach {reach}: {error:e}");
+        }
+    }
+}
+
+#[test]
 fn parts_are_continuous_even_or_odd_and_of_the_order_of_the_kernel() {
     for gamma in [-9.2, -2.0, 2.0, 9.2] {
         let response = layer(Exponential(gamma), 0.3);
