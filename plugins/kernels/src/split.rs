@@ -4,6 +4,7 @@ mod beyond;
 mod column;
 mod exponential_integral;
 mod legendre;
+mod piece;
 mod pieces;
 mod singular;
 mod spectrum;
@@ -83,7 +84,14 @@ impl KernelStrategy for Split {
             accuracy *= ATTEMPTS.1;
         }
         let draft = best.expect("at least one attempt");
-        Ok(Box::new(Table::new(request.components, draft.pieces, draft.length, draft.error, evaluations)))
+        Ok(Box::new(Table::new(
+            request.components,
+            draft.pieces,
+            request.reach,
+            draft.length,
+            draft.error,
+            evaluations,
+        )))
     }
 
     fn refined(&self, _level: u32) -> Box<dyn KernelStrategy> {
