@@ -83,10 +83,11 @@ impl Regular {
             let out = &mut self.summand[direct.clone()];
             out.fill(0.0);
             let angles = &pieces.angle[direct.clone()];
-            for (points, factor, poles) in
-                [(direct.clone(), 1.0, [target, -target]), (image, layout.basis.mirror(), [PI - target, PI + target])]
-            {
-                let share = Share { piece, gauss: &layout.gauss, angles, poles, half_width };
+            for (points, factor, poles, crosses) in [
+                (direct.clone(), 1.0, [target, -target], true),
+                (image, layout.basis.mirror(), [PI - target, PI + target], false),
+            ] {
+                let share = Share { piece, gauss: &layout.gauss, angles, poles, crosses, half_width };
                 share.add(factor, &self.parts[points.clone()], &self.distances[points], &mut scratch, out);
             }
             for (out, measure) in out.iter_mut().zip(&pieces.measure[direct]) {
@@ -111,6 +112,9 @@ struct Share<'a> {
     gauss: &'a Gauss,
     angles: &'a [f64],
     poles: [f64; 2],
+    /// Whether the distance changes its sign at the first pole: `x - r` does, `x + r` never, not even where
+    /// rounding puts the pole of the middle inside a piece.
+    crosses: bool,
     half_width: f64,
 }
 
@@ -125,8 +129,8 @@ impl Share<'_> {
             }
             return;
         }
-        // Of the four poles only the target itself can lie inside; x - r has the sign of theta - target.
-        let jumps = local[0].abs() < 1.0 && parts.iter().any(|parts| parts.sign != 0.0);
+        // x - r has the sign of theta - target.
+        let jumps = self.crosses && local[0].abs() < 1.0 && parts.iter().any(|parts| parts.sign != 0.0);
         let has_log = parts.iter().any(|parts| parts.log != 0.0);
         for (k, (((out, w), parts), t)) in out.iter_mut().zip(plain).zip(parts).zip(distances).enumerate() {
             let sign = if jumps { 0.0 } else { parts.sign * t.signum() };

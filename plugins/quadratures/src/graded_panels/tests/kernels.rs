@@ -139,3 +139,19 @@ fn a_stretched_rule_is_a_new_one() {
         assert_eq!(resultant(fresh.as_ref()), resultant(stretched.as_ref()));
     }
 }
+
+/// The pole that `x = 0` shares with its mirror image fell inside the last piece by rounding, for one length in
+/// ten, and `sign(x + r)` was taken to change there.
+#[test]
+fn the_middle_is_on_one_side_whatever_the_pieces() {
+    let c = 1.47;
+    let unknowns = unknowns(Parity::Even, Edge::Sharp, 8, 3, |_| 1.0);
+    for i in 0..40 {
+        // |t| = sign(t) t; int |r|/sqrt(c^2 - r^2) dr = 2 c, over pi.
+        let length = 0.08 + 0.01 * f64::from(i);
+        let distance = Made { parts: |t, _| Parts { smooth: 0.0, sign: t, log: 0.0 }, length };
+        let mut rule = rule(c, Parity::Even, Edge::Sharp, 8, 3);
+        let got = rule.potential_at_centre(&unknowns, (&distance, Component::Depth));
+        assert_close(got, c * 2.0 * c / PI / c, 1e-13, &format!("length {length}"));
+    }
+}
