@@ -63,7 +63,8 @@ fn a_thick_graded_layer_tends_to_the_half_plane_to_first_order() {
 
 #[test]
 fn a_vanishing_gradient_joins_the_homogeneous_layer_from_both_sides() {
-    let published = "quadrature = { type = \"gauss-chebyshev\", n = 40 }\nkernel = { type = \"truncated\", cutoff = 80.0 }";
+    let published =
+        "quadrature = { type = \"gauss-chebyshev\", n = 40 }\nkernel = { type = \"truncated\", cutoff = 80.0 }";
     let own = "quadrature = { type = \"de-sinc\", n = 45 }";
     for methods in [published, own] {
         let fixed = format!("[solver]\ntolerance = 1e-10\n{methods}");
