@@ -1,7 +1,7 @@
 //! A root known nearly, found to the last digit in three evaluations.
 
 /// By how much a secant step overshoots, so that the root lies between.
-const OVERSHOOT: f64 = 0.2;
+const OVERSHOOT: f64 = 0.02;
 /// Steps tried before a root counts as lost.
 const STEPS: usize = 6;
 /// A step wider than this leaves the neighbourhood.

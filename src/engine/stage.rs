@@ -199,7 +199,7 @@ impl Stage {
         let others = (0..rubbing.found.roots.len()).filter(|i| *i != first);
         for i in [first].into_iter().chain(others) {
             let lambda = rubbing.found.roots[i].lambda;
-            self.curve(layer, task).at(lambda)?;
+            self.curve(layer, task).at_or_near(lambda)?;
             match self.violation(layer, task.problem) {
                 None => {
                     rubbing.chosen = i;
@@ -231,7 +231,7 @@ impl Stage {
                     self.choose(layer, task, rubbing)?;
                 }
             }
-            if rubbing.verdict != Verdict::Holds {
+            if matches!(rubbing.verdict, Verdict::Fails(_)) {
                 let lambda = rubbing.found.roots[rubbing.chosen].lambda;
                 self.curve(layer, task).at(lambda)?;
             }

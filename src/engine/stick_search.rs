@@ -85,6 +85,16 @@ impl FrictionCurve<'_> {
         self.shear.solve(self.layer, self.normal, self.beta, zone)
     }
 
+    /// [`Self::at`], unless the zone solved last is this one to within the tolerance.
+    pub(crate) fn at_or_near(&mut self, lambda: f64) -> Result<(), Refusal> {
+        let last = self.shear.zone;
+        let is_near = ((last.half_width / last.slip_width).ln() - lambda).abs() < self.tolerance;
+        if !is_near || last.contact() != self.normal.half_width {
+            self.at(lambda)?;
+        }
+        Ok(())
+    }
+
     /// `lambda` of the widest stick zone that the resolution can tell from the whole contact.
     pub(crate) fn widest(&self) -> f64 {
         (-(RESOLVED * self.normal.finest_gap()).ln()).min(WIDEST)

@@ -3,6 +3,8 @@
 mod beyond;
 mod column;
 mod exponential_integral;
+mod legendre;
+mod piece;
 mod pieces;
 mod singular;
 mod spectrum;
@@ -82,7 +84,14 @@ impl KernelStrategy for Split {
             accuracy *= ATTEMPTS.1;
         }
         let draft = best.expect("at least one attempt");
-        Ok(Box::new(Table::new(request.components, draft.pieces, draft.length, draft.error, evaluations)))
+        Ok(Box::new(Table::new(
+            request.components,
+            draft.pieces,
+            request.reach,
+            draft.length,
+            draft.error,
+            evaluations,
+        )))
     }
 
     fn refined(&self, _level: u32) -> Box<dyn KernelStrategy> {
@@ -166,20 +175,8 @@ impl Split {
             rounding = rounding.max(scale * (rounded[i] + pieces.kernels[i].noise + spectrum.noise[i]));
             error = error.max(scale * (beyond_error[i] + spectrum.error[i] + pieces.kernels[i].error + rounded[i]));
         }
-        if std::env::var("DBG").is_ok() {
-            eprintln!(
-                "cut {cut:?} beyond {beyond_error:?} spec {:?} pieces {:?} rounding {rounding:.1e} npieces {} nodes {nodes} terms {:?} t0 {:?} size {:?} ends {:?}",
-                spectrum.error,
-                pieces.kernels.iter().map(|k| k.error).collect::<Vec<_>>(),
-                pieces.ends.len(),
-                pieces.kernels.iter().map(|k| k.rows.iter().map(|r| r.len()).max()).collect::<Vec<_>>(),
-                singular.iter().map(Singular::width).collect::<Vec<_>>(),
-                pieces.kernels.iter().map(|k| k.noise).collect::<Vec<_>>(),
-                pieces.ends
-            );
-        }
         let length = depth.min(window);
-        Ok(Draft { pieces, length, error, rounding, evaluations: spectrum.evaluations + 2 })
+        Ok(Draft { pieces, length, error, rounding, evaluations: spectrum.evaluations + beyond::CHECKS })
     }
 }
 

@@ -12,7 +12,7 @@ mod shelf;
 use resolution::{Resolution, finer, ladder, reach};
 use rule::DeSincRule;
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Edge, Parity, Positive, Quadrature, Refusal, Rule, Span};
+use slipzone_api::{Edge, Parity, Quadrature, Refusal, Rule, Span};
 
 /// Sinc collocation in the variable of a double-exponential map, `x = c tanh w`, `w = (pi/2) sinh u`.
 ///
@@ -33,8 +33,9 @@ use slipzone_api::{Edge, Parity, Positive, Quadrature, Refusal, Rule, Span};
 ///   extrapolation.
 ///
 /// Sums converge like `exp(-2 pi d/H)`, values between the nodes like `exp(-pi d/H)`; `d` is the width of the
-/// strip of `u` in which everything is analytic: `d ~ 0.55` where the layer is as thick as the contact is
-/// half-wide, `0.3` and `0.2` at a tenth and a hundredth of that.
+/// strip of `u` in which everything is analytic. A singularity at `l` off the end, along the axis (the end of the
+/// slip zone, seen from the stick zone), gives `d = 1/sqrt(1 + (ln(2 c/l)/pi)^2)`; one across (kernels, `l` the
+/// thickness) about half of that.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DeSinc {
@@ -75,22 +76,23 @@ impl From<StepCount> for usize {
 /// An end of the grid that a scene may ask for.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 #[serde(try_from = "f64", into = "f64")]
-struct Reach(Positive);
+struct Reach(f64);
 
 impl TryFrom<f64> for Reach {
     type Error = String;
 
     fn try_from(u_max: f64) -> Result<Self, String> {
-        match Positive::new(u_max) {
-            Ok(reach) if u_max <= MOST_REACH => Ok(Self(reach)),
-            _ => Err(format!("expected an end of the grid above 0 and up to {MOST_REACH}, found {u_max}")),
+        if (LEAST_REACH..=MOST_REACH).contains(&u_max) {
+            Ok(Self(u_max))
+        } else {
+            Err(format!("expected an end of the grid from {LEAST_REACH} to {MOST_REACH}, found {u_max}"))
         }
     }
 }
 
 impl From<Reach> for f64 {
     fn from(reach: Reach) -> f64 {
-        reach.0.get()
+        reach.0
     }
 }
 
@@ -106,6 +108,8 @@ const LEAST_STEPS: usize = 4;
 const MOST_PINNED: usize = MOST_STEPS / 2;
 /// Most steps that half an interval may get.
 const MOST_STEPS: usize = 2048;
+/// Smallest end of the grid: a fifth of a flat punch's force lies beyond it.
+const LEAST_REACH: f64 = 1.0;
 /// Largest `u`: the last gap is then 1e-275 of the half-width.
 const MOST_REACH: f64 = 6.0;
 

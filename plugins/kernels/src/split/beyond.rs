@@ -2,6 +2,7 @@
 
 use super::column::Column;
 use super::exponential_integral;
+use super::piece::LARGEST_LOG;
 use num_complex::Complex64;
 use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
 
@@ -24,6 +25,13 @@ const STEP: f64 = 1.1;
 /// Part of the error that the estimates of either remainder may take.
 const SHARE: f64 = 0.2;
 
+/// Wave numbers at which the remainder is looked at.
+pub(super) const CHECKS: usize = 3;
+
+/// The base's remainder falls like `exp(-2 s d)` times powers: its integral is half of it over the depth, and a little
+/// more. This times it over the depth is three times as much.
+const SAFETY: f64 = 1.5;
+
 impl Cut {
     /// The nearest cut at which both remainders should be below their shares of `aim`: the base's,
     /// `(2 S d)^2 exp(-2 S d)` as in a homogeneous layer, and the first terms of the series left out.
@@ -44,22 +52,32 @@ impl Cut {
         }
     }
 
-    /// Bound on `int_S^inf |W - series| ds` by two values of the rest, at `S` and one `e^2` of the base's decay
-    /// further out, where only what falls algebraically is left. The cut's own flexibility is handed back.
+    /// Bound on `int_S^inf |W - series| ds`: the terms that are known but not used, and by three values of what all of
+    /// them leave: at `S`, nearby (it may change its sign at one of them), and one `e^2` of the base's decay further out,
+    /// where only what falls algebraically is left. The cut's own flexibility is handed back.
     pub(super) fn rest(
         self,
         columns: &[Column],
         response: &dyn LayerResponse,
         depth: f64,
     ) -> Result<(Vec<f64>, SurfaceFlexibility), Refusal> {
-        let s = [self.cutoff, self.cutoff + 1.0 / depth];
-        let mut f = [SurfaceFlexibility::default(); 2];
+        let s = [self.cutoff, self.cutoff + 0.3 / depth, self.cutoff + 1.0 / depth];
+        let mut f = [SurfaceFlexibility::default(); CHECKS];
         response.surface_into(&s, &mut f)?;
         let bound = |column: &Column| {
-            let [near, far] = std::array::from_fn(|i| column.rest(self.terms, s[i], &f[i]).abs());
-            // int_S^inf (S/s)^(k+1) ds = S/k; a lone 1/s oscillates and leaves pi/2 of the same.
-            let algebraic = self.cutoff / (column.used(self.terms).len() as f64).max(0.5);
-            near.max(far) / depth + far * algebraic
+            let (used, best) = (column.used(self.terms).len(), column.best(self.cutoff));
+            let best = best.max(used);
+            let [at, near, far]: [f64; CHECKS] = std::array::from_fn(|i| column.rest(best, s[i], &f[i]).abs());
+            let left_out: f64 =
+                (used..best).map(|k| column.series[k].abs() * self.cutoff.powf(-(k as f64)) / k.max(1) as f64).sum();
+            // int_S^inf (S/s)^(k+1) ds = S/k. A lone 1/s oscillates: pi/2 of the same under a sine, and under a cosine
+            // its logarithm, at the smallest distance.
+            let algebraic = match column.vanishing(best) {
+                0 if column.component.is_odd() => 2.0 * self.cutoff,
+                0 => LARGEST_LOG * self.cutoff,
+                terms => self.cutoff / terms as f64 * (s[2] / s[0]).powf(terms as f64 + 1.0).min(4.0),
+            };
+            left_out + SAFETY * at.max(near).max(far) / depth + far * algebraic
         };
         Ok((columns.iter().map(bound).collect(), f[0]))
     }

@@ -45,9 +45,28 @@ impl Column {
         &self.series[..terms.min(self.series.len())]
     }
 
-    /// `W(s)` less that part of its series.
+    /// The number of terms up to the first beyond `terms` that is not known to vanish: what is left falls like one power
+    /// more.
+    pub(super) fn vanishing(&self, terms: usize) -> usize {
+        self.series[terms..].iter().position(|c| *c != 0.0).map_or(self.series.len(), |more| terms + more)
+    }
+
+    /// The number of terms up to the smallest at `s`: all that an asymptotic series can give there.
+    pub(super) fn best(&self, s: f64) -> usize {
+        let (mut best, mut least, mut power) = (0, f64::INFINITY, 1.0);
+        for (k, c) in (1..).zip(&self.series) {
+            power /= s;
+            let size = (c * power).abs();
+            if size <= least || *c == 0.0 {
+                (best, least) = (k, if *c == 0.0 { least } else { size });
+            }
+        }
+        best
+    }
+
+    /// `W(s)` less the first `terms` of its series.
     pub(super) fn rest(&self, terms: usize, s: f64, f: &SurfaceFlexibility) -> f64 {
-        self.weight(s, f) - self.used(terms).iter().rev().fold(0.0, |sum, c| (sum + c) / s)
+        self.weight(s, f) - self.series[..terms].iter().rev().fold(0.0, |sum, c| (sum + c) / s)
     }
 }
 

@@ -1,10 +1,6 @@
 //! The three parts of the kernels as polynomials over pieces of `|t|`.
 
-use crate::even_table::chebyshev;
-use std::f64::consts::PI;
-
-/// A kernel's parts (smooth, sign, log) at `t > 0`.
-pub(super) type Values = [f64; 3];
+use super::piece::{NEAR_ORIGIN, Piece, Sample, Values, Variable};
 
 /// Where and how the kernels are interpolated.
 pub(super) struct Plan {
@@ -23,7 +19,7 @@ pub(super) struct Plan {
 pub(super) struct Kernel {
     pub(super) odd: bool,
     /// Rows of a piece: one per power of its variable, constant first; the columns are the parts.
-    pub(super) rows: Vec<Vec<[f64; 4]>>,
+    pub(super) rows: Vec<Vec<[f64; 3]>>,
     /// Bound on the interpolation's error, and on `|k - far form|` beyond the last piece.
     pub(super) error: f64,
     /// What of it no finer pieces would remove.
@@ -47,7 +43,9 @@ const WIDENING: f64 = 0.25;
 /// Widest piece, in units of the thickness.
 const WIDEST: f64 = 4.0;
 /// A piece that was halved and has not come below this part of its error is as good as it gets: noise.
-const STALL: f64 = 0.3;
+const STALL: f64 = 0.6;
+/// No noise is larger than this.
+const LARGEST_NOISE: f64 = 1e-11;
 /// Halvings of one piece before its error is accepted as it is.
 const MOST_HALVINGS: u32 = 12;
 
@@ -61,11 +59,12 @@ impl Pieces {
         let mut pieces = Self { ends: Vec::new(), kernels };
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // few and positive
         let fewer = (FIRST_NODES * nodes as f64).ceil() as usize;
-        let [at_origin, elsewhere] = [fewer, nodes].map(Variable::chebyshev);
+        let at_origin = Variable::chebyshev(fewer, &[NEAR_ORIGIN, 1.0]);
+        let elsewhere = Variable::chebyshev(nodes, &[1.0]);
         let (mut lower, mut width, mut halvings, mut quiet) = (0.0, plan.width, 0, 0);
         let mut floor: Vec<f64> = plan.kernels.iter().map(|(_, aim)| *aim).collect();
         let mut before = f64::INFINITY;
-        let mut values = vec![vec![Values::default(); plan.kernels.len()]; nodes + 1];
+        let mut values = vec![vec![Values::default(); plan.kernels.len()]; nodes + 2];
         while lower < plan.reach && pieces.ends.len() < MOST_PIECES {
             let upper = if lower + 1.01 * width >= plan.reach { plan.reach } else { lower + width };
             let variable = if lower == 0.0 { &at_origin } else { &elsewhere };
@@ -73,7 +72,7 @@ impl Pieces {
                 // (1 + v)/2 without cancellation for the first piece, whose variable is (t/upper)^2.
                 if lower == 0.0 { upper * (0.5 * (1.0 + v)).sqrt() } else { lower + (upper - lower) * 0.5 * (1.0 + v) }
             };
-            for (values, v) in values.iter_mut().zip(&variable.0) {
+            for (values, v) in values.iter_mut().zip(&variable.all) {
                 parts(place(*v), values);
             }
             let pieced: Vec<Piece> = plan
@@ -81,9 +80,9 @@ impl Pieces {
                 .iter()
                 .enumerate()
                 .map(|(i, (odd, aim))| {
-                    let own: Vec<(f64, Values)> =
-                        variable.0.iter().zip(&values).map(|(v, all)| (place(*v), all[i])).collect();
-                    Piece::through(&own, lower == 0.0, *odd, *aim)
+                    let own: Vec<Sample> =
+                        variable.all.iter().zip(&values).map(|(v, all)| (*v, place(*v), all[i])).collect();
+                    Piece::through(own.split_at(variable.nodes), lower == 0.0, *odd, *aim)
                 })
                 .collect();
             // In units of what is wanted, or of the noise once that has shown.
@@ -92,7 +91,8 @@ impl Pieces {
                 .zip(&floor)
                 .map(|(piece, floor)| piece.error / floor.max(piece.noise))
                 .fold(0.0, f64::max);
-            if worst > 1.0 && worst < STALL * before && halvings < MOST_HALVINGS {
+            let stalled = worst > STALL * before && pieced.iter().all(|piece| piece.error < LARGEST_NOISE);
+            if worst > 1.0 && !stalled && halvings < MOST_HALVINGS {
                 (before, halvings) = (worst, halvings + 1);
                 width *= 0.5;
                 continue;
@@ -105,9 +105,9 @@ impl Pieces {
             let mut far = vec![0.0_f64; plan.kernels.len()];
             for (i, (kernel, piece)) in pieces.kernels.iter_mut().zip(pieced).enumerate() {
                 kernel.error = kernel.error.max(piece.error);
-                kernel.noise = kernel.noise.max(if worst > 1.0 { piece.error } else { piece.noise });
+                kernel.noise = kernel.noise.max(if stalled { piece.error } else { piece.noise });
                 kernel.rows.push(piece.rows);
-                for (v, all) in variable.0.iter().zip(&values) {
+                for (v, all) in variable.all.iter().zip(&values) {
                     let form = if kernel.odd { -1.0 / place(*v) } else { 0.0 };
                     far[i] = far[i].max((all[i][0] - form).abs() + all[i][1].abs() + all[i][2].abs());
                 }
@@ -132,114 +132,4 @@ impl Pieces {
         }
         pieces
     }
-}
-
-/// Where the variable of a piece is sampled: Chebyshev nodes, and the upper end for a check.
-struct Variable(Vec<f64>);
-
-impl Variable {
-    fn chebyshev(nodes: usize) -> Self {
-        Self((0..nodes).map(|j| (PI * (2 * j + 1) as f64 / (2 * nodes) as f64).cos()).chain([1.0]).collect())
-    }
-}
-
-/// One kernel on one piece.
-struct Piece {
-    rows: Vec<[f64; 4]>,
-    error: f64,
-    /// What of the error no finer piece removes.
-    noise: f64,
-}
-
-/// Rounding of the values that are interpolated, over their size: below it nothing is resolved.
-const NOISE: f64 = 6.0 * f64::EPSILON;
-
-/// On the piece at the origin an even factor of the logarithm has its error multiplied by up to this: `|log t|`
-/// at the smallest distances that two points of a contact have, `exp(-40)` of the thickness.
-const LARGEST_LOG: f64 = 40.0;
-
-impl Piece {
-    /// Through all but the last of `values`, which is at the upper end and shows the error.
-    ///
-    /// The piece `at_origin` has the parity of each part built in: a kernel's smooth part and the factor of its
-    /// logarithm are odd when it is (`odd`), the factor of its sign when it is not.
-    fn through(values: &[(f64, Values)], at_origin: bool, odd: bool, aim: f64) -> Self {
-        let (last, inner) = values.split_last().expect("a value at the end");
-        let parity = [odd, !odd, odd].map(|odd| odd && at_origin);
-        let mut piece = Self { rows: Vec::new(), error: 0.0, noise: 0.0 };
-        for part in 0..3 {
-            let values: Vec<f64> = inner.iter().map(|(_, v)| v[part]).collect();
-            let mut series = if parity[part] { odd_chebyshev(&values) } else { chebyshev(&values) };
-            // Of a polynomial of either parity the value at the end is the sum of the coefficients.
-            let seen = (series.iter().sum::<f64>() - last.1[part]).abs();
-            let tail = series[series.len() - 2..].iter().map(|c| c.abs()).sum::<f64>();
-            let weight = match part {
-                2 if at_origin && !odd => LARGEST_LOG,
-                2 => last.0.ln().abs().max(1.0),
-                _ => 1.0,
-            };
-            // Drop what is not wanted.
-            let mut dropped = 0.0;
-            while let Some(c) = series.last() {
-                if dropped + c.abs() > 0.1 * aim / weight {
-                    break;
-                }
-                dropped += c.abs();
-                series.pop();
-            }
-            piece.error += weight * (2.0 * seen.max(tail) + dropped);
-            piece.noise += NOISE * weight * values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-            let mut powers = monomials(&series, parity[part]);
-            if parity[part] {
-                // The table multiplies by t.
-                powers.iter_mut().for_each(|c| *c /= last.0);
-            }
-            for (power, c) in powers.into_iter().enumerate() {
-                if piece.rows.len() <= power {
-                    piece.rows.push([0.0; 4]);
-                }
-                piece.rows[power][part] = c;
-            }
-        }
-        piece
-    }
-}
-
-/// Coefficients of `T_1, T_3, ...` in the odd interpolant through values at `cos((2j + 1) pi/4n)`.
-fn odd_chebyshev(values: &[f64]) -> Vec<f64> {
-    let n = values.len();
-    let cosines: Vec<f64> = (0..8 * n).map(|m| (PI * m as f64 / (4 * n) as f64).cos()).collect();
-    let coefficient = |k: usize| {
-        let sum: f64 = values.iter().enumerate().map(|(j, v)| v * cosines[(2 * k + 1) * (2 * j + 1) % (8 * n)]).sum();
-        sum * 2.0 / n as f64
-    };
-    (0..n).map(coefficient).collect()
-}
-
-/// `sum_k series[k] T_k(v)` in powers of `v`; of an odd series, `sum_k series[k] T_(2k+1)(x)/x` in powers of
-/// `v = 2 x^2 - 1`.
-fn monomials(series: &[f64], odd: bool) -> Vec<f64> {
-    let n = series.len();
-    let mut sum = vec![0.0; n];
-    let (mut older, mut newer) = (vec![0.0; n], vec![0.0; n]);
-    for (k, c) in series.iter().enumerate() {
-        let mut next = vec![0.0; n];
-        match k {
-            0 => next[0] = 1.0,
-            // T_1(v) = v; T_3(x)/x = 2 v - 1. Both families go on by the same recurrence.
-            1 if odd => (next[0], next[1]) = (-1.0, 2.0),
-            1 => next[1] = 1.0,
-            _ => {
-                for j in 0..n {
-                    next[j] = if j > 0 { 2.0 * newer[j - 1] } else { 0.0 } - older[j];
-                }
-            }
-        }
-        for (sum, t) in sum.iter_mut().zip(&next) {
-            *sum += c * t;
-        }
-        older = newer;
-        newer = next;
-    }
-    sum
 }

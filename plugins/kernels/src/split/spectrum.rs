@@ -1,20 +1,10 @@
 //! The integral over `[0, S]`: Legendre series of what stands before the wave, panel by panel.
 
 use super::column::Column;
+use super::legendre::{End, LARGEST_NOISE, Legendre, Panel, Sampled};
 use super::spherical_bessel;
-use bilby::GaussLegendre;
 use num_complex::Complex64;
 use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
-
-/// One stretch of wave numbers.
-#[derive(Clone, Debug)]
-struct Panel {
-    middle: f64,
-    half: f64,
-    /// Per kernel: `2 half` times the Legendre coefficients, with the signs of `i^l` put in (real for even
-    /// `l`, imaginary for odd).
-    waves: Vec<Vec<f64>>,
-}
 
 /// `int_0^S W(s) exp(ist) ds` for each kernel.
 ///
@@ -36,16 +26,23 @@ pub(super) struct Spectrum {
 
 /// Part of the error that each panel may have: most often there are two.
 const SHARE: f64 = 0.15;
-/// Nodes of a panel by digit wanted, under a slow wave and under a fast one.
+/// Nodes of a panel by digit wanted: under a slow wave, where twice the nodes count, and under a fast one.
 const NODES_BY_DIGIT: (f64, f64) = (2.0, 3.6);
+/// Nodes added by each unit of the wave's phase over half a panel.
+const NODES_BY_PHASE: f64 = 0.75;
+/// Nodes added where the surface is stiffer than what lies below: times the logarithm of 1 + jump of the kernel.
+const NODES_BY_JUMP: f64 = 2.0;
 /// Fewest and most nodes of a panel.
-const NODES: (f64, f64) = (6.0, 56.0);
-/// Phase of the wave over half a panel up to which it is slow.
-const SLOW: f64 = 8.0;
-/// Beyond this distance the waves are fast anyway, or the kernel is nothing but `-1/t`.
-const FAR: f64 = 32.0;
+const NODES: (usize, usize) = (12, 56);
+/// A panel that fails is sampled anew where up to this many times its nodes should do, and divided otherwise.
+const ANEW: f64 = 1.7;
+/// Beyond this distance the waves are fast for every panel, or the kernel is nothing but `-1/t`: a surface 1e4 times
+/// stiffer than the base feels its edge over 160 thicknesses.
+const FAR: f64 = 400.0;
 /// A first panel that fails is cut here: towards the origin the structure of a strong gradient is finer.
 const FIRST_SPLIT: f64 = 0.2;
+/// Where the first panel is looked at beside its nodes, over its width.
+const BESIDE_ORIGIN: f64 = 1e-4;
 /// Most wave numbers for one table.
 const MOST_SAMPLES: usize = 4096;
 
@@ -67,28 +64,34 @@ impl Spectrum {
         };
         let aim = columns.iter().map(|column| column.aim).fold(f64::INFINITY, f64::min);
         let reach = reach.min(FAR);
-        let slow = 0.5 * reach * cutoff <= SLOW;
-        let by_digit = if slow { NODES_BY_DIGIT.0 } else { NODES_BY_DIGIT.1 };
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small positive count
-        let nodes = (-by_digit * aim.log10()).ceil().clamp(NODES.0, NODES.1) as usize;
-        let rule = Legendre::new(nodes);
-        let origin = (0.0, response.surface(0.0)?);
-        let end = (cutoff, at_cutoff);
-        let middle = (FIRST_SPLIT * cutoff, response.surface(FIRST_SPLIT * cutoff)?);
+        let digits = -aim.log10();
+        let phase = 0.5 * (1.0 - FIRST_SPLIT) * cutoff * reach;
+        let jump = columns.iter().filter(|column| column.component.is_odd()).filter_map(|column| column.series.first());
+        let stiffer = NODES_BY_JUMP * jump.fold(0.0_f64, |most, c| most.max(*c)).ln_1p();
+        let slow = NODES_BY_DIGIT.0 * digits + NODES_BY_PHASE * phase;
+        let nodes = even(slow.min(NODES_BY_DIGIT.1 * digits) + stiffer);
+        let mut rules: Vec<Legendre> = Vec::new();
+        let origin = End::new(response, 0.0, BESIDE_ORIGIN * FIRST_SPLIT * cutoff)?;
+        let end = End { s: cutoff, at: cutoff, flexibility: at_cutoff };
+        let middle = End::new(response, FIRST_SPLIT * cutoff, FIRST_SPLIT * cutoff)?;
         spectrum.evaluations += 1;
-        let mut stack = vec![(middle, end, f64::INFINITY), (origin, middle, f64::INFINITY)];
-        while let Some((lower, upper, before)) = stack.pop() {
-            let Sampled { panel, error, size, noisy } = rule.sample(columns, response, lower, upper, reach)?;
+        let mut stack: Vec<(End, End, usize, f64)> =
+            vec![(middle, end, nodes, f64::INFINITY), (origin, middle, nodes, f64::INFINITY)];
+        while let Some((lower, upper, nodes, before)) = stack.pop() {
+            if !rules.iter().any(|rule| rule.nodes() == nodes) {
+                rules.push(Legendre::new(nodes));
+            }
+            let rule = rules.iter().find(|rule| rule.nodes() == nodes).expect("just made");
+            let Sampled { panel, error, ratio, size, noisy } = rule.sample(columns, response, lower, upper, reach)?;
             spectrum.evaluations += nodes;
-            // In units of the aim.
-            let worst = columns.iter().zip(&error).map(|(column, error)| error / column.aim).fold(0.0, f64::max);
-            let stalled = noisy || (worst > STALL * before && error.iter().all(|error| *error < LARGEST_NOISE));
-            let given_up = spectrum.evaluations + nodes > MOST_SAMPLES || upper.0 - lower.0 < cutoff * 1e-6;
+            // In units of the aim; of noise nothing more is expected.
+            let missed = columns.iter().zip(&error).zip(&noisy).filter(|(_, noisy)| !**noisy);
+            let worst = missed.map(|((column, error), _)| error / column.aim).fold(0.0, f64::max);
+            let stalled = worst > STALL * before && error.iter().all(|error| *error < LARGEST_NOISE);
+            let given_up = spectrum.evaluations + nodes > MOST_SAMPLES || upper.s - lower.s < cutoff * 1e-6;
             if worst <= SHARE || stalled || given_up {
-                if stalled && worst > SHARE {
-                    for (noise, error) in spectrum.noise.iter_mut().zip(&error) {
-                        *noise += error;
-                    }
+                for ((sum, error), column_noisy) in spectrum.noise.iter_mut().zip(&error).zip(&noisy) {
+                    *sum += if *column_noisy || stalled { *error } else { 0.0 };
                 }
                 spectrum.panels.push(panel);
                 for (sum, error) in spectrum.error.iter_mut().zip(error) {
@@ -99,11 +102,20 @@ impl Spectrum {
                 }
                 continue;
             }
-            let at = if lower.0 == 0.0 { FIRST_SPLIT * upper.0 } else { f64::midpoint(lower.0, upper.0) };
-            let middle = (at, response.surface(at)?);
+            // Under a slow wave the error falls by two factors for each node.
+            let factor = ratio.iter().fold(0.0_f64, |most, ratio| most.max(*ratio));
+            let by_node = if phase < 0.5 * nodes as f64 { 2.0 } else { 1.0 };
+            let needed = nodes as f64 + 1.0 - (worst / SHARE).ln() / (by_node * factor.ln());
+            if needed <= (ANEW * nodes as f64).min(NODES.1 as f64) {
+                let needed = even(needed.max(nodes as f64 + 2.0));
+                stack.push((lower, upper, needed, worst));
+                continue;
+            }
+            let at = if lower.s == 0.0 { FIRST_SPLIT * upper.s } else { f64::midpoint(lower.s, upper.s) };
+            let middle = End::new(response, at, at)?;
             spectrum.evaluations += 1;
-            stack.push((middle, upper, worst));
-            stack.push((lower, middle, worst));
+            stack.push((middle, upper, nodes, worst));
+            stack.push((lower, middle, nodes, worst));
         }
         Ok(spectrum)
     }
@@ -130,123 +142,11 @@ impl Spectrum {
     }
 }
 
-/// Rounding of `s F`, of order one, in a Legendre coefficient: it is counted with the rounding of the whole.
-const NOISE: f64 = 16.0 * f64::EPSILON;
-
-/// Coefficients below this that no longer fall are noise that the flexibility brings: no panel resolves it.
-const LARGEST_NOISE: f64 = 1e-9;
-
-/// A panel that was halved and has not come below this part of its error is as good as it gets.
+/// A panel that was refined and has not come below this part of its error is as good as it gets.
 const STALL: f64 = 0.3;
 
-/// One panel, what it leaves unresolved and `int |W|` per kernel, and whether that is noise.
-struct Sampled {
-    panel: Panel,
-    error: Vec<f64>,
-    size: Vec<f64>,
-    noisy: bool,
+/// The even number of nodes at or above `wanted`, within the bounds.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `as` saturates
+fn even(wanted: f64) -> usize {
+    (wanted.ceil() as usize).clamp(NODES.0, NODES.1).next_multiple_of(2)
 }
-
-/// An end of a panel and the flexibility there.
-type End = (f64, SurfaceFlexibility);
-
-/// Gauss nodes and the Legendre polynomials on them.
-struct Legendre {
-    nodes: Vec<f64>,
-    weights: Vec<f64>,
-    /// `polynomials[l][i] = P_l(nodes[i])`.
-    polynomials: Vec<Vec<f64>>,
-}
-
-impl Legendre {
-    /// An even number of at least `nodes`.
-    fn new(nodes: usize) -> Self {
-        let nodes = nodes.next_multiple_of(2);
-        let gauss = GaussLegendre::new(nodes).expect("at least one node");
-        let (nodes, weights) = (gauss.rule().nodes.clone(), gauss.rule().weights.clone());
-        let mut polynomials = vec![vec![1.0; nodes.len()], nodes.clone()];
-        for l in 2..nodes.len() {
-            let a = (2 * l - 1) as f64 / l as f64;
-            let next = (0..nodes.len())
-                .map(|i| a * nodes[i] * polynomials[l - 1][i] - (a - 1.0) * polynomials[l - 2][i])
-                .collect();
-            polynomials.push(next);
-        }
-        Self { nodes, weights, polynomials }
-    }
-
-    fn sample(
-        &self,
-        columns: &[Column],
-        response: &dyn LayerResponse,
-        lower: End,
-        upper: End,
-        reach: f64,
-    ) -> Result<Sampled, Refusal> {
-        let (middle, half) = (f64::midpoint(lower.0, upper.0), 0.5 * (upper.0 - lower.0));
-        let s: Vec<f64> = self.nodes.iter().map(|x| middle + half * x).collect();
-        let mut f = vec![SurfaceFlexibility::default(); s.len()];
-        response.surface_into(&s, &mut f)?;
-        let panel = Panel { middle, half, waves: Vec::with_capacity(columns.len()) };
-        let mut sampled = Sampled { panel, error: Vec::new(), size: Vec::new(), noisy: false };
-        for column in columns {
-            let weighted: Vec<f64> =
-                s.iter().zip(&f).zip(&self.weights).map(|((s, f), weight)| weight * column.weight(*s, f)).collect();
-            let coefficients: Vec<f64> = self
-                .polynomials
-                .iter()
-                .enumerate()
-                .map(|(l, p)| (l as f64 + 0.5) * p.iter().zip(&weighted).map(|(p, w)| p * w).sum::<f64>())
-                .collect();
-            // The second evaluation: at the ends, where an unresolved P_n is largest.
-            let at_upper = coefficients.iter().sum::<f64>() - column.weight(upper.0, &upper.1);
-            let alternating = coefficients.iter().zip([1.0, -1.0].iter().cycle()).map(|(c, sign)| c * sign);
-            let at_lower = if lower.0 > 0.0 || column.component.is_odd() {
-                alternating.sum::<f64>() - column.weight(lower.0, &lower.1)
-            } else {
-                0.0
-            };
-            let (error, noisy) = unresolved(&coefficients, at_upper.abs().max(at_lower.abs()), half * reach);
-            sampled.error.push(2.0 * half * error);
-            sampled.noisy |= noisy;
-            sampled.size.push(half * weighted.iter().map(|w| w.abs()).sum::<f64>());
-            let wave = |(l, c): (usize, &f64)| if l % 4 < 2 { 2.0 * half * c } else { -2.0 * half * c };
-            sampled.panel.waves.push(coefficients.iter().enumerate().map(wave).collect());
-        }
-        Ok(sampled)
-    }
-}
-
-/// What `n` Gauss nodes leave of `int W(x) exp(iwx) dx/2`, `|w| <= phase`, for a function whose Legendre
-/// coefficients fall geometrically: those from the `n`-th on, and what they feign in the lower ones
-/// (`P_(2n-l)` looks like `P_l` on the nodes), each times `|j_l| <= phase^l/(2l+1)!!`.
-///
-/// `seen` is the error of the interpolant seen at the ends. Also tells whether the coefficients have ended in noise.
-fn unresolved(coefficients: &[f64], seen: f64, phase: f64) -> (f64, bool) {
-    let n = coefficients.len();
-    let most = |range: std::ops::Range<usize>| coefficients[range].iter().fold(0.0_f64, |most, c| most.max(c.abs()));
-    let last = (most(n - 3..n).max(seen) - NOISE).max(0.0);
-    let earlier = most(n / 2 - 2..n / 2 + 1).max(f64::MIN_POSITIVE);
-    let noisy = last > 0.3 * earlier && last < LARGEST_NOISE;
-    if noisy {
-        // Not a series any more: the size of the noise, which each sample has, over the panel.
-        return (4.0 * last, true);
-    }
-    let ratio = (last / earlier).powf(2.0 / n as f64).clamp(0.05, SLOWEST);
-    let (mut sum, mut bessel, mut feigned) = (0.0, 1.0_f64, last * ratio.powi(i32::try_from(n).unwrap_or(i32::MAX)));
-    for l in 0..n {
-        sum += feigned * bessel.min(1.0);
-        feigned /= ratio;
-        bessel *= phase / (2 * l + 3) as f64;
-    }
-    let mut left_out = last;
-    for l in n..4 * n {
-        sum += left_out * bessel.min(1.0);
-        left_out *= ratio;
-        bessel *= phase / (2 * l + 3) as f64;
-    }
-    (sum, false)
-}
-
-/// Slowest decay assumed from one Legendre coefficient to the next.
-const SLOWEST: f64 = 0.95;

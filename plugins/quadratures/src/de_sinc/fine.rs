@@ -109,18 +109,25 @@ impl Fine {
         self.reach[i]
     }
 
-    /// `row[j] += scale * sum_k folded[k] (step/factor) dP_k/dF_j` for all unknowns `j`.
-    pub(super) fn gather(&self, grid: &Grid, folded: &[f64], scale: f64, row: &mut [f64]) {
-        for (k, value) in folded.iter().enumerate() {
-            let value = scale * value;
-            let (node, off) = (k / self.factor, k % self.factor);
-            if off != 0 {
-                let between = &self.between[(k - node - 1) * row.len()..][..row.len()];
-                for (entry, b) in row.iter_mut().zip(between) {
-                    *entry += value * b;
+    /// `rows[i][j] += scale[i] sum_k folded[i][k] (step/factor) dP_k/dF_j` for a few rows and all unknowns `j`.
+    pub(super) fn gather(&self, grid: &Grid, folded: &[f64], scale: &[f64], rows: &mut [f64]) {
+        let (count, n) = (self.x.len(), grid.unknowns());
+        for ((row, folded), scale) in rows.chunks_exact_mut(n).zip(folded.chunks_exact(count)).zip(scale) {
+            let at_nodes = folded.iter().step_by(self.factor).zip(&self.weight).skip(grid.first);
+            for (entry, (value, weight)) in row.iter_mut().zip(at_nodes) {
+                *entry += scale * value * weight;
+            }
+        }
+        // A pair of fine nodes for all rows, then the next: the pair's own rows stay in the fastest memory.
+        for (pair, between) in self.between.chunks_exact(2 * n).enumerate() {
+            let (cell, within) = (2 * pair / (self.factor - 1), 2 * pair % (self.factor - 1));
+            let k = cell * self.factor + within + 1;
+            let (first, second) = between.split_at(n);
+            for ((row, folded), scale) in rows.chunks_exact_mut(n).zip(folded.chunks_exact(count)).zip(scale) {
+                let (a, b) = (scale * folded[k], scale * folded[k + 1]);
+                for (entry, (p, q)) in row.iter_mut().zip(first.iter().zip(second)) {
+                    *entry += a * p + b * q;
                 }
-            } else if node >= grid.first {
-                row[node - grid.first] += value * self.weight[node];
             }
         }
     }

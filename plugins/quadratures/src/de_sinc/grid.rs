@@ -29,6 +29,9 @@ pub(super) struct Grid {
     pub(super) resultant: Vec<f64>,
 }
 
+/// From this `u` on `x'/sqrt(1 - x^2)` is below the smallest number.
+const LAST_SLOPE: f64 = 6.9;
+
 impl Grid {
     pub(super) fn new(n: usize, u_max: f64, odd: bool, edge: Edge) -> Self {
         let step = u_max / n as f64;
@@ -65,9 +68,9 @@ impl Grid {
     /// Adds to each row a multiple of `F_i + F_i+1` that makes it exact for the simplest density of its kind.
     ///
     /// Seen from a point near an end, `1/(x_i - x(u))` has poles at `w_i + i pi m` besides the one at `w_i`, and
-    /// they lie only `2 m/cosh v_i` off the real axis: the sum errs by `exp(-4 pi/(step cosh v_i))` times `F(v_i)`,
-    /// which near the end is the same for all densities of a kind. So do the nodes beyond the last one. In the
-    /// middle the correction is rounding.
+    /// they lie only `2 m/cosh v_i` off the real axis: the sum errs by `exp(-4 pi/(step cosh v_i))` times `F` there,
+    /// whose form near the end is the same for all densities of a kind. What the nodes missing beyond the last
+    /// one would add is alike. In the middle the correction is rounding.
     fn make_exact(&mut self) {
         let edge = self.edge;
         let unknowns = self.unknowns();
@@ -100,9 +103,14 @@ impl Grid {
     /// `C/sqrt(1 - t^2)` for odd ones; the rows of the Cauchy matrix are its samples at the staggered points.
     fn edge_functional(&self) -> Vec<f64> {
         let mut row: Vec<f64> = self.resultant.iter().map(|r| r / PI).collect();
-        // Beyond the last point the integrand is what it is there.
-        let beyond = FRAC_PI_2 - self.step * self.scale.iter().rev().sum::<f64>();
-        let last = self.staggered.len() - 1;
+        // Beyond the last point C is what it is there. Those weights are summed, not taken as the rest of pi/2:
+        // the rest's rounding would be multiplied by 1/scale.
+        let points = self.staggered.len();
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few times the number of points
+        let vanished = points + (LAST_SLOPE / self.step) as usize;
+        let next = |i: usize| Place::new((i as f64 + 0.5) * self.step).slope;
+        let beyond = self.step * (points..vanished).map(next).sum::<f64>();
+        let last = points - 1;
         for (i, (v, cauchy)) in self.staggered.iter().zip(self.cauchy.chunks(row.len())).enumerate() {
             let share = self.step + if i == last { beyond / self.scale[last] } else { 0.0 };
             let weight = -2.0 / PI * share * if self.odd { 1.0 } else { v.x };
@@ -136,7 +144,7 @@ pub(super) fn tail(nodes: &[Place], step: f64) -> f64 {
     FRAC_PI_2 - step * (sum - 0.5 * nodes[0].slope)
 }
 
-/// `F` of the simplest density of a kind: 1, `x`, `sqrt(1 - x^2)` and the like over `sqrt(1 - x^2)` ... and its `(1/pi) PV int f/(x - r) dr`.
+/// `F` of the simplest density of a kind: `f = 1/s`, `1` or `s` with `s = sqrt(1 - x^2)`, times `x` where odd.
 fn simplest(u: &Place, edge: Edge, odd: bool) -> f64 {
     let power = match edge {
         Edge::Sharp => 1.0,

@@ -13,6 +13,9 @@ use std::sync::Arc;
 /// Fine nodes whose kernel values are asked for at a time, together with their mirror images.
 const BATCH: usize = 256;
 
+/// Rows that are gathered from the fine grid together.
+const ROWS: usize = 8;
+
 pub(super) struct DeSincRule {
     half_width: f64,
     resolution: Resolution,
@@ -64,13 +67,12 @@ impl DeSincRule {
         }
     }
 
-    /// Fills `scratch.folded` with the kernel's part `i`-th row, over as many fine nodes as `reach` says.
+    /// Appends to `scratch.folded` the kernel's part of the `i`-th row, over as many fine nodes as `reach` says.
     fn fold_kernel(&mut self, fine: &Fine, i: usize, reach: usize, (table, component): (&dyn KernelTable, Component)) {
         let (c, log_c, mirror) = (self.half_width, self.half_width.ln(), self.mirror());
         let here = self.grid.staggered.get(i).map_or(1.0, |v| v.x);
         let row = fine.row(i);
         let Scratch { distances, parts, folded, .. } = &mut self.scratch;
-        folded.clear();
         for start in (0..reach).step_by(BATCH) {
             let count = BATCH.min(reach - start);
             let range = start..start + count;
@@ -127,10 +129,16 @@ impl Rule for DeSincRule {
         rows.copy_from_slice(&self.grid.cauchy);
         let Some(kernel) = kernel else { return };
         let fine = self.fine(kernel.0.length());
-        for (i, row) in rows.chunks_mut(n).enumerate() {
-            self.fold_kernel(&fine, i, fine.reach(i), kernel);
-            let scale = self.half_width / PI * self.grid.scale[i];
-            fine.gather(&self.grid, &self.scratch.folded, scale, row);
+        for (block, rows) in rows.chunks_mut(ROWS * n).enumerate() {
+            self.scratch.folded.clear();
+            let mut scale = [0.0; ROWS];
+            for (within, scale) in scale[..rows.len() / n].iter_mut().enumerate() {
+                let i = block * ROWS + within;
+                *scale = self.half_width / PI * self.grid.scale[i];
+                self.fold_kernel(&fine, i, fine.reach(i), kernel);
+                self.scratch.folded.resize((within + 1) * fine.x.len(), 0.0);
+            }
+            fine.gather(&self.grid, &self.scratch.folded, &scale, rows);
         }
     }
 
@@ -164,6 +172,7 @@ impl Rule for DeSincRule {
         let end = self.stations.len();
         samples.clear();
         for i in 0..=end {
+            self.scratch.folded.clear();
             self.fold_kernel(&fine, i, fine.reach(end), kernel);
             samples.push(self.half_width / PI * dot(&self.scratch.folded, &spread));
         }

@@ -11,7 +11,7 @@ pub(super) fn at_nodes(signed: &[f64], odd: bool, t: f64) -> f64 {
         return 0.0;
     }
     let nearest = t.round();
-    let sign = parity_sign(nearest);
+    let sign = alternating(whole(nearest));
     if t == nearest {
         return sign * signed[whole(nearest)];
     }
@@ -33,7 +33,7 @@ pub(super) fn at_halves(signed: &[f64], odd: bool, t: f64) -> f64 {
     }
     let below = t.floor();
     let nearest = below + 0.5;
-    let sign = parity_sign(below);
+    let sign = alternating(whole(below));
     if t == nearest {
         return sign * signed[whole(below)];
     }
@@ -57,11 +57,6 @@ fn folded(signed: &[f64], t: f64, offset: f64, term: impl Fn(f64, f64) -> f64) -
         sums[0] += term(*y, h) / ((t - h) * (t + h));
     }
     (sums[0] + sums[1]) + (sums[2] + sums[3])
-}
-
-/// `(-1)^m`.
-fn parity_sign(m: f64) -> f64 {
-    if m % 2.0 == 0.0 { 1.0 } else { -1.0 }
 }
 
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 0 and the number of nodes

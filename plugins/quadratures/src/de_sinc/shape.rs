@@ -11,8 +11,9 @@ use slipzone_api::{Density, Edge, Station};
 const PLATEAU: f64 = 20.0;
 
 /// A density made ready for evaluation, with `s = sqrt(1 - x^2)` and `y` a sum of sinc functions:
-/// `f = (limit + y)/s` at sharp edges, `s (limit + y)` at smooth ones, `carrier x + s limit + y` at continued ones;
-/// `limit` times `x` where `f` is odd.
+/// `f = (limit + y)/s` at sharp edges, `s limit + sqrt(s) y` at smooth ones, `carrier x + s limit + y` at continued
+/// ones; `limit` times `x` where `f` is odd. The root of `s` shares the error of a series cut short between the
+/// middle, where it rings, and the end, where `f` is small.
 pub(super) struct Shape<'a> {
     grid: &'a Grid,
     carrier: f64,
@@ -33,13 +34,13 @@ impl<'a> Shape<'a> {
             bound(&mut y, grid, density.carrier)
         };
         for (j, (y, u)) in y.iter_mut().zip(&grid.nodes).enumerate() {
-            let scale = match grid.edge {
-                Edge::Sharp => 1.0,
-                Edge::Smooth => u.sech * u.sech,
-                Edge::Continued => u.sech,
-            };
-            let ending = if grid.edge == Edge::Continued { limit * u.sech } else { limit };
-            *y = alternating(j) * (*y / scale - ending * grid.ending(u.x));
+            let ending = limit * grid.ending(u.x);
+            *y = alternating(j)
+                * match grid.edge {
+                    Edge::Sharp => *y - ending,
+                    Edge::Smooth => (*y / (u.sech * u.sech) - ending) * u.sech.sqrt(),
+                    Edge::Continued => *y / u.sech - ending * u.sech,
+                };
         }
         Self { grid, carrier: density.carrier, limit, signed: y }
     }
@@ -52,7 +53,7 @@ impl<'a> Shape<'a> {
         let root = (relative * (2.0 - relative)).sqrt();
         match self.grid.edge {
             Edge::Sharp => (limit + varying) / root,
-            Edge::Smooth => root * (limit + varying),
+            Edge::Smooth => root * limit + root.sqrt() * varying,
             Edge::Continued => self.carrier * t + root * limit + varying,
         }
     }
@@ -61,7 +62,7 @@ impl<'a> Shape<'a> {
 /// Takes the carrier and the noise off `F` and cuts it where nothing else is left; returns `lim F/(1 - x^2)`.
 ///
 /// The singular density that is to be absent is absent up to an error `e` only, and adds nearly the same
-/// number to `F` at all nodes; what stays of it once that is taken off is about `e/10`. It counts as
+/// number to `F` at all nodes; what stays of it once that is taken off is half of `e` or less. It counts as
 /// `e exp(w)` in `f`. The first term left out behind the cut counts as `exp(-2 w)` (continued: `f` is
 /// regular `+ sqrt(gap)`) or `exp(-3 w)` (smooth), which is as much where `F ~ exp(-2 w)` is `e^(2/3)` or `e^(1/2)`.
 fn bound(f: &mut Vec<f64>, grid: &Grid, carrier: f64) -> f64 {
@@ -75,7 +76,7 @@ fn bound(f: &mut Vec<f64>, grid: &Grid, carrier: f64) -> f64 {
         *f -= noise * grid.ending(u.x);
     }
     let largest = f.iter().fold(0.0_f64, |most, f| most.max(f.abs()));
-    let rest = 0.1 * noise.abs() + 0.1 * f64::EPSILON * largest;
+    let rest = 0.5 * noise.abs() + 0.2 * f64::EPSILON * largest;
     let exponent = if grid.edge == Edge::Smooth { 0.5 } else { 2.0 / 3.0 };
     let least = largest * (rest / largest).powf(exponent);
     let end = (1..n).rev().find(|j| f[*j].abs() > least).unwrap_or(1);

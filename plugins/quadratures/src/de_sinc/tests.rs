@@ -123,10 +123,24 @@ fn what_a_scene_may_not_ask_for() {
     for bad in [0, 3, MOST_PINNED + 1] {
         assert!(StepCount::try_from(bad).is_err(), "{bad} steps");
     }
-    for bad in [0.0, -3.0, 6.1, f64::NAN, f64::INFINITY] {
+    for bad in [0.0, 0.9, -3.0, 6.1, f64::NAN, f64::INFINITY] {
         assert!(Reach::try_from(bad).is_err(), "u_max = {bad}");
     }
     let whole = Span { interval: [0.0, 1.0], parity: None, edge: Edge::Sharp };
     assert!(DeSinc::default().rule(&whole).is_err(), "no parity");
     assert!(DeSinc::default().rule(&Span::symmetric(1.0, Parity::Even, Edge::Continued)).is_err());
+}
+
+#[test]
+fn the_widest_and_the_narrowest_grid_hold() {
+    let kernel = graded(0.5);
+    for (n, u_max) in [(LEAST_STEPS, LEAST_REACH), (40, LEAST_REACH), (LEAST_STEPS, MOST_REACH), (40, MOST_REACH)] {
+        let quadrature = DeSinc { n: Some(StepCount(n)), u_max: Some(Reach(u_max)), level: 0 };
+        let mut rule = quadrature.rule(&Span::symmetric(1.0, Parity::Even, Edge::Sharp)).expect("in range");
+        assert!(operator(rule.as_mut(), Some((&kernel, Component::NormalSlope))).iter().all(|a| a.is_finite()));
+        let unknowns = flat_punch(rule.as_mut(), None);
+        let p = value(rule.as_ref(), &unknowns, 0.5, 0.5) * std::f64::consts::PI * 0.75_f64.sqrt();
+        // Exact for F = const by construction; entries span 250 orders of magnitude.
+        assert_close(p, 1.0, 1e-12, &format!("flat punch at n = {n}, u_max = {u_max}"));
+    }
 }

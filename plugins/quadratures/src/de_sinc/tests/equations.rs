@@ -128,6 +128,7 @@ fn stick_zone_on_a_half_plane() {
         (Stick::from_one_minus_ratio(1e-2), 32),
         (Stick::from_one_minus_ratio(1e-4), 64),
         (Stick::from_one_minus_ratio(1e-6), 90),
+        (Stick::from_one_minus_ratio(1e-12), 181),
     ] {
         let [eta, _] = stick(zone, n, 0.1 * zone.ratio);
         assert_close(eta / friction(zone, 1.0), 1.0, 1e-10, &format!("eta/beta at {zone:?}"));
@@ -137,10 +138,11 @@ fn stick_zone_on_a_half_plane() {
 #[test]
 fn shear_in_the_stick_zone_converges_up_to_its_end() {
     let zone = Stick::from_ratio(0.5);
-    for gap in [0.4, 1e-2, 1e-6, 1e-12] {
+    // A rounding of the singular density stays and counts as 1e-17 exp(w), up to w = 13 where the series is cut.
+    for (gap, tolerance) in [(0.4, 2e-11), (1e-2, 2e-11), (1e-6, 2e-11), (1e-12, 1e-10)] {
         let [_, once] = stick(zone, 32, gap);
         let [_, twice] = stick(zone, 64, gap);
-        assert_close(once / twice, 1.0, 1e-9, &format!("q at gap {gap}"));
+        assert_close(once / twice, 1.0, tolerance, &format!("q at gap {gap}"));
     }
 }
 

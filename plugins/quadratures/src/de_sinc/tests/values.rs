@@ -20,6 +20,22 @@ fn flat_punch_on_a_half_plane() {
 }
 
 #[test]
+fn nothing_is_lost_beyond_the_last_node() {
+    // At six steps the grid ends at u = 2.3, and 4e-4 of the flat punch's force lie beyond.
+    for length in [10.0, 1.0] {
+        let constant = Made { parts: |_| Parts { smooth: 1.0, ..Parts::default() }, length };
+        let mut rule = rule(2.0, Parity::Even, Edge::Sharp, 6);
+        let (mut samples, mut out) = (Vec::new(), [0.0; 2]);
+        rule.sample_potential(&[1.0; 7], (&constant, Component::Coupling), &mut samples);
+        let at = [Station { x: 0.3, gap: 1.7 }, Station { x: 2.0, gap: 0.0 }];
+        rule.potential_into(&samples, (&constant, Component::Coupling), &at, &mut out);
+        for got in out {
+            assert_close(got, 2.0, 2e-5, "(1/pi) int f dr, half the force's 1e-5 by interpolation of P");
+        }
+    }
+}
+
+#[test]
 fn values_between_the_nodes() {
     let (c, n) = (2.0, 48);
     let polynomial = |t: f64| 1.0 - 3.0 * t * t + 0.5 * t.powi(8);

@@ -1,0 +1,165 @@
+//! The Legendre series of one panel of wave numbers, and what it leaves unresolved.
+
+use super::column::Column;
+use bilby::GaussLegendre;
+use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
+
+/// One stretch of wave numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Panel {
+    pub(super) middle: f64,
+    pub(super) half: f64,
+    /// Per kernel: `2 half` times the Legendre coefficients, with the signs of `i^l` put in (real for even
+    /// `l`, imaginary for odd).
+    pub(super) waves: Vec<Vec<f64>>,
+}
+
+/// Rounding of `s F`, of order one, in a Legendre coefficient: it is counted with the rounding of the whole.
+const NOISE: f64 = 16.0 * f64::EPSILON;
+
+/// Coefficients below this that no longer fall are noise that the flexibility brings: no panel resolves it.
+pub(super) const LARGEST_NOISE: f64 = 1e-9;
+
+/// One panel; what it leaves unresolved, the factor by which its coefficients fall, and `int |W|`, and whether what is
+/// left is noise, per kernel.
+pub(super) struct Sampled {
+    pub(super) panel: Panel,
+    pub(super) error: Vec<f64>,
+    pub(super) ratio: Vec<f64>,
+    pub(super) size: Vec<f64>,
+    pub(super) noisy: Vec<bool>,
+}
+
+/// An end of a panel, and the flexibility `at` it: at the origin a little beside it, where the depth is defined too.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct End {
+    pub(super) s: f64,
+    pub(super) at: f64,
+    pub(super) flexibility: SurfaceFlexibility,
+}
+
+impl End {
+    pub(super) fn new(response: &dyn LayerResponse, s: f64, at: f64) -> Result<Self, Refusal> {
+        Ok(Self { s, at, flexibility: response.surface(at)? })
+    }
+}
+
+/// Gauss nodes and the Legendre polynomials on them.
+pub(super) struct Legendre {
+    nodes: Vec<f64>,
+    weights: Vec<f64>,
+    /// `polynomials[l][i] = P_l(nodes[i])`.
+    polynomials: Vec<Vec<f64>>,
+}
+
+impl Legendre {
+    /// `nodes` of them, an even number.
+    pub(super) fn new(nodes: usize) -> Self {
+        let gauss = GaussLegendre::new(nodes).expect("at least one node");
+        let (nodes, weights) = (gauss.rule().nodes.clone(), gauss.rule().weights.clone());
+        let mut polynomials = vec![vec![1.0; nodes.len()], nodes.clone()];
+        for l in 2..nodes.len() {
+            let a = (2 * l - 1) as f64 / l as f64;
+            let next = (0..nodes.len())
+                .map(|i| a * nodes[i] * polynomials[l - 1][i] - (a - 1.0) * polynomials[l - 2][i])
+                .collect();
+            polynomials.push(next);
+        }
+        Self { nodes, weights, polynomials }
+    }
+
+    pub(super) fn nodes(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Samples the panel between two ends for waves up to `reach`.
+    pub(super) fn sample(
+        &self,
+        columns: &[Column],
+        response: &dyn LayerResponse,
+        lower: End,
+        upper: End,
+        reach: f64,
+    ) -> Result<Sampled, Refusal> {
+        let (middle, half) = (f64::midpoint(lower.s, upper.s), 0.5 * (upper.s - lower.s));
+        let s: Vec<f64> = self.nodes.iter().map(|x| middle + half * x).collect();
+        let mut f = vec![SurfaceFlexibility::default(); s.len()];
+        response.surface_into(&s, &mut f)?;
+        let panel = Panel { middle, half, waves: Vec::with_capacity(columns.len()) };
+        let mut sampled = Sampled { panel, error: Vec::new(), ratio: Vec::new(), size: Vec::new(), noisy: Vec::new() };
+        for column in columns {
+            let weighted: Vec<f64> =
+                s.iter().zip(&f).zip(&self.weights).map(|((s, f), weight)| weight * column.weight(*s, f)).collect();
+            let coefficients: Vec<f64> = self
+                .polynomials
+                .iter()
+                .enumerate()
+                .map(|(l, p)| (l as f64 + 0.5) * p.iter().zip(&weighted).map(|(p, w)| p * w).sum::<f64>())
+                .collect();
+            // The second evaluation: at the ends, where an unresolved P_n is largest.
+            let seen = [lower, upper].map(|end| {
+                let sum = legendre_sum(&coefficients, (end.at - middle) / half);
+                (sum - column.weight(end.at, &end.flexibility)).abs()
+            });
+            let (error, ratio, noisy) = unresolved(&coefficients, seen[0].max(seen[1]), half * reach);
+            sampled.error.push(2.0 * half * error);
+            sampled.ratio.push(ratio);
+            sampled.noisy.push(noisy);
+            sampled.size.push(half * weighted.iter().map(|w| w.abs()).sum::<f64>());
+            let wave = |(l, c): (usize, &f64)| if l % 4 < 2 { 2.0 * half * c } else { -2.0 * half * c };
+            sampled.panel.waves.push(coefficients.iter().enumerate().map(wave).collect());
+        }
+        Ok(sampled)
+    }
+}
+
+/// What `n` Gauss nodes leave of `int W(x) exp(iwx) dx/2`, `|w| <= phase`, for a function whose Legendre
+/// coefficients fall geometrically: those from the `n`-th on, and what they feign in the lower ones
+/// (`P_(2n-l)` looks like `P_l` on the nodes), each times `|j_l| <= phase^l/(2l+1)!!`.
+///
+/// `seen` is the error of the interpolant seen at the ends. Also returns the factor from one coefficient to the next, and
+/// whether they have ended in noise.
+fn unresolved(coefficients: &[f64], seen: f64, phase: f64) -> (f64, f64, bool) {
+    let n = coefficients.len();
+    let most = |range: std::ops::Range<usize>| coefficients[range].iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+    let last = (most(n - 3..n).max(seen) - NOISE).max(0.0);
+    let earlier = most(n / 2 - 2..n / 2 + 1).max(f64::MIN_POSITIVE);
+    let noisy = last > 0.3 * earlier && last < LARGEST_NOISE;
+    if noisy {
+        // Not a series any more: the size of the noise, which each sample has, over the panel.
+        return (4.0 * last, SLOWEST, true);
+    }
+    let first = most(0..3).max(f64::MIN_POSITIVE);
+    let ratio = (last / earlier).powf(2.0 / n as f64).max((last / first).powf(1.0 / n as f64)).powf(CAUTION);
+    let ratio = ratio.clamp(0.05, SLOWEST);
+    let (mut sum, mut bessel, mut feigned) = (0.0, 1.0_f64, last * ratio.powi(i32::try_from(n).unwrap_or(i32::MAX)));
+    for l in 0..n {
+        sum += feigned * bessel.min(1.0);
+        feigned /= ratio;
+        bessel *= phase / (2 * l + 3) as f64;
+    }
+    let mut left_out = last;
+    for l in n..4 * n {
+        sum += left_out * bessel.min(1.0);
+        left_out *= ratio;
+        bessel *= phase / (2 * l + 3) as f64;
+    }
+    (sum, ratio, false)
+}
+
+/// `sum_l coefficients[l] P_l(x)`.
+fn legendre_sum(coefficients: &[f64], x: f64) -> f64 {
+    let (mut before, mut p, mut sum) = (0.0, 1.0, 0.0);
+    for (l, c) in coefficients.iter().enumerate() {
+        sum += c * p;
+        let a = (2 * l + 1) as f64 / (l + 1) as f64;
+        (before, p) = (p, a * x * p - (a - 1.0) * before);
+    }
+    sum
+}
+
+/// Power to which the decay seen is raised before it is trusted for as many coefficients again: it may slow down.
+const CAUTION: f64 = 0.92;
+
+/// Slowest decay assumed from one Legendre coefficient to the next.
+const SLOWEST: f64 = 0.95;

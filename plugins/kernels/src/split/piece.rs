@@ -1,0 +1,149 @@
+//! One kernel's parts as polynomials on one piece of `|t|`.
+
+use crate::even_table::chebyshev;
+use std::f64::consts::PI;
+
+/// The variable of a piece, the distance, and the parts there.
+pub(super) type Sample = (f64, f64, Values);
+
+/// A kernel's parts (smooth, sign, log) at `t > 0`.
+pub(super) type Values = [f64; 3];
+
+/// Where the variable of a piece is sampled: Chebyshev nodes, then the checks.
+pub(super) struct Variable {
+    pub(super) nodes: usize,
+    pub(super) all: Vec<f64>,
+}
+
+impl Variable {
+    /// An interpolant is worst at the ends of its range.
+    pub(super) fn chebyshev(nodes: usize, checks: &[f64]) -> Self {
+        let cosine = |j: usize| (PI * (2 * j + 1) as f64 / (2 * nodes) as f64).cos();
+        Self { nodes, all: (0..nodes).map(cosine).chain(checks.iter().copied()).collect() }
+    }
+}
+
+/// The variable `2 (t/upper)^2 - 1` at a thousandth of the first piece: nearly its lower end, where a kernel whose series
+/// is too short is not smooth.
+pub(super) const NEAR_ORIGIN: f64 = -1.0 + 2e-6;
+
+/// One kernel on one piece.
+pub(super) struct Piece {
+    pub(super) rows: Vec<[f64; 3]>,
+    pub(super) error: f64,
+    /// What of the error no finer piece removes.
+    pub(super) noise: f64,
+}
+
+/// Rounding of the values that are interpolated, over their size: below it nothing is resolved.
+const NOISE: f64 = 6.0 * f64::EPSILON;
+
+/// On the piece at the origin an even factor of the logarithm has its error multiplied by up to this: `|log t|`
+/// at the smallest distances that two points of a contact have, `exp(-40)` of the thickness.
+pub(super) const LARGEST_LOG: f64 = 40.0;
+
+impl Piece {
+    /// Through the values at the nodes; those at the `checks`, of which the last is the upper end, show the error.
+    ///
+    /// The piece `at_origin` has the parity of each part built in: a kernel's smooth part and the factor of its
+    /// logarithm are odd when it is (`odd`), the factor of its sign when it is not.
+    pub(super) fn through((nodes, checks): (&[Sample], &[Sample]), at_origin: bool, odd: bool, aim: f64) -> Self {
+        let upper = checks.last().expect("a check at the upper end").1;
+        let parity = [odd, !odd, odd].map(|odd| odd && at_origin);
+        let mut piece = Self { rows: Vec::new(), error: 0.0, noise: 0.0 };
+        for part in 0..3 {
+            let values: Vec<f64> = nodes.iter().map(|(.., v)| v[part]).collect();
+            let mut series = if parity[part] { odd_chebyshev(&values) } else { chebyshev(&values) };
+            let weight = match part {
+                2 if at_origin && !odd => LARGEST_LOG,
+                2 => upper.ln().abs().max(1.0),
+                _ => 1.0,
+            };
+            let noise = NOISE * values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+            let left_out = remainder(&series, noise);
+            // Drop what is not wanted.
+            let mut dropped = 0.0;
+            while let Some(c) = series.last() {
+                if dropped + c.abs() > 0.1 * aim / weight {
+                    break;
+                }
+                dropped += c.abs();
+                series.pop();
+            }
+            let mut powers = monomials(&series, parity[part]);
+            if parity[part] {
+                // The table multiplies by t.
+                for c in &mut powers {
+                    *c /= upper;
+                }
+            }
+            let seen = checks.iter().fold(0.0_f64, |most, (v, t, value)| {
+                let sum = powers.iter().rev().fold(0.0, |sum, c| sum * v + c);
+                most.max((if parity[part] { sum * t } else { sum } - value[part]).abs())
+            });
+            piece.error += weight * (3.0 * seen.max(left_out) + dropped);
+            piece.noise += weight * noise;
+            for (power, c) in powers.into_iter().enumerate() {
+                if piece.rows.len() <= power {
+                    piece.rows.push([0.0; 3]);
+                }
+                piece.rows[power][part] = c;
+            }
+        }
+        piece
+    }
+}
+
+/// What the coefficients beyond the last sum up to, if they go on falling as they did; noise falls no more.
+fn remainder(series: &[f64], noise: f64) -> f64 {
+    let n = series.len();
+    let most = |range: std::ops::Range<usize>| series[range].iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+    let last = most(n - 2..n);
+    if last <= noise {
+        return last;
+    }
+    let ratio = (last / most(n / 2 - 1..n / 2 + 1).max(f64::MIN_POSITIVE)).powf(2.0 / n as f64);
+    last / (1.0 - ratio.min(SLOWEST))
+}
+
+/// Slowest decay assumed from one Chebyshev coefficient to the next.
+const SLOWEST: f64 = 0.95;
+
+/// Coefficients of `T_1, T_3, ...` in the odd interpolant through values at `cos((2j + 1) pi/4n)`.
+fn odd_chebyshev(values: &[f64]) -> Vec<f64> {
+    let n = values.len();
+    let cosines: Vec<f64> = (0..8 * n).map(|m| (PI * m as f64 / (4 * n) as f64).cos()).collect();
+    let coefficient = |k: usize| {
+        let sum: f64 = values.iter().enumerate().map(|(j, v)| v * cosines[(2 * k + 1) * (2 * j + 1) % (8 * n)]).sum();
+        sum * 2.0 / n as f64
+    };
+    (0..n).map(coefficient).collect()
+}
+
+/// `sum_k series[k] T_k(v)` in powers of `v`; of an odd series, `sum_k series[k] T_(2k+1)(x)/x` in powers of
+/// `v = 2 x^2 - 1`.
+fn monomials(series: &[f64], odd: bool) -> Vec<f64> {
+    let n = series.len();
+    let mut sum = vec![0.0; n];
+    let (mut older, mut newer) = (vec![0.0; n], vec![0.0; n]);
+    for (k, c) in series.iter().enumerate() {
+        let mut next = vec![0.0; n];
+        match k {
+            0 => next[0] = 1.0,
+            // T_1(v) = v; T_3(x)/x = 2 v - 1. Both families go on by the same recurrence.
+            1 if odd => (next[0], next[1]) = (-1.0, 2.0),
+            1 => next[1] = 1.0,
+            _ => {
+                for j in 0..n {
+                    next[j] = if j > 0 { 2.0 * newer[j - 1] } else { 0.0 } - older[j];
+                }
+            }
+        }
+        for (sum, t) in sum.iter_mut().zip(&next) {
+            *sum += c * t;
+        }
+        older = newer;
+        newer = next;
+    }
+    sum
+}
