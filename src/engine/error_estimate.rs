@@ -77,15 +77,23 @@ mod tests {
         (0..sequences[0].len()).map(at).collect()
     }
 
+    /// Estimate, truth and first difference of a sequence over 8, 16 and 32 nodes.
+    fn judged(error: fn(f64) -> f64) -> [f64; 3] {
+        let values: Vec<f64> = [8.0, 16.0, 32.0].map(|n: f64| 1.0 + error(n)).into();
+        let estimate = extrapolated(&history(&[&values])).unwrap().get(Quantity::Force).unwrap();
+        [estimate, (values[2] - 1.0).abs(), (values[1] - values[0]).abs()]
+    }
+
     #[test]
     fn algebraic_and_exponential_sequences_are_judged_from_above() {
-        for error in [|n: f64| n.powi(-2), |n: f64| (-n).exp(), |n: f64| n.powi(-3)] {
-            let values: Vec<f64> = [8.0, 16.0, 32.0].map(|n: f64| 1.0 + error(n)).into();
-            let estimate = extrapolated(&history(&[&values])).unwrap().get(Quantity::Force).unwrap();
-            let truth = (values[2] - 1.0).abs();
-            assert!(estimate >= truth, "{estimate} against {truth}");
-            assert!(estimate < 3.0 * truth.max(1e-6), "{estimate} against {truth}");
+        for error in [|n: f64| n.powi(-2), |n: f64| n.powi(-3)] {
+            let [estimate, truth, _] = judged(error);
+            assert!((truth..3.0 * truth).contains(&estimate), "{estimate} against {truth}");
         }
+        let [estimate, truth, first] = judged(|n: f64| (-n).exp());
+        // Two differences that shrink at the fastest rate believed, and the safety.
+        let slowest = SAFETY * first * FASTEST.powi(2) / (1.0 - FASTEST);
+        assert!((truth..1.01 * slowest).contains(&estimate), "{estimate} against {truth}, {slowest} at most");
     }
 
     #[test]

@@ -72,6 +72,8 @@ impl Layer {
     /// Makes the kernels serve; tables that do already are kept.
     pub(crate) fn tabulate(&mut self, wanted: Wanted) -> Result<(), Refusal> {
         let reach = 2.0 * wanted.half_width;
+        // See `refine::spread`: what the kernels' error grows by on its way into the numbers.
+        let wanted = Wanted { accuracy: wanted.accuracy / (1.0 + wanted.half_width), ..wanted };
         let serves = |tables: &Tables| {
             let precise = if tables.kernels.error().is_some() {
                 tables.accuracy <= wanted.accuracy

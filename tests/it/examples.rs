@@ -52,7 +52,7 @@ fn table_1_is_reproduced_to_the_independent_digits() {
         let solution = solve(&scene);
         let got = solution.edge.ratio.expect("a number");
         let error = (got / case["flat"]["edge"].as_f64().expect("a number") - 1.0).abs();
-        assert!(error < 1e-4, "{name}: edge ratio {got}, error {error:.1e} above the default tolerance");
+        assert!(error < 1e-8, "{name}: edge ratio {got}, error {error:.1e} above the default tolerance");
         compared += 1;
     }
     assert_eq!(compared, 9);

@@ -1,58 +1,83 @@
-//! Stick zones: direction of slip, spurious roots, limits.
+//! Stick zones: the half-plane's, spurious roots, limits. Those of layers are in `accuracy`.
 
 use crate::sketch::Sketch;
-use serde_json::Value;
 use slipzone::api::reference::partial_slip;
-use slipzone::engine::{Slip, Status};
-
-#[test]
-fn thin_or_incompressible_layers_slip_outwards() {
-    let cases: Value = serde_json::from_str(include_str!("../data/outward_slip.json")).expect("valid JSON");
-    for case in cases["cases"].as_array().expect("a list") {
-        let number = |key: &str| case[key].as_f64().expect("a number");
-        let sketch = Sketch::flat(number("h_over_b"), number("mu1_over_mu3"), number("nu")).rubbing(number("eta"));
-        let solution = sketch.solve();
-        assert_eq!(solution.status, Status::Converged, "{sketch:?}: {:?}", solution.reason);
-        let stick = solution.stick.expect("friction");
-        assert_eq!(stick.slip, Some(Slip::Outward), "{sketch:?}");
-        let error = (stick.ratio.expect("a ratio") / number("stick") - 1.0).abs();
-        assert!(error < 1e-4, "{sketch:?}: {stick:?}, error {error:.1e} above the default tolerance");
-        // q = -eta p beside the right edge.
-        let shear = solution.profile.shear.expect("friction");
-        assert!(shear[199].expect("inside") < 0.0);
-    }
-}
+use slipzone::engine::{Slip, Solution, Status};
 
 #[test]
 fn half_plane_follows_spence() {
     for (nu, eta) in [(0.3, 0.2374), (0.3, 0.5), (0.0, 0.3), (0.0, 0.6), (0.45, 0.1), (0.4, 0.05)] {
-        let solution = Sketch::half_plane(nu).rubbing(eta).solve();
+        let solution = Sketch::half_plane(nu).rubbing(eta).with("[solver]\ntolerance = 1e-10").solve();
         assert_eq!(solution.status, Status::Converged, "nu = {nu}, eta = {eta}: {:?}", solution.reason);
         let beta = (1.0 - 2.0 * nu) / (2.0 - 2.0 * nu);
         let exact = partial_slip::stick(eta, beta);
         let stick = solution.stick.expect("friction");
-        let (got, gap) = (stick.ratio.expect("a ratio"), stick.one_minus_ratio.expect("a ratio"));
-        let estimate = solution.error.each["stick.ratio"].max(1e-12);
-        println!(
-            "nu {nu} eta {eta}: {got} error {:.1e} estimate {estimate:.1e} gap error {:.1e} est {:.1e}",
-            got / exact.ratio - 1.0,
-            gap / exact.one_minus_ratio - 1.0,
-            solution.error.each["stick.one_minus_ratio"]
-        );
-        assert!((got / exact.ratio - 1.0).abs() < 3.0 * estimate, "nu = {nu}, eta = {eta}: {got} against {exact:?}");
-        assert!((gap / exact.one_minus_ratio - 1.0).abs() < 3.0 * solution.error.each["stick.one_minus_ratio"]);
+        let numbers = [
+            ("stick.ratio", stick.ratio.expect("a ratio"), exact.ratio),
+            ("stick.one_minus_ratio", stick.one_minus_ratio.expect("a ratio"), exact.one_minus_ratio),
+        ];
+        for (path, got, exact) in numbers {
+            let (error, estimate) = ((got / exact - 1.0).abs(), solution.error.each[path]);
+            println!("nu {nu} eta {eta} {path} = {got}: error {error:.1e} estimate {estimate:.1e}");
+            // 1e-12: the closed form's own rounding, through an exponential and a quotient of elliptic integrals.
+            assert!(error < 3.0 * estimate.max(1e-12), "nu = {nu}, eta = {eta}: {path} = {got} against {exact}");
+        }
         assert_eq!(solution.load.indentation, None, "undefined on a half-plane");
+    }
+}
+
+/// From a hair beside full sliding to a hair beside full stick.
+#[test]
+fn half_plane_follows_spence_from_one_end_to_the_other() {
+    let beta: f64 = 2.0 / 7.0; // nu = 0.3
+    // a/b = 4 exp(-pi beta/(2 eta)) and 1 - a/b = 8 exp(-pi eta/beta), for shares of 1e-11 to 1e-3.
+    let narrow = |share: f64| std::f64::consts::PI * beta / (2.0 * (4.0 / share).ln());
+    let wide = |share: f64| beta * (8.0 / share).ln() / std::f64::consts::PI;
+    for share in [1e-11, 1e-9, 1e-6, 1e-3] {
+        for eta in [narrow(share), wide(share)] {
+            let solution = Sketch::half_plane(0.3).rubbing(eta).solve();
+            assert_eq!(solution.status, Status::Converged, "eta = {eta}: {:?}", solution.reason);
+            let exact = partial_slip::stick(eta, beta);
+            let stick = solution.stick.expect("friction");
+            assert_eq!(stick.slip, Some(Slip::Inward), "eta = {eta}");
+            let numbers = [
+                ("stick.ratio", stick.ratio.expect("a ratio"), exact.ratio),
+                ("stick.one_minus_ratio", stick.one_minus_ratio.expect("a ratio"), exact.one_minus_ratio),
+            ];
+            for (path, got, exact) in numbers {
+                let (error, estimate) = ((got / exact - 1.0).abs(), solution.error.each[path]);
+                println!("share {share:e} eta {eta} {path} = {got:e}: error {error:.1e} estimate {estimate:.1e}");
+                assert!(error < 3.0 * estimate.max(1e-12), "eta = {eta}: {path} = {got} against {exact}");
+            }
+        }
     }
 }
 
 #[test]
 fn what_fits_nothing_is_flagged() {
-    // docs/theory.md: neither branch has a root with 1 - a/b > 1e-4.
-    for ratio in [1.0, 8.0, 0.125] {
-        let solution = Sketch::flat(1.0, ratio, 0.45).rubbing(0.3).solve();
-        println!("{:?} {:?} {:?}", solution.status, solution.reason, solution.stick);
-        assert_ne!(solution.status, Status::Converged, "{:?}", solution.stick);
-        assert!(solution.reason.is_some());
+    // The only root sticks where more friction is needed than there is; the second one a hair from full stick.
+    for (h, ratio, nu, eta) in [(0.5, 1.0, 0.3, 0.05), (1.0, 8.0, 0.45, 0.3)] {
+        let solution = Sketch::flat(h, ratio, nu).rubbing(eta).solve();
+        assert_eq!(solution.status, Status::AssumptionViolated, "{:?}: {:?}", solution.reason, solution.stick);
+        let reason = solution.reason.expect("a reason");
+        assert!(reason.contains("eta p at x = "), "it says what fails and where: {reason}");
+    }
+}
+
+/// Slip zones of 1e-9 and 5e-11 of the contact, by two quadratures that share nothing.
+#[test]
+fn slivers_of_slip_are_found_whichever_way() {
+    for ratio in [1.0, 0.125] {
+        let sketch = Sketch::flat(1.0, ratio, 0.45).rubbing(0.3);
+        let panels = sketch.clone().with("[solver]\nquadrature = { type = \"graded-panels\" }").solve();
+        let sinc = sketch.solve();
+        assert_eq!((sinc.status, panels.status), (Status::Converged, Status::Converged), "{:?}", sinc.reason);
+        let gap = |solution: &Solution| solution.stick.as_ref().expect("friction").one_minus_ratio.expect("a number");
+        let estimate = |solution: &Solution| solution.error.each["stick.one_minus_ratio"];
+        let (error, allowed) = (gap(&sinc) / gap(&panels) - 1.0, estimate(&sinc) + estimate(&panels));
+        println!("mu1/mu3 = {ratio}: 1 - a/b = {:e}, {error:.1e} apart, {allowed:.1e} claimed", gap(&sinc));
+        assert!(error.abs() < allowed, "mu1/mu3 = {ratio}: {error:.1e} apart, {allowed:.1e} claimed");
+        assert!(gap(&sinc) < 1e-8, "mu1/mu3 = {ratio}: a sliver");
     }
 }
 
@@ -62,7 +87,8 @@ fn a_reversed_shear_inside_the_stick_zone_is_no_failure() {
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
     let stick = solution.stick.expect("friction");
     assert_eq!(stick.slip, Some(Slip::Inward));
-    assert!((stick.ratio.expect("a ratio") - 0.961_589).abs() < 1e-4, "{stick:?} against 0.961589 of theory.md");
+    // Half a unit of the last digit printed in theory.md.
+    assert!((stick.ratio.expect("a ratio") - 0.961_589).abs() < 5e-7, "{stick:?} against 0.961589 of theory.md");
 }
 
 #[test]
@@ -75,7 +101,7 @@ fn a_stiff_skin_on_a_soft_layer_lifts_off_in_the_middle() {
         let solution = Sketch::flat(5.0, ratio, 0.3).solve();
         println!("{:?} {:?} {:?} {:?}", solution.status, solution.reason, solution.pressure, solution.error.each);
         let got = solution.pressure.centre.expect("a number");
-        assert!((got - centre).abs() < 1e-3, "mu1/mu3 = {ratio}: {got} against {centre} (three digits)");
+        assert!((got - centre).abs() < 5e-4, "mu1/mu3 = {ratio}: {got} against {centre} (three digits)");
         assert_eq!(solution.status, status, "mu1/mu3 = {ratio}: {:?}", solution.reason);
     }
 }

@@ -40,7 +40,9 @@ proptest! {
         }
         let carried: f64 = p.iter().zip(&x).map(|(p, x)| p * (1.0 - x * x).sqrt()).sum::<f64>() * PI / 200.0;
         let force = solution.load.force.expect("a number");
-        prop_assert!((carried / force - 1.0).abs() < 1e-4, "{} of {}", carried, force);
+        // Gauss sums of a density with gap log gap beside its square root err like n^-2, times a gradient; next to
+        // that the pressure's own error, 1e-8, is nothing.
+        prop_assert!((carried / force - 1.0).abs() < 1e-5, "{} of {}", carried, force);
     }
 
     #[test]

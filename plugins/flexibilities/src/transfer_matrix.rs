@@ -143,7 +143,8 @@ impl LayerResponse for Response {
         if error <= ACCEPTED {
             Ok(SurfaceFlexibility { vv: vv.re, uu: uu.re, uv: f64::midpoint(uv.re, vu.re) })
         } else {
-            Err(refusal(format!("the eigenvectors are so close that an error of {error:.0e} is to be expected")))
+            let expected = if error.is_nan() { "any error".into() } else { format!("an error of {error:.0e}") };
+            Err(refusal(format!("the eigenvectors are so close that {expected} is to be expected")))
         }
     }
 
