@@ -4,6 +4,7 @@ use super::layer::Layer;
 use super::normal::Normal;
 use super::problem::Problem;
 use super::stick::Shear;
+use super::stick_zone::StickZone;
 use slipzone_api::double_exponential::{self, Node};
 use slipzone_api::{Component, Station};
 use std::f64::consts::PI;
@@ -16,6 +17,8 @@ const MARGIN: f64 = 1e-3;
 const SLIP_NODES: usize = 8;
 /// Nodes on either side of the grids over which the tractions are, and more of them per kernel length.
 const SOURCE_NODES: (usize, f64) = (28, 8.0);
+/// Most of those nodes.
+const MOST_SOURCE_NODES: usize = 1 << 12;
 
 /// Points of `[0, half_width)` in cosine spacing: what happens beside an edge is as narrow as its field.
 fn samples(half_width: f64) -> [Station; SAMPLES] {
@@ -53,113 +56,147 @@ pub(crate) fn overload(normal: &Normal, shear: &Shear) -> Option<(f64, f64)> {
     (worst.1 > 1.0 + MARGIN).then_some(worst)
 }
 
-/// Where the surface slides the wrong way beside the stick zone: `x/b` of the worst point.
-///
-/// Friction opposes sliding: `u(x) - u(a)` has the sign of `-q`, `x > a`.
-pub(crate) fn wrong_slip(layer: &Layer, problem: &Problem, normal: &mut Normal, shear: &Shear) -> Option<f64> {
-    let zone = shear.zone;
-    let targets = double_exponential::nodes(1.0, SLIP_NODES);
-    let strain = slip_strain(layer, problem, normal, shear, &targets);
-    let mut slip = 0.0;
-    let slips: Vec<(f64, f64)> = targets
-        .iter()
-        .zip(strain)
-        .map(|(node, strain)| {
-            // Trapezoidal rule in the grid's own variable, up to this node.
-            let step = node.weight * strain;
-            let here = slip + 0.5 * step;
-            slip += step;
-            (zone.in_slip(node).x / normal.half_width, here * shear.friction.signum())
-        })
-        .collect();
-    let most = slips.iter().fold(0.0_f64, |most, s| most.max(s.1.abs()));
-    let worst = slips.into_iter().max_by(|one, other| one.1.total_cmp(&other.1))?;
-    (worst.1 > MARGIN * most).then_some(worst.0)
+/// Room for checking the direction of slip, kept from zone to zone.
+#[derive(Default)]
+pub(crate) struct SlipCheck {
+    targets: Vec<Node>,
+    at: Vec<Station>,
+    samples: Vec<f64>,
+    /// The potentials of the pressure at the targets: slope, strain, coupling.
+    potentials: [Vec<f64>; 3],
+    strain: Vec<f64>,
+    stick: Sources,
+    slip: Sources,
 }
 
-/// `u'(x)/A0` at nodes of the slip zone.
-///
-/// With `q = eta p sign(x) + z`, `z` living on the stick zone, the principal value over `p` comes from the
-/// normal equation and only regular integrals are left (docs/theory.md, "Direction of slip").
-fn slip_strain(layer: &Layer, problem: &Problem, normal: &mut Normal, shear: &Shear, targets: &[Node]) -> Vec<f64> {
-    let (zone, eta) = (shear.zone, shear.friction);
-    let (a0, beta) = (problem.elastic.a0(), problem.elastic.beta());
-    let at: Vec<Station> = targets.iter().map(|node| zone.in_slip(node)).collect();
-    let mut potential = |component| {
-        let (mut samples, mut out) = (Vec::new(), vec![0.0; at.len()]);
-        normal.sample_potential(layer, component, &mut samples);
-        normal.potential_into(layer, component, &samples, &at, &mut out);
-        out
-    };
-    let by_normal = potential(Component::NormalSlope);
-    let by_shear = potential(Component::ShearStrain);
-    let by_coupling = potential(Component::Coupling);
-    let sources = Sources::new(layer, normal, shear);
-    let mut near = vec![0.0; sources.stick.len()];
-    let (mut far, mut beyond) = (near.clone(), vec![0.0; sources.slip.len()]);
-    let mut strain = |(i, node): (usize, &Node)| {
-        let (x, from_stick) = (at[i].x, zone.slip_width * node.from_lower);
-        let values = |to: &dyn Fn(&[f64; 4]) -> f64, from: &[[f64; 4]], out: &mut [f64]| {
-            let distances: Vec<f64> = from.iter().map(to).collect();
-            layer.kernel_values(Component::ShearStrain, &distances, out);
-        };
-        values(&|s| from_stick + s[1], &sources.stick, &mut near);
-        values(&|s| x + s[0], &sources.stick, &mut far);
-        values(&|s| x + s[0], &sources.slip, &mut beyond);
-        // (1/pi) PV int p/(x - r) dr from the normal equation.
-        let principal = problem.slope(x) / a0 - by_normal[i];
-        // Both halves of q = eta p sign(r) + z: 1/(x - r) and the kernel, folded.
-        let cauchy = |[r, gap, ..]: &[f64; 4]| 2.0 * r / ((from_stick + gap) * (x + r));
-        let by_z: f64 = sources
-            .stick
-            .iter()
-            .zip(near.iter().zip(&far))
-            .map(|(s, (near, far))| s[2] * (cauchy(s) + near - far))
-            .sum();
-        let mirrored = |(s, k): (&[f64; 4], &f64)| s[3] * (1.0 / (x + s[0]) + k);
-        let by_mirror = sources.stick.iter().zip(&far).map(mirrored).sum::<f64>()
-            + sources.slip.iter().zip(&beyond).map(mirrored).sum::<f64>();
-        let p = normal.at(at[i]);
-        -(eta * (principal + by_shear[i]) + (by_z - 2.0 * eta * by_mirror) / PI + beta * p - by_coupling[i])
-    };
-    targets.iter().enumerate().map(&mut strain).collect()
-}
-
-/// Sources of the strain beside the stick zone: abscissa, distance to the stick zone's edge, weight times
-/// `z`, weight times `p`.
+/// Where a traction acts: abscissa, distance to the stick zone's edge, weight times what acts beyond
+/// `eta p sign(x)`, weight times `p`.
+#[derive(Default)]
 struct Sources {
-    stick: Vec<[f64; 4]>,
-    slip: Vec<[f64; 4]>,
+    grid: Vec<Node>,
+    points: Vec<[f64; 4]>,
+    stations: Vec<Station>,
+    shear: Vec<f64>,
+    pressure: Vec<f64>,
+    distances: Vec<f64>,
+    kernel: Vec<f64>,
+}
+
+impl SlipCheck {
+    /// Where the surface slides the wrong way beside the stick zone: `x/b` of the worst point.
+    ///
+    /// Friction opposes sliding: `u(x) - u(a)` has the sign of `-q`, `x > a`.
+    pub(crate) fn wrong_slip(
+        &mut self,
+        layer: &Layer,
+        problem: &Problem,
+        normal: &mut Normal,
+        shear: &Shear,
+    ) -> Option<f64> {
+        self.strain(layer, problem, normal, shear);
+        let sign = shear.friction.signum();
+        // Trapezoidal rule in the grid's own variable, up to each node.
+        let (mut slip, mut most, mut worst) = (0.0, 0.0_f64, (0.0, f64::NEG_INFINITY));
+        for ((node, station), strain) in self.targets.iter().zip(&self.at).zip(&self.strain) {
+            let step = node.weight * strain;
+            let here = (slip + 0.5 * step) * sign;
+            slip += step;
+            most = most.max(here.abs());
+            if here > worst.1 {
+                worst = (station.x / normal.half_width, here);
+            }
+        }
+        (worst.1 > MARGIN * most).then_some(worst.0)
+    }
+
+    /// `u'(x)/A0` at nodes of the slip zone.
+    ///
+    /// With `q = eta p sign(x) + z`, `z` living on the stick zone, the principal value over `p` comes from the
+    /// normal equation and only regular integrals are left (docs/theory.md, "Direction of slip").
+    fn strain(&mut self, layer: &Layer, problem: &Problem, normal: &mut Normal, shear: &Shear) {
+        let (zone, eta) = (shear.zone, shear.friction);
+        let (a0, beta) = (problem.elastic.a0(), problem.elastic.beta());
+        if self.targets.is_empty() {
+            self.targets = double_exponential::nodes(1.0, SLIP_NODES);
+        }
+        self.at.clear();
+        self.at.extend(self.targets.iter().map(|node| zone.in_slip(node)));
+        for (out, component) in
+            self.potentials.iter_mut().zip([Component::NormalSlope, Component::ShearStrain, Component::Coupling])
+        {
+            out.resize(self.at.len(), 0.0);
+            normal.sample_potential(layer, component, &mut self.samples);
+            normal.potential_into(layer, component, &self.samples, &self.at, out);
+        }
+        self.stick.in_stick(layer, normal, shear);
+        self.slip.in_slip(layer, normal, zone);
+        self.strain.clear();
+        for (i, node) in self.targets.iter().enumerate() {
+            let (x, from_stick) = (self.at[i].x, zone.slip_width * node.from_lower);
+            // (1/pi) PV int p/(x - r) dr from the normal equation.
+            let principal = problem.slope(x) / a0 - self.potentials[0][i];
+            // Both halves of q = eta p sign(r) + z: 1/(x - r) and the kernel, folded.
+            let cauchy = |[r, gap, ..]: &[f64; 4]| 2.0 * r / ((from_stick + gap) * (x + r));
+            let by_z = self.stick.sum(layer, |[_, gap, ..]| from_stick + gap, |s, kernel| s[2] * (cauchy(s) + kernel))
+                - self.stick.sum(layer, |[r, ..]| x + r, |s, kernel| s[2] * kernel);
+            let mirrored = |s: &[f64; 4], kernel: f64| s[3] * (1.0 / (x + s[0]) + kernel);
+            let by_mirror =
+                self.stick.sum(layer, |[r, ..]| x + r, mirrored) + self.slip.sum(layer, |[r, ..]| x + r, mirrored);
+            let p = normal.at(self.at[i]);
+            let by_q = eta * (principal + self.potentials[1][i]) + (by_z - 2.0 * eta * by_mirror) / PI;
+            self.strain.push(-(by_q + beta * p - self.potentials[2][i]));
+        }
+    }
 }
 
 impl Sources {
-    fn new(layer: &Layer, normal: &Normal, shear: &Shear) -> Self {
-        let zone = shear.zone;
-        let nodes = |width: f64| {
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
-            let for_kernel = (SOURCE_NODES.1 * width / layer.length()) as usize;
-            double_exponential::nodes(1.0, for_kernel.clamp(SOURCE_NODES.0, 1 << 12))
-        };
-        let a = zone.half_width;
-        let grid = nodes(a);
-        let at: Vec<Station> =
-            grid.iter().map(|node| Station { x: a * node.from_lower, gap: a * node.to_upper }).collect();
-        let (mut q, mut p) = (vec![0.0; at.len()], vec![0.0; at.len()]);
-        shear.in_stick_into(&at, &mut q);
-        let in_contact: Vec<Station> = at.iter().map(|station| zone.in_contact(*station)).collect();
-        normal.values_into(&in_contact, &mut p);
-        let stick = |(i, node): (usize, &Node)| {
-            let weight = a * node.weight;
-            [at[i].x, at[i].gap, weight * (q[i] - shear.friction * p[i]), weight * p[i]]
-        };
-        let stick = grid.iter().enumerate().map(stick).collect();
-        let grid = nodes(zone.slip_width);
-        let slip = |node: &Node| {
-            let station = zone.in_slip(node);
-            let weight = zone.slip_width * node.weight;
-            [station.x, zone.slip_width * node.from_lower, 0.0, weight * normal.at(station)]
-        };
-        Self { stick, slip: grid.iter().map(slip).collect() }
+    /// A grid of unit length for a zone of that width.
+    fn resolve(&mut self, layer: &Layer, width: f64) {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
+        let for_kernel = (SOURCE_NODES.1 * width / layer.length()) as usize;
+        let nodes = for_kernel.clamp(SOURCE_NODES.0, MOST_SOURCE_NODES);
+        if self.grid.len() != 2 * nodes + 1 {
+            self.grid = double_exponential::nodes(1.0, nodes);
+        }
+        self.pressure.resize(self.grid.len(), 0.0);
+        self.stations.clear();
+        self.points.clear();
+    }
+
+    /// The tractions in the stick zone.
+    fn in_stick(&mut self, layer: &Layer, normal: &Normal, shear: &Shear) {
+        let (zone, a) = (shear.zone, shear.zone.half_width);
+        self.resolve(layer, a);
+        self.shear.resize(self.grid.len(), 0.0);
+        self.stations.extend(self.grid.iter().map(|n| Station { x: a * n.from_lower, gap: a * n.to_upper }));
+        shear.in_stick_into(&self.stations, &mut self.shear);
+        self.stations.iter_mut().for_each(|station| *station = zone.in_contact(*station));
+        normal.values_into(&self.stations, &mut self.pressure);
+        for (i, node) in self.grid.iter().enumerate() {
+            let (weight, p) = (a * node.weight, self.pressure[i]);
+            let z = self.shear[i] - shear.friction * p;
+            self.points.push([a * node.from_lower, a * node.to_upper, weight * z, weight * p]);
+        }
+    }
+
+    /// The pressure in the slip zone.
+    fn in_slip(&mut self, layer: &Layer, normal: &Normal, zone: StickZone) {
+        self.resolve(layer, zone.slip_width);
+        self.stations.extend(self.grid.iter().map(|node| zone.in_slip(node)));
+        normal.values_into(&self.stations, &mut self.pressure);
+        for ((node, station), p) in self.grid.iter().zip(&self.stations).zip(&self.pressure) {
+            let width = zone.slip_width;
+            self.points.push([station.x, width * node.from_lower, 0.0, width * node.weight * p]);
+        }
+    }
+
+    /// Sum over the sources of a term that knows the kernel at a distance.
+    fn sum(&mut self, layer: &Layer, distance: impl Fn(&[f64; 4]) -> f64, term: impl Fn(&[f64; 4], f64) -> f64) -> f64 {
+        self.distances.clear();
+        self.distances.extend(self.points.iter().map(distance));
+        self.kernel.resize(self.points.len(), 0.0);
+        layer.kernel_values(Component::ShearStrain, &self.distances, &mut self.kernel);
+        self.points.iter().zip(&self.kernel).map(|(point, kernel)| term(point, *kernel)).sum()
     }
 }
 
@@ -199,10 +236,9 @@ mod tests {
             let mut curve = FrictionCurve { layer, normal, shear, beta, tolerance: 1e-6 };
             let friction = curve.at((1.0 / one_minus_ratio - 1.0).ln()).expect("a shear");
             assert!((friction + 0.1).abs() < 5e-3, "a root of eta(a) = -0.1: {friction}");
-            let targets = double_exponential::nodes(1.0, SLIP_NODES);
-            let strain = slip_strain(curve.layer, &problem, curve.normal, curve.shear, &targets);
-            let overload = overload(curve.normal, curve.shear);
-            (overload, wrong_slip(curve.layer, &problem, curve.normal, curve.shear), strain)
+            let mut check = SlipCheck::default();
+            let wrong = check.wrong_slip(curve.layer, &problem, curve.normal, curve.shear);
+            (overload(curve.normal, curve.shear), wrong, check.strain)
         };
         let (overloaded, ..) = solve(1.6e-4);
         let (x, load) = overloaded.expect("friction cannot hold");

@@ -22,9 +22,15 @@ const ROUNDING: f64 = 1e-11;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Size {
     pub(crate) half_width: f64,
-    /// `d ln(load)/d ln b`.
+    /// `d ln(load)/d ln b`; NaN where it is not known.
     slope: f64,
+    /// What the load reached misses of the one wanted, relative: more than rounding where it jumps, because the
+    /// resolution is too coarse for the layer.
+    pub(crate) missed: f64,
 }
+
+/// Slopes of a contact's load over its size, `d ln P/d ln b`, that are no jump; 2 to 3 for a cylinder.
+const SLOPES: std::ops::RangeInclusive<f64> = 0.2..=30.0;
 
 /// Solves the pressure under a punch whose contact grows, at the load of the problem.
 ///
@@ -41,7 +47,7 @@ pub(crate) fn press(
         LoadInLayerUnits::HalfWidth(half_width) => {
             layer.tabulate(Wanted { half_width, ..wanted })?;
             normal.press_smooth(layer, problem, half_width)?;
-            return Ok(Size { half_width, slope: f64::NAN });
+            return Ok(Size { half_width, slope: f64::NAN, missed: 0.0 });
         }
         LoadInLayerUnits::Force(target) | LoadInLayerUnits::Indentation(target) => target,
     };
@@ -64,15 +70,15 @@ pub(crate) fn press(
         Some(size) => root::polish(size.half_width.ln(), size.slope, f64::INFINITY, position, &mut excess)?,
         None => None,
     };
-    let (log_b, slope) = match near {
-        Some(near) => near,
-        None => {
-            let start = known.map_or_else(|| first_size(problem, target, by_force), |size| size.half_width);
-            search(start.ln(), if known.is_some() { 0.01 } else { LN_2 }, position, &mut excess)?
-        }
+    let (log_b, slope) = if let Some(near) = near {
+        near
+    } else {
+        let start = known.map_or_else(|| first_size(problem, target, by_force), |size| size.half_width);
+        search(start.ln(), if known.is_some() { 0.01 } else { LN_2 }, position, &mut excess)?
     };
-    excess(log_b)?;
-    Ok(Size { half_width: log_b.exp(), slope })
+    let missed = excess(log_b)?.abs();
+    let slope = if SLOPES.contains(&slope) { slope } else { f64::NAN };
+    Ok(Size { half_width: log_b.exp(), slope, missed })
 }
 
 /// A half-width that tables are made for, so that a search changes them rarely: the next power of two.

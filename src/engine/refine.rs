@@ -16,6 +16,8 @@ const FINEST: usize = 16;
 const BOUND_STEP: usize = 4;
 /// Extra steps of what the scene left open beside a method that it fixed: of the other method.
 const BESIDE_PINNED: u32 = 3;
+/// Steps that may be refused before the first that is solved.
+const SKIPPED: usize = 7;
 /// Share of the tolerance that the kernels may use up.
 const KERNEL_SHARE: f64 = 0.05;
 /// Errors that stop shrinking below this are those of rounding.
@@ -62,7 +64,7 @@ impl Ladder {
     }
 
     /// Solves a problem with the methods given.
-    pub(super) fn to_tolerance(
+    pub(super) fn refine(
         &mut self,
         layer: &mut Layer,
         problem: &Problem,
@@ -101,6 +103,10 @@ impl Ladder {
                 judged.errors.set(quantity, error + spread * of_kernels);
             }
         }
+        if let Some(size) = judged.outcome.size.filter(|size| size.missed > ROUNDING) {
+            let errors = judged.errors;
+            errors.iter().for_each(|(quantity, error)| judged.errors.set(quantity, error + size.missed));
+        }
         // A bound does not change with the resolution, or does by chance: differences say nothing of its error.
         if let Some(bound) = bound_of_stick(&judged.outcome) {
             bound.iter().for_each(|(quantity, error)| judged.errors.set(quantity, error));
@@ -133,8 +139,14 @@ impl Ladder {
                     stopped = Some(refusal);
                     break;
                 }
+                // Too coarse for a thin layer: finer steps may do.
+                Err(refusal @ Refusal::OutOfReach { .. }) if step < SKIPPED => {
+                    stopped = Some(refusal);
+                    continue;
+                }
                 Err(refusal) => return Err(refusal),
             };
+            stopped = None;
             history.push(outcome.numbers);
             let mut done = false;
             if let Some(estimate) = extrapolated(&history) {
@@ -142,7 +154,8 @@ impl Ladder {
                 errors = estimate;
                 let now = errors.worst().map_or(0.0, |(_, error)| error);
                 let of_kernels = spread(&outcome.numbers) * layer.kernel_error().unwrap_or(0.0);
-                let met = now + of_kernels <= tolerance || now <= 2.0 * ROUNDING;
+                let missed = outcome.size.map_or(0.0, |size| size.missed);
+                let met = now + of_kernels + missed <= tolerance || now <= 2.0 * ROUNDING;
                 stalled = if now < ROUNDED && now > 0.5 * before { stalled + 1 } else { 0 };
                 done = met || stalled >= 2;
             }
@@ -162,7 +175,9 @@ impl Ladder {
                 break;
             }
         }
-        let Some((mut outcome, stage)) = last else { unreachable!("step 0 returned or was kept") };
+        let Some((mut outcome, stage)) = last else {
+            return Err(stopped.expect("every step was solved or refused"));
+        };
         if stopped.is_some() {
             // Settled by no step: the last one that could be solved is.
             #[allow(clippy::cast_possible_truncation)] // at most FINEST

@@ -31,10 +31,8 @@ pub(super) fn polish<E>(
         if step.is_nan() || step.abs() > WIDEST || from + step > most {
             return Ok(None);
         }
-        if step.abs() < wanted {
-            return Ok(Some((from + step, slope)));
-        }
-        let to = from + step * (1.0 + OVERSHOOT);
+        // A slope brought along proves nothing: the sign must change, however small the step.
+        let to = from + (step * (1.0 + OVERSHOOT)).abs().max(wanted).copysign(step);
         let beyond = f(to)?;
         slope = (beyond - here) / (to - from);
         if beyond * here > 0.0 {
@@ -81,6 +79,9 @@ mod tests {
         // f''/(2 f') = 1/2 times the product of the distances, 1e-4 and 2e-6.
         assert!((x - root).abs() < 1e-9 && (slope - 2.0).abs() < 1e-3, "{x}, {slope}");
         assert_eq!(count, 2);
+        // A slope a million times too large is found out.
+        let (found, count) = find(root + 1e-2, 2e6, 1e-12);
+        assert!(found.is_none_or(|(x, _)| (x - root).abs() < 1e-9), "{found:?} after {count} evaluations");
         // A slope that is off by a quarter costs more, not digits.
         let (found, count) = find(root - 1e-2, 1.5, 1e-12);
         assert!((found.unwrap().0 - root).abs() < 1e-9 && count <= 6, "{count} evaluations");

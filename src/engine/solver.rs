@@ -98,7 +98,7 @@ impl Solver {
     pub fn find(&mut self) -> Result<(), Refusal> {
         let tolerance = self.chosen.scene.solver.tolerance.get();
         let Self { chosen, problem, layer, ladder, judged } = self;
-        *judged = Some(ladder.to_tolerance(layer, problem, &chosen.methods, tolerance)?);
+        *judged = Some(ladder.refine(layer, problem, &chosen.methods, tolerance)?);
         Ok(())
     }
 

@@ -1,6 +1,6 @@
 //! One scene at one resolution: pressure, stick zone, and the numbers reported.
 
-use super::checks;
+use super::checks::{self, SlipCheck};
 use super::contact_size::{self, Size};
 use super::layer::{Layer, Wanted};
 use super::normal::Normal;
@@ -23,6 +23,7 @@ const PEAK_SAMPLES: usize = 24;
 pub(crate) struct Stage {
     pub(crate) normal: Normal,
     pub(crate) shear: Option<Shear>,
+    slip_check: SlipCheck,
     /// The friction curve, and the half-width that it belongs to: it depends on no load.
     curve: Option<(f64, Samples)>,
 }
@@ -33,7 +34,7 @@ pub(crate) struct Outcome {
     /// The numbers reported, in layer units.
     pub(crate) numbers: Numbers,
     pub(crate) rubbing: Option<Rubbing>,
-    size: Option<Size>,
+    pub(crate) size: Option<Size>,
 }
 
 /// What friction makes of it.
@@ -78,7 +79,7 @@ impl Stage {
         let edge = if problem.fixed_half_width().is_some() { Edge::Sharp } else { Edge::Smooth };
         let normal = Normal::new(quadrature.as_ref(), edge)?;
         let shear = problem.friction.map(|_| Shear::new(quadrature)).transpose()?;
-        Ok(Self { normal, shear, curve: None })
+        Ok(Self { normal, shear, slip_check: SlipCheck::default(), curve: None })
     }
 
     /// Solves; `coarse` is what a coarser resolution found.
@@ -167,7 +168,7 @@ impl Stage {
     fn scan(&mut self, layer: &Layer, task: Task, eta: f64) -> Result<Rubbing, Refusal> {
         let b = self.normal.half_width;
         let samples = match self.curve.take() {
-            Some((half_width, samples)) if half_width == b => samples,
+            Some((half_width, samples)) if half_width.to_bits() == b.to_bits() => samples,
             _ => self.curve(layer, task).sample()?,
         };
         let found = self.curve(layer, task).roots(eta, &samples)?;
@@ -270,7 +271,7 @@ impl Stage {
                  stick zone"
             ));
         }
-        checks::wrong_slip(layer, problem, normal, shear).map(|x| {
+        self.slip_check.wrong_slip(layer, problem, normal, shear).map(|x| {
             format!("with {direction} slip and a/b = {ratio:.6}, the surface slides the other way at x = {x:.4} b")
         })
     }

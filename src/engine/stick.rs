@@ -102,7 +102,7 @@ impl Shear {
         beta: f64,
         zone: StickZone,
     ) -> Result<f64, Refusal> {
-        self.used = self.resolution(zone)?;
+        self.used = self.resolution(zone);
         let grid = &mut self.grids[self.used];
         let rule = &mut grid.rule;
         let n = rule.unknowns();
@@ -143,9 +143,9 @@ impl Shear {
     }
 
     /// The grid fine enough for a zone, made when first asked for.
-    fn resolution(&mut self, zone: StickZone) -> Result<usize, Refusal> {
+    fn resolution(&mut self, zone: StickZone) -> usize {
         if self.quadrature.is_pinned() {
-            return Ok(0);
+            return 0;
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small positive count
         let wanted = (NEARLY * zone.crowding() * self.grids[0].rule.unknowns() as f64) as usize;
@@ -157,11 +157,11 @@ impl Shear {
                 match StickGrid::new(self.quadrature.refined(step as u32).as_ref()) {
                     Ok(grid) => self.grids.push(grid),
                     // The finest there is must do; the error estimate tells how well.
-                    Err(_) => return Ok(step - 1),
+                    Err(_) => return step - 1,
                 }
             }
         }
-        Ok(step)
+        step
     }
 
     /// Another friction coefficient for the same zone, `q` in proportion: right in the slip zone, and in the

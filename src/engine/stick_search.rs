@@ -25,7 +25,7 @@ const STEPS: (f64, f64) = (1.0, 2.0);
 const RESOLVED: f64 = 4.0;
 /// What is left of `eta(lambda) - eta` at a root, over `eta`, is of the order of the root's tolerance;
 /// beside a pole it is huge.
-const POLE: f64 = 0.1;
+const POLE: f64 = 0.01;
 /// Most roots kept; two or three are the most ever seen.
 const MOST_ROOTS: usize = 16;
 /// Roots closer than this in `lambda` are one.
@@ -153,8 +153,8 @@ impl FrictionCurve<'_> {
 
     /// All roots of `eta(lambda) = +-eta` within a sampled curve and beyond it, those of inward slip first.
     pub(crate) fn roots(&mut self, eta: f64, samples: &Samples) -> Result<Found, Refusal> {
-        let mut found = Found::default();
-        found.largest = samples.points.iter().fold(0.0, |most, (_, value)| most.max(value.abs()));
+        let largest = samples.points.iter().fold(0.0_f64, |most, (_, value)| most.max(value.abs()));
+        let mut found = Found { largest, ..Found::default() };
         for branch in [1.0, -1.0] {
             let target = branch * eta;
             self.below(target, samples, branch, &mut found)?;
@@ -265,10 +265,13 @@ impl FrictionCurve<'_> {
             let (lower, upper) = ((predicted - half).max(least), (predicted + half).min(most));
             if let Some(root) = self.root_between(lower, upper, target, branch, SCANNED)? {
                 found.add(root);
-                break;
+                return Ok(());
             }
             half *= 2.0;
         }
+        // Predicted just inside the range looked at, and just outside in truth.
+        found.wider |= predicted > 0.0 && target > 0.0;
+        found.narrower |= predicted < 0.0;
         Ok(())
     }
 
@@ -315,8 +318,8 @@ impl FrictionCurve<'_> {
             // A sign change may also be a pole, where the system for q is singular.
             Ok(root) if root.value().abs() < POLE * target.abs() => {
                 let [(l0, f0), (l1, f1)] = last;
-                let slope = if l0 == l1 { f64::NAN } else { (f1 - f0) / (l1 - l0) };
-                Ok(Some(Root { lambda: root.root(), branch, slope }))
+                // Not a number where both are one point; whoever follows the root then brackets it anew.
+                Ok(Some(Root { lambda: root.root(), branch, slope: (f1 - f0) / (l1 - l0) }))
             }
             Err(RootError::Evaluation(refusal)) => Err(refusal),
             _ => Ok(None),

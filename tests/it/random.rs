@@ -53,7 +53,9 @@ proptest! {
         let reference = sketch.with(judge).solve();
         let scale = |path: &str| solution.error.each[path].max(if solution.status == Status::Converged { 0.0 } else { tolerance });
         for ((path, found), (_, exact)) in numbers(&solution).into_iter().zip(numbers(&reference)) {
-            if exact == 0.0 {
+            // A stick zone that fails the conditions of friction is no number to rely on.
+            let void = solution.status == Status::AssumptionViolated && path.starts_with("stick");
+            if exact == 0.0 || void {
                 continue;
             }
             let error = (found / exact - 1.0).abs();

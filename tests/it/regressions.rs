@@ -72,3 +72,50 @@ fn a_wide_contact_is_found_from_its_indentation() {
     let allowed = by_depth.error.each["load.half_width"] + by_width.error.each["load.indentation"];
     assert!((found / 8.0 - 1.0).abs() < 3.0 * allowed + 1e-12, "{found}: both claim {allowed:.1e}, and rounding");
 }
+
+/// At 6 nodes the force over the width of a contact on a thin layer jumps; the search took the jump for a root, and
+/// its slope of 5e5 let every finer resolution agree: `converged` with a half-width 13 % off.
+#[test]
+fn a_jump_of_a_coarse_resolution_is_no_contact_size() {
+    let sketch = Sketch::flat(0.07, 0.1, 0.0).cylinder();
+    let force = sketch.solve().load.force.unwrap();
+    for (tolerance, digits) in [(1e-3, 3e-3), (1e-4, 3e-4), (1e-6, 3e-6)] {
+        let by_force = sketch.clone().loaded(&format!("force = {force:?}"));
+        let solution = by_force.with(&format!("[solver]\ntolerance = {tolerance:?}")).solve();
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+        let half_width = solution.load.half_width.unwrap();
+        assert!((half_width - 1.0).abs() <= digits, "half-width {half_width} at tolerance {tolerance}");
+    }
+}
+
+/// At 6 and 8 nodes a contact on a thin incompressible layer bears no load, which ended the solve.
+#[test]
+fn resolutions_too_coarse_for_a_thin_layer_are_passed_over() {
+    let sketch = Sketch::flat(1.0, 1e-3, 0.5).cylinder().with("[solver]\ntolerance = 1e-6");
+    let force = sketch.solve().load.force.unwrap();
+    let solution = sketch.loaded(&format!("force = {force:?}")).solve();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+    let half_width = solution.load.half_width.unwrap();
+    assert!((half_width - 1.0).abs() <= 3e-6, "half-width {half_width}");
+}
+
+/// The difference between two resolutions was small by chance; the ratio was off by 4 tolerances.
+#[test]
+fn a_stick_ratio_is_not_believed_by_one_lucky_difference() {
+    use slipzone::api::reference::partial_slip;
+    let eta = 0.068_878_268_545_401_76;
+    let stick = Sketch::half_plane(0.3).rubbing(eta).solve().stick.unwrap();
+    let exact = partial_slip::stick(eta, 2.0 / 7.0).ratio;
+    let error = (stick.ratio.unwrap() / exact - 1.0).abs();
+    assert!(error <= 3e-8, "error {error:e} at the default tolerance of 1e-8");
+}
+
+/// A root predicted just inside the widest stick zone and lying just outside it was none of the known cases.
+#[test]
+fn just_beyond_the_widest_stick_zone_there_is_a_bound() {
+    let ratio = 0.805_497_261_671_614_2;
+    let solution = Sketch::flat(0.411_900_538_398_086_55, ratio, 0.427_123_904_932_582_34).rubbing(0.8).solve();
+    assert_eq!(solution.status, Status::NotConverged, "{:?}", solution.reason);
+    let stick = solution.stick.unwrap();
+    assert!(stick.one_minus_ratio.unwrap() < 1e-12 && solution.error.each["stick.one_minus_ratio"] >= 1.0, "{stick:?}");
+}

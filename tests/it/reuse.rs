@@ -46,9 +46,11 @@ fn another_friction_coefficient_uses_the_curve_that_is_known() {
     solver.rub(Friction::Goodman { coefficient: positive(0.1) });
     let second = solver.solve();
     let further = second.plan.factorisations - first;
-    assert!(2 * further < first, "{further} systems after {first}: the curve was scanned again");
+    // The scan takes ten systems at least.
+    assert!(further + 10 <= first, "{further} systems after {first}: the curve was scanned again");
     let alone = sketch.rubbing(0.1).solve();
-    let ratio = |solution: &slipzone::engine::Solution| solution.stick.as_ref().expect("friction").ratio.expect("a ratio");
+    let ratio =
+        |solution: &slipzone::engine::Solution| solution.stick.as_ref().expect("friction").ratio.expect("a ratio");
     assert_eq!(ratio(&second).to_bits(), ratio(&alone).to_bits(), "reuse changes no bit");
 }
 

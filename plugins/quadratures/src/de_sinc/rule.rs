@@ -8,7 +8,7 @@ use super::series::{alternating, at_halves};
 use super::shape::Shape;
 use slipzone_api::{Component, Density, Edge, KernelTable, Parts, Rule, Station};
 use std::f64::consts::PI;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Fine nodes whose kernel values are asked for at a time, together with their mirror images.
 const BATCH: usize = 256;
@@ -24,6 +24,8 @@ pub(super) struct DeSincRule {
     fine: Option<Arc<Fine>>,
     stations: Vec<Station>,
     scratch: Scratch,
+    /// Room for a density made ready for evaluation: whoever evaluates has only a shared rule.
+    room: Mutex<Vec<f64>>,
 }
 
 /// Room for the kernel values of one row.
@@ -44,7 +46,8 @@ impl DeSincRule {
             folded: Vec::new(),
             spread: Vec::new(),
         };
-        let mut rule = Self { half_width, resolution, grid, fine: None, stations: Vec::new(), scratch };
+        let mut rule =
+            Self { half_width, resolution, grid, fine: None, stations: Vec::new(), scratch, room: Mutex::default() };
         rule.stations = vec![Station { x: 0.0, gap: 0.0 }; rule.grid.staggered.len()];
         rule.stretch(half_width);
         rule
@@ -151,7 +154,8 @@ impl Rule for DeSincRule {
 
     fn values_into(&self, density: Density, at: &[Station], out: &mut [f64]) {
         assert_eq!(at.len(), out.len(), "one value per point");
-        let shape = Shape::new(&self.grid, density);
+        let mut room = self.room.lock().unwrap_or_else(PoisonError::into_inner);
+        let shape = Shape::new(&self.grid, density, &mut room);
         for (out, at) in out.iter_mut().zip(at) {
             *out = shape.value(*at, self.half_width);
         }

@@ -19,19 +19,22 @@ pub(super) struct Shape<'a> {
     carrier: f64,
     limit: f64,
     /// `(-1)^j y_j`, up to where it is all rounding.
-    signed: Vec<f64>,
+    signed: &'a [f64],
 }
 
 impl<'a> Shape<'a> {
-    pub(super) fn new(grid: &'a Grid, density: Density) -> Self {
+    /// `room` is scratch.
+    pub(super) fn new(grid: &'a Grid, density: Density, room: &'a mut Vec<f64>) -> Self {
         assert_eq!(density.unknowns.len(), grid.unknowns(), "one number per unknown");
         let value = |j: usize| if j < grid.first { 0.0 } else { density.unknowns[j - grid.first] };
-        let mut y: Vec<f64> = (0..grid.nodes.len()).map(value).collect();
+        let y = room;
+        y.clear();
+        y.extend((0..grid.nodes.len()).map(value));
         let limit = if grid.edge == Edge::Sharp {
             y.truncate(grid.nodes.iter().take_while(|u| u.w < PLATEAU).count());
             dot(&grid.edge_row, density.unknowns)
         } else {
-            bound(&mut y, grid, density.carrier)
+            bound(y, grid, density.carrier)
         };
         for (j, (y, u)) in y.iter_mut().zip(&grid.nodes).enumerate() {
             let ending = limit * grid.ending(u.x);
@@ -42,13 +45,13 @@ impl<'a> Shape<'a> {
                     Edge::Continued => *y / u.sech - ending * u.sech,
                 };
         }
-        Self { grid, carrier: density.carrier, limit, signed: y }
+        Self { grid, carrier: density.carrier, limit, signed: y.as_slice() }
     }
 
     pub(super) fn value(&self, at: Station, half_width: f64) -> f64 {
         let t = at.x / half_width;
         let (limit, sign) = if self.grid.odd { (self.limit * t, t.signum()) } else { (self.limit, 1.0) };
-        let varying = sign * at_nodes(&self.signed, self.grid.odd, locate(at, half_width) / self.grid.step);
+        let varying = sign * at_nodes(self.signed, self.grid.odd, locate(at, half_width) / self.grid.step);
         let relative = at.gap / half_width;
         let root = (relative * (2.0 - relative)).sqrt();
         match self.grid.edge {
