@@ -6,7 +6,7 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::{factor, solve as substitute};
 use faer::perm::PermRef;
 use faer::{Mat, Par};
-use slipzone::api::{Flexibility, LayerResponse, SurfaceFlexibility};
+use slipzone::api::{Flexibility, SurfaceFlexibility};
 use slipzone::engine;
 use slipzone_flexibilities::ClosedForm;
 use std::hint::black_box;
