@@ -141,7 +141,8 @@ impl Ladder {
                 let before = errors.worst().map_or(f64::INFINITY, |(_, error)| error);
                 errors = estimate;
                 let now = errors.worst().map_or(0.0, |(_, error)| error);
-                let met = now <= tolerance.max(2.0 * ROUNDING);
+                let of_kernels = spread(&outcome.numbers) * layer.kernel_error().unwrap_or(0.0);
+                let met = now + of_kernels <= tolerance || now <= 2.0 * ROUNDING;
                 stalled = if now < ROUNDED && now > 0.5 * before { stalled + 1 } else { 0 };
                 done = met || stalled >= 2;
             }

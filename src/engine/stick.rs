@@ -8,6 +8,8 @@ use super::slip_grid::SlipGrid;
 use super::stick_zone::StickZone;
 use slipzone_api::{Component, Density, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
 
+/// The next finer step may be far too fine: this share of the unknowns wanted will do.
+const NEARLY: f64 = 0.8;
 /// Finer steps tried for a stick zone that crowds its contact's edge.
 const MOST_STEPS: usize = 16;
 
@@ -146,7 +148,7 @@ impl Shear {
             return Ok(0);
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small positive count
-        let wanted = (zone.crowding() * self.grids[0].rule.unknowns() as f64) as usize;
+        let wanted = (NEARLY * zone.crowding() * self.grids[0].rule.unknowns() as f64) as usize;
         let mut step = 0;
         while self.grids[step].rule.unknowns() < wanted && step < MOST_STEPS {
             step += 1;

@@ -3,6 +3,7 @@
 use super::column::Column;
 use bilby::GaussLegendre;
 use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
+use std::sync::OnceLock;
 
 /// One stretch of wave numbers.
 #[derive(Clone, Debug)]
@@ -52,9 +53,18 @@ pub(super) struct Legendre {
     polynomials: Vec<Vec<f64>>,
 }
 
+/// The rules made so far, by half their number of nodes: they are the same for every layer.
+static RULES: [OnceLock<Legendre>; MOST_RULES] = [const { OnceLock::new() }; MOST_RULES];
+/// Rules that are kept.
+const MOST_RULES: usize = 64;
+
 impl Legendre {
-    /// `nodes` of them, an even number.
-    pub(super) fn new(nodes: usize) -> Self {
+    /// The rule of an even number of nodes below 128, made when first asked for.
+    pub(super) fn of(nodes: usize) -> &'static Self {
+        RULES[nodes / 2].get_or_init(|| Self::new(nodes))
+    }
+
+    fn new(nodes: usize) -> Self {
         let gauss = GaussLegendre::new(nodes).expect("at least one node");
         let (nodes, weights) = (gauss.rule().nodes.clone(), gauss.rule().weights.clone());
         let mut polynomials = vec![vec![1.0; nodes.len()], nodes.clone()];
@@ -66,10 +76,6 @@ impl Legendre {
             polynomials.push(next);
         }
         Self { nodes, weights, polynomials }
-    }
-
-    pub(super) fn nodes(&self) -> usize {
-        self.nodes.len()
     }
 
     /// Samples the panel between two ends for waves up to `reach`.

@@ -70,7 +70,6 @@ impl Spectrum {
         let stiffer = NODES_BY_JUMP * jump.fold(0.0_f64, |most, c| most.max(*c)).ln_1p();
         let slow = NODES_BY_DIGIT.0 * digits + NODES_BY_PHASE * phase;
         let nodes = even(slow.min(NODES_BY_DIGIT.1 * digits) + stiffer);
-        let mut rules: Vec<Legendre> = Vec::new();
         let origin = End::new(response, 0.0, BESIDE_ORIGIN * FIRST_SPLIT * cutoff)?;
         let end = End { s: cutoff, at: cutoff, flexibility: at_cutoff };
         let middle = End::new(response, FIRST_SPLIT * cutoff, FIRST_SPLIT * cutoff)?;
@@ -78,11 +77,7 @@ impl Spectrum {
         let mut stack: Vec<(End, End, usize, f64)> =
             vec![(middle, end, nodes, f64::INFINITY), (origin, middle, nodes, f64::INFINITY)];
         while let Some((lower, upper, nodes, before)) = stack.pop() {
-            if !rules.iter().any(|rule| rule.nodes() == nodes) {
-                rules.push(Legendre::new(nodes));
-            }
-            let rule = rules.iter().find(|rule| rule.nodes() == nodes).expect("just made");
-            let Sampled { panel, error, ratio, size, noisy } = rule.sample(columns, response, lower, upper, reach)?;
+            let Sampled { panel, error, ratio, size, noisy } = Legendre::of(nodes).sample(columns, response, lower, upper, reach)?;
             spectrum.evaluations += nodes;
             // In units of the aim; of noise nothing more is expected.
             let missed = columns.iter().zip(&error).zip(&noisy).filter(|(_, noisy)| !**noisy);

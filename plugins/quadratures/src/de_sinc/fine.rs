@@ -31,6 +31,8 @@ pub(super) struct Fine {
     sign_ascending: Vec<f64>,
     /// Weight of the sign seen from the end, where no step is near.
     ones: Vec<f64>,
+    /// Weight of the sign and of the logarithm of the distance from the middle, which is a node: `d = 0, 1, ...`.
+    pub(super) centre: Vec<(f64, f64)>,
     /// How many fine nodes matter, per row and for the end.
     reach: Vec<usize>,
     /// `step/factor P_k` per unit of `F_j`, where the fine node is a node.
@@ -77,6 +79,7 @@ impl Fine {
             sign_descending,
             sign_ascending,
             ones: vec![1.0; count],
+            centre: places.iter().enumerate().map(|(k, place)| centre_weights(k, place, fine_step)).collect(),
             reach: Vec::with_capacity(n + 1),
             weight: grid.nodes.iter().map(|u| fine_step * u.slope).collect(),
             between: between(grid, factor),
@@ -171,6 +174,19 @@ impl Fine {
     }
 }
 
+/// Euler's constant.
+const EULER_GAMMA: f64 = 0.577_215_664_901_532_9;
+
+/// Weights of the sign and of the logarithm of the distance `x_k` from the middle, `k` fine steps away. At
+/// `k = 0` that of the logarithm is the limit of `log|x'(0) d step| - Ci(pi d)`.
+fn centre_weights(k: usize, place: &Place, fine_step: f64) -> (f64, f64) {
+    if k == 0 {
+        return (0.0, (place.slope * fine_step / PI).ln() - EULER_GAMMA);
+    }
+    let (si, ci) = sici(PI * k as f64);
+    (FRAC_2_PI * si, place.x.ln() - ci)
+}
+
 /// `(step/factor) slope_j [sinc(k/factor - j) +- sinc(k/factor + j)]` for the fine nodes `k` that are no nodes.
 fn between(grid: &Grid, factor: usize) -> Vec<f64> {
     let last = (grid.nodes.len() - 1) * factor;
@@ -194,6 +210,6 @@ fn between(grid: &Grid, factor: usize) -> Vec<f64> {
 
 impl Size for Fine {
     fn numbers(&self) -> usize {
-        3 * self.minus.len() + self.between.len()
+        3 * self.minus.len() + self.between.len() + 2 * self.centre.len()
     }
 }

@@ -184,6 +184,30 @@ impl Rule for DeSincRule {
         }
     }
 
+    fn potential_at_centre(&mut self, unknowns: &[f64], (table, component): (&dyn KernelTable, Component)) -> f64 {
+        assert_eq!(unknowns.len(), self.unknowns(), "one number per unknown");
+        if self.grid.odd != component.is_odd() {
+            return 0.0; // its two halves cancel
+        }
+        let fine = self.fine(table.length());
+        let Scratch { distances, parts, spread, .. } = &mut self.scratch;
+        fine.spread(&self.grid, unknowns, spread);
+        let (c, log_c) = (self.half_width, self.half_width.ln());
+        let reach = fine.reach(self.stations.len());
+        let mut sum = 0.0;
+        for start in (0..reach).step_by(BATCH) {
+            let range = start..reach.min(start + BATCH);
+            let count = range.len();
+            for (t, x) in distances[..count].iter_mut().zip(&fine.x[range.clone()]) {
+                *t = -c * x;
+            }
+            table.parts_into(component, &distances[..count], &mut parts[..count]);
+            let terms = parts[..count].iter().zip(&fine.centre[range.clone()]).zip(&spread[range]);
+            sum += terms.map(|((p, (s, l)), f)| f * (p.smooth - p.sign * s + p.log * (log_c + l))).sum::<f64>();
+        }
+        2.0 * c / PI * sum
+    }
+
     fn potential_into(
         &mut self,
         samples: &[f64],

@@ -138,6 +138,15 @@ fn potentials_of_jump_and_logarithm_anywhere() {
                 assert_close(by_log, log, 1e-12, "logarithm");
                 assert_close(by_jump, sign, 1e-12, "jump");
             }
+            // |t| = sign(t) t: in the middle c^2/pi times 2 (sharp) or 2/3 (smooth); log|t| as above.
+            let distance = Made { parts: |t| Parts { sign: t, ..Parts::default() }, length };
+            let middle = rule.potential_at_centre(&unknowns, (&distance, Component::Depth));
+            let factor = if edge == Edge::Sharp { 2.0 } else { 2.0 / 3.0 };
+            assert_close(middle, factor * c * c / PI, 1e-12, "distance from the middle");
+            let middle = rule.potential_at_centre(&unknowns, (&logarithm, Component::Depth));
+            let constant = if edge == Edge::Sharp { 0.0 } else { -0.5 };
+            let factor = if edge == Edge::Sharp { c } else { 0.5 * c };
+            assert_close(middle, factor * ((0.5 * c).ln() + constant), 1e-12, "logarithm from the middle");
         }
     }
 }
