@@ -21,7 +21,7 @@ pub(crate) fn benchmarks(criterion: &mut Criterion) {
         for (what, kernel) in [("cauchy", None), ("kernel", Some((table.as_ref(), Component::NormalSlope)))] {
             for size in SIZES {
                 let name = format!("{scheme}/{what}/{size}");
-                let rule = match rule(quadrature.as_ref(), size) {
+                let mut rule = match rule(quadrature.as_ref(), size) {
                     Ok(rule) => rule,
                     Err(refusal) => {
                         skip("assembly", &name, &refusal);

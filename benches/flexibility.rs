@@ -6,6 +6,7 @@ use slipzone::api::{
     Family, Flexibility, Grading, LayerModel, LayerResponse, ModulusLaw, Positive, SurfaceFlexibility,
 };
 use std::hint::black_box;
+use std::sync::Arc;
 
 /// `flexibility/METHOD/GRADING`: time for all wave numbers that the method serves; the throughput is per
 /// wave number.
@@ -42,7 +43,7 @@ pub(crate) fn benchmarks(criterion: &mut Criterion) {
 
 /// A layer per registered grading, and one of whose law nothing is known but its values: what a closed
 /// form saves.
-fn layers() -> Vec<(&'static str, LayerModel)> {
+fn layers() -> Vec<(&'static str, Arc<LayerModel>)> {
     let thickness = Positive::new(5.0).ok();
     let mut layers = Vec::new();
     for (name, grading) in methods::examples::<Box<dyn Grading>>(Family::Grading) {
@@ -74,7 +75,7 @@ fn served(response: &dyn LayerResponse, wave_numbers: &[f64]) -> (Vec<f64>, Opti
 }
 
 #[derive(Debug)]
-struct ValuesOnly(LayerModel);
+struct ValuesOnly(Arc<LayerModel>);
 
 impl ModulusLaw for ValuesOnly {
     fn modulus(&self, depth: f64) -> f64 {

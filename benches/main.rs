@@ -6,14 +6,22 @@
 //! Methods come from the registry: a new plugin is measured without a line here. Beside its time each
 //! benchmark prints the work done, since a time means little without it: a line `work:` per benchmark,
 //! not in its name, so that a change in the work done leaves old measurements comparable.
+//!
+//! Instructions in place of times, for a machine that is not quiet: run the binary that `cargo bench --no-run` names as
+//! `valgrind --tool=callgrind --toggle-collect='*main::counted*' BINARY --test '^solve/flat$'`. That counts one run of
+//! one benchmark, its tables of nodes warm. What the numbers mean is in `docs/performance.md`.
 
 mod assembly;
 mod flexibility;
 mod kernel;
 mod layer;
 mod methods;
+mod published;
+mod reuse;
 mod scenes;
 mod solve;
+mod thin;
+mod unavoidable;
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion};
@@ -31,6 +39,10 @@ fn main() {
     kernel::benchmarks(&mut criterion);
     assembly::benchmarks(&mut criterion);
     solve::benchmarks(&mut criterion);
+    unavoidable::benchmarks(&mut criterion);
+    published::benchmarks(&mut criterion);
+    reuse::benchmarks(&mut criterion);
+    thin::benchmarks(&mut criterion);
     criterion.final_summary();
 }
 
@@ -41,8 +53,14 @@ fn measure<T>(group: &mut BenchmarkGroup<WallTime>, name: &str, work: impl Fn() 
         if !said.replace(true) {
             eprintln!("\nwork: {name}: {}", work());
         }
-        bencher.iter(&mut run);
+        bencher.iter(|| counted(&mut run));
     });
+}
+
+/// What is measured, as a function that callgrind can find.
+#[inline(never)]
+fn counted<T>(run: &mut impl FnMut() -> T) -> T {
+    run()
 }
 
 /// Says that a method is left out: refusing is what a plugin may do, and no failure of the benchmark.

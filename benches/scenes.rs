@@ -56,6 +56,29 @@ pub(crate) fn all() -> Vec<(&'static str, Scene)> {
     .into()
 }
 
+/// Those on a layer, whose cost is judged, at a tolerance.
+pub(crate) fn judged(tolerance: f64) -> Vec<(&'static str, Scene)> {
+    with_solver(&format!("tolerance = {tolerance:?}"))
+}
+
+/// Those on a layer, solved as told.
+pub(crate) fn with_solver(solver: &str) -> Vec<(&'static str, Scene)> {
+    let of = |punch: &str, friction: &str| format!("format = 1\n{LAYER}{punch}{friction}{FORCE}[solver]\n{solver}\n");
+    [("flat", FLAT, ""), ("flat-goodman", FLAT, FRICTION), ("cylinder-by-force", CYLINDER, "")]
+        .map(|(name, punch, friction)| (name, scene(name, &of(punch, friction))))
+        .into()
+}
+
+/// A flat punch so many times as wide as the layer, softer towards its base, is thick, at the default tolerance.
+pub(crate) fn thin(width_over_thickness: f64) -> Scene {
+    let text = format!(
+        "format = 1\n[layer]\nthickness = {:?}\npoisson = 0.3\n\
+         grading = {{ type = \"exponential\", surface = 1.0, base = 0.125 }}\n{FLAT}{FORCE}",
+        1.0 / width_over_thickness
+    );
+    scene("thin", &text)
+}
+
 fn scene(name: &str, text: &str) -> Scene {
     parse(name, text).unwrap_or_else(|e| panic!("{e}"))
 }

@@ -64,3 +64,21 @@ fn a_layer_serves_another_punch() {
     let other = Sketch::flat(5.0, 8.0, 0.3).scene();
     assert!(Solver::on(round.into_layer(), &other).is_err(), "another layer's tables are of no use");
 }
+
+/// Half-widths over thickness at which memory is looked at; the first is judged, while the process has no tables yet
+/// if this test runs alone.
+const WIDTHS: [f64; 6] = [0.2, 0.05, 1.0, 5.0, 20.0, 100.0];
+
+#[test]
+fn a_solve_takes_little_memory() {
+    let peaks = WIDTHS.map(|width| {
+        let scene = Sketch::flat(1.0 / width, 8.0, 0.3).rubbing(0.3).with("[solver]\ntolerance = 1e-10").scene();
+        let mut status = None;
+        let peak = allocation_counter::measure(|| status = Some(slipzone::engine::solve(&scene).status)).bytes_max;
+        println!("b/h = {width}: {peak} bytes at most at once, {status:?}");
+        peak
+    });
+    assert!(peaks[0] > 10_000, "{} bytes: the counter counts", peaks[0]);
+    // Tables of nodes that the process keeps are included: what one solve adds to the program.
+    assert!(peaks[0] < 2_000_000, "{} bytes for h/b = 5 at 1e-10", peaks[0]);
+}
