@@ -77,7 +77,8 @@ impl Spectrum {
         let mut stack: Vec<(End, End, usize, f64)> =
             vec![(middle, end, nodes, f64::INFINITY), (origin, middle, nodes, f64::INFINITY)];
         while let Some((lower, upper, nodes, before)) = stack.pop() {
-            let Sampled { panel, error, ratio, size, noisy } = Legendre::of(nodes).sample(columns, response, lower, upper, reach)?;
+            let Sampled { panel, error, ratio, size, noisy } =
+                Legendre::of(nodes).sample(columns, response, lower, upper, reach)?;
             spectrum.evaluations += nodes;
             // In units of the aim; of noise nothing more is expected.
             let missed = columns.iter().zip(&error).zip(&noisy).filter(|(_, noisy)| !**noisy);
