@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let chebyshev = [16, 32, 64, 128, 256];
         let chebyshev = chebyshev.map(|n| (format!("n = {n}"), pinned("gauss-chebyshev", &format!("n = {n}"))));
         table(h, &panels, "gauss-chebyshev", chebyshev)?;
-        let cutoffs = [20, 40, 80, 160, 320, 640];
+        let cutoffs = [20, 40, 80, 160, 320];
         let cutoffs = cutoffs.map(|cutoff| {
             let kernel = format!("tolerance = 1e-11\nkernel = {{ type = \"truncated\", cutoff = {cutoff}.0 }}\n");
             (format!("cutoff = {cutoff}"), format!("{kernel}quadrature = {{ type = \"de-sinc\", n = 90 }}"))
