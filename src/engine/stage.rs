@@ -26,6 +26,11 @@ pub(crate) struct Stage {
     slip_check: SlipCheck,
     /// The friction curve, and the half-width that it belongs to: it depends on no load.
     curve: Option<(f64, Samples)>,
+    /// The stick zones found last, and the half-width and the friction coefficient that they belong to: they
+    /// depend on no load either.
+    rubbed: Option<(f64, f64, Rubbing)>,
+    /// Whether `shear` has not seen the present pressure yet.
+    shear_is_stale: bool,
 }
 
 /// What one resolution found.
@@ -79,7 +84,7 @@ impl Stage {
         let edge = if problem.fixed_half_width().is_some() { Edge::Sharp } else { Edge::Smooth };
         let normal = Normal::new(quadrature.as_ref(), edge)?;
         let shear = problem.friction.map(|_| Shear::new(quadrature)).transpose()?;
-        Ok(Self { normal, shear, slip_check: SlipCheck::default(), curve: None })
+        Ok(Self { normal, shear, slip_check: SlipCheck::default(), curve: None, rubbed: None, shear_is_stale: true })
     }
 
     /// Solves; `coarse` is what a coarser resolution found.
@@ -142,8 +147,30 @@ impl Stage {
 
     /// Finds the stick zones: follows those of a coarser resolution, or looks for all.
     fn rub(&mut self, layer: &Layer, task: Task, eta: f64, coarse: Option<&Rubbing>) -> Result<Rubbing, Refusal> {
-        let shear = self.shear.as_mut().expect("room for the shear was made with friction");
-        shear.under(layer, &mut self.normal);
+        let b = self.normal.half_width;
+        self.shear_is_stale = true;
+        if let Some((half_width, friction, rubbing)) = &self.rubbed
+            && (half_width.to_bits(), friction.to_bits()) == (b.to_bits(), eta.to_bits())
+        {
+            return Ok(rubbing.clone());
+        }
+        let rubbing = self.find(layer, task, eta, coarse)?;
+        self.rubbed = Some((b, eta, rubbing.clone()));
+        Ok(rubbing)
+    }
+
+    /// Shows the present pressure to the shear.
+    fn refresh(&mut self, layer: &Layer) {
+        if std::mem::take(&mut self.shear_is_stale)
+            && let Some(shear) = &mut self.shear
+        {
+            shear.under(layer, &mut self.normal);
+        }
+    }
+
+    /// [`Self::rub`], from the beginning.
+    fn find(&mut self, layer: &Layer, task: Task, eta: f64, coarse: Option<&Rubbing>) -> Result<Rubbing, Refusal> {
+        self.refresh(layer);
         if let Some(coarse) = coarse.filter(|coarse| !coarse.found.roots.is_empty()) {
             let mut curve = self.curve(layer, task);
             let mut found = Found { roots: ArrayVec::new(), ..coarse.found.clone() };
@@ -221,6 +248,7 @@ impl Stage {
     /// before is reported.
     pub(crate) fn settle(&mut self, layer: &Layer, task: Task, outcome: &mut Outcome) -> Result<bool, Refusal> {
         let (Some(rubbing), Some(eta)) = (&mut outcome.rubbing, task.problem.friction) else { return Ok(false) };
+        self.refresh(layer);
         if !rubbing.found.roots.is_empty() {
             let before = rubbing.zone;
             self.choose(layer, task, rubbing)?;

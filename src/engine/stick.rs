@@ -84,8 +84,9 @@ impl Shear {
         })
     }
 
-    /// Takes note of a new pressure.
+    /// Takes note of a new pressure; no zone is solved for it yet.
     pub(crate) fn under(&mut self, layer: &Layer, normal: &mut Normal) {
+        self.zone = StickZone::default();
         normal.sample_potential(layer, Component::Coupling, &mut self.coupling);
     }
 

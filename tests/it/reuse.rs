@@ -55,6 +55,26 @@ fn another_friction_coefficient_uses_the_curve_that_is_known() {
 }
 
 #[test]
+fn another_force_on_a_flat_punch_solves_for_its_shear_alone() {
+    let sketch = Sketch::flat(5.0, 0.125, 0.3).rubbing(0.3);
+    let mut solver = Solver::new(&sketch.scene()).expect("a bonded layer");
+    let first = solver.solve();
+    solver.press(Load::Force(positive(2.5)));
+    let second = solver.solve();
+    assert_eq!(
+        second.plan.factorisations,
+        first.plan.factorisations + 1,
+        "the stick zone does not depend on the force"
+    );
+    let alone = sketch.loaded("force = 2.5").solve();
+    let shear = |solution: &slipzone::engine::Solution| solution.profile.shear.clone().expect("friction");
+    for (again, alone) in shear(&second).into_iter().zip(shear(&alone)) {
+        let (again, alone) = (again.unwrap_or(0.0), alone.unwrap_or(0.0));
+        assert!((again - alone).abs() <= 1e-9 * alone.abs(), "{again} against {alone}");
+    }
+}
+
+#[test]
 fn a_layer_serves_another_punch() {
     let flat = Sketch::flat(5.0, 0.125, 0.3);
     let mut solver = Solver::new(&flat.scene()).expect("a bonded layer");
