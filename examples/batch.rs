@@ -55,7 +55,7 @@ fn scene(i: usize, count: usize) -> Result<Scene, Box<dyn std::error::Error>> {
     // Fractions of multiples of irrational numbers: no two scenes alike, no order in them.
     let other = (i as f64 * std::f64::consts::SQRT_2).fract();
     let (thickness, base) = (2.0 + 8.0 * other, 8.0_f64.powf(2.0 * share - 1.0));
-    let friction = if i % 4 == 0 { "friction = { type = \"goodman\", coefficient = 0.3 }" } else { "" };
+    let friction = if i.is_multiple_of(4) { "friction = { type = \"goodman\", coefficient = 0.3 }" } else { "" };
     let text = format!(
         "format = 1\n{friction}\n\
          layer = {{ thickness = {thickness:?}, poisson = 0.3, grading = {{ type = \"exponential\", surface = 1.0, base = {base:?} }} }}\n\
