@@ -11,7 +11,7 @@ use arrayvec::ArrayVec;
 use slipzone_api::Refusal;
 
 /// Most steps of refinement.
-const FINEST: usize = 16;
+const FINEST: usize = 13;
 /// Step from which refinement no longer helps a stick zone out of reach, or a pressure that pulls.
 const BOUND_STEP: usize = 4;
 /// Extra steps of what the scene left open beside a method that it fixed: of the other method.
