@@ -111,9 +111,6 @@ fn profile(scene: &Scene, problem: &Problem, stage: &Stage) -> Profile {
         let mut values = values.into_iter();
         stations.iter().map(|station| value(if station.gap > 0.0 { values.next() } else { None })).collect()
     };
-    let shear = stage
-        .shear
-        .as_ref()
-        .map(|shear| spread(inside.iter().zip(&pressure).map(|(station, p)| shear.at(*station, *p)).collect()));
+    let shear = stage.shear.as_ref().map(|shear| spread(shear.values(&inside, &pressure)));
     Profile { x: relative.iter().map(|x| x * b * problem.length).collect(), pressure: spread(pressure), shear }
 }

@@ -121,13 +121,14 @@ impl SlipCheck {
         }
         self.at.clear();
         self.at.extend(self.targets.iter().map(|node| zone.in_slip(node)));
-        for (out, component) in
-            self.potentials.iter_mut().zip([Component::NormalSlope, Component::ShearStrain, Component::Coupling])
-        {
+        let [by_slope, by_strain, by_coupling] = &mut self.potentials;
+        for (out, component) in [(by_slope, Component::NormalSlope), (by_strain, Component::ShearStrain)] {
             out.resize(self.at.len(), 0.0);
             normal.sample_potential(layer, component, &mut self.samples);
             normal.potential_into(layer, component, &self.samples, &self.at, out);
         }
+        by_coupling.resize(self.at.len(), 0.0);
+        normal.potential_into(layer, Component::Coupling, shear.coupling(), &self.at, by_coupling);
         self.stick.in_stick(layer, normal, shear);
         self.slip.in_slip(layer, normal, zone);
         self.strain.clear();

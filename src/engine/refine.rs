@@ -159,7 +159,7 @@ impl Ladder {
                 stalled = if now < ROUNDED && now > 0.5 * before { stalled + 1 } else { 0 };
                 done = met || stalled >= 2;
             }
-            done |= step >= BOUND_STEP && self.is_hopeless(step, &outcome);
+            done = done || self.is_hopeless(step, &outcome);
             if done || step == FINEST {
                 let task = Self::task(layer, problem, tolerance, level);
                 let changed = self.stages[step].settle(layer, task, &mut outcome)?;
@@ -222,9 +222,10 @@ impl Ladder {
         Task { problem, wanted, tolerance }
     }
 
-    /// Whether no refinement will help.
+    /// Whether no refinement will help. A pressure that pulls is looked for once: finer steps do not mend it.
     fn is_hopeless(&self, step: usize, outcome: &Outcome) -> bool {
-        bound_of_stick(outcome).is_some() || checks::tension(&self.stages[step].normal).is_some()
+        step >= BOUND_STEP && bound_of_stick(outcome).is_some()
+            || step == BOUND_STEP && checks::tension(&self.stages[step].normal).is_some()
     }
 }
 

@@ -190,17 +190,22 @@ impl Shear {
         self.grids[self.used].rule.values_into(density, at, out);
     }
 
-    /// Shear traction at any point strictly inside the contact, where the pressure is `pressure`.
-    pub(crate) fn at(&self, station: Station, pressure: f64) -> f64 {
-        let gap = station.gap - self.zone.slip_width;
-        let right = if gap > 0.0 {
-            let mut q = [0.0];
-            self.in_stick_into(&[Station { x: station.x.abs(), gap }], &mut q);
-            q[0]
-        } else {
-            self.friction * pressure
+    /// Shear traction at points strictly inside the contact, where the pressures are `pressure`.
+    pub(crate) fn values(&self, at: &[Station], pressure: &[f64]) -> Vec<f64> {
+        // The same point, its gap to the stick zone's edge.
+        let in_stick = |station: &Station| {
+            let gap = station.gap - self.zone.slip_width;
+            (gap > 0.0).then_some(Station { x: station.x.abs(), gap })
         };
-        if station.x < 0.0 { -right } else { right }
+        let sticking: Vec<Station> = at.iter().filter_map(in_stick).collect();
+        let mut shear = vec![0.0; sticking.len()];
+        self.in_stick_into(&sticking, &mut shear);
+        let mut shear = shear.into_iter();
+        let one = |(station, pressure): (&Station, &f64)| {
+            let found = in_stick(station).and_then(|_| shear.next());
+            found.unwrap_or(self.friction * pressure) * if station.x < 0.0 { -1.0 } else { 1.0 }
+        };
+        at.iter().zip(pressure).map(one).collect()
     }
 
     /// The coupling's potential under the pressure, as [`Normal::potential_into`] wants it.
