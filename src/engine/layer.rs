@@ -36,7 +36,7 @@ pub(crate) struct Wanted {
     pub(crate) half_width: f64,
     /// Whether shear is asked for.
     pub(crate) frictional: bool,
-    /// Error, in the terms of [`KernelRequest::accuracy`].
+    /// Error wanted of the numbers.
     pub(crate) accuracy: f64,
     /// Refinement of strategies that do not know their own error.
     pub(crate) level: u32,
@@ -72,8 +72,7 @@ impl Layer {
     /// Makes the kernels serve; tables that do already are kept.
     pub(crate) fn tabulate(&mut self, wanted: Wanted) -> Result<(), Refusal> {
         let reach = 2.0 * wanted.half_width;
-        // See `refine::spread`: what the kernels' error grows by on its way into the numbers.
-        let wanted = Wanted { accuracy: wanted.accuracy / (1.0 + wanted.half_width), ..wanted };
+        let wanted = Wanted { accuracy: wanted.accuracy / spread(wanted.half_width), ..wanted };
         let serves = |tables: &Tables| {
             let precise = if tables.kernels.error().is_some() {
                 tables.accuracy <= wanted.accuracy
@@ -112,10 +111,11 @@ impl Layer {
         self.tables.as_ref().map_or(f64::INFINITY, |tables| tables.kernels.length())
     }
 
-    /// The error that the tables prove of themselves, in the terms of [`KernelRequest::accuracy`]; `None`
-    /// where only a refined twin can tell.
-    pub(crate) fn kernel_error(&self) -> Option<f64> {
-        self.tables.as_ref().map_or(Some(0.0), |tables| tables.kernels.error())
+    /// The error that the tables prove of themselves, grown on its way into the numbers of a contact of
+    /// `half_width`; `None` where only a refined twin can tell.
+    pub(crate) fn kernel_error(&self, half_width: f64) -> Option<f64> {
+        let proven = self.tables.as_ref().map_or(Some(0.0), |tables| tables.kernels.error());
+        proven.map(|error| spread(half_width) * error)
     }
 
     /// Whether this is a homogeneous half-plane: no kernels, no depths.
@@ -128,6 +128,12 @@ impl Layer {
     pub fn flexibility_evaluations(&self) -> usize {
         self.flexibility_evaluations
     }
+}
+
+/// By how much an error of the kernels grows on its way into the numbers: a layer thinner than the contact
+/// answers a tilt of its surface over the whole width with a pressure larger by `b/h`.
+fn spread(half_width: f64) -> f64 {
+    1.0 + half_width
 }
 
 /// What of a scene the flexibility and its kernels depend on.

@@ -62,6 +62,11 @@ impl Numbers {
         self.0[quantity as usize] = Some(value);
     }
 
+    /// Each of those that there are, and `share` more.
+    pub(crate) fn plus(self, share: f64) -> Self {
+        Self(self.0.map(|number| number.map(|number| number + share)))
+    }
+
     /// Those that there are.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (Quantity, f64)> + '_ {
         Quantity::ALL.into_iter().filter_map(|quantity| Some((quantity, self.get(quantity)?)))

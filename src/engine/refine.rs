@@ -89,24 +89,14 @@ impl Ladder {
             // The twin first: the tables left are those of the contact reported.
             let twin = solve(1, None)?;
             let mut outcome = solve(0, Some(&twin))?;
-            let task = Self::task(layer, problem, tolerance, kernel_level);
+            let task = Self::task(problem, tolerance, kernel_level);
             self.stages[0].settle(layer, task, &mut outcome)?;
             let errors = judged_by_twin(&outcome.numbers, &twin.numbers);
             Judged { outcome, stage: 0, errors, how: How::Twin, stopped: None }
         } else {
             self.refined(layer, problem, methods, tolerance)?
         };
-        if let Some(of_kernels) = layer.kernel_error() {
-            let errors = judged.errors;
-            let spread = spread(&judged.outcome.numbers);
-            for (quantity, error) in errors.iter() {
-                judged.errors.set(quantity, error + spread * of_kernels);
-            }
-        }
-        if let Some(size) = judged.outcome.size.filter(|size| size.missed > ROUNDING) {
-            let errors = judged.errors;
-            errors.iter().for_each(|(quantity, error)| judged.errors.set(quantity, error + size.missed));
-        }
+        judged.errors = judged.errors.plus(beside_differences(layer, &judged.outcome));
         // A bound does not change with the resolution, or does by chance: differences say nothing of its error.
         if let Some(bound) = bound_of_stick(&judged.outcome) {
             bound.iter().for_each(|(quantity, error)| judged.errors.set(quantity, error));
@@ -153,15 +143,13 @@ impl Ladder {
                 let before = errors.worst().map_or(f64::INFINITY, |(_, error)| error);
                 errors = estimate;
                 let now = errors.worst().map_or(0.0, |(_, error)| error);
-                let of_kernels = spread(&outcome.numbers) * layer.kernel_error().unwrap_or(0.0);
-                let missed = outcome.size.map_or(0.0, |size| size.missed);
-                let met = now + of_kernels + missed <= tolerance || now <= 2.0 * ROUNDING;
+                let met = now + beside_differences(layer, &outcome) <= tolerance || now <= 2.0 * ROUNDING;
                 stalled = if now < ROUNDED && now > 0.5 * before { stalled + 1 } else { 0 };
                 done = met || stalled >= 2;
             }
             done = done || self.is_hopeless(step, &outcome);
             if done || step == FINEST {
-                let task = Self::task(layer, problem, tolerance, level);
+                let task = Self::task(problem, tolerance, level);
                 let changed = self.stages[step].settle(layer, task, &mut outcome)?;
                 if changed {
                     history.clear();
@@ -181,14 +169,14 @@ impl Ladder {
         if stopped.is_some() {
             // Settled by no step: the last one that could be solved is.
             #[allow(clippy::cast_possible_truncation)] // at most FINEST
-            let task = Self::task(layer, problem, tolerance, stage as u32);
+            let task = Self::task(problem, tolerance, stage as u32);
             self.stages[stage].settle(layer, task, &mut outcome)?;
         }
         if errors == Numbers::default() {
             // Changed its mind at the last step.
             outcome.numbers.iter().for_each(|(quantity, _)| errors.set(quantity, 1.0));
         }
-        let how = How::Sequence { count: stage + 1, kernels_proven: layer.kernel_error().is_some() };
+        let how = How::Sequence { count: stage + 1, kernels_proven: layer.kernel_error(0.0).is_some() };
         Ok(Judged { outcome, stage, errors, how, stopped })
     }
 
@@ -207,12 +195,11 @@ impl Ladder {
             let quadrature = methods.quadrature.refined(quadrature_level - missing);
             self.stages.push(Stage::new(problem, quadrature)?);
         }
-        let task = Self::task(layer, problem, tolerance, kernel_level);
+        let task = Self::task(problem, tolerance, kernel_level);
         self.stages[index].solve(layer, task, coarse)
     }
 
-    fn task<'a>(layer: &Layer, problem: &'a Problem, tolerance: f64, level: u32) -> Task<'a> {
-        let _ = layer;
+    fn task(problem: &Problem, tolerance: f64, level: u32) -> Task<'_> {
         let wanted = Wanted {
             half_width: 0.0,
             frictional: problem.friction.is_some(),
@@ -229,10 +216,12 @@ impl Ladder {
     }
 }
 
-/// By how much an error of the kernels grows on its way into the numbers: a layer thinner than the contact
-/// answers a tilt of its surface over the whole width with a pressure larger by `b/h`.
-fn spread(numbers: &Numbers) -> f64 {
-    1.0 + numbers.get(Quantity::HalfWidth).unwrap_or(0.0)
+/// Error that differences between resolutions do not see: what the kernels prove of theirs, and what a contact
+/// misses of its load.
+fn beside_differences(layer: &Layer, outcome: &Outcome) -> f64 {
+    let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
+    let missed = outcome.size.map_or(0.0, |size| size.missed);
+    layer.kernel_error(half_width).unwrap_or(0.0) + if missed > ROUNDING { missed } else { 0.0 }
 }
 
 /// Errors of a stick zone that is only bounded, not found; `None` where it is found.

@@ -35,7 +35,7 @@ const SAME_ROOT: f64 = 1e-6;
 const ROOT_SHARE: f64 = 1e-3;
 /// The scan's own roots are only a start.
 const SCANNED: f64 = 1e-5;
-/// Half of the first bracket around a root that was lost, and how often it is doubled.
+/// Half of the first bracket around a root that was lost, and how often a bracket is doubled.
 const WIDENED: (f64, u32) = (0.005, 10);
 
 /// The friction law at one resolution, as a function of `lambda = ln(a/(b - a))`.
@@ -260,14 +260,9 @@ impl FrictionCurve<'_> {
         branch: f64,
         found: &mut Found,
     ) -> Result<(), Refusal> {
-        let mut half = PREDICTED;
-        for _ in 0..WIDENED.1 {
-            let (lower, upper) = ((predicted - half).max(least), (predicted + half).min(most));
-            if let Some(root) = self.root_between(lower, upper, target, branch, SCANNED)? {
-                found.add(root);
-                return Ok(());
-            }
-            half *= 2.0;
+        if let Some(root) = self.around(predicted, PREDICTED, (least, most), target, branch, SCANNED)? {
+            found.add(root);
+            return Ok(());
         }
         // Predicted just inside the range looked at, and just outside in truth.
         found.wider |= predicted > 0.0 && target > 0.0;
@@ -285,11 +280,23 @@ impl FrictionCurve<'_> {
             return Ok(Some(Root { lambda, branch, slope }));
         }
         // Far from where it was.
-        let mut half = WIDENED.0;
+        self.around(lambda, WIDENED.0, (f64::NEG_INFINITY, widest), target, branch, wanted)
+    }
+
+    /// The root in the first of ever wider brackets around a place, within limits, that holds one.
+    fn around(
+        &mut self,
+        centre: f64,
+        mut half: f64,
+        (least, most): (f64, f64),
+        target: f64,
+        branch: f64,
+        position: f64,
+    ) -> Result<Option<Root>, Refusal> {
         for _ in 0..WIDENED.1 {
-            let (lower, upper) = (lambda - half, (lambda + half).min(widest));
-            if let Some(found) = self.root_between(lower, upper, target, branch, wanted)? {
-                return Ok(Some(found));
+            let (lower, upper) = ((centre - half).max(least), (centre + half).min(most));
+            if let Some(root) = self.root_between(lower, upper, target, branch, position)? {
+                return Ok(Some(root));
             }
             half *= 2.0;
         }
