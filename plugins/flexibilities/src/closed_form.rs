@@ -3,12 +3,11 @@
 mod exponents;
 mod minors;
 
-use crate::compliance::STEEPEST;
+use crate::exponential::Exponential;
 use crate::half_plane::HalfPlane;
-use crate::surface_tail;
 use minors::Minors;
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Base, Elastic, Flexibility, LayerModel, LayerResponse, Refusal, SurfaceFlexibility};
+use slipzone_api::{Base, Flexibility, LayerModel, LayerResponse, Refusal};
 use std::sync::Arc;
 
 const METHOD: &str = "closed-form";
@@ -35,12 +34,10 @@ impl Flexibility for ClosedForm {
         let elastic = layer.elastic;
         match (layer.base, layer.law.exponent()) {
             (Base::Infinite, Some(0.0)) => Ok(Box::new(HalfPlane { elastic })),
-            (Base::Rigid, Some(gamma)) if gamma.abs() <= STEEPEST => Ok(Box::new(Bonded { elastic, gamma })),
-            (Base::Rigid, Some(gamma)) => Err(Refusal::OutOfReach {
-                method: METHOD,
-                why: format!("ln(mu3/mu1) = {gamma} is beyond +-{STEEPEST}"),
-                remedy: "use a modulus at the base that is closer to the one at the surface",
-            }),
+            (Base::Rigid, Some(gamma)) => {
+                let surface = |layer: &Exponential, s: f64| Ok(Minors::new(layer.elastic, layer.gamma).surface(s));
+                Exponential { elastic, gamma, surface }.no_steeper(METHOD)
+            }
             (_, None) => Err(not_built("a law other than the exponential one")),
             (_, Some(_)) => Err(not_built("a base other than the rigid one")),
         }
@@ -51,31 +48,6 @@ fn not_built(what: &str) -> Refusal {
     Refusal::NotBuilt {
         what: format!("{what} in flexibility `{METHOD}`"),
         remedy: "use flexibility = { type = \"compliance\" }".into(),
-    }
-}
-
-/// `mu1 exp(gamma y)` on a rigid base.
-#[derive(Debug)]
-struct Bonded {
-    elastic: Elastic,
-    gamma: f64,
-}
-
-impl LayerResponse for Bonded {
-    fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
-        Ok(Minors::new(self.elastic, self.gamma).surface(s))
-    }
-
-    fn elastic(&self) -> Elastic {
-        self.elastic
-    }
-
-    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
-        surface_tail::exponential(self.elastic, self.gamma, terms)
-    }
-
-    fn depth(&self) -> Option<f64> {
-        Some(1.0)
     }
 }
 

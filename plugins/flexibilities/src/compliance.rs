@@ -1,20 +1,18 @@
 //! Stable recursion of the compliance from the base to the surface.
 
+use crate::exponential::Exponential;
 use crate::half_plane::HalfPlane;
 use crate::magnus::General;
 use crate::slice::{Slice, generator};
 use crate::surface_tail;
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Base, Elastic, Flexibility, LayerModel, LayerResponse, Refusal, SurfaceFlexibility};
+use slipzone_api::{Base, Flexibility, LayerModel, LayerResponse, Refusal, SurfaceFlexibility};
 use std::sync::Arc;
 
 const METHOD: &str = "compliance";
 
 /// Largest `max(s, |gamma|) delta` of a first slice; see [`Slice::thin`].
 const THIN: f64 = 0.25;
-
-/// Largest `|ln(mu3/mu1)|`: the moduli, and squares of what fades with them, stay within the range of floats.
-pub(crate) const STEEPEST: f64 = 300.0;
 
 /// The compliance `d = C t` between displacement and traction, carried from the base to the surface.
 ///
@@ -36,12 +34,10 @@ impl Flexibility for Compliance {
         let elastic = layer.elastic;
         match (layer.base, layer.law.exponent()) {
             (Base::Infinite, Some(0.0)) => Ok(Box::new(HalfPlane { elastic })),
-            (Base::Rigid, Some(gamma)) if gamma.abs() <= STEEPEST => Ok(Box::new(Exponential { elastic, gamma })),
-            (Base::Rigid, Some(gamma)) => Err(Refusal::OutOfReach {
-                method: METHOD,
-                why: format!("ln(mu3/mu1) = {gamma} is beyond +-{STEEPEST}"),
-                remedy: "use a modulus at the base that is closer to the one at the surface",
-            }),
+            (Base::Rigid, Some(gamma)) => {
+                let surface = |layer: &Exponential, s: f64| Ok(by_doubling(layer, s));
+                Exponential { elastic, gamma, surface }.no_steeper(METHOD)
+            }
             (Base::Rigid, None) => Ok(Box::new(General::new(Arc::clone(layer)))),
             (Base::Infinite, _) => Err(not_built("a graded solid without a base")),
             (Base::Frictionless, _) => Err(not_built("a base without friction")),
@@ -58,39 +54,19 @@ fn not_built(what: &str) -> Refusal {
     }
 }
 
-/// `mu1 exp(gamma y)` on a rigid base: with stresses in units of the local modulus its coefficients are
-/// constant, so that all slices of one thickness are equal and the layer is got by doubling one of them.
-#[derive(Debug)]
-struct Exponential {
-    elastic: Elastic,
-    gamma: f64,
-}
-
-impl LayerResponse for Exponential {
-    fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
-        let doublings = (s.max(self.gamma.abs()) / THIN).log2().ceil().max(1.0);
-        // Depths in units of the first slice: s delta and gamma delta are small whatever s is.
-        let delta = (-doublings).exp2();
-        let (sigma, gamma) = (s * delta, self.gamma * delta);
-        let mut slice = Slice::thin(&generator(self.elastic, sigma, gamma, 1.0), gamma.exp());
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small whole number, at least 1
-        for _ in 1..doublings as u32 {
-            slice = slice.doubled();
-        }
-        Ok(surface_tail::scaled(&slice.over(&slice.a), sigma, self.elastic))
+/// With stresses in units of the local modulus the coefficients of `mu1 exp(gamma y)` are constant, so that all
+/// slices of one thickness are equal and the layer is got by doubling one of them.
+fn by_doubling(layer: &Exponential, s: f64) -> SurfaceFlexibility {
+    let doublings = (s.max(layer.gamma.abs()) / THIN).log2().ceil().max(1.0);
+    // Depths in units of the first slice: s delta and gamma delta are small whatever s is.
+    let delta = (-doublings).exp2();
+    let (sigma, gamma) = (s * delta, layer.gamma * delta);
+    let mut slice = Slice::thin(&generator(layer.elastic, sigma, gamma, 1.0), gamma.exp());
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small whole number, at least 1
+    for _ in 1..doublings as u32 {
+        slice = slice.doubled();
     }
-
-    fn elastic(&self) -> Elastic {
-        self.elastic
-    }
-
-    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
-        surface_tail::exponential(self.elastic, self.gamma, terms)
-    }
-
-    fn depth(&self) -> Option<f64> {
-        Some(1.0)
-    }
+    surface_tail::scaled(&slice.over(&slice.a), sigma, layer.elastic)
 }
 
 /// See [`crate::link`].
@@ -99,6 +75,7 @@ pub(crate) fn link() {}
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exponential::STEEPEST;
     use crate::fixtures::{Exponential as Law, GOLDEN, Opaque, at, bonded, bonded_vv, distance, exponential};
     use proptest::prelude::*;
     use slipzone_api::{Plane, Poisson, Positive};

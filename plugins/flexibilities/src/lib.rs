@@ -2,6 +2,7 @@
 
 mod closed_form;
 mod compliance;
+mod exponential;
 #[cfg(test)]
 mod fixtures;
 mod half_plane;

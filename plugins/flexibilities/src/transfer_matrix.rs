@@ -1,6 +1,6 @@
 //! The route of CC13: eigenvectors, transfer matrix, and their inverse.
 
-use crate::surface_tail;
+use crate::exponential::Exponential;
 use nalgebra::{Matrix4, Vector4};
 use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
@@ -44,7 +44,11 @@ slipzone_api::register!(Flexibility, "transfer-matrix", "the published route thr
 impl Flexibility for TransferMatrix {
     fn respond(&self, layer: &Arc<LayerModel>) -> Result<Box<dyn LayerResponse>, Refusal> {
         match (layer.base, layer.law.exponent()) {
-            (Base::Rigid, Some(gamma)) => Ok(Box::new(Response { elastic: layer.elastic, gamma })),
+            (Base::Rigid, Some(gamma)) => {
+                let surface =
+                    |layer: &Exponential, s: f64| Route { elastic: layer.elastic, gamma: layer.gamma }.surface(s);
+                Ok(Box::new(Exponential { elastic: layer.elastic, gamma, surface }))
+            }
             (Base::Rigid, None) => Err(not_built("a law other than the exponential one")),
             _ => Err(not_built("a base other than the rigid one")),
         }
@@ -55,14 +59,13 @@ fn not_built(what: &str) -> Refusal {
     Refusal::NotBuilt { what: format!("{what} in flexibility `{METHOD}`"), remedy: REMEDY.into() }
 }
 
-/// `mu1 exp(gamma y)` on a rigid base.
-#[derive(Debug)]
-struct Response {
+/// The eigenvectors of `mu1 exp(gamma y)`.
+struct Route {
     elastic: Elastic,
     gamma: f64,
 }
 
-impl Response {
+impl Route {
     /// Depth exponents `n_j` (CC13 eq. 20), in units of `1/h`.
     fn exponents(&self, s: f64) -> [Complex64; 4] {
         let half = self.gamma / 2.0;
@@ -108,7 +111,7 @@ fn amplification(
     condition * condition + cancellation.fixed_view::<4, 2>(0, 2).max()
 }
 
-impl LayerResponse for Response {
+impl Route {
     fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
         let refusal = |why: String| Refusal::WaveNumber { method: METHOD, wave_number: s, why, remedy: REMEDY };
         let kappa = self.elastic.kappa;
@@ -146,18 +149,6 @@ impl LayerResponse for Response {
             let expected = if error.is_nan() { "any error".into() } else { format!("an error of {error:.0e}") };
             Err(refusal(format!("the eigenvectors are so close that {expected} is to be expected")))
         }
-    }
-
-    fn elastic(&self) -> Elastic {
-        self.elastic
-    }
-
-    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
-        surface_tail::exponential(self.elastic, self.gamma, terms)
-    }
-
-    fn depth(&self) -> Option<f64> {
-        Some(1.0)
     }
 }
 

@@ -1,8 +1,10 @@
 use super::*;
 use crate::Compliance;
+use crate::exponential::STEEPEST;
 use crate::fixtures::{Exponential, GOLDEN, Opaque, at, bonded, bonded_vv, distance, exponential};
+use crate::surface_tail;
 use proptest::prelude::*;
-use slipzone_api::{Plane, Poisson, Positive};
+use slipzone_api::{Elastic, Plane, Poisson, Positive, SurfaceFlexibility};
 
 const RATIOS: [f64; 8] = [-0.99, -0.5, -1e-9, 0.0, 0.3, 0.45, 0.499_999, 0.5];
 
