@@ -3,7 +3,6 @@
 use super::layer::{Layer, Wanted};
 use super::normal::Normal;
 use super::problem::{LoadInLayerUnits, Problem};
-use super::root;
 use basin::{RootError, Toms748Root};
 use slipzone_api::Refusal;
 use std::f64::consts::{FRAC_PI_2, LN_2};
@@ -15,6 +14,14 @@ const SMALLEST_STEP: f64 = 0.1;
 /// First half-width tried on a layer: wider ones cost more, and the walk gets there when it must.
 const WIDEST_START: f64 = 2.0;
 
+/// What a load may miss of the one wanted, over the tolerance; it counts as error.
+const MISSED: f64 = 0.1;
+/// What it may miss over what it missed at the size of the coarser resolution, whose error is as large as that.
+const CONTRACTED: f64 = 0.03;
+/// Steps along the slope before a size counts as lost.
+const STEPS: usize = 5;
+/// Position tolerance of a search in `ln b`, over the tolerance of the scene.
+const POSITION: f64 = 0.01;
 /// An excess this small is one of rounding, of the kernel tables included.
 const ROUNDING: f64 = 1e-11;
 
@@ -40,7 +47,7 @@ pub(crate) fn press(
     problem: &Problem,
     normal: &mut Normal,
     wanted: Wanted,
-    position: f64,
+    tolerance: f64,
     known: Option<Size>,
 ) -> Result<Size, Refusal> {
     let target = match problem.load {
@@ -67,18 +74,45 @@ pub(crate) fn press(
         }
     };
     let near = match known {
-        Some(size) => root::polish(size.half_width.ln(), size.slope, f64::INFINITY, position, &mut excess)?,
+        Some(size) => follow(size, MISSED * tolerance, &mut excess)?,
         None => None,
     };
-    let (log_b, slope) = if let Some(near) = near {
-        near
-    } else {
-        let start = known.map_or_else(|| first_size(problem, target, by_force), |size| size.half_width);
-        search(start.ln(), if known.is_some() { 0.01 } else { LN_2 }, position, &mut excess)?
-    };
+    if let Some(near) = near {
+        return Ok(near);
+    }
+    let start = known.map_or_else(|| first_size(problem, target, by_force), |size| size.half_width);
+    let position = POSITION * tolerance;
+    let (log_b, slope) = search(start.ln(), if known.is_some() { 0.01 } else { LN_2 }, position, &mut excess)?;
     let missed = excess(log_b)?.abs();
     let slope = if SLOPES.contains(&slope) { slope } else { f64::NAN };
     Ok(Size { half_width: log_b.exp(), slope, missed })
+}
+
+/// The size of a coarser resolution, moved along the slope until little is missed; `None` where it is not near.
+///
+/// No sign change is asked for: the load is borne at the size returned, all but what is missed.
+fn follow(
+    known: Size,
+    allowed: f64,
+    excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
+) -> Result<Option<Size>, Refusal> {
+    let Size { half_width, mut slope, .. } = known;
+    let mut log_b = half_width.ln();
+    let mut missed = excess(log_b)?;
+    let enough = allowed.max(CONTRACTED * missed.abs());
+    for _ in 0..STEPS {
+        if missed.abs() <= enough {
+            return Ok(Some(Size { half_width: log_b.exp(), slope, missed: missed.abs() }));
+        }
+        let step = -missed / slope;
+        if !SLOPES.contains(&slope) || step.abs() > LN_2 {
+            break;
+        }
+        let next = excess(log_b + step)?;
+        slope = (next - missed) / step;
+        (log_b, missed) = (log_b + step, next);
+    }
+    Ok(None)
 }
 
 /// A half-width that tables are made for, so that a search changes them rarely: the next power of two.

@@ -1,5 +1,7 @@
 //! The numbers that a result reports and that errors are estimated for.
 
+use slipzone_api::Station;
+
 /// A reported number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Quantity {
@@ -30,6 +32,11 @@ impl Quantity {
         Self::StickRatio,
         Self::OneMinusRatio,
     ];
+
+    /// Whether it tells of the shear, and not of the pressure alone.
+    pub(crate) fn is_of_shear(self) -> bool {
+        matches!(self, Self::StickHalfWidth | Self::StickRatio | Self::OneMinusRatio)
+    }
 
     /// Its path in the result.
     pub(crate) fn path(self) -> &'static str {
@@ -75,6 +82,25 @@ impl Numbers {
     /// The largest, and whose it is.
     pub(crate) fn worst(&self) -> Option<(Quantity, f64)> {
         self.iter().reduce(|worst, next| if next.1 > worst.1 { next } else { worst })
+    }
+}
+
+/// Tractions at a few points, over the mean pressure. One number may converge by chance for a while, a whole traction
+/// does not: they tell how fast a sequence of resolutions converges.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Traces {
+    pub(crate) pressure: [f64; Self::AT.len()],
+    /// Where a stick zone was found.
+    pub(crate) shear: Option<[f64; Self::AT.len()]>,
+}
+
+impl Traces {
+    /// Where they are taken, over the half-width of the contact or of the stick zone.
+    pub(crate) const AT: [f64; 3] = [0.3, 0.6, 0.9];
+
+    /// Those points of a zone.
+    pub(crate) fn stations(half_width: f64) -> [Station; Self::AT.len()] {
+        Self::AT.map(|t| Station { x: t * half_width, gap: (1.0 - t) * half_width })
     }
 }
 

@@ -1,7 +1,7 @@
 //! Refines a scene until its error estimate meets the tolerance.
 
 use super::checks;
-use super::error_estimate::{ROUNDING, extrapolated, judged_by_twin};
+use super::error_estimate::{ROUNDING, Seen, extrapolated, judged_by_twin};
 use super::layer::{Layer, Wanted};
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
@@ -115,7 +115,7 @@ impl Ladder {
         methods: &Methods,
         tolerance: f64,
     ) -> Result<Judged, Refusal> {
-        let mut history: ArrayVec<Numbers, { FINEST + 1 }> = ArrayVec::new();
+        let mut history: ArrayVec<Seen, { FINEST + 1 }> = ArrayVec::new();
         let mut last: Option<(Outcome, usize)> = None;
         let (mut errors, mut stopped) = (Numbers::default(), None);
         let mut stalled = 0;
@@ -137,7 +137,7 @@ impl Ladder {
                 Err(refusal) => return Err(refusal),
             };
             stopped = None;
-            history.push(outcome.numbers);
+            history.push(outcome.seen());
             let mut done = false;
             if let Some(estimate) = extrapolated(&history) {
                 let before = errors.worst().map_or(f64::INFINITY, |(_, error)| error);
@@ -153,7 +153,7 @@ impl Ladder {
                 let changed = self.stages[step].settle(layer, task, &mut outcome)?;
                 if changed {
                     history.clear();
-                    history.push(outcome.numbers);
+                    history.push(outcome.seen());
                     errors = Numbers::default();
                     done = false;
                 }

@@ -1,4 +1,4 @@
-//! A root known nearly, found in two or three evaluations.
+//! A root known nearly, found in one to three evaluations.
 
 /// By how much a secant step overshoots, so that the root lies between.
 const OVERSHOOT: f64 = 0.02;
@@ -10,22 +10,41 @@ const STEPS: usize = 6;
 /// A step wider than this leaves the neighbourhood.
 const WIDEST: f64 = 1.0;
 
-/// The root of `f` near `start`, where its slope is about `slope`, and the slope there; always bracketed.
+/// A slope known to within this may move a root without being measured again: what the step misses is this part of
+/// it, and resolutions that converge differ by less from step to step.
+const CERTAIN: f64 = 0.01;
+/// Such a step is no wider than this: the curve's bend over it adds less than that.
+const SHORT: f64 = 1e-3;
+
+/// A root, and what is known of the function around it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Near {
+    pub(super) at: f64,
+    pub(super) slope: f64,
+    /// By how much, relative, the slope changed when it was last measured across the root; infinite where nobody has.
+    pub(super) doubt: f64,
+}
+
+/// The root of `f` near the one of a coarser resolution.
 ///
 /// Each round takes a step that goes too far on purpose and then the secant between both ends; what the
 /// secant misses is a small part of the product of the distances to the root. Ends when that is below
-/// `wanted`; `None` when the root is not near, or above `most`.
+/// `wanted`; `None` when the root is not near, or above `most`. Once brackets on two resolutions have the same
+/// slope, a short step along it is enough.
 pub(super) fn polish<E>(
-    start: f64,
-    mut slope: f64,
+    start: Near,
     most: f64,
     wanted: f64,
     mut f: impl FnMut(f64) -> Result<f64, E>,
-) -> Result<Option<(f64, f64)>, E> {
+) -> Result<Option<Near>, E> {
     // Positions cannot be told apart any closer.
-    let wanted = wanted.max(4.0 * f64::EPSILON * start.abs().max(1.0));
-    let mut from = start;
+    let wanted = wanted.max(4.0 * f64::EPSILON * start.at.abs().max(1.0));
+    let Near { at: mut from, mut slope, doubt } = start;
     let mut here = f(from)?;
+    if doubt < CERTAIN && (here / slope).abs() < SHORT {
+        return Ok(Some(Near { at: (from - here / slope).min(most), slope, doubt }));
+    }
+    let found = |at: f64, slope: f64| Some(Near { at, slope, doubt: (slope / start.slope - 1.0).abs() });
     for _ in 0..STEPS {
         let step = -here / slope;
         if step.is_nan() || step.abs() > WIDEST || from + step > most {
@@ -42,7 +61,7 @@ pub(super) fn polish<E>(
         let (width, between) = ((to - from).abs(), from - here / slope);
         // Half of the product of the distances at most, and the curve bends little over a narrow bracket.
         if width * width < wanted || width < NARROW {
-            return Ok(Some((between, slope)));
+            return Ok(found(between, slope));
         }
         let left = f(between)?;
         let across = (beyond - left) / (to - between);
@@ -51,7 +70,7 @@ pub(super) fn polish<E>(
         }
         let last = -left / slope;
         if last.abs() * width < wanted {
-            return Ok(Some((between + last, slope)));
+            return Ok(found(between + last, slope));
         }
         (from, here) = (between, left);
     }
@@ -63,29 +82,43 @@ mod tests {
     use super::*;
     use std::convert::Infallible;
 
+    /// The root of `exp(x) - 2` from a start and a slope, and the evaluations that it took.
+    fn find(at: f64, slope: f64, doubt: f64) -> (Option<Near>, usize) {
+        let mut count = 0;
+        let found = polish(Near { at, slope, doubt }, 10.0, 1e-12, |x: f64| {
+            count += 1;
+            Ok::<_, Infallible>(x.exp() - 2.0)
+        });
+        (found.unwrap(), count)
+    }
+
     #[test]
     fn two_evaluations_near_a_root_more_farther_off_and_none_without() {
-        let find = |start: f64, slope: f64, wanted: f64| {
-            let mut count = 0;
-            let found = polish(start, slope, 10.0, wanted, |x: f64| {
-                count += 1;
-                Ok::<_, Infallible>(x.exp() - 2.0)
-            });
-            (found.unwrap(), count)
-        };
         let root = std::f64::consts::LN_2;
-        let (found, count) = find(root + 1e-4, 2.0, 1e-12);
-        let (x, slope) = found.unwrap();
+        let (found, count) = find(root + 1e-4, 2.0, f64::INFINITY);
+        let near = found.unwrap();
         // f''/(2 f') = 1/2 times the product of the distances, 1e-4 and 2e-6.
-        assert!((x - root).abs() < 1e-9 && (slope - 2.0).abs() < 1e-3, "{x}, {slope}");
+        assert!((near.at - root).abs() < 1e-9 && (near.slope - 2.0).abs() < 1e-3 && near.doubt < 1e-3, "{near:?}");
         assert_eq!(count, 2);
         // A slope a million times too large is found out.
-        let (found, count) = find(root + 1e-2, 2e6, 1e-12);
-        assert!(found.is_none_or(|(x, _)| (x - root).abs() < 1e-9), "{found:?} after {count} evaluations");
+        let (found, count) = find(root + 1e-2, 2e6, f64::INFINITY);
+        assert!(found.is_none_or(|near| (near.at - root).abs() < 1e-9), "{found:?} after {count} evaluations");
         // A slope that is off by a quarter costs more, not digits.
-        let (found, count) = find(root - 1e-2, 1.5, 1e-12);
-        assert!((found.unwrap().0 - root).abs() < 1e-9 && count <= 6, "{count} evaluations");
-        let lost = polish(0.0, 1.0, 10.0, 1e-10, |x: f64| Ok::<_, Infallible>(x * x + 1.0)).unwrap();
+        let (found, count) = find(root - 1e-2, 1.5, f64::INFINITY);
+        assert!((found.unwrap().at - root).abs() < 1e-9 && count <= 6, "{count} evaluations");
+        let start = Near { at: 0.0, slope: 1.0, doubt: 0.0 };
+        let lost = polish(start, 10.0, 1e-10, |x: f64| Ok::<_, Infallible>(x * x + 1.0)).unwrap();
         assert_eq!(lost, None);
+    }
+
+    #[test]
+    fn a_slope_confirmed_moves_a_root_by_a_short_step() {
+        let root = std::f64::consts::LN_2;
+        let (found, count) = find(root + 1e-5, 2.0, 1e-4);
+        assert!((found.unwrap().at - root).abs() < 1e-9, "half of the square of the step: {found:?}");
+        assert_eq!(count, 1);
+        // Not by a long one, nor by one that is in doubt.
+        assert!(find(root + 1e-2, 2.0, 1e-4).1 > 1);
+        assert!(find(root + 1e-5, 2.0, 0.1).1 > 1);
     }
 }

@@ -2,10 +2,11 @@
 
 use super::checks::{self, SlipCheck};
 use super::contact_size::{self, Size};
+use super::error_estimate::Seen;
 use super::layer::{Layer, Wanted};
 use super::normal::Normal;
 use super::problem::Problem;
-use super::quantity::{Numbers, Quantity};
+use super::quantity::{Numbers, Quantity, Traces};
 use super::stick::Shear;
 use super::stick_search::{Found, FrictionCurve, Samples};
 use super::stick_zone::StickZone;
@@ -14,8 +15,9 @@ use slipzone_api::{Edge, Quadrature, Refusal, Station};
 
 /// Friction below this share of the coefficient at every stick zone is rounding: there is no shear.
 const NO_SHEAR: f64 = 1e-10;
-/// Position tolerance of the search for a contact's size, `ln b`, over the tolerance of the scene.
-const SIZE_SHARE: f64 = 1e-3;
+/// A stick zone whose widths change by less than this from one resolution to the next is known well enough to be
+/// checked, and to have its shear told from the zone solved last.
+const KNOWN: f64 = 1e-4;
 /// Points at which a smooth pressure is compared before its peak is refined.
 const PEAK_SAMPLES: usize = 24;
 
@@ -40,6 +42,16 @@ pub(crate) struct Outcome {
     pub(crate) numbers: Numbers,
     pub(crate) rubbing: Option<Rubbing>,
     pub(crate) size: Option<Size>,
+    /// The pressure at [`Traces::AT`] over its mean.
+    pressure: [f64; Traces::AT.len()],
+}
+
+impl Outcome {
+    /// What it tells of the next resolution.
+    pub(crate) fn seen(&self) -> Seen {
+        let shear = self.rubbing.as_ref().and_then(|rubbing| rubbing.shear);
+        Seen { numbers: self.numbers, traces: Traces { pressure: self.pressure, shear } }
+    }
 }
 
 /// What friction makes of it.
@@ -52,6 +64,10 @@ pub(crate) struct Rubbing {
     chosen: usize,
     /// Whether the roots come from this resolution's own scan.
     scanned: bool,
+    /// Whether the root reported is known to satisfy the conditions of friction.
+    checked: bool,
+    /// The shear at [`Traces::AT`] over the mean pressure, where a stick zone was found.
+    shear: Option<[f64; Traces::AT.len()]>,
 }
 
 /// Whether a stick zone was found, and whether it holds.
@@ -100,8 +116,8 @@ impl Stage {
             self.normal.press_sharp(layer, problem, half_width)?;
             None
         } else {
-            let (position, known) = (SIZE_SHARE * task.tolerance, coarse.and_then(|c| c.size));
-            Some(contact_size::press(layer, problem, &mut self.normal, task.wanted, position, known)?)
+            let known = coarse.and_then(|coarse| coarse.size);
+            Some(contact_size::press(layer, problem, &mut self.normal, task.wanted, task.tolerance, known)?)
         };
         let mut numbers = self.normal_numbers(layer, problem);
         let rubbing = match problem.friction {
@@ -111,7 +127,10 @@ impl Stage {
         if let Some(rubbing) = &rubbing {
             rubbing.report(&mut numbers);
         }
-        Ok(Outcome { numbers, rubbing, size })
+        let mean = self.normal.force / (2.0 * self.normal.half_width);
+        let mut pressure = [0.0; Traces::AT.len()];
+        self.normal.values_into(&Traces::stations(self.normal.half_width), &mut pressure);
+        Ok(Outcome { numbers, rubbing, size, pressure: pressure.map(|p| p / mean) })
     }
 
     /// The numbers of the pressure alone.
@@ -154,9 +173,33 @@ impl Stage {
         {
             return Ok(rubbing.clone());
         }
-        let rubbing = self.find(layer, task, eta, coarse)?;
+        let mut rubbing = self.find(layer, task, eta, coarse)?;
+        if let Some(lambda) = rubbing.root() {
+            self.examine(layer, task, lambda, &mut rubbing, coarse.and_then(Rubbing::root))?;
+        }
         self.rubbed = Some((b, eta, rubbing.clone()));
         Ok(rubbing)
+    }
+
+    /// Takes the shear's trace, and checks the conditions of friction as soon as the zone is known: resolutions that
+    /// come after change it by less than the checks tell apart.
+    fn examine(
+        &mut self,
+        layer: &Layer,
+        task: Task,
+        lambda: f64,
+        rubbing: &mut Rubbing,
+        before: Option<f64>,
+    ) -> Result<(), Refusal> {
+        self.curve(layer, task).at_or_near(lambda, KNOWN)?;
+        let shear = self.shear.as_ref().expect("room for the shear was made with friction");
+        let mut trace = [0.0; Traces::AT.len()];
+        shear.in_stick_into(&Traces::stations(shear.zone.half_width), &mut trace);
+        let mean = self.normal.force / (2.0 * self.normal.half_width);
+        rubbing.shear = Some(trace.map(|q| q / mean));
+        let is_known = before.is_some_and(|before| (before - lambda).abs() < KNOWN);
+        rubbing.checked = rubbing.checked || is_known && self.violation(layer, task.problem).is_none();
+        Ok(())
     }
 
     /// Shows the present pressure to the shear.
@@ -185,7 +228,16 @@ impl Stage {
             }
             if let Some(chosen) = chosen {
                 let zone = StickZone::from_log(found.roots[chosen].lambda, self.normal.half_width);
-                return Ok(Rubbing { zone, verdict: Verdict::Holds, found, chosen, scanned: false });
+                let checked = coarse.checked;
+                return Ok(Rubbing {
+                    zone,
+                    verdict: Verdict::Holds,
+                    found,
+                    chosen,
+                    scanned: false,
+                    checked,
+                    shear: None,
+                });
             }
         }
         self.scan(layer, task, eta)
@@ -212,7 +264,7 @@ impl Stage {
             Verdict::NoShear => StickZone { half_width: b, slip_width: 0.0 },
             _ => StickZone::from_log(lambda, b),
         };
-        let mut rubbing = Rubbing { zone, verdict, found, chosen: 0, scanned: true };
+        let mut rubbing = Rubbing { zone, verdict, found, chosen: 0, scanned: true, checked: false, shear: None };
         if rubbing.found.roots.len() > 1 {
             self.choose(layer, task, &mut rubbing)?;
         }
@@ -227,10 +279,12 @@ impl Stage {
         let others = (0..rubbing.found.roots.len()).filter(|i| *i != first);
         for i in [first].into_iter().chain(others) {
             let lambda = rubbing.found.roots[i].lambda;
-            self.curve(layer, task).at_or_near(lambda)?;
-            match self.violation(layer, task.problem) {
+            self.curve(layer, task).at_or_near(lambda, task.tolerance)?;
+            let known = rubbing.checked && i == first;
+            match if known { None } else { self.violation(layer, task.problem) } {
                 None => {
                     rubbing.chosen = i;
+                    rubbing.checked = true;
                     rubbing.zone = StickZone::from_log(lambda, b);
                     rubbing.verdict = Verdict::Holds;
                     return Ok(());
@@ -306,6 +360,11 @@ impl Stage {
 }
 
 impl Rubbing {
+    /// `lambda` of the root reported, where there is one that may hold.
+    fn root(&self) -> Option<f64> {
+        (self.verdict == Verdict::Holds).then(|| self.found.roots[self.chosen].lambda)
+    }
+
     /// Adds the zone to the numbers reported.
     fn report(&self, numbers: &mut Numbers) {
         numbers.set(Quantity::StickHalfWidth, self.zone.half_width);
@@ -319,7 +378,9 @@ fn peak(normal: &Normal) -> f64 {
     let b = normal.half_width;
     let at = |x: f64| normal.at(Station { x, gap: b - x });
     let mut step = b / PEAK_SAMPLES as f64;
-    let samples: [f64; PEAK_SAMPLES] = std::array::from_fn(|i| at(i as f64 * step));
+    let mut samples = [0.0; PEAK_SAMPLES];
+    let stations: [Station; PEAK_SAMPLES] = std::array::from_fn(|i| i as f64 * step).map(|x| Station { x, gap: b - x });
+    normal.values_into(&stations, &mut samples);
     let (top, mut highest) =
         samples.iter().copied().enumerate().fold((0, samples[0]), |top, next| if next.1 > top.1 { next } else { top });
     if top == 0 || top == PEAK_SAMPLES - 1 {

@@ -34,7 +34,7 @@ const SAME_ROOT: f64 = 1e-6;
 /// most that much, relative, in either zone's width.
 const ROOT_SHARE: f64 = 1e-3;
 /// The scan's own roots are only a start.
-const SCANNED: f64 = 1e-5;
+const SCANNED: f64 = 1e-4;
 /// Half of the first bracket around a root that was lost, and how often a bracket is doubled.
 const WIDENED: (f64, u32) = (0.005, 10);
 
@@ -56,6 +56,8 @@ pub(crate) struct Root {
     pub(crate) branch: f64,
     /// `d eta/d lambda`.
     slope: f64,
+    /// See [`root::Near::doubt`].
+    doubt: f64,
 }
 
 /// What one scan found.
@@ -85,10 +87,10 @@ impl FrictionCurve<'_> {
         self.shear.solve(self.layer, self.normal, self.beta, zone)
     }
 
-    /// [`Self::at`], unless the zone solved last is this one to within the tolerance.
-    pub(crate) fn at_or_near(&mut self, lambda: f64) -> Result<(), Refusal> {
+    /// [`Self::at`], unless the zone solved last is this one to within a relative error of its widths.
+    pub(crate) fn at_or_near(&mut self, lambda: f64, error: f64) -> Result<(), Refusal> {
         let last = self.shear.zone;
-        let is_near = ((last.half_width / last.slip_width).ln() - lambda).abs() < self.tolerance;
+        let is_near = ((last.half_width / last.slip_width).ln() - lambda).abs() < error;
         let is_here = (last.contact() / self.normal.half_width - 1.0).abs() < 4.0 * f64::EPSILON;
         if !(is_near && is_here) {
             self.at(lambda)?;
@@ -272,12 +274,13 @@ impl FrictionCurve<'_> {
 
     /// A root known from a coarser resolution, followed to this one; `None` where it is lost.
     pub(crate) fn follow(&mut self, root: Root, eta: f64) -> Result<Option<Root>, Refusal> {
-        let Root { lambda, branch, slope } = root;
+        let Root { lambda, branch, slope, doubt } = root;
         let (target, widest) = (branch * eta, self.widest());
         let wanted = ROOT_SHARE * self.tolerance;
-        let near = root::polish(lambda, slope, widest, wanted, |lambda| Ok(self.at(lambda)? - target))?;
-        if let Some((lambda, slope)) = near {
-            return Ok(Some(Root { lambda, branch, slope }));
+        let start = root::Near { at: lambda, slope, doubt };
+        let near = root::polish(start, widest, wanted, |lambda| Ok(self.at(lambda)? - target))?;
+        if let Some(root::Near { at: lambda, slope, doubt }) = near {
+            return Ok(Some(Root { lambda, branch, slope, doubt }));
         }
         // Far from where it was.
         self.around(lambda, WIDENED.0, (f64::NEG_INFINITY, widest), target, branch, wanted)
@@ -326,7 +329,8 @@ impl FrictionCurve<'_> {
             Ok(root) if root.value().abs() < POLE * target.abs() => {
                 let [(l0, f0), (l1, f1)] = last;
                 // Not a number where both are one point; whoever follows the root then brackets it anew.
-                Ok(Some(Root { lambda: root.root(), branch, slope: (f1 - f0) / (l1 - l0) }))
+                let slope = (f1 - f0) / (l1 - l0);
+                Ok(Some(Root { lambda: root.root(), branch, slope, doubt: f64::INFINITY }))
             }
             Err(RootError::Evaluation(refusal)) => Err(refusal),
             _ => Ok(None),

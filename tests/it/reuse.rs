@@ -70,7 +70,8 @@ fn another_force_on_a_flat_punch_solves_for_its_shear_alone() {
     let shear = |solution: &slipzone::engine::Solution| solution.profile.shear.clone().expect("friction");
     for (again, alone) in shear(&second).into_iter().zip(shear(&alone)) {
         let (again, alone) = (again.unwrap_or(0.0), alone.unwrap_or(0.0));
-        assert!((again - alone).abs() <= 1e-9 * alone.abs(), "{again} against {alone}");
+        // A shear that is known to the tolerance is not solved for again.
+        assert!((again - alone).abs() <= 1e-8 * alone.abs(), "{again} against {alone}");
     }
 }
 
