@@ -10,13 +10,17 @@ use slipzone_api::{Component, Station};
 use std::f64::consts::PI;
 
 /// Points at which a traction is checked over each zone.
-const SAMPLES: usize = 64;
+const SAMPLES: usize = 48;
 /// Relative excess that rounding and discretisation may cause.
 const MARGIN: f64 = 1e-3;
 /// Nodes on either side of the grids on which the slip is integrated.
 const SLIP_NODES: usize = 8;
-/// Nodes on either side of the grids over which the tractions are, and more of them per kernel length.
-const SOURCE_NODES: (usize, f64) = (28, 8.0);
+/// Nodes on either side of the grids over which the tractions are, more where the slip zone is narrow
+/// ([`StickZone::crowding`]), and more of them per kernel length.
+///
+/// Measured on 127 random stick zones, in terms of the largest slip: errors of at most 2e-5. Without a thought for the
+/// crowding they reach 40 % where `1 - a/b` is 3e-12.
+const SOURCE_NODES: (f64, f64) = (10.0, 8.0);
 /// Most of those nodes.
 const MOST_SOURCE_NODES: usize = 1 << 12;
 
@@ -64,6 +68,7 @@ pub(crate) struct SlipCheck {
     samples: Vec<f64>,
     /// The potentials of the pressure at the targets: slope, strain, coupling.
     potentials: [Vec<f64>; 3],
+    pressure: Vec<f64>,
     strain: Vec<f64>,
     stick: Sources,
     slip: Sources,
@@ -129,6 +134,8 @@ impl SlipCheck {
         }
         by_coupling.resize(self.at.len(), 0.0);
         normal.potential_into(layer, Component::Coupling, shear.coupling(), &self.at, by_coupling);
+        self.pressure.resize(self.at.len(), 0.0);
+        normal.values_into(&self.at, &mut self.pressure);
         self.stick.in_stick(layer, normal, shear);
         self.slip.in_slip(layer, normal, zone);
         self.strain.clear();
@@ -138,24 +145,24 @@ impl SlipCheck {
             let principal = problem.slope(x) / a0 - self.potentials[0][i];
             // Both halves of q = eta p sign(r) + z: 1/(x - r) and the kernel, folded.
             let cauchy = |[r, gap, ..]: &[f64; 4]| 2.0 * r / ((from_stick + gap) * (x + r));
-            let by_z = self.stick.sum(layer, |[_, gap, ..]| from_stick + gap, |s, kernel| s[2] * (cauchy(s) + kernel))
-                - self.stick.sum(layer, |[r, ..]| x + r, |s, kernel| s[2] * kernel);
-            let mirrored = |s: &[f64; 4], kernel: f64| s[3] * (1.0 / (x + s[0]) + kernel);
-            let by_mirror =
-                self.stick.sum(layer, |[r, ..]| x + r, mirrored) + self.slip.sum(layer, |[r, ..]| x + r, mirrored);
-            let p = normal.at(self.at[i]);
-            let by_q = eta * (principal + self.potentials[1][i]) + (by_z - 2.0 * eta * by_mirror) / PI;
-            self.strain.push(-(by_q + beta * p - self.potentials[2][i]));
+            let mirror = |[r, _, _, p]: &[f64; 4], kernel: f64| 2.0 * eta * p * (1.0 / (x + r) + kernel);
+            let (to_stick, to_mirror) = (|[_, gap, ..]: &[f64; 4]| from_stick + gap, |[r, ..]: &[f64; 4]| x + r);
+            let regular = self.stick.sum(layer, to_stick, |s, kernel| s[2] * (cauchy(s) + kernel))
+                - self.stick.sum(layer, to_mirror, |s, kernel| s[2] * kernel + mirror(s, kernel))
+                - self.slip.sum(layer, to_mirror, mirror);
+            let by_q = eta * (principal + self.potentials[1][i]) + regular / PI;
+            self.strain.push(-(by_q + beta * self.pressure[i] - self.potentials[2][i]));
         }
     }
 }
 
 impl Sources {
-    /// A grid of unit length for a zone of that width.
-    fn resolve(&mut self, layer: &Layer, width: f64) {
+    /// A grid of unit length for a part of the contact of that width.
+    fn resolve(&mut self, layer: &Layer, zone: StickZone, width: f64) {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
-        let for_kernel = (SOURCE_NODES.1 * width / layer.length()) as usize;
-        let nodes = for_kernel.clamp(SOURCE_NODES.0, MOST_SOURCE_NODES);
+        let [least, for_kernel] =
+            [SOURCE_NODES.0 * zone.crowding(), SOURCE_NODES.1 * width / layer.length()].map(|count| count as usize);
+        let nodes = for_kernel.clamp(least, MOST_SOURCE_NODES);
         if self.grid.len() != 2 * nodes + 1 {
             self.grid = double_exponential::nodes(1.0, nodes);
         }
@@ -167,7 +174,7 @@ impl Sources {
     /// The tractions in the stick zone.
     fn in_stick(&mut self, layer: &Layer, normal: &Normal, shear: &Shear) {
         let (zone, a) = (shear.zone, shear.zone.half_width);
-        self.resolve(layer, a);
+        self.resolve(layer, zone, a);
         self.shear.resize(self.grid.len(), 0.0);
         self.stations.extend(self.grid.iter().map(|n| Station { x: a * n.from_lower, gap: a * n.to_upper }));
         shear.in_stick_into(&self.stations, &mut self.shear);
@@ -182,7 +189,7 @@ impl Sources {
 
     /// The pressure in the slip zone.
     fn in_slip(&mut self, layer: &Layer, normal: &Normal, zone: StickZone) {
-        self.resolve(layer, zone.slip_width);
+        self.resolve(layer, zone, zone.slip_width);
         self.stations.extend(self.grid.iter().map(|node| zone.in_slip(node)));
         normal.values_into(&self.stations, &mut self.pressure);
         for ((node, station), p) in self.grid.iter().zip(&self.stations).zip(&self.pressure) {
