@@ -179,9 +179,18 @@ impl FrictionCurve<'_> {
         branch: f64,
         found: &mut Found,
     ) -> Result<(), Refusal> {
-        if (value - target) * (next - target) <= 0.0
-            && let Some(root) = self.root_between(from, to, target, branch, SCANNED)?
-        {
+        let (below, above) = (value - target, next - target);
+        if below * above > 0.0 {
+            return Ok(());
+        }
+        let slope = (above - below) / (to - from);
+        let start = root::Near { at: from - below / slope, slope, doubt: f64::INFINITY };
+        let near = root::polish(start, to, SCANNED, |lambda| Ok(self.at(lambda)? - target))?;
+        // Across a pole the sign changes too, and the curve is as steep as the bracket is narrow.
+        let tame = |near: &root::Near| near.at >= from && near.slope.abs() * SCANNED < POLE * target.abs();
+        if let Some(root::Near { at: lambda, slope, doubt }) = near.filter(tame) {
+            found.add(Root { lambda, branch, slope, doubt });
+        } else if let Some(root) = self.root_between(from, to, target, branch, SCANNED)? {
             found.add(root);
         }
         Ok(())
