@@ -18,6 +18,8 @@ pub(crate) struct Normal {
     unknowns: Vec<f64>,
     /// The half-width at which the system of a sharp punch was solved.
     solved_at: Option<f64>,
+    /// Whether the punch is flat there: the pressure then grows with the force and does not change otherwise.
+    pub(crate) is_flat: bool,
 }
 
 impl Normal {
@@ -35,6 +37,7 @@ impl Normal {
             resultant: vec![0.0; n],
             unknowns: vec![0.0; n],
             solved_at: None,
+            is_flat: false,
         })
     }
 
@@ -49,8 +52,8 @@ impl Normal {
             let (force, shape) = self.system.columns.split_at_mut(n);
             force.fill(0.0);
             force[n - 1] = 1.0;
-            let is_flat = shape.iter().all(|slope| *slope == 0.0);
-            self.system.solve(if is_flat { 1 } else { 2 })?;
+            self.is_flat = shape.iter().all(|slope| *slope == 0.0);
+            self.system.solve(if self.is_flat { 1 } else { 2 })?;
             self.solved_at = Some(half_width);
         }
         let load = match problem.load {

@@ -31,8 +31,8 @@ pub(crate) struct Stage {
     /// The stick zones found last, and the half-width and the friction coefficient that they belong to: they
     /// depend on no load either.
     rubbed: Option<(f64, f64, Rubbing)>,
-    /// Whether `shear` has not seen the present pressure yet.
-    shear_is_stale: bool,
+    /// Half-width and force of the pressure that `shear` was shown last.
+    shown: Option<(f64, f64)>,
 }
 
 /// What one resolution found.
@@ -100,7 +100,7 @@ impl Stage {
         let edge = if problem.fixed_half_width().is_some() { Edge::Sharp } else { Edge::Smooth };
         let normal = Normal::new(quadrature.as_ref(), edge)?;
         let shear = problem.friction.map(|_| Shear::new(quadrature)).transpose()?;
-        Ok(Self { normal, shear, slip_check: SlipCheck::default(), curve: None, rubbed: None, shear_is_stale: true })
+        Ok(Self { normal, shear, slip_check: SlipCheck::default(), curve: None, rubbed: None, shown: None })
     }
 
     /// Solves; `coarse` is what a coarser resolution found.
@@ -167,8 +167,8 @@ impl Stage {
     /// Finds the stick zones: follows those of a coarser resolution, or looks for all.
     fn rub(&mut self, layer: &Layer, task: Task, eta: f64, coarse: Option<&Rubbing>) -> Result<Rubbing, Refusal> {
         let b = self.normal.half_width;
-        self.shear_is_stale = true;
         if let Some((half_width, friction, rubbing)) = &self.rubbed
+            && self.normal.is_flat
             && (half_width.to_bits(), friction.to_bits()) == (b.to_bits(), eta.to_bits())
         {
             return Ok(rubbing.clone());
@@ -202,13 +202,17 @@ impl Stage {
         Ok(())
     }
 
-    /// Shows the present pressure to the shear.
+    /// Shows the present pressure to the shear. Under a flat punch both grow with the force.
     fn refresh(&mut self, layer: &Layer) {
-        if std::mem::take(&mut self.shear_is_stale)
-            && let Some(shear) = &mut self.shear
-        {
-            shear.under(layer, &mut self.normal);
+        let Some(shear) = &mut self.shear else { return };
+        let (half_width, force) = (self.normal.half_width, self.normal.force);
+        match self.shown {
+            Some((before, less)) if self.normal.is_flat && before.to_bits() == half_width.to_bits() => {
+                shear.press(force / less);
+            }
+            _ => shear.under(layer, &mut self.normal),
         }
+        self.shown = Some((half_width, force));
     }
 
     /// [`Self::rub`], from the beginning.

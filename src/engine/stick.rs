@@ -90,6 +90,12 @@ impl Shear {
         normal.sample_potential(layer, Component::Coupling, &mut self.coupling);
     }
 
+    /// Takes note of a pressure so many times as large as the last one.
+    pub(crate) fn press(&mut self, factor: f64) {
+        self.unknowns.iter_mut().chain(&mut self.coupling).for_each(|number| *number *= factor);
+        self.at_edge *= factor;
+    }
+
     /// Solves the tangential equation for one stick zone with the friction coefficient as one more unknown,
     /// and returns that coefficient.
     ///
