@@ -1,6 +1,7 @@
 //! Double-exponential sinc collocation.
 
 mod fine;
+mod fold;
 mod grid;
 mod map;
 mod resolution;
@@ -8,6 +9,7 @@ mod rule;
 mod series;
 mod shape;
 mod shelf;
+mod sums;
 
 use resolution::{Resolution, finer, ladder, reach};
 use rule::DeSincRule;

@@ -2,8 +2,8 @@
 
 use super::grid::Grid;
 use super::map::locate;
-use super::rule::dot;
 use super::series::{alternating, at_nodes};
+use super::sums::dot;
 use slipzone_api::{Density, Edge, Station};
 
 /// From here on `F` of a sharp edge is its own limit to rounding: what is left is `gap log gap`,
