@@ -24,6 +24,21 @@ const SERIES: [f64; 7] = [
     0.147_981_986_051_165_86,
 ];
 
+/// Of `sin(pi d)/d` in powers of `d^2`: `(-1)^k pi^(2 k + 1)/(2 k + 1)!`.
+const SINE: [f64; 11] = [
+    std::f64::consts::PI,
+    -5.167_712_780_049_97,
+    2.550_164_039_877_345_5,
+    -0.599_264_529_320_792_1,
+    0.082_145_886_611_128_23,
+    -0.007_370_430_945_714_350_4,
+    0.000_466_302_805_767_612_55,
+    -2.191_535_344_783_021_7e-05,
+    7.952_054_001_475_513e-07,
+    -2.294_842_899_726_987_3e-08,
+    5.392_664_662_608_129e-10,
+];
+
 /// `ln x` for `x > 0` and finite, to one unit in the last place; a subnormal number counts as the least normal one.
 #[inline(always)]
 pub fn ln(x: f64) -> f64 {
@@ -50,9 +65,21 @@ pub fn ln_1p(y: f64) -> f64 {
     ln(sum) + (y - (sum - 1.0)) / sum
 }
 
+/// `sin(pi d)` for `|d| <= 1/2`, to two units in the last place.
+#[inline(always)]
+pub fn sin_pi(d: f64) -> f64 {
+    let square = d * d;
+    let mut sum = SINE[SINE.len() - 1];
+    for c in SINE[..SINE.len() - 1].iter().rev() {
+        sum = sum * square + c;
+    }
+    d * sum
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::PI;
 
     /// Distance in units of the last place.
     fn units(got: f64, expected: f64) -> f64 {
@@ -75,6 +102,16 @@ mod tests {
         }
         assert!(ln(1.0).abs() < f64::MIN_POSITIVE);
         assert!((ln(0.0) - f64::MIN_POSITIVE.ln()).abs() < 1e-12, "no infinity");
+    }
+
+    #[test]
+    fn sines_have_all_their_digits() {
+        for i in 0..=1000 {
+            let d = 0.5 * f64::from(i) / 1000.0;
+            for d in [d, -d, d * 1e-5, d * 1e-300] {
+                assert!(units(sin_pi(d), (PI * d).sin()) <= 3.0, "{d}: {} for {}", sin_pi(d), (PI * d).sin());
+            }
+        }
     }
 
     #[test]

@@ -4,6 +4,7 @@ mod fine;
 mod fold;
 mod grid;
 mod map;
+mod potential;
 mod resolution;
 mod rule;
 mod series;

@@ -3,11 +3,12 @@
 use super::fine::Fine;
 use super::fold::{Folder, Scene};
 use super::grid::Grid;
-use super::map::locate;
+use super::potential::Potential;
 use super::resolution::{Resolution, fine_grid};
-use super::series::{alternating, at_halves};
+use super::series::alternating;
 use super::shape::Shape;
 use super::sums::dot;
+use pulp::Arch;
 use slipzone_api::{Component, Density, Edge, KernelTable, Rule, Station};
 use std::f64::consts::PI;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -123,9 +124,7 @@ impl Rule for DeSincRule {
         assert_eq!(at.len(), out.len(), "one value per point");
         let mut room = self.room.lock().unwrap_or_else(PoisonError::into_inner);
         let shape = Shape::new(&self.grid, density, &mut room);
-        for (out, at) in out.iter_mut().zip(at) {
-            *out = shape.value(*at, self.half_width);
-        }
+        shape.values_into(at, self.half_width, out);
     }
 
     fn edge_factor(&self, unknowns: &[f64]) -> f64 {
@@ -177,9 +176,7 @@ impl Rule for DeSincRule {
         assert_eq!(targets.len(), out.len(), "one value per target");
         let odd = self.grid.odd != kernel.1.is_odd();
         let (edge, rest) = samples.split_last().expect("samples of a potential");
-        for (out, at) in out.iter_mut().zip(targets) {
-            let varying = at_halves(rest, odd, locate(*at, self.half_width) / self.grid.step);
-            *out = if odd { edge * at.x / self.half_width + varying * at.x.signum() } else { edge + varying };
-        }
+        let (half_width, step) = (self.half_width, self.grid.step);
+        Arch::new().dispatch(Potential { half_width, step, odd, edge: *edge, signed: rest, at: targets, out });
     }
 }
