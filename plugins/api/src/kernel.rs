@@ -1,7 +1,9 @@
 //! The contact kernels `k(t)`.
 
+use crate::elementary::ln;
 use crate::{LayerResponse, Refusal};
 use std::fmt::Debug;
+use std::ops::Range;
 
 /// Which kernel. All are scaled by `A0` (theory.md section 3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -43,8 +45,92 @@ impl Parts {
         if t == 0.0 {
             return self.smooth;
         }
-        let log = if self.log == 0.0 { 0.0 } else { self.log * t.abs().ln() };
+        let log = if self.log == 0.0 { 0.0 } else { self.log * ln(t.abs()) };
         self.smooth + self.sign * t.signum() + log
+    }
+}
+
+/// Room for the parts at many distances, an array for each part: all of one length.
+#[derive(Debug)]
+pub struct PartsMut<'a> {
+    /// `A`.
+    pub smooth: &'a mut [f64],
+    /// `E`.
+    pub sign: &'a mut [f64],
+    /// `O`.
+    pub log: &'a mut [f64],
+}
+
+impl PartsMut<'_> {
+    /// Writes `parts(t)` for each distance `t`.
+    ///
+    /// # Panics
+    /// When there is not one place for each distance.
+    pub fn fill(self, distances: &[f64], mut parts: impl FnMut(f64) -> Parts) {
+        self.assert_len(distances.len());
+        let places = self.smooth.iter_mut().zip(self.sign).zip(self.log);
+        for (((smooth, sign), log), t) in places.zip(distances) {
+            Parts { smooth: *smooth, sign: *sign, log: *log } = parts(*t);
+        }
+    }
+
+    /// Checks that there is one place for each of `count` distances.
+    ///
+    /// # Panics
+    /// When there is not.
+    pub fn assert_len(&self, count: usize) {
+        let lengths = [self.smooth.len(), self.sign.len(), self.log.len()];
+        assert_eq!(lengths, [count; 3], "one set of parts for each distance");
+    }
+}
+
+/// The parts at many distances, an array for each part.
+#[derive(Clone, Debug, Default)]
+pub struct PartsVec {
+    /// `A`.
+    pub smooth: Vec<f64>,
+    /// `E`.
+    pub sign: Vec<f64>,
+    /// `O`.
+    pub log: Vec<f64>,
+}
+
+impl PartsVec {
+    /// Room for as many distances.
+    pub fn new(count: usize) -> Self {
+        Self { smooth: vec![0.0; count], sign: vec![0.0; count], log: vec![0.0; count] }
+    }
+
+    /// Makes room for as many distances.
+    pub fn resize(&mut self, count: usize) {
+        self.smooth.resize(count, 0.0);
+        self.sign.resize(count, 0.0);
+        self.log.resize(count, 0.0);
+    }
+
+    /// The first `count` places, to be written.
+    ///
+    /// # Panics
+    /// When there are fewer.
+    pub fn first(&mut self, count: usize) -> PartsMut<'_> {
+        PartsMut { smooth: &mut self.smooth[..count], sign: &mut self.sign[..count], log: &mut self.log[..count] }
+    }
+
+    /// The parts at a range of distances.
+    ///
+    /// # Panics
+    /// When there are not as many.
+    pub fn range(&self, range: Range<usize>) -> impl Iterator<Item = Parts> + Clone {
+        let both = self.smooth[range.clone()].iter().zip(&self.sign[range.clone()]);
+        both.zip(&self.log[range]).map(|((smooth, sign), log)| Parts { smooth: *smooth, sign: *sign, log: *log })
+    }
+
+    /// The parts at the `i`-th distance.
+    ///
+    /// # Panics
+    /// When there are not as many.
+    pub fn at(&self, i: usize) -> Parts {
+        Parts { smooth: self.smooth[i], sign: self.sign[i], log: self.log[i] }
     }
 }
 
@@ -77,21 +163,30 @@ dyn_clone::clone_trait_object!(KernelStrategy);
 
 /// Run-time half: kernels tabulated over a range of lengths.
 pub trait KernelTable: Send + Sync {
-    /// `out[i]` = parts of the kernel at `distances[i]`, of either sign and within the requested reach.
+    /// The parts of the kernel at each of the `distances`, of either sign and within the requested reach.
     ///
     /// # Panics
     /// When the slices differ in length or the component was not requested.
-    fn parts_into(&self, component: Component, distances: &[f64], out: &mut [Parts]);
+    fn parts_into(&self, component: Component, distances: &[f64], out: PartsMut);
+
+    /// [`Self::parts_into`] at one distance.
+    fn parts(&self, component: Component, distance: f64) -> Parts {
+        let Parts { mut smooth, mut sign, mut log } = Parts::default();
+        let [smooth, sign, log] = [&mut smooth, &mut sign, &mut log].map(std::slice::from_mut);
+        self.parts_into(component, &[distance], PartsMut { smooth, sign, log });
+        Parts { smooth: smooth[0], sign: sign[0], log: log[0] }
+    }
 
     /// `out[i]` = the kernel's value at `distances[i]`, of either sign but not 0, and within the reach.
     ///
     /// # Panics
     /// As [`Self::parts_into`].
     fn values_into(&self, component: Component, distances: &[f64], out: &mut [f64]) {
-        let mut parts = vec![Parts::default(); distances.len()];
-        self.parts_into(component, distances, &mut parts);
-        for ((out, parts), t) in out.iter_mut().zip(parts).zip(distances) {
-            *out = parts.value(*t);
+        assert_eq!(distances.len(), out.len(), "one value for each distance");
+        let mut parts = PartsVec::new(distances.len());
+        self.parts_into(component, distances, parts.first(distances.len()));
+        for (i, (out, t)) in out.iter_mut().zip(distances).enumerate() {
+            *out = parts.at(i).value(*t);
         }
     }
 

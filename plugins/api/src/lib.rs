@@ -14,6 +14,7 @@
 
 pub mod double_exponential;
 mod elastic;
+pub mod elementary;
 mod flexibility;
 mod friction;
 mod grading;
@@ -31,7 +32,7 @@ pub use elastic::{Base, Elastic, Plane};
 pub use flexibility::{Flexibility, LayerModel, LayerResponse, SurfaceFlexibility};
 pub use friction::Friction;
 pub use grading::{Grading, ModulusLaw};
-pub use kernel::{Component, KernelRequest, KernelStrategy, KernelTable, Parts};
+pub use kernel::{Component, KernelRequest, KernelStrategy, KernelTable, Parts, PartsMut, PartsVec};
 pub use number::{NotAllowed, Poisson, Positive};
 pub use punch::{PunchProfile, PunchShape};
 pub use quadrature::{Density, Edge, Parity, Quadrature, Rule, Span, Station};

@@ -4,7 +4,8 @@ use crate::even_table::{self, EvenTable};
 use crate::wave_numbers::{Samples, too_wide};
 use serde::{Deserialize, Serialize};
 use slipzone_api::{
-    Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Parts, Positive, Refusal, SurfaceFlexibility,
+    Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Parts, PartsMut, Positive, Refusal,
+    SurfaceFlexibility,
 };
 use spec_math::cephes64::sici;
 use std::f64::consts::FRAC_PI_2;
@@ -185,13 +186,10 @@ struct Table {
 }
 
 impl KernelTable for Table {
-    fn parts_into(&self, component: Component, distances: &[f64], out: &mut [Parts]) {
-        assert_eq!(distances.len(), out.len(), "one set of parts for each distance");
+    fn parts_into(&self, component: Component, distances: &[f64], out: PartsMut) {
         let kernel = self.kernels.iter().find(|kernel| kernel.component == component);
         let kernel = kernel.unwrap_or_else(|| panic!("{component:?} was not requested"));
-        for (t, out) in distances.iter().zip(out) {
-            *out = kernel.parts(*t, kernel.smooth.at(*t));
-        }
+        out.fill(distances, |t| kernel.parts(t, kernel.smooth.at(t)));
     }
 
     fn length(&self) -> f64 {

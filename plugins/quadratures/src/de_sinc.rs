@@ -1,13 +1,16 @@
 //! Double-exponential sinc collocation.
 
 mod fine;
+mod fold;
 mod grid;
 mod map;
+mod potential;
 mod resolution;
 mod rule;
 mod series;
 mod shape;
 mod shelf;
+mod sums;
 
 use resolution::{Resolution, finer, ladder, reach};
 use rule::DeSincRule;

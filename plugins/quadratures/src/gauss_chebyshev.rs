@@ -4,7 +4,9 @@ mod grid;
 
 use grid::{Grid, Kind};
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Component, Density, Edge, KernelTable, Parity, Parts, Quadrature, Refusal, Rule, Span, Station};
+use slipzone_api::{
+    Component, Density, Edge, KernelTable, Parity, Parts, PartsVec, Quadrature, Refusal, Rule, Span, Station,
+};
 use std::f64::consts::PI;
 
 /// Gauss-Chebyshev nodes and staggered collocation points (CC13 eqs. 55-60, 64-67).
@@ -144,9 +146,9 @@ impl ChebyshevRule {
             scratch.distances[j] = x - self.half_width * t;
             scratch.distances[n + j] = x + self.half_width * t;
         }
-        table.parts_into(component, &scratch.distances, &mut scratch.parts);
+        table.parts_into(component, &scratch.distances, scratch.parts.first(2 * n));
         for j in 0..n {
-            let value = |k: usize| reduce(scratch.parts[k], scratch.distances[k]);
+            let value = |k: usize| reduce(scratch.parts.at(k), scratch.distances[k]);
             scratch.folded[j] = value(j) + self.mirror() * value(n + j);
         }
     }
@@ -164,14 +166,14 @@ impl ChebyshevRule {
 
     fn scratch(&self) -> Scratch {
         let n = self.grid.t.len();
-        Scratch { distances: vec![0.0; 2 * n], parts: vec![Parts::default(); 2 * n], folded: vec![0.0; n] }
+        Scratch { distances: vec![0.0; 2 * n], parts: PartsVec::new(2 * n), folded: vec![0.0; n] }
     }
 }
 
 /// Room for one row of kernel values.
 struct Scratch {
     distances: Vec<f64>,
-    parts: Vec<Parts>,
+    parts: PartsVec,
     folded: Vec<f64>,
 }
 
@@ -275,9 +277,7 @@ impl Rule for ChebyshevRule {
         assert_eq!(targets.len(), out.len(), "one value per target");
         // Jump and logarithm at the origin are integrated term by term against the Chebyshev series of
         // the density; what is left of the kernel is continuous and summed at the nodes.
-        let mut origin = [Parts::default()];
-        kernel.0.parts_into(kernel.1, &[0.0], &mut origin);
-        let Parts { sign: jump, log, .. } = origin[0];
+        let Parts { sign: jump, log, .. } = kernel.0.parts(kernel.1, 0.0);
         let reduced = |parts: Parts, t: f64| {
             if t == 0.0 {
                 parts.smooth

@@ -1,13 +1,43 @@
 //! The tabulated kernels.
 
-use super::pieces::Pieces;
-use slipzone_api::{Component, KernelTable, Parts};
+mod lanes;
 
-/// One kernel: its polynomials, piece after piece, each filled up to the same length.
+use super::pieces::Pieces;
+use lanes::Piece;
+use pulp::{Arch, Simd, WithSimd};
+use slipzone_api::elementary::ln;
+use slipzone_api::{Component, KernelTable, PartsMut};
+
+/// One kernel: its polynomials, piece after piece.
 struct Kernel {
     component: Component,
-    terms: usize,
-    rows: Vec<[f64; 3]>,
+    /// Coefficients of each part on each piece, highest power first, without the zeros that fill a row up.
+    coefficients: Vec<f64>,
+    /// Where those of each part of each piece begin, and where the last ones end.
+    starts: Vec<usize>,
+}
+
+impl Kernel {
+    fn new(component: Component, pieces: &[Vec<[f64; 3]>]) -> Self {
+        let mut kernel = Self { component, coefficients: Vec::new(), starts: Vec::with_capacity(3 * pieces.len() + 1) };
+        kernel.starts.push(0);
+        for rows in pieces {
+            for part in 0..3 {
+                let falling = rows.iter().rev().map(|row| row[part]);
+                kernel.coefficients.extend(falling.skip_while(|c| *c == 0.0));
+                kernel.starts.push(kernel.coefficients.len());
+            }
+        }
+        kernel
+    }
+
+    /// The coefficients of the three parts on one piece.
+    fn on(&self, piece: usize) -> [&[f64]; 3] {
+        std::array::from_fn(|part| {
+            let i = 3 * piece + part;
+            &self.coefficients[self.starts[i]..self.starts[i + 1]]
+        })
+    }
 }
 
 /// What `split` builds.
@@ -26,8 +56,8 @@ pub(super) struct Table {
     flexibility_evaluations: usize,
 }
 
-/// Distances evaluated side by side.
-const LANES: usize = 8;
+/// Distances of which the parts are kept at a time, where only values are wanted.
+const BATCH: usize = 64;
 
 /// Most cells: one look-up finds the piece, or the one before it.
 const MOST_CELLS: f64 = 4096.0;
@@ -41,16 +71,6 @@ impl Table {
         error: f64,
         flexibility_evaluations: usize,
     ) -> Self {
-        let kernel = |(component, kernel): (&Component, super::pieces::Kernel)| {
-            let terms = kernel.rows.iter().map(Vec::len).max().unwrap_or(0);
-            let mut rows = Vec::with_capacity(terms * kernel.rows.len());
-            for piece in kernel.rows {
-                let short = terms - piece.len();
-                rows.extend(piece);
-                rows.extend(std::iter::repeat_n([0.0; 3], short));
-            }
-            Kernel { component: *component, terms, rows }
-        };
         let ends = pieces.ends;
         let variable = |k: usize| {
             let (lower, upper) = (if k == 0 { 0.0 } else { ends[k - 1] }, ends[k]);
@@ -72,7 +92,11 @@ impl Table {
             .collect();
         Self {
             variables: (0..ends.len()).map(variable).collect(),
-            kernels: components.iter().zip(pieces.kernels).map(kernel).collect(),
+            kernels: components
+                .iter()
+                .zip(&pieces.kernels)
+                .map(|(component, kernel)| Kernel::new(*component, &kernel.rows))
+                .collect(),
             ends,
             first_of_cell,
             cells_per_length,
@@ -102,78 +126,113 @@ impl Table {
         piece
     }
 
-    /// The parts of one kernel at `LANES` distances; those in one piece go through its polynomials side by side.
-    fn batch(&self, kernel: &Kernel, odd: bool, t: &[f64; LANES]) -> [Parts; LANES] {
-        let x = t.map(f64::abs);
-        let far = |x: f64| x > self.far;
-        let first = if far(x[0]) { None } else { Some(self.piece(x[0])) };
-        let together = x.iter().all(|&x| if far(x) { first.is_none() } else { Some(self.piece(x)) == first });
-        if !together {
-            return std::array::from_fn(|i| self.lanes(kernel, odd, &[t[i]], far(x[i]), None)[0]);
+    /// The piece that holds the first distance, and how many distances from there on it holds; `None` is what lies
+    /// beyond all pieces.
+    fn run(&self, distances: &[f64]) -> (Option<usize>, usize) {
+        if self.ends.len() == 1 && self.far == f64::INFINITY {
+            return (Some(0), distances.len());
         }
-        self.lanes(kernel, odd, t, first.is_none(), first)
+        let x = distances[0].abs();
+        let (piece, range) = if x > self.far {
+            (None, (self.far, f64::INFINITY))
+        } else {
+            let piece = self.piece(x);
+            let last = piece + 1 == self.ends.len();
+            let lower = if piece == 0 { -1.0 } else { self.ends[piece - 1] };
+            (Some(piece), (lower, if last { self.far } else { self.ends[piece] }))
+        };
+        let outside = |t: &f64| t.abs() <= range.0 || t.abs() > range.1;
+        (piece, distances.iter().position(outside).unwrap_or(distances.len()).max(1))
     }
 
-    /// Distances that are all far or all in one piece, which is looked up when it is not given.
-    #[inline]
-    fn lanes<const N: usize>(
-        &self,
-        kernel: &Kernel,
-        odd: bool,
-        t: &[f64; N],
-        far: bool,
-        piece: Option<usize>,
-    ) -> [Parts; N] {
-        if far {
-            return t.map(|t| Parts { smooth: if odd { -1.0 / t } else { 0.0 }, sign: 0.0, log: 0.0 });
+    /// Writes the parts; returns whether any has a logarithm.
+    #[inline(always)]
+    fn write<S: Simd>(&self, simd: S, kernel: &Kernel, mut t: &[f64], mut out: [&mut [f64]; 3]) -> bool {
+        let odd = kernel.component.is_odd();
+        let mut has_log = false;
+        while !t.is_empty() {
+            let (piece, count) = self.run(t);
+            let (here, later) = t.split_at(count);
+            let [a, b, c] = out;
+            let ((a, a_later), (b, b_later), (c, c_later)) =
+                (a.split_at_mut(count), b.split_at_mut(count), c.split_at_mut(count));
+            if let Some(piece) = piece {
+                let (slope, offset) = self.variables[piece];
+                let coefficients = kernel.on(piece);
+                has_log |= !coefficients[2].is_empty();
+                let piece = Piece { slope, offset, at_origin: piece == 0, coefficients, odd: [odd, !odd, odd] };
+                lanes::parts_into(simd, piece, here, [a, b, c]);
+            } else {
+                for (a, t) in a.iter_mut().zip(here) {
+                    *a = if odd { -1.0 / t } else { 0.0 };
+                }
+                b.fill(0.0);
+                c.fill(0.0);
+            }
+            t = later;
+            out = [a_later, b_later, c_later];
         }
-        let piece = piece.unwrap_or_else(|| self.piece(t[0].abs()));
-        let (slope, offset) = self.variables[piece];
-        let at_origin = piece == 0;
-        let v = t.map(|t| slope * if at_origin { t * t } else { t.abs() } + offset);
-        let mut sums = [[0.0; N]; 3];
-        for row in kernel.rows[piece * kernel.terms..(piece + 1) * kernel.terms].iter().rev() {
-            for (sum, c) in sums.iter_mut().zip(row) {
-                for (sum, v) in sum.iter_mut().zip(&v) {
-                    *sum = *sum * v + c;
+        has_log
+    }
+}
+
+/// All parts at some distances.
+struct WriteParts<'a> {
+    table: &'a Table,
+    kernel: &'a Kernel,
+    distances: &'a [f64],
+    out: PartsMut<'a>,
+}
+
+impl WithSimd for WriteParts<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let PartsMut { smooth, sign, log } = self.out;
+        self.table.write(simd, self.kernel, self.distances, [smooth, sign, log]);
+    }
+}
+
+/// Values at some distances.
+struct WriteValues<'a> {
+    table: &'a Table,
+    kernel: &'a Kernel,
+    distances: &'a [f64],
+    out: &'a mut [f64],
+}
+
+impl WithSimd for WriteValues<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let mut parts = [[0.0; BATCH]; 3];
+        for (t, out) in self.distances.chunks(BATCH).zip(self.out.chunks_mut(BATCH)) {
+            let [smooth, sign, log] = &mut parts;
+            let (smooth, sign, log) = (&mut smooth[..t.len()], &mut sign[..t.len()], &mut log[..t.len()]);
+            let has_log = self.table.write(simd, self.kernel, t, [&mut *smooth, &mut *sign, &mut *log]);
+            for (((out, t), smooth), sign) in out.iter_mut().zip(t).zip(smooth).zip(sign) {
+                *out = *smooth + *sign * t.signum();
+            }
+            if has_log {
+                for ((out, t), log) in out.iter_mut().zip(t).zip(log) {
+                    *out += *log * ln(t.abs());
                 }
             }
-        }
-        let [smooth, sign, log] = sums;
-        std::array::from_fn(|i| {
-            let factor = if at_origin { t[i] } else { t[i].signum() };
-            if odd {
-                Parts { smooth: smooth[i] * factor, sign: sign[i], log: log[i] * factor }
-            } else {
-                Parts { smooth: smooth[i], sign: sign[i] * factor, log: log[i] }
-            }
-        })
-    }
-
-    /// Hands the parts at all distances to `take`, in order.
-    fn each(&self, component: Component, distances: &[f64], mut take: impl FnMut(usize, Parts)) {
-        let (kernel, odd) = (self.kernel(component), component.is_odd());
-        let (batches, rest) = distances.as_chunks::<LANES>();
-        for (k, t) in batches.iter().enumerate() {
-            for (i, parts) in self.batch(kernel, odd, t).into_iter().enumerate() {
-                take(LANES * k + i, parts);
-            }
-        }
-        for (i, t) in rest.iter().enumerate() {
-            take(LANES * batches.len() + i, self.lanes(kernel, odd, &[*t], t.abs() > self.far, None)[0]);
         }
     }
 }
 
 impl KernelTable for Table {
-    fn parts_into(&self, component: Component, distances: &[f64], out: &mut [Parts]) {
-        assert_eq!(distances.len(), out.len(), "one set of parts for each distance");
-        self.each(component, distances, |i, parts| out[i] = parts);
+    fn parts_into(&self, component: Component, distances: &[f64], out: PartsMut) {
+        out.assert_len(distances.len());
+        Arch::new().dispatch(WriteParts { table: self, kernel: self.kernel(component), distances, out });
     }
 
     fn values_into(&self, component: Component, distances: &[f64], out: &mut [f64]) {
         assert_eq!(distances.len(), out.len(), "one value for each distance");
-        self.each(component, distances, |i, parts| out[i] = parts.value(distances[i]));
+        Arch::new().dispatch(WriteValues { table: self, kernel: self.kernel(component), distances, out });
     }
 
     fn error(&self) -> Option<f64> {

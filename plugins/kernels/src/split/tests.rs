@@ -3,7 +3,9 @@
 mod bounds;
 
 use super::*;
-use slipzone_api::{Base, Elastic, Flexibility, LayerModel, ModulusLaw, Parts, Plane, Poisson, SurfaceFlexibility};
+use slipzone_api::{
+    Base, Elastic, Flexibility, LayerModel, ModulusLaw, Parts, PartsVec, Plane, Poisson, SurfaceFlexibility,
+};
 use slipzone_flexibilities::Compliance;
 use std::f64::consts::{FRAC_PI_2, LN_2};
 use std::sync::Arc;
@@ -44,6 +46,12 @@ fn distances(reach: f64) -> Vec<f64> {
     small.chain((1..200).map(|i| reach * f64::from(i) / 200.0)).flat_map(|t| [t, -t]).collect()
 }
 
+fn parts(table: &dyn KernelTable, component: Component, distances: &[f64]) -> Vec<Parts> {
+    let mut parts = PartsVec::new(distances.len());
+    table.parts_into(component, distances, parts.first(distances.len()));
+    (0..distances.len()).map(|i| parts.at(i)).collect()
+}
+
 fn values(table: &dyn KernelTable, component: Component, distances: &[f64]) -> Vec<f64> {
     let mut out = vec![0.0; distances.len()];
     table.values_into(component, distances, &mut out);
@@ -57,11 +65,7 @@ fn the_jump_and_the_logarithm_are_the_first_term_of_the_series() {
     let first = response.tail(1)[0];
     for reach in [0.4, 40.0] {
         let table = table(&*response, reach, &ALL, 1e-10);
-        let at_origin = |component| {
-            let mut parts = [Parts::default()];
-            table.parts_into(component, &[0.0], &mut parts);
-            parts[0]
-        };
+        let at_origin = |component| table.parts(component, 0.0);
         let slope = at_origin(Component::NormalSlope);
         assert!((slope.sign / 5.0 - 0.793).abs() < 5e-4, "{slope:?}");
         assert_eq!((slope.smooth, slope.log), (0.0, 0.0), "odd functions");
@@ -96,9 +100,8 @@ fn the_singular_parts_are_the_series_near_the_origin() {
             let re = c[0] - c[2] * t * t / 2.0 + c[4] * t.powi(4) / 24.0;
             let im = c[1] * t - c[3] * t.powi(3) / 6.0;
             let (sign, log) = if component.is_odd() { (FRAC_PI_2 * re, -im) } else { (-FRAC_PI_2 * im, -re) };
-            let mut parts = [Parts::default()];
-            table.parts_into(component, &[t], &mut parts);
-            let error = (parts[0].sign - sign).abs().max((parts[0].log - log).abs());
+            let parts = table.parts(component, t);
+            let error = (parts.sign - sign).abs().max((parts.log - log).abs());
             // Interpolated as finely as the kernel.
             assert!(error < 1e-9, "{component:?}, reach {reach}: {error:e}");
         }
@@ -116,10 +119,7 @@ fn parts_are_continuous_even_or_odd_and_of_the_order_of_the_kernel() {
             let t: Vec<f64> = (0..20_000).map(|i| step * f64::from(i)).collect();
             let mirrored: Vec<f64> = t.iter().map(|t| -t).collect();
             for component in ALL {
-                let mut parts = vec![Parts::default(); t.len()];
-                table.parts_into(component, &t, &mut parts);
-                let mut other = parts.clone();
-                table.parts_into(component, &mirrored, &mut other);
+                let (parts, other) = (parts(&*table, component, &t), parts(&*table, component, &mirrored));
                 let kernel = t.iter().zip(&parts).skip(20).fold(0.0_f64, |most, (t, p)| most.max(p.value(*t).abs()));
                 let largest = kernel.max(12.0 * response.tail(1)[0].vv.abs().max(1.0));
                 let parity = if component.is_odd() { -1.0 } else { 1.0 };
@@ -143,8 +143,7 @@ fn values_are_those_of_the_parts() {
     let table = table(&*layer(Exponential(1.5), 0.2), 6.0, &ALL, 1e-9);
     let t = distances(6.0);
     for component in ALL {
-        let mut parts = vec![Parts::default(); t.len()];
-        table.parts_into(component, &t, &mut parts);
+        let parts = parts(&*table, component, &t);
         let from_parts: Vec<f64> = t.iter().zip(parts).map(|(t, p)| p.value(*t)).collect();
         assert_eq!(values(&*table, component, &t), from_parts);
     }

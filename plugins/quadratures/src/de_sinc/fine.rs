@@ -19,6 +19,8 @@ pub(super) struct Fine {
     pub(super) factor: usize,
     /// Fine nodes, `x_k`.
     pub(super) x: Vec<f64>,
+    /// `x_i`, and 1 for the end.
+    from: Vec<f64>,
     /// `x_i - x_k`, a row per staggered point and one for the end.
     minus: Vec<f64>,
     /// Weight of the logarithm of `|x_i - x_k|`, laid out alike.
@@ -32,7 +34,7 @@ pub(super) struct Fine {
     /// Weight of the sign seen from the end, where no step is near.
     ones: Vec<f64>,
     /// Weight of the sign and of the logarithm of the distance from the middle, which is a node: `d = 0, 1, ...`.
-    pub(super) centre: Vec<(f64, f64)>,
+    pub(super) centre: (Vec<f64>, Vec<f64>),
     /// How many fine nodes matter, per row and for the end.
     reach: Vec<usize>,
     /// `step/factor P_k` per unit of `F_j`, where the fine node is a node.
@@ -47,6 +49,8 @@ const NEGLIGIBLE: f64 = 1e-22;
 
 /// Views of one row of a [`Fine`].
 pub(super) struct Row<'a> {
+    /// `x_i`.
+    pub(super) x: f64,
     pub(super) minus: &'a [f64],
     pub(super) log_minus: &'a [f64],
     pub(super) log_plus: &'a [f64],
@@ -73,13 +77,14 @@ impl Fine {
         let mut fine = Self {
             factor,
             x: places.iter().map(|p| p.x).collect(),
+            from: grid.staggered.iter().map(|v| v.x).chain([1.0]).collect(),
             minus: Vec::with_capacity((n + 1) * count),
             log_minus: Vec::with_capacity((n + 1) * count),
             log_plus: Vec::with_capacity((n + 1) * count),
             sign_descending,
             sign_ascending,
             ones: vec![1.0; count],
-            centre: places.iter().enumerate().map(|(k, place)| centre_weights(k, place, fine_step)).collect(),
+            centre: places.iter().enumerate().map(|(k, place)| centre_weights(k, place, fine_step)).unzip(),
             reach: Vec::with_capacity(n + 1),
             weight: grid.nodes.iter().map(|u| fine_step * u.slope).collect(),
             between: between(grid, factor),
@@ -115,7 +120,17 @@ impl Fine {
     /// `rows[i][j] += scale[i] sum_k folded[i][k] (step/factor) dP_k/dF_j` for a few rows and all unknowns `j`.
     pub(super) fn gather(&self, grid: &Grid, folded: &[f64], scale: &[f64], rows: &mut [f64]) {
         let (count, n) = (self.x.len(), grid.unknowns());
-        for ((row, folded), scale) in rows.chunks_exact_mut(n).zip(folded.chunks_exact(count)).zip(scale) {
+        let each = rows.chunks_exact_mut(n).zip(folded.chunks_exact(count)).zip(scale);
+        if self.factor == 1 {
+            for ((row, folded), scale) in each {
+                let at_nodes = folded[grid.first..].iter().zip(&self.weight[grid.first..]);
+                for (entry, (value, weight)) in row.iter_mut().zip(at_nodes) {
+                    *entry += scale * value * weight;
+                }
+            }
+            return;
+        }
+        for ((row, folded), scale) in each {
             let at_nodes = folded.iter().step_by(self.factor).zip(&self.weight).skip(grid.first);
             for (entry, (value, weight)) in row.iter_mut().zip(at_nodes) {
                 *entry += scale * value * weight;
@@ -165,6 +180,7 @@ impl Fine {
             )
         };
         Row {
+            x: self.from[i],
             minus: &self.minus[here.clone()],
             log_minus: &self.log_minus[here.clone()],
             log_plus: &self.log_plus[here],
@@ -210,6 +226,6 @@ fn between(grid: &Grid, factor: usize) -> Vec<f64> {
 
 impl Size for Fine {
     fn numbers(&self) -> usize {
-        3 * self.minus.len() + self.between.len() + 2 * self.centre.len()
+        3 * self.minus.len() + self.between.len() + 2 * self.x.len()
     }
 }

@@ -1,6 +1,7 @@
 //! What a resolution and a parity fix, whatever the half-width: nodes, Cauchy matrix, edge functional.
 
 use super::map::Place;
+use super::series::alternating;
 use super::shelf::Size;
 use slipzone_api::Edge;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -25,10 +26,17 @@ pub(super) struct Grid {
     pub(super) cauchy: Vec<f64>,
     /// `lim F` at the upper end as a sum over the unknowns.
     pub(super) edge_row: Vec<f64>,
+    /// Factors of `F` and of `lim F/ending` that make of them `(-1)^j y_j`, see [`super::shape::Shape`].
+    pub(super) series: Vec<[f64; 2]>,
+    /// Nodes before `F` of a sharp edge is its own limit to rounding.
+    pub(super) plateau: usize,
     /// `int f dx` on `[-1, 1]` as a sum over the unknowns.
     pub(super) resultant: Vec<f64>,
 }
 
+/// From here on `F` of a sharp edge is its own limit to rounding: what is left is `gap log gap`,
+/// `gap/c = 2 exp(-2 w)`.
+const PLATEAU: f64 = 20.0;
 /// From this `u` on `x'/sqrt(1 - x^2)` is below the smallest number.
 const LAST_SLOPE: f64 = 6.9;
 
@@ -49,8 +57,11 @@ impl Grid {
                 resultant[n] += 2.0 * tail(&nodes, step);
             }
         }
+        let series = nodes.iter().enumerate().map(|(j, u)| series_factors(j, u, edge, odd)).collect();
+        let plateau = nodes.iter().take_while(|u| u.w < PLATEAU).count();
+        let edge_row = Vec::new();
         let mut grid =
-            Self { odd, edge, step, nodes, staggered, first, scale, cauchy, edge_row: Vec::new(), resultant };
+            Self { odd, edge, step, nodes, staggered, first, scale, cauchy, edge_row, series, plateau, resultant };
         grid.make_exact();
         grid.edge_row = if edge == Edge::Continued { grid.edge_locally() } else { grid.edge_functional() };
         grid
@@ -62,7 +73,7 @@ impl Grid {
 
     /// Along which curve a density that does not vanish runs into its end, where only the end is known.
     pub(super) fn ending(&self, x: f64) -> f64 {
-        if self.odd { x } else { 1.0 }
+        ending(x, self.odd)
     }
 
     /// Adds to each row a multiple of `F_i + F_i+1` that makes it exact for the simplest density of its kind.
@@ -135,6 +146,22 @@ fn entry(v: &Place, u: &Place, step: f64, odd: bool) -> f64 {
     let sum = (v.w + u.w).sinh();
     let (a, b) = if odd { (u.w.sinh(), v.w.cosh()) } else { (v.w.sinh(), u.w.cosh()) };
     2.0 * jacobian * (a / sum) * (b / difference)
+}
+
+fn ending(x: f64, odd: bool) -> f64 {
+    if odd { x } else { 1.0 }
+}
+
+/// What multiplies `F_j` and the limit in `(-1)^j y_j`: `F - limit` at a sharp edge, `(F/s^2 - limit) sqrt(s)` at a
+/// smooth one, `F/s - limit s` at a continued one.
+fn series_factors(j: usize, u: &Place, edge: Edge, odd: bool) -> [f64; 2] {
+    let s = u.sech;
+    let [of_density, of_limit] = match edge {
+        Edge::Sharp => [1.0, 1.0],
+        Edge::Smooth => [1.0 / (s * s.sqrt()), s.sqrt()],
+        Edge::Continued => [1.0 / s, s],
+    };
+    [alternating(j) * of_density, alternating(j) * of_limit * ending(u.x, odd)]
 }
 
 /// Weight of all that lies beyond the last of some nodes, where `F` is what it is there: what a trapezoidal sum

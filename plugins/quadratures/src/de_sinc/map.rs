@@ -1,6 +1,7 @@
 //! The double-exponential map `x = c tanh w`, `w = (pi/2) sinh u` (H. Takahasi, M. Mori 1974).
 
 use slipzone_api::Station;
+use slipzone_api::elementary::ln_1p;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Where a node stands on `[-1, 1]`, `u >= 0`.
@@ -38,10 +39,28 @@ impl Place {
     }
 }
 
-/// `u` of `|x|` on `[-half_width, half_width]`, infinite at the end.
-pub(super) fn locate(at: Station, half_width: f64) -> f64 {
-    let t = at.x.abs() / half_width;
-    // Each form where it keeps its digits.
-    let w = if t < 0.5 { t.atanh() } else { 0.5 * ((2.0 * half_width - at.gap) / at.gap).ln() };
-    (w / FRAC_PI_2).asinh()
+/// `u` of `|x|` on an interval with that gap, beyond all grids at the end.
+#[inline(always)]
+pub(super) fn locate(at: Station) -> f64 {
+    // With x + gap = c all digits are kept: tanh w = x/c is exp(2 w) = 1 + 2 x/gap.
+    let w = 0.5 * ln_1p(2.0 * at.x.abs() / at.gap);
+    let sinh = w / FRAC_PI_2;
+    let square = sinh * sinh;
+    ln_1p(sinh + square / (1.0 + (1.0 + square).sqrt()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_found_again() {
+        for u in [0.0, 1e-200, 1e-9, 0.01, 0.3, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0] {
+            let place = Place::new(u);
+            let c = 3.0;
+            let found = locate(Station { x: -c * place.x, gap: c * place.gap });
+            assert!((found - u).abs() <= 1e-15 * u, "{found} for {u}");
+        }
+        assert!(locate(Station { x: 1.0, gap: 0.0 }) > 6.0);
+    }
 }

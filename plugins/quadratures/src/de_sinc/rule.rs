@@ -1,17 +1,17 @@
 //! One density on one interval.
 
 use super::fine::Fine;
+use super::fold::{Folder, Scene};
 use super::grid::Grid;
-use super::map::locate;
+use super::potential::Potential;
 use super::resolution::{Resolution, fine_grid};
-use super::series::{alternating, at_halves};
+use super::series::alternating;
 use super::shape::Shape;
-use slipzone_api::{Component, Density, Edge, KernelTable, Parts, Rule, Station};
+use super::sums::dot;
+use pulp::Arch;
+use slipzone_api::{Component, Density, Edge, KernelTable, Rule, Station};
 use std::f64::consts::PI;
 use std::sync::{Arc, Mutex, PoisonError};
-
-/// Fine nodes whose kernel values are asked for at a time, together with their mirror images.
-const BATCH: usize = 256;
 
 /// Rows that are gathered from the fine grid together.
 const ROWS: usize = 8;
@@ -28,10 +28,9 @@ pub(super) struct DeSincRule {
     room: Mutex<Vec<f64>>,
 }
 
-/// Room for the kernel values of one row.
+/// Room for the kernel part.
 struct Scratch {
-    distances: Vec<f64>,
-    parts: Vec<Parts>,
+    folder: Folder,
     /// Kernel against a fine node and its mirror image, product weights included.
     folded: Vec<f64>,
     /// Density times step at the fine nodes.
@@ -40,21 +39,12 @@ struct Scratch {
 
 impl DeSincRule {
     pub(super) fn new(half_width: f64, resolution: Resolution, grid: Arc<Grid>) -> Self {
-        let scratch = Scratch {
-            distances: vec![0.0; 2 * BATCH],
-            parts: vec![Parts::default(); 2 * BATCH],
-            folded: Vec::new(),
-            spread: Vec::new(),
-        };
+        let scratch = Scratch { folder: Folder::new(), folded: Vec::new(), spread: Vec::new() };
         let mut rule =
             Self { half_width, resolution, grid, fine: None, stations: Vec::new(), scratch, room: Mutex::default() };
         rule.stations = vec![Station { x: 0.0, gap: 0.0 }; rule.grid.staggered.len()];
         rule.stretch(half_width);
         rule
-    }
-
-    fn mirror(&self) -> f64 {
-        if self.grid.odd { -1.0 } else { 1.0 }
     }
 
     /// The grid on which a kernel of this length is resolved.
@@ -70,31 +60,9 @@ impl DeSincRule {
         }
     }
 
-    /// Appends to `scratch.folded` the kernel's part of the `i`-th row, over as many fine nodes as `reach` says.
-    fn fold_kernel(&mut self, fine: &Fine, i: usize, reach: usize, (table, component): (&dyn KernelTable, Component)) {
-        let (c, log_c, mirror) = (self.half_width, self.half_width.ln(), self.mirror());
-        let here = self.grid.staggered.get(i).map_or(1.0, |v| v.x);
-        let row = fine.row(i);
-        let Scratch { distances, parts, folded, .. } = &mut self.scratch;
-        for start in (0..reach).step_by(BATCH) {
-            let count = BATCH.min(reach - start);
-            let range = start..start + count;
-            for (t, minus) in distances[..count].iter_mut().zip(&row.minus[range.clone()]) {
-                *t = c * minus;
-            }
-            for (t, x) in distances[count..2 * count].iter_mut().zip(&fine.x[range.clone()]) {
-                *t = c * (here + x);
-            }
-            table.parts_into(component, &distances[..2 * count], &mut parts[..2 * count]);
-            let (near, far) = parts[..2 * count].split_at(count);
-            let near = near.iter().zip(&row.sign_minus[range.clone()]).zip(&row.log_minus[range.clone()]);
-            let far = far.iter().zip(&row.sign_plus[range.clone()]).zip(&row.log_plus[range]);
-            folded.extend(near.zip(far).map(|(((p, s), l), ((q, t), m))| {
-                let near = p.smooth + p.sign * s + p.log * (log_c + l);
-                let far = q.smooth + q.sign * t + q.log * (log_c + m);
-                near + mirror * far
-            }));
-        }
+    /// A kernel summed over fine nodes.
+    fn scene<'a>(&self, fine: &'a Fine, kernel: (&'a dyn KernelTable, Component)) -> Scene<'a> {
+        Scene { fine, half_width: self.half_width, mirror: if self.grid.odd { -1.0 } else { 1.0 }, kernel }
     }
 }
 
@@ -132,16 +100,16 @@ impl Rule for DeSincRule {
         rows.copy_from_slice(&self.grid.cauchy);
         let Some(kernel) = kernel else { return };
         let fine = self.fine(kernel.0.length());
+        let scene = self.scene(&fine, kernel);
+        let Scratch { folder, folded, .. } = &mut self.scratch;
+        let mut scale = [0.0; ROWS];
         for (block, rows) in rows.chunks_mut(ROWS * n).enumerate() {
-            self.scratch.folded.clear();
-            let mut scale = [0.0; ROWS];
-            for (within, scale) in scale[..rows.len() / n].iter_mut().enumerate() {
-                let i = block * ROWS + within;
-                *scale = self.half_width / PI * self.grid.scale[i];
-                self.fold_kernel(&fine, i, fine.reach(i), kernel);
-                self.scratch.folded.resize((within + 1) * fine.x.len(), 0.0);
+            let here = block * ROWS..block * ROWS + rows.len() / n;
+            for (scale, row) in scale.iter_mut().zip(&self.grid.scale[here.clone()]) {
+                *scale = self.half_width / PI * row;
             }
-            fine.gather(&self.grid, &self.scratch.folded, &scale, rows);
+            folder.fold(scene, here, |i| fine.reach(i), folded);
+            fine.gather(&self.grid, folded, &scale, rows);
         }
     }
 
@@ -156,9 +124,7 @@ impl Rule for DeSincRule {
         assert_eq!(at.len(), out.len(), "one value per point");
         let mut room = self.room.lock().unwrap_or_else(PoisonError::into_inner);
         let shape = Shape::new(&self.grid, density, &mut room);
-        for (out, at) in out.iter_mut().zip(at) {
-            *out = shape.value(*at, self.half_width);
-        }
+        shape.values_into(at, self.half_width, out);
     }
 
     fn edge_factor(&self, unknowns: &[f64]) -> f64 {
@@ -171,16 +137,15 @@ impl Rule for DeSincRule {
     fn sample_potential(&mut self, unknowns: &[f64], kernel: (&dyn KernelTable, Component), samples: &mut Vec<f64>) {
         assert_eq!(unknowns.len(), self.unknowns(), "one number per unknown");
         let fine = self.fine(kernel.0.length());
-        let mut spread = std::mem::take(&mut self.scratch.spread);
-        fine.spread(&self.grid, unknowns, &mut spread);
-        let end = self.stations.len();
+        let scene = self.scene(&fine, kernel);
+        let Scratch { folder, folded, spread } = &mut self.scratch;
+        fine.spread(&self.grid, unknowns, spread);
+        let (end, count) = (self.stations.len(), spread.len());
         samples.clear();
-        for i in 0..=end {
-            self.scratch.folded.clear();
-            self.fold_kernel(&fine, i, fine.reach(end), kernel);
-            samples.push(self.half_width / PI * dot(&self.scratch.folded, &spread));
+        for first in (0..=end).step_by(ROWS) {
+            folder.fold(scene, first..(end + 1).min(first + ROWS), |_| fine.reach(end), folded);
+            samples.extend(folded.chunks_exact(count).map(|row| self.half_width / PI * dot(row, spread)));
         }
-        self.scratch.spread = spread;
         let odd = self.grid.odd != kernel.1.is_odd();
         let edge = samples[end];
         for (i, (sample, v)) in samples.iter_mut().zip(&self.grid.staggered).enumerate() {
@@ -194,22 +159,11 @@ impl Rule for DeSincRule {
             return 0.0; // its two halves cancel
         }
         let fine = self.fine(table.length());
-        let Scratch { distances, parts, spread, .. } = &mut self.scratch;
+        let Scratch { folder, folded, spread } = &mut self.scratch;
         fine.spread(&self.grid, unknowns, spread);
-        let (c, log_c) = (self.half_width, self.half_width.ln());
-        let reach = fine.reach(self.stations.len());
-        let mut sum = 0.0;
-        for start in (0..reach).step_by(BATCH) {
-            let range = start..reach.min(start + BATCH);
-            let count = range.len();
-            for (t, x) in distances[..count].iter_mut().zip(&fine.x[range.clone()]) {
-                *t = -c * x;
-            }
-            table.parts_into(component, &distances[..count], &mut parts[..count]);
-            let terms = parts[..count].iter().zip(&fine.centre[range.clone()]).zip(&spread[range]);
-            sum += terms.map(|((p, (s, l)), f)| f * (p.smooth - p.sign * s + p.log * (log_c + l))).sum::<f64>();
-        }
-        2.0 * c / PI * sum
+        let c = self.half_width;
+        folder.fold_centre(&fine, c, (table, component), fine.reach(self.stations.len()), folded);
+        2.0 * c / PI * dot(folded, spread)
     }
 
     fn potential_into(
@@ -222,14 +176,7 @@ impl Rule for DeSincRule {
         assert_eq!(targets.len(), out.len(), "one value per target");
         let odd = self.grid.odd != kernel.1.is_odd();
         let (edge, rest) = samples.split_last().expect("samples of a potential");
-        for (out, at) in out.iter_mut().zip(targets) {
-            let varying = at_halves(rest, odd, locate(*at, self.half_width) / self.grid.step);
-            *out = if odd { edge * at.x / self.half_width + varying * at.x.signum() } else { edge + varying };
-        }
+        let (half_width, step) = (self.half_width, self.grid.step);
+        Arch::new().dispatch(Potential { half_width, step, odd, edge: *edge, signed: rest, at: targets, out });
     }
-}
-
-/// Sum of products over the shorter of two slices.
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

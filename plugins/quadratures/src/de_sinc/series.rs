@@ -1,67 +1,116 @@
 //! Sums of sinc functions over a grid that is its own mirror image.
 
-use std::f64::consts::PI;
+use pulp::Simd;
+use slipzone_api::elementary::sin_pi;
+use std::f64::consts::FRAC_2_PI;
 
-/// `sum_j y_j sinc(t - j)` over all whole `j`, `y_-j = y_j` (or `-y_j` when `odd`), at `t >= 0`.
-///
-/// `signed[j] = (-1)^j y_j` for `j >= 0`; beyond its end all are zero, and so is the sum.
-#[expect(clippy::float_cmp, reason = "only an exact hit divides by zero")]
-pub(super) fn at_nodes(signed: &[f64], odd: bool, t: f64) -> f64 {
-    if t >= signed.len() as f64 - 1.0 {
-        return 0.0;
-    }
-    let nearest = t.round();
-    let sign = alternating(whole(nearest));
-    if t == nearest {
-        return sign * signed[whole(nearest)];
-    }
-    // 1/(t - j) + 1/(t + j) = 2 t/(t^2 - j^2), with minus 2 j/(t^2 - j^2); the middle node counts once.
-    let (middle, others) = signed.split_first().expect("t < signed.len() - 1");
-    let sum = if odd {
-        folded(others, t, 1.0, |y, j| y * j)
-    } else {
-        t * folded(others, t, 1.0, |y, _| y) + 0.5 * middle / t
-    };
-    sign * (PI * (t - nearest)).sin() * 2.0 / PI * sum
+/// Points that are evaluated at a time.
+pub(super) const BATCH: usize = 64;
+
+/// Vectors of points that are summed side by side.
+const WIDE: usize = 2;
+
+/// Added to a small number it rounds that to a whole one, whose last bit it leaves in the last place: `1.5 2^52`.
+const ROUNDING: f64 = 6_755_399_441_055_744.0;
+
+/// `sum_h y_h sinc(t - h)` over all `h = j + offset`, `y_-h = y_h` (or `-y_h` when `odd`).
+#[derive(Clone, Copy)]
+pub(super) struct Series<'a> {
+    /// `(-1)^j y_h` for `j >= 0`; beyond its end all are zero, and so is the sum.
+    pub(super) signed: &'a [f64],
+    pub(super) odd: bool,
+    /// 0 where the samples stand at the nodes, 1/2 where they stand half way between.
+    pub(super) offset: f64,
 }
 
-/// As [`at_nodes`] for values at `j + 1/2`.
-#[expect(clippy::float_cmp, reason = "only an exact hit divides by zero")]
-pub(super) fn at_halves(signed: &[f64], odd: bool, t: f64) -> f64 {
-    if t >= signed.len() as f64 - 0.5 {
-        return 0.0;
-    }
-    let below = t.floor();
-    let nearest = below + 0.5;
-    let sign = alternating(whole(below));
-    if t == nearest {
-        return sign * signed[whole(below)];
-    }
-    // sin(pi (t - h)) = -(-1)^j cos(pi t) at h = j + 1/2; its mirror image has the opposite sign.
-    let sum = if odd { t * folded(signed, t, 0.5, |y, _| y) } else { folded(signed, t, 0.5, |y, h| y * h) };
-    sign * (PI * (t - nearest)).sin() * 2.0 / PI * sum
-}
-
-/// `sum_j term(y_j, h_j)/(t^2 - h_j^2)`, `h_j = j + offset`, in four independent sums.
-fn folded(signed: &[f64], t: f64, offset: f64, term: impl Fn(f64, f64) -> f64) -> f64 {
-    let mut sums = [0.0; 4];
-    let mut h = [offset, offset + 1.0, offset + 2.0, offset + 3.0];
-    let (chunks, rest) = signed.as_chunks::<4>();
-    for y in chunks {
-        for lane in 0..4 {
-            sums[lane] += term(y[lane], h[lane]) / ((t - h[lane]) * (t + h[lane]));
-            h[lane] += 4.0;
+impl Series<'_> {
+    /// Writes the sums at the first `count` of the points `t >= 0`; what the others hold must be numbers.
+    #[inline(always)]
+    pub(super) fn sums_into<S: Simd>(&self, simd: S, t: &[f64; BATCH], count: usize, out: &mut [f64; BATCH]) {
+        let (points, sums) = (S::as_simd_f64s(t).0, S::as_mut_simd_f64s(out).0);
+        let vectors = count.div_ceil(S::F64_LANES);
+        let (wide, single) = points[..vectors].as_chunks::<WIDE>();
+        let (wide_sums, single_sums) = sums[..vectors].as_chunks_mut::<WIDE>();
+        for (t, sum) in wide.iter().zip(wide_sums) {
+            self.fractions(simd, t, sum);
+        }
+        for (t, sum) in single.as_chunks::<1>().0.iter().zip(single_sums.as_chunks_mut::<1>().0) {
+            self.fractions(simd, t, sum);
+        }
+        let last = self.signed.len() as f64 - 1.0 + self.offset;
+        for (out, t) in out.iter_mut().zip(t).take(count) {
+            // sin(pi (t - h)) = (-1)^j sin(pi (t - h_j)) whichever j, and best the nearest.
+            let place = t - self.offset;
+            let rounded = place + ROUNDING;
+            let sine = sin_pi(place - (rounded - ROUNDING));
+            let signed = f64::from_bits((FRAC_2_PI * sine * *out).to_bits() ^ (rounded.to_bits() << 63));
+            *out = if *t >= last { 0.0 } else { signed };
+        }
+        for (out, t) in out.iter_mut().zip(t).take(count) {
+            // An exact hit has divided by zero.
+            if out.is_nan() {
+                *out = self.sample_at(*t).unwrap_or(*out);
+            }
         }
     }
-    for (y, h) in rest.iter().zip(h) {
-        sums[0] += term(*y, h) / ((t - h) * (t + h));
-    }
-    (sums[0] + sums[1]) + (sums[2] + sums[3])
-}
 
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 0 and the number of nodes
-fn whole(m: f64) -> usize {
-    m as usize
+    /// `(1/2) sum_h signed_h/(t - h)`: pairs of `1/(t - h) +- 1/(t + h)` are `2 t/(t^2 - h^2)` or `2 h/(t^2 - h^2)`.
+    #[inline(always)]
+    fn fractions<S: Simd, const N: usize>(&self, simd: S, t: &[S::f64s; N], out: &mut [S::f64s; N]) {
+        let at_nodes = self.offset == 0.0;
+        // Mirrored in the middle, the sign of (-1)^j stays at the nodes and changes half way between.
+        let by_place = self.odd == at_nodes;
+        // The node in the middle counts once.
+        let (middle, others) = if at_nodes { self.signed.split_at(1) } else { self.signed.split_at(0) };
+        let first = if at_nodes { 1.0 } else { 0.5 };
+        let (zero, one) = (simd.splat_f64s(0.0), simd.splat_f64s(1.0));
+        let mut sums = [zero; N];
+        let mut h = simd.splat_f64s(first);
+        // Two fractions with one division.
+        let (pairs, rest) = others.as_chunks::<2>();
+        for [y, z] in pairs {
+            let g = simd.add_f64s(h, one);
+            let (mut y, mut z) = (simd.splat_f64s(*y), simd.splat_f64s(*z));
+            if by_place {
+                (y, z) = (simd.mul_f64s(y, h), simd.mul_f64s(z, g));
+            }
+            for i in 0..N {
+                let d = simd.mul_f64s(simd.sub_f64s(t[i], h), simd.add_f64s(t[i], h));
+                let e = simd.mul_f64s(simd.sub_f64s(t[i], g), simd.add_f64s(t[i], g));
+                let both = simd.mul_add_e_f64s(y, e, simd.mul_f64s(z, d));
+                sums[i] = simd.add_f64s(sums[i], simd.div_f64s(both, simd.mul_f64s(d, e)));
+            }
+            h = simd.add_f64s(g, one);
+        }
+        if let [y] = rest {
+            let y = simd.splat_f64s(*y);
+            let y = if by_place { simd.mul_f64s(y, h) } else { y };
+            for i in 0..N {
+                let d = simd.mul_f64s(simd.sub_f64s(t[i], h), simd.add_f64s(t[i], h));
+                sums[i] = simd.add_f64s(sums[i], simd.div_f64s(y, d));
+            }
+        }
+        if !by_place {
+            let middle = simd.splat_f64s(middle.first().map_or(0.0, |y| 0.5 * y));
+            for i in 0..N {
+                sums[i] = simd.mul_f64s(sums[i], t[i]);
+                if at_nodes {
+                    sums[i] = simd.add_f64s(sums[i], simd.div_f64s(middle, t[i]));
+                }
+            }
+        }
+        *out = sums;
+    }
+
+    /// The sample that stands at `t`, if one does.
+    #[expect(clippy::float_cmp, reason = "an exact hit is meant")]
+    fn sample_at(&self, t: f64) -> Option<f64> {
+        let place = t - self.offset;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole; `as` saturates
+        let j = place as usize;
+        let hit = place == j as f64;
+        self.signed.get(j).filter(|_| hit).map(|y| alternating(j) * y)
+    }
 }
 
 /// `(-1)^j`.
@@ -72,22 +121,40 @@ pub(super) fn alternating(j: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pulp::{Arch, WithSimd};
+
+    struct Sums<'a>(Series<'a>, &'a [f64]);
+
+    impl WithSimd for Sums<'_> {
+        type Output = Vec<f64>;
+
+        #[inline(always)]
+        fn with_simd<S: Simd>(self, simd: S) -> Vec<f64> {
+            let (mut t, mut out) = ([0.0; BATCH], [0.0; BATCH]);
+            t[..self.1.len()].copy_from_slice(self.1);
+            self.0.sums_into(simd, &t, self.1.len(), &mut out);
+            out[..self.1.len()].to_vec()
+        }
+    }
 
     /// Gaussians are their own interpolants to `exp(-(pi/2)^2 s^2)` and less: 1e-17 at width `s = 4`.
     #[test]
     fn gaussians_come_back() {
         let even = |t: f64| (-(t / 4.0).powi(2)).exp();
         let odd = |t: f64| t * even(t);
+        let t = [0.0, 1e-300, 1e-9, 0.3, 0.5, 1.0, 2.5, 3.0, 3.0 + 1e-12, 4.5, 7.49, 7.5 - 1e-13, 12.9];
         for (g, is_odd) in [(&even as &dyn Fn(f64) -> f64, false), (&odd, true)] {
-            let nodes: Vec<f64> = (0..30).map(|j| alternating(j) * g(j as f64)).collect();
-            let halves: Vec<f64> = (0..30).map(|j| alternating(j) * g(j as f64 + 0.5)).collect();
-            for t in [0.0, 1e-300, 1e-9, 0.3, 0.5, 3.0, 3.0 + 1e-12, 4.5, 7.49, 7.5 - 1e-13, 12.9] {
-                for (how, got) in [("nodes", at_nodes(&nodes, is_odd, t)), ("halves", at_halves(&halves, is_odd, t))] {
-                    assert!((got - g(t)).abs() < 5e-15, "{how}, odd: {is_odd}, t = {t}: {got} for {}", g(t));
+            for (offset, samples) in [(0.0, 30), (0.0, 31), (0.5, 30), (0.5, 31)] {
+                let signed: Vec<f64> = (0..samples).map(|j| alternating(j) * g(j as f64 + offset)).collect();
+                let series = Series { signed: &signed, odd: is_odd, offset };
+                for count in [1, 3, 8, t.len()] {
+                    for (t, got) in t.iter().zip(Arch::new().dispatch(Sums(series, &t[..count]))) {
+                        assert!((got - g(*t)).abs() < 5e-15, "{offset}, odd: {is_odd}, t = {t}: {got} for {}", g(*t));
+                    }
                 }
+                let beyond = Arch::new().dispatch(Sums(series, &[31.0, 1e9]));
+                assert!(beyond.iter().all(|y| y.abs() < 1e-300), "nothing beyond the grid: {beyond:?}");
             }
-            assert!(at_nodes(&nodes, is_odd, f64::INFINITY).abs() < 1e-300, "nothing beyond the grid");
-            assert!(at_halves(&halves, is_odd, f64::INFINITY).abs() < 1e-300, "nothing beyond the grid");
         }
     }
 }

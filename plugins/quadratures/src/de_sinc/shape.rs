@@ -2,13 +2,10 @@
 
 use super::grid::Grid;
 use super::map::locate;
-use super::rule::dot;
-use super::series::{alternating, at_nodes};
+use super::series::{BATCH, Series};
+use super::sums::dot;
+use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::{Density, Edge, Station};
-
-/// From here on `F` of a sharp edge is its own limit to rounding: what is left is `gap log gap`,
-/// `gap/c = 2 exp(-2 w)`.
-const PLATEAU: f64 = 20.0;
 
 /// A density made ready for evaluation, with `s = sqrt(1 - x^2)` and `y` a sum of sinc functions:
 /// `f = (limit + y)/s` at sharp edges, `s limit + sqrt(s) y` at smooth ones, `carrier x + s limit + y` at continued
@@ -26,42 +23,64 @@ impl<'a> Shape<'a> {
     /// `room` is scratch.
     pub(super) fn new(grid: &'a Grid, density: Density, room: &'a mut Vec<f64>) -> Self {
         assert_eq!(density.unknowns.len(), grid.unknowns(), "one number per unknown");
-        let value = |j: usize| if j < grid.first { 0.0 } else { density.unknowns[j - grid.first] };
         let y = room;
         y.clear();
-        y.extend((0..grid.nodes.len()).map(value));
+        y.resize(grid.first, 0.0);
+        y.extend_from_slice(density.unknowns);
         let limit = if grid.edge == Edge::Sharp {
-            y.truncate(grid.nodes.iter().take_while(|u| u.w < PLATEAU).count());
+            y.truncate(grid.plateau);
             dot(&grid.edge_row, density.unknowns)
         } else {
             bound(y, grid, density.carrier)
         };
-        for (j, (y, u)) in y.iter_mut().zip(&grid.nodes).enumerate() {
-            let ending = limit * grid.ending(u.x);
-            *y = alternating(j)
-                * match grid.edge {
-                    Edge::Sharp => *y - ending,
-                    Edge::Smooth => (*y / (u.sech * u.sech) - ending) * u.sech.sqrt(),
-                    Edge::Continued => *y / u.sech - ending * u.sech,
-                };
+        for (y, [of_density, of_limit]) in y.iter_mut().zip(&grid.series) {
+            *y = of_density * *y - of_limit * limit;
         }
         Self { grid, carrier: density.carrier, limit, signed: y.as_slice() }
     }
 
-    pub(super) fn value(&self, at: Station, half_width: f64) -> f64 {
-        let t = at.x / half_width;
-        let (limit, sign) = if self.grid.odd { (self.limit * t, t.signum()) } else { (self.limit, 1.0) };
-        let varying = sign * at_nodes(self.signed, self.grid.odd, locate(at, half_width) / self.grid.step);
-        let relative = at.gap / half_width;
-        let root = (relative * (2.0 - relative)).sqrt();
-        match self.grid.edge {
-            Edge::Sharp => (limit + varying) / root,
-            Edge::Smooth => root * limit + root.sqrt() * varying,
-            Edge::Continued => self.carrier * t + root * limit + varying,
-        }
+    /// The density at points strictly inside an interval of that half-width.
+    pub(super) fn values_into(&self, at: &[Station], half_width: f64, out: &mut [f64]) {
+        Arch::new().dispatch(Values { shape: self, at, half_width, out });
     }
 }
 
+/// A density at some points.
+struct Values<'a> {
+    shape: &'a Shape<'a>,
+    at: &'a [Station],
+    half_width: f64,
+    out: &'a mut [f64],
+}
+
+impl WithSimd for Values<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Shape { grid, carrier, limit, signed } = *self.shape;
+        let series = Series { signed, odd: grid.odd, offset: 0.0 };
+        let (per_step, per_width) = (1.0 / grid.step, 1.0 / self.half_width);
+        let (mut t, mut sums) = ([0.0; BATCH], [0.0; BATCH]);
+        for (at, out) in self.at.chunks(BATCH).zip(self.out.chunks_mut(BATCH)) {
+            for (t, at) in t.iter_mut().zip(at) {
+                *t = locate(*at) * per_step;
+            }
+            series.sums_into(simd, &t, at.len(), &mut sums);
+            for ((out, at), varying) in out.iter_mut().zip(at).zip(&sums) {
+                let (x, gap) = (at.x * per_width, at.gap * per_width);
+                let root = (gap * (2.0 - gap)).sqrt();
+                let (limit, varying) =
+                    if grid.odd { (limit * x, varying * 1.0_f64.copysign(x)) } else { (limit, *varying) };
+                *out = match grid.edge {
+                    Edge::Sharp => (limit + varying) / root,
+                    Edge::Smooth => root * limit + root.sqrt() * varying,
+                    Edge::Continued => carrier * x + root * limit + varying,
+                };
+            }
+        }
+    }
+}
 /// Takes the carrier and the noise off `F` and cuts it where nothing else is left; returns `lim F/(1 - x^2)`.
 ///
 /// The singular density that is to be absent is absent up to an error `e` only, and adds nearly the same

@@ -5,8 +5,8 @@ mod integrals;
 mod values;
 
 use super::*;
-use rule::dot;
-use slipzone_api::{Component, Density, KernelTable, Parts, Station};
+use slipzone_api::{Component, Density, KernelTable, Parts, PartsMut, Station};
+use sums::dot;
 
 /// A made-up kernel.
 struct Made<P: Fn(f64) -> Parts + Send + Sync> {
@@ -15,10 +15,8 @@ struct Made<P: Fn(f64) -> Parts + Send + Sync> {
 }
 
 impl<P: Fn(f64) -> Parts + Send + Sync> KernelTable for Made<P> {
-    fn parts_into(&self, _: Component, distances: &[f64], out: &mut [Parts]) {
-        for (t, out) in distances.iter().zip(out) {
-            *out = (self.parts)(*t);
-        }
+    fn parts_into(&self, _: Component, distances: &[f64], out: PartsMut) {
+        out.fill(distances, &self.parts);
     }
 
     fn length(&self) -> f64 {

@@ -1,6 +1,7 @@
 //! The rule against integrals in closed form.
 
 use super::*;
+use slipzone_api::PartsMut;
 use slipzone_api::reference::flat_punch;
 
 /// A kernel `smooth(t) + sign(t) sign_part + log|t| log_part`.
@@ -11,10 +12,8 @@ struct Made {
 }
 
 impl KernelTable for Made {
-    fn parts_into(&self, _: Component, distances: &[f64], out: &mut [Parts]) {
-        for (t, out) in distances.iter().zip(out) {
-            *out = Parts { smooth: (self.smooth)(*t), sign: self.sign, log: self.log };
-        }
+    fn parts_into(&self, _: Component, distances: &[f64], out: PartsMut) {
+        out.fill(distances, |t| Parts { smooth: (self.smooth)(t), sign: self.sign, log: self.log });
     }
 
     fn length(&self) -> f64 {

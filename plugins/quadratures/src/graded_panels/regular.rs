@@ -3,7 +3,7 @@
 use super::layout::Layout;
 use super::legendre::{Factor, Gauss, NEAR};
 use super::pieces::{Piece, Pieces};
-use slipzone_api::{Component, KernelTable, Parts};
+use slipzone_api::{Component, KernelTable, Parts, PartsVec};
 use std::f64::consts::PI;
 
 /// Longest piece in `x` over the length on which the kernel parts vary (distance of their poles).
@@ -19,7 +19,7 @@ pub(super) struct Regular {
     cuts: Vec<usize>,
     pieces: Option<Pieces>,
     distances: Vec<f64>,
-    parts: Vec<Parts>,
+    parts: PartsVec,
     /// Weight of the piecewise polynomial at each Gauss point, for one target.
     pub(super) summand: Vec<f64>,
     product: Vec<f64>,
@@ -41,7 +41,7 @@ impl Regular {
             let pieces = Pieces::new(&layout.mesh, &layout.gauss, layout.basis, &cuts);
             let points = pieces.angle.len();
             self.distances.resize(2 * points, 0.0);
-            self.parts.resize(2 * points, Parts::default());
+            self.parts.resize(2 * points);
             self.summand.resize(points, 0.0);
             self.product.resize(layout.gauss.z.len(), 0.0);
             self.pieces = Some(pieces);
@@ -73,7 +73,7 @@ impl Regular {
             self.distances[k] = 2.0 * half_width * difference.sin() * sum.sin();
             self.distances[points + k] = 2.0 * half_width * difference.cos() * sum.cos();
         }
-        table.parts_into(component, &self.distances, &mut self.parts);
+        table.parts_into(component, &self.distances, self.parts.first(2 * points));
 
         let q = layout.gauss.z.len();
         let mut scratch = Scratch { product: &mut self.product, moments: &mut self.moments };
@@ -88,7 +88,7 @@ impl Regular {
                 (image, layout.basis.mirror(), [PI - target, PI + target], false),
             ] {
                 let share = Share { piece, gauss: &layout.gauss, angles, poles, crosses, half_width };
-                share.add(factor, &self.parts[points.clone()], &self.distances[points], &mut scratch, out);
+                share.add(factor, &self.parts.range(points.clone()), &self.distances[points], &mut scratch, out);
             }
             for (out, measure) in out.iter_mut().zip(&pieces.measure[direct]) {
                 *out *= half_width * piece.half_length * measure / PI;
@@ -120,32 +120,39 @@ struct Share<'a> {
 
 impl Share<'_> {
     /// Adds `factor` times the weights over the piece's half-length.
-    fn add(&self, factor: f64, parts: &[Parts], distances: &[f64], scratch: &mut Scratch, out: &mut [f64]) {
+    fn add(
+        &self,
+        factor: f64,
+        parts: &(impl Iterator<Item = Parts> + Clone),
+        distances: &[f64],
+        scratch: &mut Scratch,
+        out: &mut [f64],
+    ) {
         let local = self.poles.map(|pole| self.piece.local(pole));
         let plain = self.gauss.w.iter();
         if local.iter().all(|at| at.abs() >= NEAR) {
-            for (((out, w), parts), t) in out.iter_mut().zip(plain).zip(parts).zip(distances) {
+            for (((out, w), parts), t) in out.iter_mut().zip(plain).zip(parts.clone()).zip(distances) {
                 *out += factor * w * parts.value(*t);
             }
             return;
         }
         // x - r has the sign of theta - target.
-        let jumps = self.crosses && local[0].abs() < 1.0 && parts.iter().any(|parts| parts.sign != 0.0);
-        let has_log = parts.iter().any(|parts| parts.log != 0.0);
-        for (k, (((out, w), parts), t)) in out.iter_mut().zip(plain).zip(parts).zip(distances).enumerate() {
+        let jumps = self.crosses && local[0].abs() < 1.0 && parts.clone().any(|parts| parts.sign != 0.0);
+        let has_log = parts.clone().any(|parts| parts.log != 0.0);
+        for (k, (((out, w), parts), t)) in out.iter_mut().zip(plain).zip(parts.clone()).zip(distances).enumerate() {
             let sign = if jumps { 0.0 } else { parts.sign * t.signum() };
             let log = if has_log { parts.log * self.log_rest(self.angles[k], local) } else { 0.0 };
             *out += factor * w * (parts.smooth + sign + log);
         }
         if jumps {
             self.gauss.product_weights_into(Factor::Step, local[0], scratch.moments, scratch.product);
-            for ((out, weight), parts) in out.iter_mut().zip(scratch.product.iter()).zip(parts) {
+            for ((out, weight), parts) in out.iter_mut().zip(scratch.product.iter()).zip(parts.clone()) {
                 *out += factor * weight * parts.sign;
             }
         }
         for at in local.into_iter().filter(|at| has_log && at.abs() < NEAR) {
             self.gauss.product_weights_into(Factor::Log, at, scratch.moments, scratch.product);
-            for ((out, weight), parts) in out.iter_mut().zip(scratch.product.iter()).zip(parts) {
+            for ((out, weight), parts) in out.iter_mut().zip(scratch.product.iter()).zip(parts.clone()) {
                 *out += factor * weight * parts.log;
             }
         }

@@ -7,7 +7,7 @@ mod solved;
 
 use super::mesh::Mesh;
 use super::*;
-use slipzone_api::{Component, Density, KernelTable, Parts, Station};
+use slipzone_api::{Component, Density, KernelTable, Parts, PartsMut, Station};
 use std::f64::consts::PI;
 
 fn rule(c: f64, parity: Parity, edge: Edge, nodes: usize, panels: usize) -> Box<dyn Rule> {
@@ -80,11 +80,8 @@ struct Made {
 }
 
 impl KernelTable for Made {
-    fn parts_into(&self, _: Component, distances: &[f64], out: &mut [Parts]) {
-        assert_eq!(distances.len(), out.len());
-        for (t, out) in distances.iter().zip(out) {
-            *out = (self.parts)(*t, self.length);
-        }
+    fn parts_into(&self, _: Component, distances: &[f64], out: PartsMut) {
+        out.fill(distances, |t| (self.parts)(t, self.length));
     }
 
     fn length(&self) -> f64 {

@@ -37,16 +37,16 @@ impl Layer {
 }
 
 impl KernelTable for Layer {
-    fn parts_into(&self, component: Component, distances: &[f64], out: &mut [Parts]) {
-        for (t, out) in distances.iter().zip(out) {
+    fn parts_into(&self, component: Component, distances: &[f64], out: PartsMut) {
+        out.fill(distances, |t| {
             let term = |(s, weight, m): &(f64, f64, [f64; 3])| match component {
                 Component::NormalSlope => weight * m[0] * (s * t).sin(),
                 Component::ShearStrain => weight * m[1] * (s * t).sin(),
                 Component::Coupling => weight * m[2] * (s * t).cos(),
                 Component::Depth => f64::NAN,
             };
-            *out = Parts { smooth: self.waves.iter().map(term).sum(), ..Parts::default() };
-        }
+            Parts { smooth: self.waves.iter().map(term).sum(), ..Parts::default() }
+        });
     }
 
     fn length(&self) -> f64 {

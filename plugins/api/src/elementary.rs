@@ -1,0 +1,125 @@
+//! Elementary functions without branches, for loops that the compiler turns into vector code.
+//!
+//! A logarithm of the standard library is a call for each number. These have the same value in a loop and on
+//! their own: nothing in them depends on what the machine has.
+
+/// What of the bits of a number is its exponent's.
+const EXPONENT_BITS: u32 = 52;
+/// The bits of 1.
+const ONE: u64 = 1.0_f64.to_bits();
+/// About `sqrt(1/2)`, in bits: mantissas are taken from here to twice as much.
+const LEAST_MANTISSA: u64 = 0x3fe6_a09e_0000_0000;
+/// `2^52`: added to a small whole number, it leaves that number in the lowest bits.
+const WHOLE: f64 = 4_503_599_627_370_496.0;
+/// `ln 2`, its first 32 bits and the rest.
+const LN_2: (f64, f64) = (f64::from_bits(0x3fe6_2e42_fee0_0000), f64::from_bits(0x3dea_39ef_3579_3c76));
+/// Of `[ln((1 + s)/(1 - s)) - 2 s]/s` in powers of `s^2`, for `|s| < 0.1716` to `2^-58` (FDLIBM, `e_log.c`).
+const SERIES: [f64; 7] = [
+    0.666_666_666_666_673_5,
+    0.399_999_999_994_094_2,
+    0.285_714_287_436_623_9,
+    0.222_221_984_321_497_84,
+    0.181_835_721_616_180_5,
+    0.153_138_376_992_093_73,
+    0.147_981_986_051_165_86,
+];
+
+/// Of `sin(pi d)/d` in powers of `d^2`: `(-1)^k pi^(2 k + 1)/(2 k + 1)!`.
+const SINE: [f64; 11] = [
+    std::f64::consts::PI,
+    -5.167_712_780_049_97,
+    2.550_164_039_877_345_5,
+    -0.599_264_529_320_792_1,
+    0.082_145_886_611_128_23,
+    -0.007_370_430_945_714_350_4,
+    0.000_466_302_805_767_612_55,
+    -2.191_535_344_783_021_7e-05,
+    7.952_054_001_475_513e-07,
+    -2.294_842_899_726_987_3e-08,
+    5.392_664_662_608_129e-10,
+];
+
+/// `ln x` for `x > 0` and finite, to one unit in the last place; a subnormal number counts as the least normal one.
+#[inline(always)]
+pub fn ln(x: f64) -> f64 {
+    let x = if x < f64::MIN_POSITIVE { f64::MIN_POSITIVE } else { x };
+    let bits = x.to_bits().wrapping_add(ONE - LEAST_MANTISSA);
+    let exponent = f64::from_bits((bits >> EXPONENT_BITS) | WHOLE.to_bits()) - (WHOLE + 1023.0);
+    let mantissa = f64::from_bits((bits & ((1 << EXPONENT_BITS) - 1)).wrapping_add(LEAST_MANTISSA));
+    let f = mantissa - 1.0;
+    let s = f / (2.0 + f);
+    let z = s * s;
+    let w = z * z;
+    let [a, b, c, d, e, g, h] = SERIES;
+    let rest = w * (b + w * (d + w * g)) + z * (a + w * (c + w * (e + w * h)));
+    let half_square = 0.5 * f * f;
+    exponent * LN_2.0 - ((half_square - (s * (half_square + rest) + exponent * LN_2.1)) - f)
+}
+
+/// `ln(1 + y)` for `y >= 0`, to two units in the last place; beyond the largest number as at it.
+#[inline(always)]
+pub fn ln_1p(y: f64) -> f64 {
+    let y = if y > f64::MAX { f64::MAX } else { y };
+    let sum = 1.0 + y;
+    // What rounding took off the sum.
+    ln(sum) + (y - (sum - 1.0)) / sum
+}
+
+/// `sin(pi d)` for `|d| <= 1/2`, to two units in the last place.
+#[inline(always)]
+pub fn sin_pi(d: f64) -> f64 {
+    let square = d * d;
+    let mut sum = SINE[SINE.len() - 1];
+    for c in SINE[..SINE.len() - 1].iter().rev() {
+        sum = sum * square + c;
+    }
+    d * sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    /// Distance in units of the last place.
+    fn units(got: f64, expected: f64) -> f64 {
+        let unit = f64::from_bits(expected.abs().to_bits() + 1) - expected.abs();
+        (got - expected).abs() / unit
+    }
+
+    /// Numbers over the whole range, dense about 1.
+    fn numbers() -> impl Iterator<Item = f64> {
+        let wide = (-1021..1024).flat_map(|e| (0..40).map(move |m| (1.0 + f64::from(m) / 40.0) * 2.0_f64.powi(e)));
+        let near_one = (1..2000).flat_map(|i| [1.0 + f64::from(i) * 1e-3, 1.0 - f64::from(i) * 4.9e-4]);
+        let nearest = (1..300).flat_map(|i| [1.0 + 0.9_f64.powi(i), 1.0 - 0.9_f64.powi(i + 1)]);
+        wide.chain(near_one).chain(nearest)
+    }
+
+    #[test]
+    fn logarithms_have_all_their_digits() {
+        for x in numbers() {
+            assert!(units(ln(x), x.ln()) <= 1.0, "ln {x:e}: {} for {}", ln(x), x.ln());
+        }
+        assert!(ln(1.0).abs() < f64::MIN_POSITIVE);
+        assert!((ln(0.0) - f64::MIN_POSITIVE.ln()).abs() < 1e-12, "no infinity");
+    }
+
+    #[test]
+    fn sines_have_all_their_digits() {
+        for i in 0..=1000 {
+            let d = 0.5 * f64::from(i) / 1000.0;
+            for d in [d, -d, d * 1e-5, d * 1e-300] {
+                assert!(units(sin_pi(d), (PI * d).sin()) <= 3.0, "{d}: {} for {}", sin_pi(d), (PI * d).sin());
+            }
+        }
+    }
+
+    #[test]
+    fn so_have_those_of_what_is_added_to_one() {
+        for y in numbers().chain((1..700).map(|i| 0.37_f64.powi(i))) {
+            assert!(units(ln_1p(y), y.ln_1p()) <= 2.0, "ln(1 + {y:e}): {} for {}", ln_1p(y), y.ln_1p());
+        }
+        assert!(ln_1p(0.0).abs() < f64::MIN_POSITIVE);
+        assert!(units(ln_1p(f64::INFINITY), f64::MAX.ln()) <= 1.0, "no NaN");
+    }
+}

@@ -1,0 +1,90 @@
+//! Polynomials of one variable at many distances, side by side in the vectors that the machine has.
+
+use pulp::Simd;
+
+/// Vectors that go through a polynomial together: a multiplication takes as long as it takes to begin so many.
+const WIDE: usize = 8;
+
+/// The three polynomials of a kernel on one piece.
+#[derive(Clone, Copy)]
+pub(super) struct Piece<'a> {
+    /// `v = slope x + offset`, with `x = t^2` on the piece at the origin and `|t|` on the others.
+    pub(super) slope: f64,
+    pub(super) offset: f64,
+    pub(super) at_origin: bool,
+    /// Coefficients of the parts in powers of `v`, highest first; none where a part is zero.
+    pub(super) coefficients: [&'a [f64]; 3],
+    /// Which parts are odd: `t` times their polynomial at the origin, `sign(t)` times it elsewhere.
+    pub(super) odd: [bool; 3],
+}
+
+/// Writes the parts at all distances, which are within the piece.
+#[inline(always)]
+pub(super) fn parts_into<S: Simd>(simd: S, piece: Piece, t: &[f64], out: [&mut [f64]; 3]) {
+    let (t, t_rest) = S::as_simd_f64s(t);
+    let [a, b, c] = out;
+    let ((a, a_rest), (b, b_rest), (c, c_rest)) =
+        (S::as_mut_simd_f64s(a), S::as_mut_simd_f64s(b), S::as_mut_simd_f64s(c));
+    let (wide, single) = t.as_chunks::<WIDE>();
+    let (a, a_single) = a.as_chunks_mut::<WIDE>();
+    let (b, b_single) = b.as_chunks_mut::<WIDE>();
+    let (c, c_single) = c.as_chunks_mut::<WIDE>();
+    for (((t, a), b), c) in wide.iter().zip(a).zip(b).zip(c) {
+        block(simd, &piece, t, [a, b, c]);
+    }
+    let (twos, ones) = single.as_chunks::<2>();
+    let (a, a_one) = a_single.as_chunks_mut::<2>();
+    let (b, b_one) = b_single.as_chunks_mut::<2>();
+    let (c, c_one) = c_single.as_chunks_mut::<2>();
+    for (((t, a), b), c) in twos.iter().zip(a).zip(b).zip(c) {
+        block(simd, &piece, t, [a, b, c]);
+    }
+    // At most one vector, and what fills none.
+    if !ones.is_empty() || !t_rest.is_empty() {
+        let t = [ones.first().copied().unwrap_or_else(|| simd.splat_f64s(0.0)), simd.partial_load_f64s(t_rest)];
+        let (mut x, mut y, mut z) = (t, t, t);
+        block(simd, &piece, &t, [&mut x, &mut y, &mut z]);
+        for (one, rest, sums) in [(a_one, a_rest, &x), (b_one, b_rest, &y), (c_one, c_rest, &z)] {
+            if let Some(one) = one.first_mut() {
+                *one = sums[0];
+            }
+            simd.partial_store_f64s(rest, sums[1]);
+        }
+    }
+}
+
+/// The parts at `N` vectors of distances.
+#[inline(always)]
+fn block<S: Simd, const N: usize>(simd: S, piece: &Piece, t: &[S::f64s; N], out: [&mut [S::f64s; N]; 3]) {
+    let (slope, offset) = (simd.splat_f64s(piece.slope), simd.splat_f64s(piece.offset));
+    let (zero, sign_bit) = (simd.splat_f64s(0.0), simd.splat_f64s(-0.0));
+    let mut v = [zero; N];
+    for i in 0..N {
+        let x = if piece.at_origin { simd.mul_f64s(t[i], t[i]) } else { simd.abs_f64s(t[i]) };
+        v[i] = simd.mul_add_e_f64s(slope, x, offset);
+    }
+    let [smooth, sign, log] = out;
+    for (part, out) in [smooth, sign, log].into_iter().enumerate() {
+        let Some((highest, lower)) = piece.coefficients[part].split_first() else {
+            *out = [zero; N];
+            continue;
+        };
+        let mut sums = [simd.splat_f64s(*highest); N];
+        for c in lower {
+            let c = simd.splat_f64s(*c);
+            for i in 0..N {
+                sums[i] = simd.mul_add_e_f64s(sums[i], v[i], c);
+            }
+        }
+        if piece.odd[part] {
+            for i in 0..N {
+                sums[i] = if piece.at_origin {
+                    simd.mul_f64s(sums[i], t[i])
+                } else {
+                    simd.xor_f64s(sums[i], simd.and_f64s(t[i], sign_bit))
+                };
+            }
+        }
+        *out = sums;
+    }
+}
