@@ -113,9 +113,9 @@ fn shortest(tail: &[SurfaceFlexibility], cutoff: f64, enough: f64) -> (usize, f6
 /// `sum_k c_k int_S^inf exp(ist) s^-k ds` for each kernel.
 #[derive(Clone, Debug)]
 pub(super) struct Beyond {
-    cutoff: f64,
+    pub(super) cutoff: f64,
     /// `c_k S^(1-k)`, per kernel.
-    scaled: Vec<Vec<f64>>,
+    pub(super) scaled: Vec<Vec<f64>>,
 }
 
 impl Beyond {
