@@ -58,11 +58,12 @@ fn kernel(i: usize, column: &Column, spectrum: &Spectrum, beyond: &Beyond, reach
     let mut power = if odd { phase } else { 1.0 };
     let mut harmonic = first as f64;
     let (mut smooth, mut rounding, mut left) = (Vec::with_capacity(MOST_POWERS / 2), 0.0, f64::INFINITY);
+    let logarithm = EULER + cutoff.ln();
     let mut moments = spectrum.moments(i, odd, cutoff);
     for m in (first..MOST_POWERS).step_by(2) {
         let (mut sum, mut size) = moments.next().expect("endless");
         for (k, c) in (1..).zip(scaled) {
-            let term = if k == m + 1 { c * (harmonic - EULER - cutoff.ln()) } else { -c / (m as f64 - k as f64 + 1.0) };
+            let term = if k == m + 1 { c * (harmonic - logarithm) } else { -c / (m as f64 - k as f64 + 1.0) };
             sum += term;
             size += term.abs();
         }

@@ -25,8 +25,8 @@ pub(super) struct Spectrum {
 }
 
 /// Part of the error that each panel may have: most often there are two.
-const SHARE: f64 = 0.15;
-/// Nodes that a panel takes, fitted to some thousand layers: enough for six out of seven, hardly ever many more.
+const SHARE: f64 = 0.25;
+/// Nodes that a panel takes, fitted to some thousand layers: enough for nine out of ten: another try costs as many again.
 #[derive(Clone, Copy)]
 struct Guess {
     least: f64,
@@ -38,11 +38,11 @@ struct Guess {
     /// By digit and by `beta`.
     beta: f64,
 }
-const FIRST: Guess = Guess { least: 1.7, digit: 2.0, stiff: 0.45, soft: 0.07, beta: 0.68 };
-const SECOND: Guess = Guess { least: 7.0, digit: 1.42, stiff: 0.09, soft: 0.02, beta: 0.1 };
+const FIRST: Guess = Guess { least: 1.6, digit: 2.0, stiff: 0.45, soft: 0.07, beta: 0.65 };
+const SECOND: Guess = Guess { least: 6.9, digit: 1.38, stiff: 0.08, soft: 0.025, beta: 0.2 };
 /// Nodes added by each unit of the wave's phase over half a panel, and the phase by digit from which the orders of the
 /// panel itself are all that counts.
-const NODES_BY_PHASE: f64 = 0.85;
+const NODES_BY_PHASE: f64 = 0.7;
 const FAST: f64 = 1.7;
 /// Fewest and most nodes of a panel.
 const NODES: (usize, usize) = (8, 56);
@@ -57,6 +57,13 @@ const FIRST_SPLIT: f64 = 0.2;
 const BESIDE_ORIGIN: f64 = 1e-4;
 /// Sums side by side.
 const LANES: usize = 4;
+
+/// Terms of a moment at some nodes, and what leads from one to the next but one.
+struct Moment {
+    term: [f64; LANES],
+    square: [f64; LANES],
+}
+
 /// Most wave numbers for one table.
 const MOST_SAMPLES: usize = 4096;
 
@@ -137,23 +144,27 @@ impl Spectrum {
     /// `int_0^S W(s) (s/S)^m ds` of one kernel as its nodes give it, and the sum of the terms' sizes: for each odd or
     /// each even `m`.
     pub(super) fn moments(&self, column: usize, odd: bool, cutoff: f64) -> impl Iterator<Item = (f64, f64)> {
-        let nodes = self.panels.iter().flat_map(|panel| panel.nodes.iter().zip(&panel.weighted[column]));
-        let (mut squares, mut terms): (Vec<f64>, Vec<f64>) = nodes
-            .map(|(s, weighted)| {
-                let x = s / cutoff;
-                (x * x, if odd { weighted * x } else { *weighted })
-            })
-            .unzip();
-        let whole = terms.len().next_multiple_of(LANES);
-        squares.resize(whole, 0.0);
-        terms.resize(whole, 0.0);
+        let mut terms: Vec<Moment> =
+            Vec::with_capacity(self.panels.iter().map(|panel| panel.nodes.len() / LANES + 1).sum());
+        for panel in &self.panels {
+            let weighted = &panel.weighted[column];
+            for (nodes, weighted) in panel.nodes.chunks(LANES).zip(weighted.chunks(LANES)) {
+                let mut moment = Moment { term: [0.0; LANES], square: [0.0; LANES] };
+                for (i, (s, weighted)) in nodes.iter().zip(weighted).enumerate() {
+                    let x = s / cutoff;
+                    moment.square[i] = x * x;
+                    moment.term[i] = panel.half * weighted * if odd { x } else { 1.0 };
+                }
+                terms.push(moment);
+            }
+        }
         std::iter::repeat_with(move || {
             let (mut sum, mut size) = ([0.0; LANES], [0.0; LANES]);
-            for (terms, squares) in terms.as_chunks_mut::<LANES>().0.iter_mut().zip(squares.as_chunks::<LANES>().0) {
+            for Moment { term, square } in &mut terms {
                 for i in 0..LANES {
-                    sum[i] += terms[i];
-                    size[i] += terms[i].abs();
-                    terms[i] *= squares[i];
+                    sum[i] += term[i];
+                    size[i] += term[i].abs();
+                    term[i] *= square[i];
                 }
             }
             (sum.iter().sum(), size.iter().sum())
