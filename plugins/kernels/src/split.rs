@@ -6,6 +6,8 @@ mod exponential_integral;
 mod legendre;
 mod piece;
 mod pieces;
+mod polynomial;
+mod power_series;
 mod singular;
 mod spectrum;
 mod spherical_bessel;
@@ -126,7 +128,6 @@ impl Split {
         let (beta, reach) = (response.elastic().beta(), request.reach);
         let columns: Vec<Column> =
             request.components.iter().map(|c| Column::new(*c, &tail, beta, accuracy, reach)).collect();
-        let aim = columns.iter().map(|column| column.aim).fold(f64::INFINITY, f64::min);
         let slope_aim =
             columns.iter().map(|c| if c.component == Component::Depth { DEPTH_GAIN * c.aim } else { c.aim });
         let mut cut = Cut::choose(&tail, depth, slope_aim.fold(f64::INFINITY, f64::min));
@@ -137,47 +138,69 @@ impl Split {
             cut.terms = usize::from(terms.get()).min(tail.len());
         }
         let (beyond_error, at_cutoff) = cut.rest(&columns, response, depth)?;
-        let spectrum = Spectrum::new(&columns, response, cut.cutoff, at_cutoff, reach)?;
+        let short = power_series::serve(&columns, cut.terms, cut.cutoff, depth, reach);
+        let spectrum = Spectrum::new(&columns, response, (cut.cutoff, at_cutoff), reach, short)?;
         let beyond = Beyond::new(cut, &columns);
-        let rounded: Vec<f64> = (0..columns.len())
+        let mut rounded: Vec<f64> = (0..columns.len())
             .map(|i| FLEXIBILITY * spectrum.size[i] + ROUNDING * beyond.size(i) + 2.0 * f64::EPSILON * cut.cutoff)
             .collect();
-        let singular: Vec<Singular> = columns.iter().map(|column| Singular::new(column, depth, reach)).collect();
-        let window = singular.iter().map(Singular::width).fold(f64::INFINITY, f64::min);
-        let plan = Plan {
-            reach,
-            width: if window.is_finite() { (WIDTH.0 * depth).min(WIDTH.1 * window) } else { reach },
-            local: if window.is_finite() { singular.iter().map(Singular::gone).fold(0.0, f64::max) } else { 0.0 },
-            kernels: columns
-                .iter()
-                .zip(&rounded)
-                .map(|(column, rounded)| (column.component.is_odd(), rounded.max(0.1 * column.aim)))
-                .collect(),
-        };
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small positive count
-        let nodes = (5.0 - aim.log10()).clamp(6.0, 18.0) as usize;
-        let mut bessel = vec![0.0; spectrum.terms()];
-        let mut integrals = vec![Complex64::default(); beyond.terms()];
-        let mut transforms = vec![Complex64::default(); columns.len()];
-        let pieces = Pieces::new(&plan, nodes, |t, out| {
-            transforms.fill(Complex64::default());
-            spectrum.add(t, &mut bessel, &mut transforms);
-            beyond.add(t, &mut integrals, &mut transforms);
-            for (((out, transform), column), singular) in out.iter_mut().zip(&transforms).zip(&columns).zip(&singular) {
-                let value = if column.component.is_odd() { transform.im } else { transform.re };
-                let (sign, log) = singular.at(t);
-                *out = [value - sign - t.ln() * log, sign, log];
+        let (pieces, length) = if short {
+            let (pieces, powers) = power_series::pieces(&columns, &spectrum, &beyond, reach);
+            for (rounded, powers) in rounded.iter_mut().zip(powers) {
+                *rounded += powers;
             }
-        });
+            (pieces, depth)
+        } else {
+            interpolated(&columns, &spectrum, &beyond, &rounded, depth, reach)
+        };
         let (mut error, mut rounding) = (0.0_f64, 0.0_f64);
         for (i, column) in columns.iter().enumerate() {
             let scale = if column.component == Component::Depth { 1.0 } else { reach };
             rounding = rounding.max(scale * (rounded[i] + pieces.kernels[i].noise + spectrum.noise[i]));
             error = error.max(scale * (beyond_error[i] + spectrum.error[i] + pieces.kernels[i].error + rounded[i]));
         }
-        let length = depth.min(window);
         Ok(Draft { pieces, length, error, rounding, evaluations: spectrum.evaluations + beyond::CHECKS })
     }
+}
+
+/// The kernels by interpolation, and the shortest length over which their parts vary.
+fn interpolated(
+    columns: &[Column],
+    spectrum: &Spectrum,
+    beyond: &Beyond,
+    rounded: &[f64],
+    depth: f64,
+    reach: f64,
+) -> (Pieces, f64) {
+    let aim = columns.iter().map(|column| column.aim).fold(f64::INFINITY, f64::min);
+    let singular: Vec<Singular> = columns.iter().map(|column| Singular::new(column, depth, reach)).collect();
+    let window = singular.iter().map(Singular::width).fold(f64::INFINITY, f64::min);
+    let plan = Plan {
+        reach,
+        width: if window.is_finite() { (WIDTH.0 * depth).min(WIDTH.1 * window) } else { reach },
+        local: if window.is_finite() { singular.iter().map(Singular::gone).fold(0.0, f64::max) } else { 0.0 },
+        kernels: columns
+            .iter()
+            .zip(rounded)
+            .map(|(column, rounded)| (column.component.is_odd(), rounded.max(0.1 * column.aim)))
+            .collect(),
+    };
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small positive count
+    let nodes = (5.0 - aim.log10()).clamp(6.0, 18.0) as usize;
+    let mut bessel = vec![0.0; spectrum.terms()];
+    let mut integrals = vec![Complex64::default(); beyond.terms()];
+    let mut transforms = vec![Complex64::default(); columns.len()];
+    let pieces = Pieces::new(&plan, nodes, |t, out| {
+        transforms.fill(Complex64::default());
+        spectrum.add(t, &mut bessel, &mut transforms);
+        beyond.add(t, &mut integrals, &mut transforms);
+        for (((out, transform), column), singular) in out.iter_mut().zip(&transforms).zip(columns).zip(&singular) {
+            let value = if column.component.is_odd() { transform.im } else { transform.re };
+            let (sign, log) = singular.at(t);
+            *out = [value - sign - t.ln() * log, sign, log];
+        }
+    });
+    (pieces, depth.min(window))
 }
 
 /// See [`crate::link`].

@@ -26,11 +26,14 @@ const STEP: f64 = 1.1;
 const SHARE: f64 = 0.2;
 
 /// Wave numbers at which the remainder is looked at.
-pub(super) const CHECKS: usize = 3;
+pub(super) const CHECKS: usize = 2;
 
 /// The base's remainder falls like `exp(-2 s d)` times powers: its integral is half of it over the depth, and a little
 /// more. This times it over the depth is three times as much.
 const SAFETY: f64 = 1.5;
+
+/// Decay of the base's remainder from one check to the other.
+const E_SQUARED: f64 = 7.4;
 
 impl Cut {
     /// The nearest cut at which both remainders should be below their shares of `aim`: the base's,
@@ -52,32 +55,38 @@ impl Cut {
         }
     }
 
-    /// Bound on `int_S^inf |W - series| ds`: the terms that are known but not used, and by three values of what all of
-    /// them leave: at `S`, nearby (it may change its sign at one of them), and one `e^2` of the base's decay further out,
-    /// where only what falls algebraically is left. The cut's own flexibility is handed back.
+    /// Bound on `int_S^inf |W - series| ds`: the terms that are known but not used, and by two values of what all of
+    /// them leave: at `S`, and one `e^2` of the base's decay further out, where what falls algebraically is left and the
+    /// base's part shows even if it changes its sign at `S`. The cut's own flexibility is handed back.
     pub(super) fn rest(
         self,
         columns: &[Column],
         response: &dyn LayerResponse,
         depth: f64,
     ) -> Result<(Vec<f64>, SurfaceFlexibility), Refusal> {
-        let s = [self.cutoff, self.cutoff + 0.3 / depth, self.cutoff + 1.0 / depth];
+        let s = [self.cutoff, self.cutoff + 1.0 / depth];
         let mut f = [SurfaceFlexibility::default(); CHECKS];
         response.surface_into(&s, &mut f)?;
         let bound = |column: &Column| {
             let (used, best) = (column.used(self.terms).len(), column.best(self.cutoff));
             let best = best.max(used);
-            let [at, near, far]: [f64; CHECKS] = std::array::from_fn(|i| column.rest(best, s[i], &f[i]).abs());
-            let left_out: f64 =
-                (used..best).map(|k| column.series[k].abs() * self.cutoff.powf(-(k as f64)) / k.max(1) as f64).sum();
+            let [at, far]: [f64; CHECKS] = std::array::from_fn(|i| column.rest(best, s[i], &f[i]).abs());
+            let mut power = self.cutoff.powi(-i32::try_from(used).unwrap_or(i32::MAX));
+            let left_out: f64 = (used..best)
+                .map(|k| {
+                    let size = column.series[k].abs() * power / k.max(1) as f64;
+                    power /= self.cutoff;
+                    size
+                })
+                .sum();
             // int_S^inf (S/s)^(k+1) ds = S/k. A lone 1/s oscillates: pi/2 of the same under a sine, and under a cosine
             // its logarithm, at the smallest distance.
             let algebraic = match column.vanishing(best) {
                 0 if column.component.is_odd() => 2.0 * self.cutoff,
                 0 => LARGEST_LOG * self.cutoff,
-                terms => self.cutoff / terms as f64 * (s[2] / s[0]).powf(terms as f64 + 1.0).min(4.0),
+                terms => self.cutoff / terms as f64 * (s[1] / s[0]).powf(terms as f64 + 1.0).min(4.0),
             };
-            left_out + SAFETY * at.max(near).max(far) / depth + far * algebraic
+            left_out + SAFETY * at.max(E_SQUARED * far) / depth + far * algebraic
         };
         Ok((columns.iter().map(bound).collect(), f[0]))
     }
@@ -113,9 +122,9 @@ fn shortest(tail: &[SurfaceFlexibility], cutoff: f64, enough: f64) -> (usize, f6
 /// `sum_k c_k int_S^inf exp(ist) s^-k ds` for each kernel.
 #[derive(Clone, Debug)]
 pub(super) struct Beyond {
-    cutoff: f64,
+    pub(super) cutoff: f64,
     /// `c_k S^(1-k)`, per kernel.
-    scaled: Vec<Vec<f64>>,
+    pub(super) scaled: Vec<Vec<f64>>,
 }
 
 impl Beyond {

@@ -45,6 +45,17 @@ impl Column {
         &self.series[..terms.min(self.series.len())]
     }
 
+    /// Whether jump and logarithm stay of the kernel's order on `[0, reach]`: the sum of the sizes of their powers.
+    pub(super) fn is_moderate(&self, terms: usize, reach: f64) -> bool {
+        let mut power = 1.0;
+        let sizes = (1..).zip(self.used(terms)).map(|(k, c)| {
+            let size = c.abs() * power;
+            power *= reach / f64::from(k);
+            size
+        });
+        sizes.sum::<f64>() <= MODERATE * self.series.first().map_or(1.0, |c| c.abs().max(1.0))
+    }
+
     /// The number of terms up to the first beyond `terms` that is not known to vanish: what is left falls like one power
     /// more.
     pub(super) fn vanishing(&self, terms: usize) -> usize {
@@ -72,3 +83,6 @@ impl Column {
 
 /// Coarsest error aimed at in a kernel: narrow contacts hardly feel it, but its own shape should be right.
 const COARSEST: f64 = 1e-2;
+
+/// How much larger than the kernel's order of magnitude jump and logarithm may be.
+pub(super) const MODERATE: f64 = 3.0;

@@ -13,6 +13,9 @@ pub(super) struct Panel {
     /// Per kernel: `2 half` times the Legendre coefficients, with the signs of `i^l` put in (real for even
     /// `l`, imaginary for odd).
     pub(super) waves: Vec<Vec<f64>>,
+    /// The nodes, and per kernel the values at them times their weights on `[-1, 1]`.
+    pub(super) nodes: Vec<f64>,
+    pub(super) weighted: Vec<Vec<f64>>,
 }
 
 /// Rounding of `s F`, of order one, in a Legendre coefficient: it is counted with the rounding of the whole.
@@ -49,8 +52,10 @@ impl End {
 pub(super) struct Legendre {
     nodes: Vec<f64>,
     weights: Vec<f64>,
-    /// `polynomials[l][i] = P_l(nodes[i])`.
-    polynomials: Vec<Vec<f64>>,
+    /// `(l + 1/2) P_l` for all `l` at one node after the other, the negative half: the nodes are symmetric.
+    polynomials: Vec<f64>,
+    /// `largest[l]` is a bound on `|j_l|` everywhere.
+    largest: Vec<f64>,
 }
 
 /// The rules made so far, by half their number of nodes: they are the same for every layer.
@@ -67,15 +72,39 @@ impl Legendre {
     fn new(nodes: usize) -> Self {
         let gauss = GaussLegendre::new(nodes).expect("at least one node");
         let (nodes, weights) = (gauss.rule().nodes.clone(), gauss.rule().weights.clone());
-        let mut polynomials = vec![vec![1.0; nodes.len()], nodes.clone()];
-        for l in 2..nodes.len() {
-            let a = (2 * l - 1) as f64 / l as f64;
-            let next = (0..nodes.len())
-                .map(|i| a * nodes[i] * polynomials[l - 1][i] - (a - 1.0) * polynomials[l - 2][i])
-                .collect();
-            polynomials.push(next);
+        let scaled = |(l, p): (usize, f64)| (l as f64 + 0.5) * p;
+        let (count, half) = (nodes.len(), nodes.len() / 2);
+        let polynomials =
+            nodes[..half].iter().flat_map(|x| values(*x, count).into_iter().enumerate().map(scaled)).collect();
+        let largest = (0..4 * nodes.len()).map(|l| (LANDAU * (l as f64 + 0.5).powf(-5.0 / 6.0)).min(1.0)).collect();
+        Self { nodes, weights, polynomials, largest }
+    }
+
+    /// Bounds on `|j_l|` up to a phase, as long as they matter: `phase^l/(2l+1)!!`, and their largest values.
+    fn waves(&self, phase: f64) -> Vec<f64> {
+        let mut small = 1.0;
+        let bound = |(l, largest): (usize, &f64)| {
+            let bound = largest.min(small);
+            small *= phase / (2 * l + 3) as f64;
+            bound
+        };
+        self.largest.iter().enumerate().map(bound).take_while(|wave| *wave > NO_WAVE).collect()
+    }
+
+    /// The Legendre coefficients of a function, from its values at the nodes times the weights.
+    fn coefficients(&self, weighted: &[f64]) -> Vec<f64> {
+        let count = weighted.len();
+        let mut coefficients = vec![0.0; count];
+        for (i, polynomials) in self.polynomials.chunks_exact(count).enumerate() {
+            let (left, right) = (weighted[i], weighted[count - 1 - i]);
+            // P_l(-x) = (-1)^l P_l(x).
+            let (even, odd) = (left + right, left - right);
+            for (sums, p) in coefficients.as_chunks_mut::<2>().0.iter_mut().zip(polynomials.as_chunks::<2>().0) {
+                sums[0] += even * p[0];
+                sums[1] += odd * p[1];
+            }
         }
-        Self { nodes, weights, polynomials }
+        coefficients
     }
 
     /// Samples the panel between two ends for waves up to `reach`.
@@ -85,47 +114,54 @@ impl Legendre {
         response: &dyn LayerResponse,
         lower: End,
         upper: End,
-        reach: f64,
+        (reach, summed): (f64, bool),
     ) -> Result<Sampled, Refusal> {
         let (middle, half) = (f64::midpoint(lower.s, upper.s), 0.5 * (upper.s - lower.s));
         let s: Vec<f64> = self.nodes.iter().map(|x| middle + half * x).collect();
         let mut f = vec![SurfaceFlexibility::default(); s.len()];
         response.surface_into(&s, &mut f)?;
-        let panel = Panel { middle, half, waves: Vec::with_capacity(columns.len()) };
-        let mut sampled = Sampled { panel, error: Vec::new(), ratio: Vec::new(), size: Vec::new(), noisy: Vec::new() };
+        let some = || Vec::with_capacity(columns.len());
+        let panel = Panel { middle, half, waves: vec![], nodes: s, weighted: vec![] };
+        let mut sampled = Sampled { panel, error: some(), ratio: some(), size: some(), noisy: vec![] };
+        let waves = self.waves(half * reach);
+        let ends = [lower, upper].map(|end| (end, values((end.at - middle) / half, self.nodes.len())));
         for column in columns {
-            let weighted: Vec<f64> =
-                s.iter().zip(&f).zip(&self.weights).map(|((s, f), weight)| weight * column.weight(*s, f)).collect();
-            let coefficients: Vec<f64> = self
-                .polynomials
-                .iter()
-                .enumerate()
-                .map(|(l, p)| (l as f64 + 0.5) * p.iter().zip(&weighted).map(|(p, w)| p * w).sum::<f64>())
-                .collect();
+            let mut size = 0.0;
+            let weigh = |((s, f), weight): ((&f64, &SurfaceFlexibility), &f64)| {
+                let value = weight * column.weight(*s, f);
+                size += value.abs();
+                value
+            };
+            let weighted: Vec<f64> = sampled.panel.nodes.iter().zip(&f).zip(&self.weights).map(weigh).collect();
+            let mut coefficients = self.coefficients(&weighted);
             // The second evaluation: at the ends, where an unresolved P_n is largest.
-            let seen = [lower, upper].map(|end| {
-                let sum = legendre_sum(&coefficients, (end.at - middle) / half);
-                (sum - column.weight(end.at, &end.flexibility)).abs()
+            let seen = ends.iter().fold(0.0_f64, |most, (end, p)| {
+                let sum: f64 = coefficients.iter().zip(p).map(|(c, p)| c * p).sum();
+                most.max((sum - column.weight(end.at, &end.flexibility)).abs())
             });
-            let (error, ratio, noisy) = unresolved(&coefficients, seen[0].max(seen[1]), half * reach);
+            let (error, ratio, noisy) = unresolved(&coefficients, seen, &waves, lower.s == 0.0, summed);
             sampled.error.push(2.0 * half * error);
             sampled.ratio.push(ratio);
             sampled.noisy.push(noisy);
-            sampled.size.push(half * weighted.iter().map(|w| w.abs()).sum::<f64>());
-            let wave = |(l, c): (usize, &f64)| if l % 4 < 2 { 2.0 * half * c } else { -2.0 * half * c };
-            sampled.panel.waves.push(coefficients.iter().enumerate().map(wave).collect());
+            sampled.size.push(half * size);
+            for (l, c) in coefficients.iter_mut().enumerate() {
+                *c *= if l % 4 < 2 { 2.0 * half } else { -2.0 * half };
+            }
+            sampled.panel.waves.push(coefficients);
+            sampled.panel.weighted.push(weighted);
         }
         Ok(sampled)
     }
 }
 
-/// What `n` Gauss nodes leave of `int W(x) exp(iwx) dx/2`, `|w| <= phase`, for a function whose Legendre
-/// coefficients fall geometrically: those from the `n`-th on, and what they feign in the lower ones
-/// (`P_(2n-l)` looks like `P_l` on the nodes), each times `|j_l| <= phase^l/(2l+1)!!`.
+/// What `n` Gauss nodes leave of `int W(x) exp(iwx) dx/2` for a function whose Legendre coefficients fall
+/// geometrically, `waves[l]` being a bound on `|j_l(w)|`: the coefficients from the `n`-th on, and what they feign in the
+/// lower ones (`P_(2n-l)` looks like `P_l` on the nodes). `summed` at the nodes, not by orders of the wave, it is also
+/// `P_(n+j)` in the wave that is taken for `P_(n-j)`.
 ///
 /// `seen` is the error of the interpolant seen at the ends. Also returns the factor from one coefficient to the next, and
 /// whether they have ended in noise.
-fn unresolved(coefficients: &[f64], seen: f64, phase: f64) -> (f64, f64, bool) {
+fn unresolved(coefficients: &[f64], seen: f64, waves: &[f64], at_origin: bool, summed: bool) -> (f64, f64, bool) {
     let n = coefficients.len();
     let most = |range: std::ops::Range<usize>| coefficients[range].iter().fold(0.0_f64, |most, c| most.max(c.abs()));
     let last = (most(n - 3..n).max(seen) - NOISE).max(0.0);
@@ -136,33 +172,65 @@ fn unresolved(coefficients: &[f64], seen: f64, phase: f64) -> (f64, f64, bool) {
         return (4.0 * last, SLOWEST, true);
     }
     let first = most(0..3).max(f64::MIN_POSITIVE);
-    let ratio = (last / earlier).powf(2.0 / n as f64).max((last / first).powf(1.0 / n as f64)).powf(CAUTION);
+    let overall = (last / first).powf(1.0 / n as f64);
+    let (ratio, last) = if at_origin {
+        let mut ratio = (last / earlier).powf(2.0 / n as f64).max(overall);
+        if first > SOFT {
+            // A fast decay may hide a slow one, which shows last.
+            let (lately, before) = (most(n - 4..n), most(3 * n / 4 - 4..3 * n / 4).max(f64::MIN_POSITIVE));
+            if lately > NOISE {
+                ratio = ratio.max((lately / before).powf(1.0 / (n - 3 * n / 4) as f64));
+            }
+        }
+        (ratio.powf(CAUTION), last)
+    } else {
+        // Further out there is nothing slow to hide, and the last few come before the `n`-th.
+        (overall, (last * overall).max(seen))
+    };
     let ratio = ratio.clamp(0.05, SLOWEST);
-    let (mut sum, mut bessel, mut feigned) = (0.0, 1.0_f64, last * ratio.powi(i32::try_from(n).unwrap_or(i32::MAX)));
-    for l in 0..n {
-        sum += feigned * bessel.min(1.0);
-        feigned /= ratio;
-        bessel *= phase / (2 * l + 3) as f64;
+    let grow = 1.0 / ratio;
+    let (slow, fast) = waves.split_at(n.min(waves.len()));
+    let (mut sum, mut feigned) = (0.0, last * ratio.powi(i32::try_from(n).unwrap_or(i32::MAX)));
+    for wave in slow {
+        sum += feigned * wave;
+        feigned *= grow;
     }
     let mut left_out = last;
-    for l in n..4 * n {
-        sum += left_out * bessel.min(1.0);
+    for wave in fast {
+        sum += left_out * wave;
         left_out *= ratio;
-        bessel *= phase / (2 * l + 3) as f64;
+    }
+    if summed {
+        let mut mirrored = last;
+        for (l, wave) in (n..2 * n).zip(fast) {
+            sum += mirrored * wave * ((2 * l + 1) as f64 / (4 * n - 2 * l - 1) as f64);
+            mirrored *= grow;
+        }
     }
     (sum, ratio, false)
 }
 
-/// `sum_l coefficients[l] P_l(x)`.
-fn legendre_sum(coefficients: &[f64], x: f64) -> f64 {
-    let (mut before, mut p, mut sum) = (0.0, 1.0, 0.0);
-    for (l, c) in coefficients.iter().enumerate() {
-        sum += c * p;
+/// `P_l(x)` for the first `count` of them.
+fn values(x: f64, count: usize) -> Vec<f64> {
+    let (mut before, mut p) = (0.0, 1.0);
+    let value = |l: usize| {
+        let here = p;
         let a = (2 * l + 1) as f64 / (l + 1) as f64;
         (before, p) = (p, a * x * p - (a - 1.0) * before);
-    }
-    sum
+        here
+    };
+    (0..count).map(value).collect()
 }
+
+/// Waves below this matter to no coefficient.
+const NO_WAVE: f64 = 1e-26;
+
+/// `|J_nu| < 0.6749 nu^(-1/3)` (Landau), at `x >= nu` where it is largest, times `sqrt(pi/2x)`.
+const LANDAU: f64 = 0.846;
+
+/// Coefficients above this at the origin are those of a surface on something much softer, which has structure on the
+/// scale of the modulus ratio there.
+const SOFT: f64 = 3.0;
 
 /// Power to which the decay seen is raised before it is trusted for as many coefficients again: it may slow down.
 const CAUTION: f64 = 0.92;

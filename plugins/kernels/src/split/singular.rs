@@ -1,6 +1,6 @@
 //! The factors of `sign(t)` and `log|t|`, made local.
 
-use super::column::Column;
+use super::column::{Column, MODERATE};
 use std::f64::consts::FRAC_PI_2;
 
 /// The singular part of a kernel, `P(t) (i pi/2 - log t)` for `t > 0` with `P = sum_k c_k (it)^(k-1)/(k-1)!`.
@@ -24,8 +24,6 @@ pub(super) struct Singular {
 const WIDEST: f64 = 0.8;
 /// The window narrows by this factor until the parts are small enough.
 const NARROWER: f64 = 0.85;
-/// How much larger than the kernel's order of magnitude the parts may be.
-const LARGEST: f64 = 3.0;
 /// Beyond this many `t0` a polynomial of degree [`DEGREE`] times the window is below 1e-16 of its largest value.
 const GONE: f64 = 8.0;
 /// Degree of the bracket at coarse accuracy; each digit adds one.
@@ -39,7 +37,7 @@ impl Singular {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most 16
         let digits = (-column.aim.log10()).clamp(0.0, 16.0) as usize;
         let taylor = signed_taylor(&column.series, DEGREE + digits);
-        let allowed = LARGEST * taylor[0].abs().max(1.0);
+        let allowed = MODERATE * taylor[0].abs().max(1.0);
         let open = Self::windowed(column, &taylor, 0.0);
         if reach <= depth && open.largest(reach) <= allowed {
             return open;
@@ -107,7 +105,7 @@ impl Singular {
 
 /// `P = sum_j i^j p_j t^j`, `p_j = c_(j+1)/j!`, up to `degree`, with the sign of `i^j` put in: the even terms
 /// are its real part, the odd ones its imaginary part.
-fn signed_taylor(series: &[f64], degree: usize) -> Vec<f64> {
+pub(super) fn signed_taylor(series: &[f64], degree: usize) -> Vec<f64> {
     let mut factorial = 1.0;
     (0..=degree)
         .map(|j| {

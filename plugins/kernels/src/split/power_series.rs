@@ -1,0 +1,107 @@
+//! Kernels on a short reach: one power series each, without interpolation.
+
+use super::beyond::Beyond;
+use super::column::Column;
+use super::piece::LARGEST_LOG;
+use super::pieces::{Kernel, Pieces};
+use super::polynomial;
+use super::singular::signed_taylor;
+use super::spectrum::Spectrum;
+use std::f64::consts::FRAC_PI_2;
+
+/// Euler's constant.
+const EULER: f64 = 0.577_215_664_901_532_9;
+
+/// Most powers of `t`.
+const MOST_POWERS: usize = 48;
+
+/// Powers are taken until what is left is below this part of the aim, and dropped again up to another such part.
+const SHARE: f64 = 0.03;
+
+/// The powers cancel like `exp(S t)`: their rounding, of order one, may be this part of the aim.
+const ROUNDING_SHARE: f64 = 0.1;
+
+/// Rounding of one coefficient over the sizes of what it is summed from.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// Whether the series serve: they keep the digits, and jump and logarithm stay of the order of the kernel.
+pub(super) fn serve(columns: &[Column], terms: usize, cutoff: f64, depth: f64, reach: f64) -> bool {
+    let phase = cutoff * reach;
+    let serves =
+        |column: &Column| phase.exp() * f64::EPSILON <= ROUNDING_SHARE * column.aim && column.is_moderate(terms, reach);
+    reach <= depth && columns.iter().all(serves)
+}
+
+/// `k(t) = sum_m (it)^m/m! (F_m + c_(m+1) (i pi/2 - log t))`: its imaginary part for the sine, its real one for the
+/// cosine.
+///
+/// That is [`Spectrum`] and [`Beyond`] in powers of `t` (DLMF 8.19.8): with the wave numbers in units of `S`,
+///
+/// ```text
+/// F_m S^-m = sum_i w_i W_i s_i^m - sum_(k != m+1) c_k/(m - k + 1) + c_(m+1) (1 + 1/2 + ... + 1/m - euler - log S).
+/// ```
+///
+/// Each kernel's bound covers the powers left out, the rounding, and what is dropped to shorten the polynomials.
+pub(super) fn pieces(columns: &[Column], spectrum: &Spectrum, beyond: &Beyond, reach: f64) -> (Pieces, Vec<f64>) {
+    let kernels = columns.iter().enumerate().map(|(i, column)| kernel(i, column, spectrum, beyond, reach));
+    let (kernels, rounding) = kernels.unzip();
+    (Pieces { ends: vec![reach], kernels }, rounding)
+}
+
+fn kernel(i: usize, column: &Column, spectrum: &Spectrum, beyond: &Beyond, reach: f64) -> (Kernel, f64) {
+    let odd = column.component.is_odd();
+    let (cutoff, scaled) = (beyond.cutoff, &beyond.scaled[i][..]);
+    let enough = SHARE * column.aim;
+    // The smooth part: powers of one parity. Those that follow are no larger than the last.
+    let first = usize::from(odd);
+    let phase = cutoff * reach;
+    let mut power = if odd { phase } else { 1.0 };
+    let mut harmonic = first as f64;
+    let (mut smooth, mut rounding, mut left) = (Vec::with_capacity(MOST_POWERS / 2), 0.0, f64::INFINITY);
+    let logarithm = EULER + cutoff.ln();
+    let mut moments = spectrum.moments(i, odd, cutoff);
+    for m in (first..MOST_POWERS).step_by(2) {
+        let (mut sum, mut size) = moments.next().expect("endless");
+        for (k, c) in (1..).zip(scaled) {
+            let term = if k == m + 1 { c * (harmonic - logarithm) } else { -c / (m as f64 - k as f64 + 1.0) };
+            sum += term;
+            size += term.abs();
+        }
+        smooth.push(if m % 4 < 2 { sum } else { -sum } * power);
+        rounding += ROUNDING * size * power;
+        let (next, after) = ((m + 1) as f64, (m + 2) as f64);
+        harmonic += 1.0 / next + 1.0 / after;
+        power *= phase * phase / (next * after);
+        left = size * power / (1.0 - (phase / after).powi(2)).max(f64::MIN_POSITIVE);
+        if left <= enough && after > phase && m > scaled.len() {
+            break;
+        }
+    }
+    let (mut rows, mut error) = (Vec::<[f64; 3]>::new(), left);
+    // Jump and logarithm: the even and the odd powers of P, in units of the reach.
+    let mut taylor = signed_taylor(&column.series[..scaled.len()], scaled.len());
+    let mut unit = 1.0;
+    for c in &mut taylor {
+        *c *= unit;
+        unit *= reach;
+    }
+    let every_other = |from: usize| taylor.iter().skip(from).step_by(2).copied();
+    let (sign, log): (Vec<f64>, Vec<f64>) = if odd {
+        (every_other(0).map(|c| FRAC_PI_2 * c).collect(), every_other(1).map(|c| -c).collect())
+    } else {
+        (every_other(1).map(|c| -FRAC_PI_2 * c).collect(), every_other(0).map(|c| -c).collect())
+    };
+    // (t/r) |log t| is below the first, |log t| below the second.
+    let logarithm = if odd { 1.0 + reach.ln().abs() } else { LARGEST_LOG };
+    for (part, (powers, weight)) in [(smooth, 1.0), (sign, 1.0), (log, logarithm)].into_iter().enumerate() {
+        let has_odd_powers = odd != (part == 1);
+        let (polynomial, dropped) = polynomial::shortened(&powers, enough / weight);
+        error += weight * dropped;
+        rows.resize(rows.len().max(polynomial.len()), [0.0; 3]);
+        for (row, c) in rows.iter_mut().zip(&polynomial) {
+            // The table multiplies these by t.
+            row[part] = if has_odd_powers { c / reach } else { *c };
+        }
+    }
+    (Kernel { odd, rows: vec![rows], error, noise: 0.0 }, rounding)
+}
