@@ -1,9 +1,13 @@
 //! Integrals over the slip zone.
 
+mod rows;
+
 use super::layer::Layer;
 use super::normal::Normal;
 use super::stick_zone::StickZone;
+use rows::Nodes;
 use slipzone_api::double_exponential::{self, Node};
+use slipzone_api::elementary::ln_1p;
 use slipzone_api::{Component, Station};
 use std::f64::consts::PI;
 
@@ -19,15 +23,21 @@ const END: f64 = 3.6;
 const NODES_PER_LENGTH: (f64, f64) = (0.8, 21.0);
 /// Most nodes on either side.
 const MOST_NODES: usize = 1 << 14;
+/// Distances at which the kernel is asked for at a time, unless one station has more.
+const BATCH: usize = 512;
+/// The nodes are filled up to a multiple of it: vectors of no machine have more lanes, and none is left half empty.
+const LANES: usize = 4;
 
 /// A double-exponential grid over the slip zone `(a, b)`, of unit length, and room for what is summed over it.
 pub(crate) struct SlipGrid {
     resolution: usize,
     grid: Vec<Node>,
     pressure_at_stick_edge: f64,
+    /// The nodes, and the end of the stick zone.
     stations: Vec<Station>,
-    /// `p` at the nodes.
+    /// `p` there.
     pressure: Vec<f64>,
+    nodes: Nodes,
     distances: Vec<f64>,
     kernel: Vec<f64>,
 }
@@ -41,6 +51,7 @@ impl SlipGrid {
             pressure_at_stick_edge: 0.0,
             stations: Vec::new(),
             pressure: Vec::new(),
+            nodes: Nodes::default(),
             distances: Vec::new(),
             kernel: Vec::new(),
         };
@@ -64,10 +75,15 @@ impl SlipGrid {
         let end = if nodes < NODES.1 { END } else { double_exponential::U_MAX };
         self.grid = double_exponential::nodes_up_to(1.0, nodes, end);
         let n = self.grid.len();
-        self.stations = vec![Station { x: 0.0, gap: 0.0 }; n];
-        self.pressure = vec![0.0; n];
-        self.distances = vec![0.0; 2 * n];
-        self.kernel = vec![0.0; 2 * n];
+        self.stations = vec![Station { x: 0.0, gap: 0.0 }; n + 1];
+        self.pressure = vec![0.0; n + 1];
+        let (filled, nodes) = (n.next_multiple_of(LANES), &mut self.nodes);
+        for row in [&mut nodes.beyond, &mut nodes.r, &mut nodes.cauchy, &mut nodes.kernel] {
+            row.clear();
+            row.resize(filled, 0.0);
+        }
+        self.distances.clear();
+        self.kernel.clear();
     }
 
     /// `p(a)` of the zone last seen.
@@ -92,31 +108,51 @@ impl SlipGrid {
         if 2 * nodes + 1 != self.grid.len() {
             self.resize(nodes);
         }
+        self.see(normal, zone);
+
+        let per_station = 2 * self.nodes.r.len();
+        let stations = (BATCH / per_station).clamp(1, at.len().max(1));
+        if self.distances.len() < stations * per_station {
+            self.distances.resize(stations * per_station, 0.0);
+            self.kernel.resize(stations * per_station, 0.0);
+        }
+        for (at, out) in at.chunks(stations).zip(out.chunks_mut(stations)) {
+            let distances = &mut self.distances[..at.len() * per_station];
+            let kernel = &mut self.kernel[..at.len() * per_station];
+            self.nodes.distances_into(at, distances);
+            layer.kernel_values(Component::ShearStrain, distances, kernel);
+            self.nodes.sums_into(distances, kernel, out);
+        }
+        let (a, width, edge) = (zone.half_width, zone.slip_width, self.pressure_at_stick_edge);
+        for (out, Station { gap, .. }) in out.iter_mut().zip(at) {
+            let constant = -ln_1p(width * (2.0 * a + width) / (gap * (2.0 * a - gap)));
+            *out = (*out + edge * constant) / PI;
+        }
+    }
+
+    /// The nodes of a zone and the pressure there.
+    fn see(&mut self, normal: &Normal, zone: StickZone) {
         let (a, width) = (zone.half_width, zone.slip_width);
-        for (station, node) in self.stations.iter_mut().zip(&self.grid) {
+        let (edge, inside) = self.stations.split_last_mut().expect("the end of the stick zone");
+        *edge = Station { x: a, gap: width };
+        for (station, node) in inside.iter_mut().zip(&self.grid) {
             *station = zone.in_slip(node);
         }
         normal.values_into(&self.stations, &mut self.pressure);
-        let edge = normal.at(Station { x: a, gap: width });
-        self.pressure_at_stick_edge = edge;
-
-        let n = self.grid.len();
-        for (out, station) in out.iter_mut().zip(at) {
-            let (x, gap) = (station.x, station.gap);
-            for (k, (node, r)) in self.grid.iter().zip(&self.stations).enumerate() {
-                self.distances[k] = -(width * node.from_lower + gap);
-                self.distances[n + k] = x + r.x;
-            }
-            layer.kernel_values(Component::ShearStrain, &self.distances, &mut self.kernel);
-            let mut sum = 0.0;
-            for (k, (node, p)) in self.grid.iter().zip(&self.pressure).enumerate() {
-                let r = a + width * node.from_lower;
-                // 1/(x - r) - 1/(x + r), with r - x from distances to the stick zone's edge.
-                let cauchy = -2.0 * r / ((width * node.from_lower + gap) * (r + x));
-                sum += node.weight * ((p - edge) * cauchy + p * (self.kernel[k] - self.kernel[n + k]));
-            }
-            let constant = -(width * (2.0 * a + width) / (gap * (2.0 * a - gap))).ln_1p();
-            *out = (width * sum + edge * constant) / PI;
+        let (edge, inside) = self.pressure.split_last().expect("that at the end of the stick zone");
+        self.pressure_at_stick_edge = *edge;
+        for (k, (node, p)) in self.grid.iter().zip(inside).enumerate() {
+            let (beyond, weight) = (width * node.from_lower, width * node.weight);
+            let r = a + beyond;
+            self.nodes.beyond[k] = beyond;
+            self.nodes.r[k] = r;
+            // 1/(x - r) - 1/(x + r) = -2 r/((r - x) (r + x)), with r - x from distances to the stick zone's edge.
+            self.nodes.cauchy[k] = -2.0 * r * weight * (p - edge);
+            // k(x - r) = -k(r - x).
+            self.nodes.kernel[k] = -weight * p;
         }
+        // What fills the nodes up stands anywhere within the reach and weighs nothing.
+        self.nodes.r[self.grid.len()..].fill(a);
+        self.nodes.beyond[self.grid.len()..].fill(0.0);
     }
 }

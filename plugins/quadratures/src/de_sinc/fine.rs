@@ -4,6 +4,8 @@ use super::grid::{Grid, tail};
 use super::map::Place;
 use super::series::alternating;
 use super::shelf::Size;
+use super::sums::dot;
+use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Edge;
 use spec_math::cephes64::sici;
 use std::f64::consts::{FRAC_2_PI, PI};
@@ -119,35 +121,7 @@ impl Fine {
 
     /// `rows[i][j] += scale[i] sum_k folded[i][k] (step/factor) dP_k/dF_j` for a few rows and all unknowns `j`.
     pub(super) fn gather(&self, grid: &Grid, folded: &[f64], scale: &[f64], rows: &mut [f64]) {
-        let (count, n) = (self.x.len(), grid.unknowns());
-        let each = rows.chunks_exact_mut(n).zip(folded.chunks_exact(count)).zip(scale);
-        if self.factor == 1 {
-            for ((row, folded), scale) in each {
-                let at_nodes = folded[grid.first..].iter().zip(&self.weight[grid.first..]);
-                for (entry, (value, weight)) in row.iter_mut().zip(at_nodes) {
-                    *entry += scale * value * weight;
-                }
-            }
-            return;
-        }
-        for ((row, folded), scale) in each {
-            let at_nodes = folded.iter().step_by(self.factor).zip(&self.weight).skip(grid.first);
-            for (entry, (value, weight)) in row.iter_mut().zip(at_nodes) {
-                *entry += scale * value * weight;
-            }
-        }
-        // A pair of fine nodes for all rows, then the next: the pair's own rows stay in the fastest memory.
-        for (pair, between) in self.between.chunks_exact(2 * n).enumerate() {
-            let (cell, within) = (2 * pair / (self.factor - 1), 2 * pair % (self.factor - 1));
-            let k = cell * self.factor + within + 1;
-            let (first, second) = between.split_at(n);
-            for ((row, folded), scale) in rows.chunks_exact_mut(n).zip(folded.chunks_exact(count)).zip(scale) {
-                let (a, b) = (scale * folded[k], scale * folded[k + 1]);
-                for (entry, (p, q)) in row.iter_mut().zip(first.iter().zip(second)) {
-                    *entry += a * p + b * q;
-                }
-            }
-        }
+        Arch::new().dispatch(Gather { fine: self, grid, folded, scale, rows });
     }
 
     /// `out[k] = (step/factor) P_k` from the unknowns.
@@ -157,7 +131,7 @@ impl Fine {
             let (node, off) = (k / self.factor, k % self.factor);
             if off != 0 {
                 let between = &self.between[(k - node - 1) * unknowns.len()..][..unknowns.len()];
-                between.iter().zip(unknowns).map(|(b, f)| b * f).sum()
+                dot(between, unknowns)
             } else if node >= grid.first {
                 self.weight[node] * unknowns[node - grid.first]
             } else {
@@ -167,6 +141,7 @@ impl Fine {
     }
 
     /// Row of the `i`-th staggered point, or of the end when there are only `i` of them.
+    #[inline]
     pub(super) fn row(&self, i: usize) -> Row<'_> {
         let count = self.x.len();
         let here = i * count..(i + 1) * count;
@@ -186,6 +161,56 @@ impl Fine {
             log_plus: &self.log_plus[here],
             sign_minus,
             sign_plus,
+        }
+    }
+}
+
+/// See [`Fine::gather`].
+struct Gather<'a> {
+    fine: &'a Fine,
+    grid: &'a Grid,
+    folded: &'a [f64],
+    scale: &'a [f64],
+    rows: &'a mut [f64],
+}
+
+impl WithSimd for Gather<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self { fine, grid, folded, scale, rows } = self;
+        let (count, n, factor) = (fine.x.len(), grid.unknowns(), fine.factor);
+        for ((row, folded), scale) in rows.chunks_exact_mut(n).zip(folded.chunks_exact(count)).zip(scale) {
+            let (weight, first) = (&fine.weight[grid.first..], grid.first);
+            if factor == 1 {
+                for (entry, (value, weight)) in row.iter_mut().zip(folded[first..].iter().zip(weight)) {
+                    *entry += scale * value * weight;
+                }
+            } else {
+                let at_nodes = folded[first * factor..].iter().step_by(factor);
+                for (entry, (value, weight)) in row.iter_mut().zip(at_nodes.zip(weight)) {
+                    *entry += scale * value * weight;
+                }
+            }
+        }
+        // A pair of fine nodes for all rows, then the next: the pair's own rows stay in the fastest memory.
+        for (pair, between) in fine.between.chunks_exact(2 * n).enumerate() {
+            let (cell, within) = (2 * pair / (factor - 1), 2 * pair % (factor - 1));
+            let k = cell * factor + within + 1;
+            let (p, q) = between.split_at(n);
+            let ((p, p_rest), (q, q_rest)) = (S::as_simd_f64s(p), S::as_simd_f64s(q));
+            for ((row, folded), scale) in rows.chunks_exact_mut(n).zip(folded.chunks_exact(count)).zip(scale) {
+                let (a, b) = (scale * folded[k], scale * folded[k + 1]);
+                let (row, rest) = S::as_mut_simd_f64s(row);
+                let (wide_a, wide_b) = (simd.splat_f64s(a), simd.splat_f64s(b));
+                for (entry, (p, q)) in row.iter_mut().zip(p.iter().zip(q)) {
+                    *entry = simd.mul_add_e_f64s(wide_b, *q, simd.mul_add_e_f64s(wide_a, *p, *entry));
+                }
+                for (entry, (p, q)) in rest.iter_mut().zip(p_rest.iter().zip(q_rest)) {
+                    *entry += a * p + b * q;
+                }
+            }
         }
     }
 }

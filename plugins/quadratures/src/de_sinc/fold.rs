@@ -1,7 +1,7 @@
 //! The kernel between staggered points and fine nodes, each node together with its mirror image.
 
 use super::fine::{Fine, Row};
-use pulp::{Arch, Simd, WithSimd};
+use pulp::{Arch, Scalar, Simd, WithSimd};
 use slipzone_api::{Component, KernelTable, PartsVec};
 use std::ops::Range;
 
@@ -18,7 +18,8 @@ pub(super) struct Scene<'a> {
     pub(super) kernel: (&'a dyn KernelTable, Component),
 }
 
-/// Room for a batch.
+/// Room for a batch, as much as was asked for so far.
+#[derive(Default)]
 pub(super) struct Folder {
     /// Near distances of each stretch, then its far ones.
     distances: Vec<f64>,
@@ -34,10 +35,6 @@ struct Stretch {
 }
 
 impl Folder {
-    pub(super) fn new() -> Self {
-        Self { distances: vec![0.0; BATCH], parts: PartsVec::new(BATCH), waiting: Vec::new() }
-    }
-
     /// For each of the `rows` of `fine` writes as many numbers as there are fine nodes: `k` there and `mirror k` at the
     /// mirror image, product weights included, as far as `reach` says and zeros beyond.
     pub(super) fn fold(
@@ -79,6 +76,7 @@ impl Folder {
         out.clear();
         for start in (0..reach).step_by(BATCH) {
             let nodes = start..reach.min(start + BATCH);
+            self.make_room(nodes.len());
             let distances = &mut self.distances[..nodes.len()];
             for (t, x) in distances.iter_mut().zip(&fine.x[nodes.clone()]) {
                 *t = -half_width * x;
@@ -90,8 +88,16 @@ impl Folder {
         }
     }
 
+    fn make_room(&mut self, distances: usize) {
+        if self.distances.len() < distances {
+            self.distances.resize(distances, 0.0);
+            self.parts.resize(distances);
+        }
+    }
+
     /// Asks the table for all that waits.
     fn flush(&mut self, scene: Scene, asked: usize, first: usize, out: &mut [f64]) {
+        self.make_room(asked);
         let arch = Arch::new();
         let Self { distances, parts, waiting } = self;
         arch.dispatch(Measure { scene, waiting, out: distances });
@@ -142,23 +148,60 @@ impl WithSimd for Fold<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
+    fn with_simd<S: Simd>(self, simd: S) {
         let Scene { fine, half_width, mirror, .. } = self.scene;
         let (log_c, count) = (half_width.ln(), fine.x.len());
         for Stretch { row, nodes, start } in self.waiting {
             let out = &mut self.out[(row - self.first) * count..][nodes.clone()];
             let Row { log_minus, log_plus, sign_minus, sign_plus, .. } = fine.row(*row);
             let (near, far) = (*start..start + nodes.len(), start + nodes.len()..start + 2 * nodes.len());
-            let sides = [(near, sign_minus, log_minus, 1.0), (far, sign_plus, log_plus, mirror)];
-            for (i, (side, sign_weight, log_weight, factor)) in sides.into_iter().enumerate() {
-                let smooth = &self.parts.smooth[side.clone()];
-                let sign = self.parts.sign[side.clone()].iter().zip(&sign_weight[nodes.clone()]);
-                let log = self.parts.log[side].iter().zip(&log_weight[nodes.clone()]);
-                for (((out, smooth), (sign, s)), (log, l)) in out.iter_mut().zip(smooth).zip(sign).zip(log) {
-                    let value = factor * (smooth + sign * s + log * (log_c + l));
-                    *out = if i == 0 { value } else { *out + value };
-                }
+            let near = Side::new(self.parts, near, &sign_minus[nodes.clone()], &log_minus[nodes.clone()]);
+            let far = Side::new(self.parts, far, &sign_plus[nodes.clone()], &log_plus[nodes.clone()]);
+            let (whole, rest) = S::as_mut_simd_f64s(out);
+            let ((near, near_rest), (far, far_rest)) = (near.split::<S>(), far.split::<S>());
+            let (logs, mirrors) = (simd.splat_f64s(log_c), simd.splat_f64s(mirror));
+            for (i, out) in whole.iter_mut().enumerate() {
+                *out = simd.mul_add_e_f64s(mirrors, far.at(simd, logs, i), near.at(simd, logs, i));
+            }
+            for (i, out) in rest.iter_mut().enumerate() {
+                *out = mirror * far_rest.at(Scalar::new(), log_c, i) + near_rest.at(Scalar::new(), log_c, i);
             }
         }
+    }
+}
+
+/// The parts at some nodes and their weights, number by number or vector by vector.
+struct Side<'a, T> {
+    smooth: &'a [T],
+    sign: &'a [T],
+    log: &'a [T],
+    sign_weight: &'a [T],
+    log_weight: &'a [T],
+}
+
+impl<'a> Side<'a, f64> {
+    #[inline(always)]
+    fn new(parts: &'a PartsVec, range: Range<usize>, sign_weight: &'a [f64], log_weight: &'a [f64]) -> Self {
+        let PartsVec { smooth, sign, log } = parts;
+        let (smooth, sign, log) = (&smooth[range.clone()], &sign[range.clone()], &log[range]);
+        Self { smooth, sign, log, sign_weight, log_weight }
+    }
+
+    /// As many whole vectors as there are, and the rest.
+    #[inline(always)]
+    fn split<S: Simd>(&self) -> (Side<'a, S::f64s>, Self) {
+        let ((smooth, a), (sign, b), (log, c)) =
+            (S::as_simd_f64s(self.smooth), S::as_simd_f64s(self.sign), S::as_simd_f64s(self.log));
+        let ((sign_weight, d), (log_weight, e)) = (S::as_simd_f64s(self.sign_weight), S::as_simd_f64s(self.log_weight));
+        let whole = Side { smooth, sign, log, sign_weight, log_weight };
+        (whole, Self { smooth: a, sign: b, log: c, sign_weight: d, log_weight: e })
+    }
+}
+
+impl<T: Copy> Side<'_, T> {
+    #[inline(always)]
+    fn at<S: Simd<f64s = T>>(&self, simd: S, log_c: T, i: usize) -> T {
+        let signed = simd.mul_add_e_f64s(self.sign[i], self.sign_weight[i], self.smooth[i]);
+        simd.mul_add_e_f64s(self.log[i], simd.add_f64s(log_c, self.log_weight[i]), signed)
     }
 }

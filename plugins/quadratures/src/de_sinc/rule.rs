@@ -39,7 +39,7 @@ struct Scratch {
 
 impl DeSincRule {
     pub(super) fn new(half_width: f64, resolution: Resolution, grid: Arc<Grid>) -> Self {
-        let scratch = Scratch { folder: Folder::new(), folded: Vec::new(), spread: Vec::new() };
+        let scratch = Scratch { folder: Folder::default(), folded: Vec::new(), spread: Vec::new() };
         let mut rule =
             Self { half_width, resolution, grid, fine: None, stations: Vec::new(), scratch, room: Mutex::default() };
         rule.stations = vec![Station { x: 0.0, gap: 0.0 }; rule.grid.staggered.len()];

@@ -121,7 +121,7 @@ pub(super) fn alternating(j: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pulp::{Arch, WithSimd};
+    use pulp::{Arch, Scalar, WithSimd};
 
     struct Sums<'a>(Series<'a>, &'a [f64]);
 
@@ -148,7 +148,9 @@ mod tests {
                 let signed: Vec<f64> = (0..samples).map(|j| alternating(j) * g(j as f64 + offset)).collect();
                 let series = Series { signed: &signed, odd: is_odd, offset };
                 for count in [1, 3, 8, t.len()] {
-                    for (t, got) in t.iter().zip(Arch::new().dispatch(Sums(series, &t[..count]))) {
+                    let wide = Arch::new().dispatch(Sums(series, &t[..count]));
+                    let narrow = Sums(series, &t[..count]).with_simd(Scalar::new());
+                    for (t, got) in t.iter().zip(&wide).chain(t.iter().zip(&narrow)) {
                         assert!((got - g(*t)).abs() < 5e-15, "{offset}, odd: {is_odd}, t = {t}: {got} for {}", g(*t));
                     }
                 }

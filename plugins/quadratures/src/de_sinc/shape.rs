@@ -1,7 +1,7 @@
 //! The density between its nodes.
 
 use super::grid::Grid;
-use super::map::locate;
+use super::map::{Place, locate};
 use super::series::{BATCH, Series};
 use super::sums::dot;
 use pulp::{Arch, Simd, WithSimd};
@@ -88,16 +88,16 @@ impl WithSimd for Values<'_> {
 /// `e exp(w)` in `f`. The first term left out behind the cut counts as `exp(-2 w)` (continued: `f` is
 /// regular `+ sqrt(gap)`) or `exp(-3 w)` (smooth), which is as much where `F ~ exp(-2 w)` is `e^(2/3)` or `e^(1/2)`.
 fn bound(f: &mut Vec<f64>, grid: &Grid, carrier: f64) -> f64 {
-    for (f, u) in f.iter_mut().zip(&grid.nodes) {
-        *f -= carrier * u.x * u.sech;
-    }
     // The very last nodes feel the missing ones.
     let n = f.len() - 1;
-    let noise = f[n - 1 - n / 16];
+    let at = n - 1 - n / 16;
+    let taken = |u: &Place| carrier * u.x * u.sech;
+    let noise = f[at] - taken(&grid.nodes[at]);
+    let mut largest = 0.0_f64;
     for (f, u) in f.iter_mut().zip(&grid.nodes) {
-        *f -= noise * grid.ending(u.x);
+        *f = *f - taken(u) - noise * grid.ending(u.x);
+        largest = largest.max(f.abs());
     }
-    let largest = f.iter().fold(0.0_f64, |most, f| most.max(f.abs()));
     let rest = 0.5 * noise.abs() + 0.2 * f64::EPSILON * largest;
     let exponent = if grid.edge == Edge::Smooth { 0.5 } else { 2.0 / 3.0 };
     let least = largest * (rest / largest).powf(exponent);

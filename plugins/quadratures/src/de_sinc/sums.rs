@@ -39,6 +39,7 @@ impl WithSimd for Dot<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pulp::Scalar;
 
     #[test]
     fn every_product_counts_once() {
@@ -48,6 +49,8 @@ mod tests {
             let exact: f64 = (0..count).map(|i| (1.0 + i as f64) * (2.0 - i as f64)).sum();
             assert!((dot(&a, &longer) - exact).abs() < 1e-9, "whole numbers: {count}");
             assert!((dot(&longer, &a) - exact).abs() < 1e-9, "whole numbers: {count}");
+            let one_by_one = Dot(&a, &longer[..count]).with_simd(Scalar::new());
+            assert!((one_by_one - exact).abs() < 1e-9, "without vectors: {count}");
         }
     }
 }

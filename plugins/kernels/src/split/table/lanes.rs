@@ -88,3 +88,58 @@ fn block<S: Simd, const N: usize>(simd: S, piece: &Piece, t: &[S::f64s; N], out:
         *out = sums;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pulp::{Arch, Scalar, WithSimd};
+
+    struct Write<'a>(Piece<'a>, &'a [f64]);
+
+    impl WithSimd for Write<'_> {
+        type Output = [Vec<f64>; 3];
+
+        #[inline(always)]
+        fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
+            let mut out = [const { Vec::new() }; 3];
+            let [a, b, c] = &mut out;
+            for part in [&mut *a, &mut *b, &mut *c] {
+                part.resize(self.1.len(), f64::NAN);
+            }
+            parts_into(simd, self.0, self.1, [a, b, c]);
+            out
+        }
+    }
+
+    /// Small whole numbers: nothing is rounded, whatever the order and the vectors.
+    #[test]
+    #[allow(clippy::float_cmp)]
+    fn any_number_of_distances_in_vectors_and_without() {
+        let coefficients: [&[f64]; 3] = [&[2.0, -1.0, 3.0], &[], &[5.0]];
+        for (at_origin, odd) in
+            [(true, [true, false, true]), (false, [true, false, true]), (false, [false, true, false])]
+        {
+            let piece = Piece { slope: 2.0, offset: -1.0, at_origin, coefficients, odd };
+            for count in 0..80 {
+                let t: Vec<f64> = (0..count).map(|i| f64::from(i % 9) - 4.5).collect();
+                let expected = |part: usize, t: f64| {
+                    let v = 2.0 * if at_origin { t * t } else { t.abs() } - 1.0;
+                    let sum = coefficients[part].iter().fold(0.0, |sum, c| sum * v + c);
+                    sum * if !odd[part] {
+                        1.0
+                    } else if at_origin {
+                        t
+                    } else {
+                        t.signum()
+                    }
+                };
+                for got in [Arch::new().dispatch(Write(piece, &t)), Write(piece, &t).with_simd(Scalar::new())] {
+                    for (part, got) in got.iter().enumerate() {
+                        let expected: Vec<f64> = t.iter().map(|t| expected(part, *t)).collect();
+                        assert_eq!(got, &expected, "part {part} at {count} distances");
+                    }
+                }
+            }
+        }
+    }
+}
