@@ -23,7 +23,7 @@ impl Apart {
     pub(super) fn sinh(&self, i: usize, k: usize) -> f64 {
         // In halves of a fine step.
         let (v, u) = ((2 * i + 1) * self.factor, 2 * k);
-        let (cosh, sinh) = (self.halves[(v + u) / 2].0, self.halves[v.abs_diff(u) / 2].1);
+        let (cosh, sinh) = (self.halves[v.midpoint(u)].0, self.halves[v.abs_diff(u) / 2].1);
         let size = (PI * cosh * sinh).sinh();
         if v < u { -size } else { size }
     }
