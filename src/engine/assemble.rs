@@ -91,12 +91,29 @@ fn slip(stage: &Stage, judged: &Judged) -> Option<Slip> {
 
 /// Tractions at the points that the scene asks for.
 fn profile(scene: &Scene, problem: &Problem, stage: &Stage) -> Profile {
+    if let Some(x) = &scene.output.x {
+        return tractions(x, problem, stage);
+    }
+    // Equally spaced points are their own mirror images, and so are the tractions: the right half will do.
+    let last = scene.output.points - 1;
+    let right: Vec<f64> = (last.div_ceil(2)..=last).map(|i| (2 * i - last) as f64 / last as f64).collect();
+    let half = tractions(&right, problem, stage);
+    let left = scene.output.points / 2;
+    Profile {
+        x: with_mirror(&half.x, left, |x| -x),
+        pressure: with_mirror(&half.pressure, left, |p| p),
+        shear: half.shear.map(|shear| with_mirror(&shear, left, |q| q.map(|q| -q))),
+    }
+}
+
+/// The mirror images of the outer `left` values, which are all but that of a point in the middle, and the values.
+fn with_mirror<T: Copy>(right: &[T], left: usize, mirror: impl Fn(T) -> T) -> Vec<T> {
+    right.iter().rev().take(left).map(|value| mirror(*value)).chain(right.iter().copied()).collect()
+}
+
+/// Tractions at points in units of the half-width.
+fn tractions(relative: &[f64], problem: &Problem, stage: &Stage) -> Profile {
     let b = stage.normal.half_width;
-    let relative: Vec<f64> = scene.output.x.clone().unwrap_or_else(|| {
-        let last = scene.output.points - 1;
-        // Both halves from the same numbers, so that the samples are exactly symmetric.
-        (0..=last).map(|i| (2.0 * i as f64 - last as f64) / last as f64).collect()
-    });
     let sharp = stage.normal.is_sharp();
     let value = |found: Option<f64>| match found {
         Some(value) => value.is_finite().then_some(value * problem.stress),

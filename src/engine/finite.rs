@@ -10,7 +10,7 @@ use std::fmt::{self, Display};
 
 /// Path and value of the first number of a solution that is not finite, such as `` `load.force` is NaN ``.
 pub fn first_not_finite(solution: &Solution) -> Option<String> {
-    solution.serialize(&mut Probe::default()).err().map(|found| found.0)
+    solution.serialize(Probe).err().map(|found| found.to_string())
 }
 
 /// For the writers of formats that have no NaN.
@@ -23,52 +23,47 @@ pub(crate) fn insist(solution: &Solution) {
     }
 }
 
-/// Walks through a value and keeps the path to where it is.
-#[derive(Default)]
-struct Probe {
-    path: Vec<Step>,
-}
+/// Walks through a value. Where it is, it learns only on the way out of an error.
+struct Probe;
 
-/// A step of the path; put into words only when something is found.
-enum Step {
-    Field(&'static str),
-    Item(usize),
-    Key(String),
-}
-
-impl Display for Step {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Field(name) => write!(f, ".{name}"),
-            Self::Item(index) => write!(f, "[{index}]"),
-            Self::Key(key) => write!(f, ".{key}"),
-        }
-    }
-}
-
-impl Probe {
-    fn step<T: Serialize + ?Sized>(&mut self, step: Step, value: &T) -> Result<(), Found> {
-        self.path.push(step);
-        value.serialize(&mut *self)?;
-        self.path.pop();
-        Ok(())
-    }
-}
-
-/// What was found, or what kept the probe from looking.
+/// What was found, or what kept the probe from looking; small, since every number passes one on.
 #[derive(Debug)]
-struct Found(String);
+struct Found(Box<Trace>);
+
+/// Where it was found, outermost step first, and what it is.
+#[derive(Debug)]
+struct Trace {
+    path: String,
+    what: String,
+}
+
+impl Found {
+    fn new(what: impl Display) -> Self {
+        Self(Box::new(Trace { path: String::new(), what: what.to_string() }))
+    }
+
+    /// The same, seen from one step further out.
+    fn within(mut self, step: impl Display) -> Self {
+        self.0.path.insert_str(0, &step.to_string());
+        self
+    }
+}
 
 impl Display for Found {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        write!(f, "`{}` is {}", self.0.path.trim_matches('.'), self.0.what)
     }
 }
 impl std::error::Error for Found {}
 impl ser::Error for Found {
     fn custom<T: Display>(message: T) -> Self {
-        Self(message.to_string())
+        Self::new(message)
     }
+}
+
+/// Looks at what a field or a key leads to.
+fn field<T: Serialize + ?Sized>(name: &str, value: &T) -> Result<(), Found> {
+    value.serialize(Probe).map_err(|found| found.within(format_args!(".{name}")))
 }
 
 /// Scalars that cannot be infinite.
@@ -78,23 +73,19 @@ macro_rules! pass {
     };
 }
 
-impl<'a> ser::Serializer for &'a mut Probe {
+impl ser::Serializer for Probe {
     type Ok = ();
     type Error = Found;
-    type SerializeSeq = Inside<'a>;
-    type SerializeTuple = Inside<'a>;
-    type SerializeTupleStruct = Inside<'a>;
-    type SerializeTupleVariant = Inside<'a>;
-    type SerializeMap = Inside<'a>;
-    type SerializeStruct = Inside<'a>;
-    type SerializeStructVariant = Inside<'a>;
+    type SerializeSeq = Inside;
+    type SerializeTuple = Inside;
+    type SerializeTupleStruct = Inside;
+    type SerializeTupleVariant = Inside;
+    type SerializeMap = Inside;
+    type SerializeStruct = Inside;
+    type SerializeStructVariant = Inside;
 
     fn serialize_f64(self, v: f64) -> Result<(), Found> {
-        if v.is_finite() {
-            return Ok(());
-        }
-        let path: String = self.path.iter().map(ToString::to_string).collect();
-        Err(Found(format!("`{}` is {v}", path.trim_matches('.'))))
+        if v.is_finite() { Ok(()) } else { Err(Found::new(v)) }
     }
     fn serialize_f32(self, v: f32) -> Result<(), Found> {
         self.serialize_f64(v.into())
@@ -124,57 +115,50 @@ impl<'a> ser::Serializer for &'a mut Probe {
         variant: &'static str,
         value: &T,
     ) -> Result<(), Found> {
-        self.step(Step::Field(variant), value)
+        field(variant, value)
     }
-    fn serialize_seq(self, _: Option<usize>) -> Result<Inside<'a>, Found> {
-        Ok(Inside::new(self))
+    fn serialize_seq(self, _: Option<usize>) -> Result<Inside, Found> {
+        Ok(Inside::default())
     }
-    fn serialize_tuple(self, _: usize) -> Result<Inside<'a>, Found> {
-        Ok(Inside::new(self))
+    fn serialize_tuple(self, _: usize) -> Result<Inside, Found> {
+        Ok(Inside::default())
     }
-    fn serialize_tuple_struct(self, _: &'static str, _: usize) -> Result<Inside<'a>, Found> {
-        Ok(Inside::new(self))
+    fn serialize_tuple_struct(self, _: &'static str, _: usize) -> Result<Inside, Found> {
+        Ok(Inside::default())
     }
-    fn serialize_tuple_variant(self, _: &'static str, _: u32, _: &'static str, _: usize) -> Result<Inside<'a>, Found> {
-        Ok(Inside::new(self))
+    fn serialize_tuple_variant(self, _: &'static str, _: u32, _: &'static str, _: usize) -> Result<Inside, Found> {
+        Ok(Inside::default())
     }
-    fn serialize_map(self, _: Option<usize>) -> Result<Inside<'a>, Found> {
-        Ok(Inside::new(self))
+    fn serialize_map(self, _: Option<usize>) -> Result<Inside, Found> {
+        Ok(Inside::default())
     }
-    fn serialize_struct(self, _: &'static str, _: usize) -> Result<Inside<'a>, Found> {
-        Ok(Inside::new(self))
+    fn serialize_struct(self, _: &'static str, _: usize) -> Result<Inside, Found> {
+        Ok(Inside::default())
     }
-    fn serialize_struct_variant(self, _: &'static str, _: u32, _: &'static str, _: usize) -> Result<Inside<'a>, Found> {
-        Ok(Inside::new(self))
+    fn serialize_struct_variant(self, _: &'static str, _: u32, _: &'static str, _: usize) -> Result<Inside, Found> {
+        Ok(Inside::default())
     }
 }
 
 /// Inside a sequence, a map or a struct.
-struct Inside<'a> {
-    probe: &'a mut Probe,
+#[derive(Default)]
+struct Inside {
     next: usize,
     key: String,
 }
 
-impl<'a> Inside<'a> {
-    fn new(probe: &'a mut Probe) -> Self {
-        Self { probe, next: 0, key: String::new() }
-    }
-
+impl Inside {
     fn item<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Found> {
+        let index = self.next;
         self.next += 1;
-        self.probe.step(Step::Item(self.next - 1), value)
-    }
-
-    fn field<T: Serialize + ?Sized>(&mut self, name: &'static str, value: &T) -> Result<(), Found> {
-        self.probe.step(Step::Field(name), value)
+        value.serialize(Probe).map_err(|found| found.within(format_args!("[{index}]")))
     }
 }
 
 /// The traits that differ only in the name of their one method.
 macro_rules! items {
     ($($trait:ident $method:ident),*) => {$(
-        impl ser::$trait for Inside<'_> {
+        impl ser::$trait for Inside {
             type Ok = ();
             type Error = Found;
             fn $method<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Found> {
@@ -191,11 +175,11 @@ items!(SerializeSeq serialize_element, SerializeTuple serialize_element, Seriali
 
 macro_rules! fields {
     ($($trait:ident),*) => {$(
-        impl ser::$trait for Inside<'_> {
+        impl ser::$trait for Inside {
             type Ok = ();
             type Error = Found;
             fn serialize_field<T: Serialize + ?Sized>(&mut self, name: &'static str, value: &T) -> Result<(), Found> {
-                self.field(name, value)
+                field(name, value)
             }
             fn end(self) -> Result<(), Found> {
                 Ok(())
@@ -205,22 +189,32 @@ macro_rules! fields {
 }
 fields!(SerializeStruct, SerializeStructVariant);
 
-impl ser::SerializeMap for Inside<'_> {
+impl ser::SerializeMap for Inside {
     type Ok = ();
     type Error = Found;
     fn serialize_key<T: Serialize + ?Sized>(&mut self, key: &T) -> Result<(), Found> {
-        // Only for the path; keys that are no strings do not occur in a solution.
-        self.key =
-            serde_json::to_value(key).ok().and_then(|k| k.as_str().map(str::to_owned)).unwrap_or_else(|| "?".into());
+        self.key = word(key);
         Ok(())
     }
     fn serialize_value<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Found> {
-        let key = std::mem::take(&mut self.key);
-        self.probe.step(Step::Key(key), value)
+        field(&self.key, value)
+    }
+    fn serialize_entry<K, T>(&mut self, key: &K, value: &T) -> Result<(), Found>
+    where
+        K: Serialize + ?Sized,
+        T: Serialize + ?Sized,
+    {
+        value.serialize(Probe).map_err(|found| found.within(format_args!(".{}", word(key))))
     }
     fn end(self) -> Result<(), Found> {
         Ok(())
     }
+}
+
+/// A key in the path; keys that are no strings do not occur in a solution.
+fn word<K: Serialize + ?Sized>(key: &K) -> String {
+    let value = serde_json::to_value(key).ok();
+    value.and_then(|key| key.as_str().map(str::to_owned)).unwrap_or_else(|| "?".into())
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ mod assemble;
 mod checks;
 mod contact_size;
 mod dense;
+mod elimination;
 mod error_estimate;
 mod finite;
 mod layer;

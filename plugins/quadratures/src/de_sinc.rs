@@ -1,5 +1,6 @@
 //! Double-exponential sinc collocation.
 
+mod apart;
 mod fine;
 mod fold;
 mod grid;

@@ -1,5 +1,6 @@
 //! Where the kernel part is summed: the nodes, or a grid an odd number of times as fine.
 
+use super::apart::Apart;
 use super::grid::{Grid, tail};
 use super::map::Place;
 use super::series::alternating;
@@ -96,10 +97,11 @@ impl Fine {
         if grid.edge == Edge::Sharp {
             fine.weight[n] += tail(&places, fine_step);
         }
+        let apart = Apart::new(n, factor, grid.step);
         for (i, v) in grid.staggered.iter().enumerate() {
             let d = (2 * i + 1) * factor; // in halves
             for (k, place) in places.iter().enumerate() {
-                let minus = v.minus(place);
+                let minus = apart.minus((i, v), (k, place));
                 fine.minus.push(minus);
                 fine.log_minus.push(minus.abs().ln() - cosine[d.abs_diff(2 * k) / 2]);
                 fine.log_plus.push((v.x + place.x).ln() - cosine[d / 2 + k]);

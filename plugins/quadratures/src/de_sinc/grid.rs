@@ -1,5 +1,6 @@
 //! What a resolution and a parity fix, whatever the half-width: nodes, Cauchy matrix, edge functional.
 
+use super::apart::Apart;
 use super::map::Place;
 use super::series::alternating;
 use super::shelf::Size;
@@ -47,8 +48,7 @@ impl Grid {
         let staggered: Vec<Place> = (0..n).map(|i| Place::new((i as f64 + 0.5) * step)).collect();
         let first = usize::from(odd);
         let scale: Vec<f64> = staggered.iter().map(|v| v.slope).collect();
-        let cauchy =
-            staggered.iter().flat_map(|v| nodes[first..].iter().map(move |u| entry(v, u, step, odd))).collect();
+        let cauchy = cauchy(&nodes, &staggered, step, odd);
         let both = |u: &Place| if odd { 0.0 } else { 2.0 * step * u.slope };
         let mut resultant: Vec<f64> = nodes[first..].iter().map(both).collect();
         if !odd {
@@ -135,17 +135,23 @@ impl Grid {
 
 /// `(1/pi) scale_i step P_j [1/(x_i - x_j) +- 1/(x_i + x_j)]` per unit of `F_j`.
 ///
-/// With `x_i - x_j = sinh(w_i - w_j)/(cosh w_i cosh w_j)` all that is left is
-/// `(pi/4) step cosh u_j cosh v_i [1/sinh(w_i - w_j) +- 1/sinh(w_i + w_j)]`; the bracket is taken as one fraction.
-fn entry(v: &Place, u: &Place, step: f64, odd: bool) -> f64 {
-    let jacobian = 0.5 * FRAC_PI_2 * step * u.u.cosh() * v.u.cosh();
-    let difference = v.ahead_of(u).sinh();
-    if u.w == 0.0 {
-        return jacobian / difference;
+/// With `x_i - x_j = sinh(w_i - w_j)/(cosh w_i cosh w_j)` and the bracket as one fraction that is
+/// `(pi/2) step cosh u_j cosh v_i x/[sinh(w_i - w_j) (x_i + x_j)]`, `x` being `x_i` or, where odd, `x_j`.
+fn cauchy(nodes: &[Place], staggered: &[Place], step: f64, odd: bool) -> Vec<f64> {
+    let apart = Apart::new(staggered.len(), 1, step);
+    let (first, cosh) = (usize::from(odd), |place: &Place| place.u.cosh());
+    let nodes: Vec<(usize, &Place, f64)> = nodes.iter().enumerate().skip(first).map(|(j, u)| (j, u, cosh(u))).collect();
+    let mut rows = Vec::with_capacity(staggered.len() * nodes.len());
+    for (i, v) in staggered.iter().enumerate() {
+        let of_row = FRAC_PI_2 * step * cosh(v);
+        rows.extend(nodes.iter().map(|(j, u, cosh)| {
+            let x = if odd { u.x } else { v.x };
+            // The middle node has no mirror image.
+            let share = if *j == 0 { 0.5 } else { 1.0 };
+            share * of_row * cosh * x / (apart.sinh(i, *j) * (v.x + u.x))
+        }));
     }
-    let sum = (v.w + u.w).sinh();
-    let (a, b) = if odd { (u.w.sinh(), v.w.cosh()) } else { (v.w.sinh(), u.w.cosh()) };
-    2.0 * jacobian * (a / sum) * (b / difference)
+    rows
 }
 
 fn ending(x: f64, odd: bool) -> f64 {

@@ -2,7 +2,7 @@
 
 use slipzone_api::Station;
 use slipzone_api::elementary::ln_1p;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
 /// Where a node stands on `[-1, 1]`, `u >= 0`.
 #[derive(Clone, Copy, Debug)]
@@ -26,16 +26,6 @@ impl Place {
         let w = FRAC_PI_2 * u.sinh();
         let sech = 1.0 / w.cosh();
         Self { u, w, x: w.tanh(), gap: (-w).exp() * sech, sech, slope: FRAC_PI_2 * u.cosh() * sech }
-    }
-
-    /// `w_self - w_other`, without cancellation.
-    pub(super) fn ahead_of(&self, other: &Self) -> f64 {
-        PI * (0.5 * (self.u + other.u)).cosh() * (0.5 * (self.u - other.u)).sinh()
-    }
-
-    /// `x_self - x_other`, to full relative precision also where both are near the same end.
-    pub(super) fn minus(&self, other: &Self) -> f64 {
-        self.ahead_of(other).sinh() * self.sech * other.sech
     }
 }
 
