@@ -50,6 +50,8 @@ slipzone_api::register!(Kernel, "split", "Fourier integral up to a wave number, 
     ],
     source: "docs/theory.md section 3");
 
+/// Terms of the series asked for at first: most often enough, and they cost as their square.
+const FEW_TERMS: usize = 16;
 /// Times the aim is tightened when the bound misses the accuracy, and by how much.
 const ATTEMPTS: (u32, f64) = (3, 0.1);
 /// Rounding of a sum: this times the sum of its terms' sizes.
@@ -124,21 +126,15 @@ impl Split {
         depth: f64,
         accuracy: f64,
     ) -> Result<Draft, Refusal> {
-        let tail = response.tail(MOST_TERMS);
-        let (beta, reach) = (response.elastic().beta(), request.reach);
-        let columns: Vec<Column> =
-            request.components.iter().map(|c| Column::new(*c, &tail, beta, accuracy, reach)).collect();
-        let slope_aim =
-            columns.iter().map(|c| if c.component == Component::Depth { DEPTH_GAIN * c.aim } else { c.aim });
-        let mut cut = Cut::choose(&tail, depth, slope_aim.fold(f64::INFINITY, f64::min));
-        if let Some(cutoff) = self.cutoff {
-            cut.cutoff = cutoff.get() / depth;
+        let reach = request.reach;
+        let mut plan = self.plan(response, request, depth, accuracy, FEW_TERMS);
+        let short = plan.settled && power_series::serve(&plan.columns, plan.cut, depth, reach);
+        if !short {
+            plan = self.plan(response, request, depth, accuracy, MOST_TERMS);
         }
-        if let Some(terms) = self.terms {
-            cut.terms = usize::from(terms.get()).min(tail.len());
-        }
+        let short = power_series::serve(&plan.columns, plan.cut, depth, reach);
+        let Integral { columns, cut, .. } = plan;
         let (beyond_error, at_cutoff) = cut.rest(&columns, response, depth)?;
-        let short = power_series::serve(&columns, cut.terms, cut.cutoff, depth, reach);
         let spectrum = Spectrum::new(&columns, response, (cut.cutoff, at_cutoff), reach, short)?;
         let beyond = Beyond::new(cut, &columns);
         let mut rounded: Vec<f64> = (0..columns.len())
@@ -160,6 +156,40 @@ impl Split {
             error = error.max(scale * (beyond_error[i] + spectrum.error[i] + pieces.kernels[i].error + rounded[i]));
         }
         Ok(Draft { pieces, length, error, rounding, evaluations: spectrum.evaluations + beyond::CHECKS })
+    }
+}
+
+/// What is to be integrated, and how.
+struct Integral {
+    columns: Vec<Column>,
+    cut: Cut,
+    /// Whether as many terms of the series as were asked for are enough.
+    settled: bool,
+}
+
+impl Split {
+    fn plan(
+        &self,
+        response: &dyn LayerResponse,
+        request: &KernelRequest,
+        depth: f64,
+        accuracy: f64,
+        terms: usize,
+    ) -> Integral {
+        let tail = response.tail(terms);
+        let beta = response.elastic().beta();
+        let columns: Vec<Column> =
+            request.components.iter().map(|c| Column::new(*c, &tail, beta, accuracy, request.reach)).collect();
+        let slope_aim =
+            columns.iter().map(|c| if c.component == Component::Depth { DEPTH_GAIN * c.aim } else { c.aim });
+        let (mut cut, settled) = Cut::choose(&tail, depth, slope_aim.fold(f64::INFINITY, f64::min));
+        if let Some(cutoff) = self.cutoff {
+            cut.cutoff = cutoff.get() / depth;
+        }
+        if let Some(terms) = self.terms {
+            cut.terms = usize::from(terms.get()).min(tail.len());
+        }
+        Integral { columns, cut, settled: settled && !self.is_pinned() }
     }
 }
 
