@@ -16,6 +16,7 @@ mod table;
 use beyond::{Beyond, Cut, MOST_TERMS};
 use column::Column;
 use num_complex::Complex64;
+use piece::MOST_NODES;
 use pieces::{Pieces, Plan};
 use serde::{Deserialize, Serialize};
 use singular::Singular;
@@ -28,7 +29,8 @@ use table::Table;
 ///
 /// `k(t) = int_0^S M(s) sin(st) ds + sum_k c_k int_S^inf s^-k sin(st) ds`, and with a cosine for the even kernels.
 /// The first integral is analytic in `t`; the second is `Im P(t) (i pi/2 - log t)`, `P = sum_k c_k (it)^(k-1)/(k-1)!`,
-/// plus a power series (`t > 0`). So jump and logarithm are known to all orders and the rest is smooth. Its tables
+/// plus a power series (`t > 0`). So jump and logarithm are known to all orders and the rest is smooth: on short reaches a
+/// power series as well, on others interpolated. Its tables
 /// bound their own error: `S`, the number of terms and the wave numbers follow from the accuracy wanted.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -216,7 +218,7 @@ fn interpolated(
             .collect(),
     };
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small positive count
-    let nodes = (5.0 - aim.log10()).clamp(6.0, 18.0) as usize;
+    let nodes = (5.0 - aim.log10()).clamp(6.0, MOST_NODES as f64) as usize;
     let mut bessel = vec![0.0; spectrum.terms()];
     let mut integrals = vec![Complex64::default(); beyond.terms()];
     let mut transforms = vec![Complex64::default(); columns.len()];

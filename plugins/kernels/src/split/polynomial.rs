@@ -44,7 +44,8 @@ fn chebyshev(powers: &[f64]) -> [f64; MOST] {
 
 /// `sum_k series[k] T_k(v)` in powers of `v`: each `T_k` follows from the two before.
 fn monomials(series: &[f64]) -> [f64; MOST] {
-    let (mut sum, mut older, mut newer) = ([0.0; MOST], [0.0; MOST], [0.0; MOST]);
+    let (mut sum, mut even, mut odd) = ([0.0; MOST], [0.0; MOST], [0.0; MOST]);
+    let (mut older, mut newer) = (&mut even, &mut odd);
     for (k, c) in series.iter().enumerate() {
         // `older` becomes T_k.
         if k < 2 {
