@@ -51,7 +51,7 @@ impl Cut {
             let (terms, left) = shortest(tail, cut.cutoff, SHARE * aim);
             cut.terms = terms;
             if left <= SHARE * aim {
-                return (cut, cut.cutoff == nearest);
+                return (cut, cut.cutoff <= nearest);
             }
             if tail.is_empty() || cut.cutoff * STEP > FURTHEST.max(nearest * depth) / depth {
                 return (cut, false);
