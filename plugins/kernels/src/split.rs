@@ -16,6 +16,7 @@ mod table;
 use beyond::{Beyond, Cut, MOST_TERMS};
 use column::Column;
 use num_complex::Complex64;
+use piece::MOST_NODES;
 use pieces::{Pieces, Plan};
 use serde::{Deserialize, Serialize};
 use singular::Singular;
@@ -28,7 +29,8 @@ use table::Table;
 ///
 /// `k(t) = int_0^S M(s) sin(st) ds + sum_k c_k int_S^inf s^-k sin(st) ds`, and with a cosine for the even kernels.
 /// The first integral is analytic in `t`; the second is `Im P(t) (i pi/2 - log t)`, `P = sum_k c_k (it)^(k-1)/(k-1)!`,
-/// plus a power series (`t > 0`). So jump and logarithm are known to all orders and the rest is smooth. Its tables
+/// plus a power series (`t > 0`). So jump and logarithm are known to all orders and the rest is smooth: on short reaches a
+/// power series as well, on others interpolated. Its tables
 /// bound their own error: `S`, the number of terms and the wave numbers follow from the accuracy wanted.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -50,6 +52,8 @@ slipzone_api::register!(Kernel, "split", "Fourier integral up to a wave number, 
     ],
     source: "docs/theory.md section 3");
 
+/// Terms of the series asked for at first: most often enough, and they cost as their square.
+const FEW_TERMS: usize = 16;
 /// Times the aim is tightened when the bound misses the accuracy, and by how much.
 const ATTEMPTS: (u32, f64) = (3, 0.1);
 /// Rounding of a sum: this times the sum of its terms' sizes.
@@ -124,21 +128,15 @@ impl Split {
         depth: f64,
         accuracy: f64,
     ) -> Result<Draft, Refusal> {
-        let tail = response.tail(MOST_TERMS);
-        let (beta, reach) = (response.elastic().beta(), request.reach);
-        let columns: Vec<Column> =
-            request.components.iter().map(|c| Column::new(*c, &tail, beta, accuracy, reach)).collect();
-        let slope_aim =
-            columns.iter().map(|c| if c.component == Component::Depth { DEPTH_GAIN * c.aim } else { c.aim });
-        let mut cut = Cut::choose(&tail, depth, slope_aim.fold(f64::INFINITY, f64::min));
-        if let Some(cutoff) = self.cutoff {
-            cut.cutoff = cutoff.get() / depth;
+        let reach = request.reach;
+        let mut plan = self.plan(response, request, depth, accuracy, FEW_TERMS);
+        let short = plan.settled && power_series::serve(&plan.columns, plan.cut, depth, reach);
+        if !short {
+            plan = self.plan(response, request, depth, accuracy, MOST_TERMS);
         }
-        if let Some(terms) = self.terms {
-            cut.terms = usize::from(terms.get()).min(tail.len());
-        }
+        let short = power_series::serve(&plan.columns, plan.cut, depth, reach);
+        let Integral { columns, cut, .. } = plan;
         let (beyond_error, at_cutoff) = cut.rest(&columns, response, depth)?;
-        let short = power_series::serve(&columns, cut.terms, cut.cutoff, depth, reach);
         let spectrum = Spectrum::new(&columns, response, (cut.cutoff, at_cutoff), reach, short)?;
         let beyond = Beyond::new(cut, &columns);
         let mut rounded: Vec<f64> = (0..columns.len())
@@ -160,6 +158,40 @@ impl Split {
             error = error.max(scale * (beyond_error[i] + spectrum.error[i] + pieces.kernels[i].error + rounded[i]));
         }
         Ok(Draft { pieces, length, error, rounding, evaluations: spectrum.evaluations + beyond::CHECKS })
+    }
+}
+
+/// What is to be integrated, and how.
+struct Integral {
+    columns: Vec<Column>,
+    cut: Cut,
+    /// Whether as many terms of the series as were asked for are enough.
+    settled: bool,
+}
+
+impl Split {
+    fn plan(
+        &self,
+        response: &dyn LayerResponse,
+        request: &KernelRequest,
+        depth: f64,
+        accuracy: f64,
+        terms: usize,
+    ) -> Integral {
+        let tail = response.tail(terms);
+        let beta = response.elastic().beta();
+        let columns: Vec<Column> =
+            request.components.iter().map(|c| Column::new(*c, &tail, beta, accuracy, request.reach)).collect();
+        let slope_aim =
+            columns.iter().map(|c| if c.component == Component::Depth { DEPTH_GAIN * c.aim } else { c.aim });
+        let (mut cut, settled) = Cut::choose(&tail, depth, slope_aim.fold(f64::INFINITY, f64::min));
+        if let Some(cutoff) = self.cutoff {
+            cut.cutoff = cutoff.get() / depth;
+        }
+        if let Some(terms) = self.terms {
+            cut.terms = usize::from(terms.get()).min(tail.len());
+        }
+        Integral { columns, cut, settled: settled && !self.is_pinned() }
     }
 }
 
@@ -186,7 +218,7 @@ fn interpolated(
             .collect(),
     };
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small positive count
-    let nodes = (5.0 - aim.log10()).clamp(6.0, 18.0) as usize;
+    let nodes = (5.0 - aim.log10()).clamp(6.0, MOST_NODES as f64) as usize;
     let mut bessel = vec![0.0; spectrum.terms()];
     let mut integrals = vec![Complex64::default(); beyond.terms()];
     let mut transforms = vec![Complex64::default(); columns.len()];

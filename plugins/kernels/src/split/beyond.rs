@@ -38,7 +38,9 @@ const E_SQUARED: f64 = 7.4;
 impl Cut {
     /// The nearest cut at which both remainders should be below their shares of `aim`: the base's,
     /// `(2 S d)^2 exp(-2 S d)` as in a homogeneous layer, and the first terms of the series left out.
-    pub(super) fn choose(tail: &[SurfaceFlexibility], depth: f64, aim: f64) -> Self {
+    ///
+    /// Also returns whether it is the base that decides: more terms would not bring it nearer.
+    pub(super) fn choose(tail: &[SurfaceFlexibility], depth: f64, aim: f64) -> (Self, bool) {
         let mut phase: f64 = 4.0;
         for _ in 0..8 {
             phase = (1.0 / (SHARE * aim * depth)).ln().max(1.0) + 2.0 * (1.0 + phase).ln();
@@ -48,8 +50,11 @@ impl Cut {
         loop {
             let (terms, left) = shortest(tail, cut.cutoff, SHARE * aim);
             cut.terms = terms;
-            if left <= SHARE * aim || tail.is_empty() || cut.cutoff * STEP > FURTHEST.max(nearest * depth) / depth {
-                return cut;
+            if left <= SHARE * aim {
+                return (cut, cut.cutoff <= nearest);
+            }
+            if tail.is_empty() || cut.cutoff * STEP > FURTHEST.max(nearest * depth) / depth {
+                return (cut, false);
             }
             cut.cutoff *= STEP;
         }

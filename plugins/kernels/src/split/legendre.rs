@@ -173,19 +173,16 @@ fn unresolved(coefficients: &[f64], seen: f64, waves: &[f64], at_origin: bool, s
     }
     let first = most(0..3).max(f64::MIN_POSITIVE);
     let overall = (last / first).powf(1.0 / n as f64);
-    let (ratio, last) = if at_origin {
-        let mut ratio = (last / earlier).powf(2.0 / n as f64).max(overall);
-        if first > SOFT {
-            // A fast decay may hide a slow one, which shows last.
-            let (lately, before) = (most(n - 4..n), most(3 * n / 4 - 4..3 * n / 4).max(f64::MIN_POSITIVE));
-            if lately > NOISE {
-                ratio = ratio.max((lately / before).powf(1.0 / (n - 3 * n / 4) as f64));
-            }
-        }
-        (ratio.powf(CAUTION), last)
-    } else {
-        // Further out there is nothing slow to hide, and the last few come before the `n`-th.
+    let (ratio, last) = if !at_origin {
+        // The last few come before the `n`-th.
         (overall, (last * overall).max(seen))
+    } else if first < SOFT {
+        (overall.powf(CAUTION.0), last)
+    } else {
+        // A fast decay may hide a slow one, which shows last.
+        let (lately, before) = (most(n - 4..n), most(3 * n / 4 - 4..3 * n / 4).max(f64::MIN_POSITIVE));
+        let local = if lately > NOISE { (lately / before).powf(1.0 / (n - 3 * n / 4) as f64) } else { 0.0 };
+        ((last / earlier).powf(2.0 / n as f64).max(overall).max(local).powf(CAUTION.1), last)
     };
     let ratio = ratio.clamp(0.05, SLOWEST);
     let grow = 1.0 / ratio;
@@ -232,8 +229,9 @@ const LANDAU: f64 = 0.846;
 /// scale of the modulus ratio there.
 const SOFT: f64 = 3.0;
 
-/// Power to which the decay seen is raised before it is trusted for as many coefficients again: it may slow down.
-const CAUTION: f64 = 0.92;
+/// Power to which the decay seen at the origin is raised before it is trusted for as many coefficients again, for it may
+/// slow down: on something about as soft, and on something much softer.
+const CAUTION: (f64, f64) = (0.95, 0.85);
 
 /// Slowest decay assumed from one Legendre coefficient to the next.
 const SLOWEST: f64 = 0.95;

@@ -1,13 +1,16 @@
 //! One kernel's parts as polynomials on one piece of `|t|`.
 
-use crate::even_table::chebyshev;
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 /// The variable of a piece, the distance, and the parts there.
 pub(super) type Sample = (f64, f64, Values);
 
 /// A kernel's parts (smooth, sign, log) at `t > 0`.
 pub(super) type Values = [f64; 3];
+
+/// Most nodes of a piece.
+pub(super) const MOST_NODES: usize = 18;
 
 /// Where the variable of a piece is sampled: Chebyshev nodes, then the checks.
 pub(super) struct Variable {
@@ -53,7 +56,7 @@ impl Piece {
         let mut piece = Self { rows: Vec::new(), error: 0.0, noise: 0.0 };
         for part in 0..3 {
             let values: Vec<f64> = nodes.iter().map(|(.., v)| v[part]).collect();
-            let mut series = if parity[part] { odd_chebyshev(&values) } else { chebyshev(&values) };
+            let mut series = chebyshev(&values, parity[part]);
             let weight = match part {
                 2 if at_origin && !odd => LARGEST_LOG,
                 2 => upper.ln().abs().max(1.0),
@@ -109,16 +112,29 @@ fn remainder(series: &[f64], noise: f64) -> f64 {
 /// Slowest decay assumed from one Chebyshev coefficient to the next.
 const SLOWEST: f64 = 0.95;
 
-/// Coefficients of `T_1, T_3, ...` in the odd interpolant through values at `cos((2j + 1) pi/4n)`.
-fn odd_chebyshev(values: &[f64]) -> Vec<f64> {
+/// Coefficients of `T_0, T_1, ...` in the interpolant through values at `cos((2j + 1) pi/2n)`, or, of an `odd` one, of
+/// `T_1, T_3, ...` through values at `cos((2j + 1) pi/4n)`.
+fn chebyshev(values: &[f64], odd: bool) -> Vec<f64> {
     let n = values.len();
-    let cosines: Vec<f64> = (0..8 * n).map(|m| (PI * m as f64 / (4 * n) as f64).cos()).collect();
+    let cosines = COSINES[n].get_or_init(|| (0..8 * n).map(|m| (PI * m as f64 / (4 * n) as f64).cos()).collect());
     let coefficient = |k: usize| {
-        let sum: f64 = values.iter().enumerate().map(|(j, v)| v * cosines[(2 * k + 1) * (2 * j + 1) % (8 * n)]).sum();
-        sum * 2.0 / n as f64
+        let order = if odd { 2 * k + 1 } else { 2 * k };
+        let mut angle = order;
+        let sum: f64 = values
+            .iter()
+            .map(|value| {
+                let cosine = cosines[angle];
+                angle = (angle + 2 * order) % (8 * n);
+                value * cosine
+            })
+            .sum();
+        sum * if order == 0 { 1.0 } else { 2.0 } / n as f64
     };
     (0..n).map(coefficient).collect()
 }
+
+/// `cos(m pi/4n)` for each number of nodes, made when first asked for.
+static COSINES: [OnceLock<Vec<f64>>; MOST_NODES + 1] = [const { OnceLock::new() }; MOST_NODES + 1];
 
 /// `sum_k series[k] T_k(v)` in powers of `v`; of an odd series, `sum_k series[k] T_(2k+1)(x)/x` in powers of
 /// `v = 2 x^2 - 1`.

@@ -1,6 +1,6 @@
 //! Kernels on a short reach: one power series each, without interpolation.
 
-use super::beyond::Beyond;
+use super::beyond::{Beyond, Cut};
 use super::column::Column;
 use super::piece::LARGEST_LOG;
 use super::pieces::{Kernel, Pieces};
@@ -13,7 +13,7 @@ use std::f64::consts::FRAC_PI_2;
 const EULER: f64 = 0.577_215_664_901_532_9;
 
 /// Most powers of `t`.
-const MOST_POWERS: usize = 48;
+const MOST_POWERS: usize = 2 * polynomial::MOST;
 
 /// Powers are taken until what is left is below this part of the aim, and dropped again up to another such part.
 const SHARE: f64 = 0.03;
@@ -25,10 +25,11 @@ const ROUNDING_SHARE: f64 = 0.1;
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// Whether the series serve: they keep the digits, and jump and logarithm stay of the order of the kernel.
-pub(super) fn serve(columns: &[Column], terms: usize, cutoff: f64, depth: f64, reach: f64) -> bool {
-    let phase = cutoff * reach;
-    let serves =
-        |column: &Column| phase.exp() * f64::EPSILON <= ROUNDING_SHARE * column.aim && column.is_moderate(terms, reach);
+pub(super) fn serve(columns: &[Column], cut: Cut, depth: f64, reach: f64) -> bool {
+    let phase = cut.cutoff * reach;
+    let serves = |column: &Column| {
+        phase.exp() * f64::EPSILON <= ROUNDING_SHARE * column.aim && column.is_moderate(cut.terms, reach)
+    };
     reach <= depth && columns.iter().all(serves)
 }
 
@@ -62,10 +63,12 @@ fn kernel(i: usize, column: &Column, spectrum: &Spectrum, beyond: &Beyond, reach
     let mut moments = spectrum.moments(i, odd, cutoff);
     for m in (first..MOST_POWERS).step_by(2) {
         let (mut sum, mut size) = moments.next().expect("endless");
-        for (k, c) in (1..).zip(scaled) {
-            let term = if k == m + 1 { c * (harmonic - logarithm) } else { -c / (m as f64 - k as f64 + 1.0) };
+        let mut order = m as f64;
+        for c in scaled {
+            let term = if order == 0.0 { c * (harmonic - logarithm) } else { -c / order };
             sum += term;
             size += term.abs();
+            order -= 1.0;
         }
         smooth.push(if m % 4 < 2 { sum } else { -sum } * power);
         rounding += ROUNDING * size * power;
@@ -95,10 +98,10 @@ fn kernel(i: usize, column: &Column, spectrum: &Spectrum, beyond: &Beyond, reach
     let logarithm = if odd { 1.0 + reach.ln().abs() } else { LARGEST_LOG };
     for (part, (powers, weight)) in [(smooth, 1.0), (sign, 1.0), (log, logarithm)].into_iter().enumerate() {
         let has_odd_powers = odd != (part == 1);
-        let (polynomial, dropped) = polynomial::shortened(&powers, enough / weight);
+        let (polynomial, count, dropped) = polynomial::shortened(&powers, enough / weight);
         error += weight * dropped;
-        rows.resize(rows.len().max(polynomial.len()), [0.0; 3]);
-        for (row, c) in rows.iter_mut().zip(&polynomial) {
+        rows.resize(rows.len().max(count), [0.0; 3]);
+        for (row, c) in rows.iter_mut().zip(&polynomial[..count]) {
             // The table multiplies these by t.
             row[part] = if has_odd_powers { c / reach } else { *c };
         }

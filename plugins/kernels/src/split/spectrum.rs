@@ -25,7 +25,7 @@ pub(super) struct Spectrum {
 }
 
 /// Part of the error that each panel may have: most often there are two.
-const SHARE: f64 = 0.25;
+const SHARE: f64 = 0.35;
 /// Nodes that a panel takes, fitted to some thousand layers: enough for nine out of ten: another try costs as many again.
 #[derive(Clone, Copy)]
 struct Guess {
@@ -38,8 +38,8 @@ struct Guess {
     /// By digit and by `beta`.
     beta: f64,
 }
-const FIRST: Guess = Guess { least: 1.6, digit: 2.0, stiff: 0.45, soft: 0.07, beta: 0.65 };
-const SECOND: Guess = Guess { least: 6.9, digit: 1.38, stiff: 0.08, soft: 0.025, beta: 0.2 };
+const FIRST: Guess = Guess { least: 0.8, digit: 2.0, stiff: 0.45, soft: 0.07, beta: 0.65 };
+const SECOND: Guess = Guess { least: 6.0, digit: 1.38, stiff: 0.08, soft: 0.025, beta: 0.2 };
 /// Nodes added by each unit of the wave's phase over half a panel, and the phase by digit from which the orders of the
 /// panel itself are all that counts.
 const NODES_BY_PHASE: f64 = 0.7;
@@ -57,6 +57,17 @@ const FIRST_SPLIT: f64 = 0.2;
 const BESIDE_ORIGIN: f64 = 1e-4;
 /// Sums side by side.
 const LANES: usize = 4;
+
+/// A moment and the sum of its terms' sizes; the terms go on to the next but one.
+fn next_moment(terms: &mut [Moment]) -> (f64, f64) {
+    let (mut sum, mut size) = ([0.0; LANES], [0.0; LANES]);
+    for Moment { term, square } in terms {
+        sum = std::array::from_fn(|i| sum[i] + term[i]);
+        size = std::array::from_fn(|i| size[i] + term[i].abs());
+        *term = std::array::from_fn(|i| term[i] * square[i]);
+    }
+    (sum.iter().sum(), size.iter().sum())
+}
 
 /// Terms of a moment at some nodes, and what leads from one to the next but one.
 struct Moment {
@@ -158,17 +169,7 @@ impl Spectrum {
                 terms.push(moment);
             }
         }
-        std::iter::repeat_with(move || {
-            let (mut sum, mut size) = ([0.0; LANES], [0.0; LANES]);
-            for Moment { term, square } in &mut terms {
-                for i in 0..LANES {
-                    sum[i] += term[i];
-                    size[i] += term[i].abs();
-                    term[i] *= square[i];
-                }
-            }
-            (sum.iter().sum(), size.iter().sum())
-        })
+        std::iter::repeat_with(move || next_moment(&mut terms))
     }
 
     /// Longest series of a panel.
