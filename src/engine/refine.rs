@@ -19,7 +19,7 @@ const BESIDE_PINNED: u32 = 3;
 /// Steps that may be refused before the first that is solved.
 const SKIPPED: usize = 7;
 /// Share of the tolerance that the kernels may use up.
-const KERNEL_SHARE: f64 = 0.05;
+const KERNEL_SHARE: f64 = 0.2;
 /// Errors that stop shrinking below this are those of rounding.
 pub(super) const ROUNDED: f64 = 1e-9;
 
