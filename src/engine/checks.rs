@@ -9,8 +9,9 @@ use slipzone_api::double_exponential::{self, Node};
 use slipzone_api::{Component, Station};
 use std::f64::consts::PI;
 
-/// Points at which a traction is checked over each zone.
-const SAMPLES: usize = 48;
+/// Points at which the pressure is checked, and the shear.
+const PRESSURE_SAMPLES: usize = 32;
+const SHEAR_SAMPLES: usize = 48;
 /// Relative excess that rounding and discretisation may cause.
 const MARGIN: f64 = 1e-3;
 /// Nodes on either side of the grids on which the slip is integrated.
@@ -25,7 +26,7 @@ const SOURCE_NODES: (f64, f64) = (10.0, 8.0);
 const MOST_SOURCE_NODES: usize = 1 << 12;
 
 /// Points of `[0, half_width)` in cosine spacing: what happens beside an edge is as narrow as its field.
-fn samples(half_width: f64) -> [Station; SAMPLES] {
+fn samples<const SAMPLES: usize>(half_width: f64) -> [Station; SAMPLES] {
     std::array::from_fn(|i| {
         let angle = 0.5 * PI * i as f64 / SAMPLES as f64;
         let gap = 2.0 * half_width * (0.25 * PI - 0.5 * angle).sin().powi(2);
@@ -37,8 +38,8 @@ fn samples(half_width: f64) -> [Station; SAMPLES] {
 pub(crate) fn tension(normal: &Normal) -> Option<(f64, f64)> {
     let b = normal.half_width;
     let mean = normal.force / (2.0 * b);
-    let at = samples(b);
-    let mut pressure = [0.0; SAMPLES];
+    let at = samples::<PRESSURE_SAMPLES>(b);
+    let mut pressure = [0.0; PRESSURE_SAMPLES];
     normal.values_into(&at, &mut pressure);
     let lowest = at
         .iter()
@@ -50,13 +51,13 @@ pub(crate) fn tension(normal: &Normal) -> Option<(f64, f64)> {
 
 /// Where friction cannot hold: `(x/b, |q|/(eta p))` of the worst point of the stick zone, if above 1.
 pub(crate) fn overload(normal: &Normal, shear: &Shear) -> Option<(f64, f64)> {
-    let at = samples(shear.zone.half_width);
-    let (mut q, mut p) = ([0.0; SAMPLES], [0.0; SAMPLES]);
+    let at = samples::<SHEAR_SAMPLES>(shear.zone.half_width);
+    let (mut q, mut p) = ([0.0; SHEAR_SAMPLES], [0.0; SHEAR_SAMPLES]);
     shear.in_stick_into(&at, &mut q);
     normal.values_into(&at.map(|station| shear.zone.in_contact(station)), &mut p);
     let load = |i: usize| (at[i].x / normal.half_width, q[i].abs() / (shear.friction.abs() * p[i]));
     // q = 0 in the middle, whatever the limit.
-    let worst = (1..SAMPLES).map(load).max_by(|one, other| one.1.total_cmp(&other.1))?;
+    let worst = (1..SHEAR_SAMPLES).map(load).max_by(|one, other| one.1.total_cmp(&other.1))?;
     (worst.1 > 1.0 + MARGIN).then_some(worst)
 }
 

@@ -12,8 +12,11 @@ use slipzone_api::Refusal;
 
 /// Most steps of refinement.
 const FINEST: usize = 13;
-/// Step from which refinement no longer helps a stick zone out of reach, or a pressure that pulls.
-const BOUND_STEP: usize = 4;
+/// Tolerances below which that many more of the coarsest levels are left out, which no layer converges on: where one
+/// system is solved on each. Searches want a coarse level to begin with.
+const LEFT_OUT: [f64; 2] = [1e-7, 1e-9];
+/// Level from which refinement no longer helps a stick zone out of reach, or a pressure that pulls.
+const BOUND_LEVEL: usize = 4;
 /// Extra steps of what the scene left open beside a method that it fixed: of the other method.
 const BESIDE_PINNED: u32 = 3;
 /// Steps that may be refused before the first that is solved.
@@ -119,9 +122,9 @@ impl Ladder {
         let mut last: Option<(Outcome, usize)> = None;
         let (mut errors, mut stopped) = (Numbers::default(), None);
         let mut stalled = 0;
-        for step in 0..=FINEST {
-            #[allow(clippy::cast_possible_truncation)] // at most FINEST
-            let level = step as u32;
+        let first = first_level(problem, tolerance);
+        for step in 0..=FINEST - first {
+            let level = level(first, step);
             let coarse = last.as_ref().map(|(outcome, _)| outcome);
             let mut outcome = match self.solve(layer, problem, methods, tolerance, (step, level, level), coarse) {
                 Ok(outcome) => outcome,
@@ -147,8 +150,8 @@ impl Ladder {
                 stalled = if now < ROUNDED && now > 0.5 * before { stalled + 1 } else { 0 };
                 done = met || stalled >= 2;
             }
-            done = done || self.is_hopeless(step, &outcome);
-            if done || step == FINEST {
+            done = done || self.is_hopeless(step, first, &outcome);
+            if done || step + first == FINEST {
                 let task = Self::task(problem, tolerance, level);
                 let changed = self.stages[step].settle(layer, task, &mut outcome)?;
                 if changed {
@@ -168,8 +171,7 @@ impl Ladder {
         };
         if stopped.is_some() {
             // Settled by no step: the last one that could be solved is.
-            #[allow(clippy::cast_possible_truncation)] // at most FINEST
-            let task = Self::task(problem, tolerance, stage as u32);
+            let task = Self::task(problem, tolerance, level(first, stage));
             self.stages[stage].settle(layer, task, &mut outcome)?;
         }
         if errors == Numbers::default() {
@@ -210,10 +212,21 @@ impl Ladder {
     }
 
     /// Whether no refinement will help. A pressure that pulls is looked for once: finer steps do not mend it.
-    fn is_hopeless(&self, step: usize, outcome: &Outcome) -> bool {
-        step >= BOUND_STEP && bound_of_stick(outcome).is_some()
-            || step == BOUND_STEP && checks::tension(&self.stages[step].normal).is_some()
+    fn is_hopeless(&self, step: usize, first: usize, outcome: &Outcome) -> bool {
+        step + first >= BOUND_LEVEL && bound_of_stick(outcome).is_some()
+            || step + first == BOUND_LEVEL && checks::tension(&self.stages[step].normal).is_some()
     }
+}
+
+/// The coarsest level worth solving.
+fn first_level(problem: &Problem, tolerance: f64) -> usize {
+    let searches = problem.friction.is_some() || problem.fixed_half_width().is_none();
+    if searches { 0 } else { LEFT_OUT.iter().filter(|least| tolerance < **least).count() }
+}
+
+#[allow(clippy::cast_possible_truncation)] // at most FINEST
+fn level(first: usize, step: usize) -> u32 {
+    (first + step) as u32
 }
 
 /// Error that differences between resolutions do not see: what the kernels prove of theirs, and what a contact
