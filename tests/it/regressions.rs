@@ -110,6 +110,16 @@ fn a_stick_ratio_is_not_believed_by_one_lucky_difference() {
     assert!(error <= 3e-8, "error {error:e} at the default tolerance of 1e-8");
 }
 
+/// Two large differences had a small ratio by chance, before the nodes told the layer: the edge was off by four
+/// tolerances.
+#[test]
+fn large_differences_are_not_believed_to_shrink_fast() {
+    let sketch = Sketch::flat(0.050_255_705_150_585_39, 0.360_159_049_102_546_54, 0.362_840_191_953_070_16);
+    let edge = |tolerance: &str| sketch.clone().with(&format!("[solver]\ntolerance = {tolerance}")).solve().edge.ratio;
+    let error = (edge("5e-4").unwrap() / edge("1e-8").unwrap() - 1.0).abs();
+    assert!(error <= 5e-4, "error {error:e} at a tolerance of 5e-4");
+}
+
 /// A root predicted just inside the widest stick zone and lying just outside it was none of the known cases.
 #[test]
 fn just_beyond_the_widest_stick_zone_there_is_a_bound() {
