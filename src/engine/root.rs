@@ -4,7 +4,7 @@
 const OVERSHOOT: f64 = 0.02;
 /// A bracket this narrow is left: its width tells how far the resolution before was off, and this one will be
 /// off by much more than the square of it.
-const NARROW: f64 = 1e-3;
+const NARROW: f64 = 0.01;
 /// Steps tried before a root counts as lost.
 const STEPS: usize = 6;
 /// A step wider than this leaves the neighbourhood.
