@@ -56,8 +56,8 @@ pub(super) struct Table {
     flexibility_evaluations: usize,
 }
 
-/// Distances of which the parts are kept at a time, where only values are wanted.
-const BATCH: usize = 64;
+/// Distances of which the parts are kept at a time, where only values are wanted: whole blocks of vectors.
+const BATCH: usize = 72;
 
 /// Most cells: one look-up finds the piece, or the one before it.
 const MOST_CELLS: f64 = 4096.0;

@@ -184,10 +184,12 @@ impl WithSimd for Fold<'_> {
             let count = nodes.len();
             let out = &mut out[(row - first) * fine.x.len()..][nodes.clone()];
             let Row { log_minus, log_plus, sign_minus, sign_plus, .. } = fine.row(row, nodes);
-            let near = Side::new::<S>(parts, start..start + count, sign_minus, log_minus);
-            let far = Side::new::<S>(parts, start + count..start + 2 * count, sign_plus, log_plus);
-            for (i, out) in S::as_mut_simd_f64s(out).0.iter_mut().enumerate() {
-                *out = simd.mul_add_e_f64s(mirror, far.at(simd, log_c, i), near.at(simd, log_c, i));
+            let out = S::as_mut_simd_f64s(out).0;
+            let vectors = out.len();
+            let near = Side::new::<S>(parts, start..start + count, sign_minus, log_minus, vectors);
+            let far = Side::new::<S>(parts, start + count..start + 2 * count, sign_plus, log_plus, vectors);
+            for i in 0..vectors {
+                out[i] = simd.mul_add_e_f64s(mirror, far.at(simd, log_c, i), near.at(simd, log_c, i));
             }
             start += 2 * count;
         }
@@ -210,13 +212,14 @@ impl<'a, T> Side<'a, T> {
         range: Range<usize>,
         sign_weight: &'a [f64],
         log_weight: &'a [f64],
+        vectors: usize,
     ) -> Self {
-        let count = range.len();
-        let smooth = S::as_simd_f64s(&parts.smooth[range.clone()]).0;
-        let sign = S::as_simd_f64s(&parts.sign[range.clone()]).0;
-        let log = S::as_simd_f64s(&parts.log[range]).0;
-        let sign_weight = S::as_simd_f64s(&sign_weight[..count]).0;
-        let log_weight = S::as_simd_f64s(&log_weight[..count]).0;
+        // Cut to one length that the compiler knows: no index is checked in the loop.
+        let smooth = &S::as_simd_f64s(&parts.smooth[range.clone()]).0[..vectors];
+        let sign = &S::as_simd_f64s(&parts.sign[range.clone()]).0[..vectors];
+        let log = &S::as_simd_f64s(&parts.log[range]).0[..vectors];
+        let sign_weight = &S::as_simd_f64s(sign_weight).0[..vectors];
+        let log_weight = &S::as_simd_f64s(log_weight).0[..vectors];
         Self { smooth, sign, log, sign_weight, log_weight }
     }
 }
