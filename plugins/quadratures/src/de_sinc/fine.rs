@@ -52,11 +52,8 @@ pub(super) struct Fine {
 /// where the kernel is some `1e7` times as large as the Cauchy part.
 const NEGLIGIBLE: f64 = 1e-22;
 
-/// Views of some nodes of one row of a [`Fine`].
+/// Weights of some nodes of one row of a [`Fine`].
 pub(super) struct Row<'a> {
-    /// `x_i`.
-    pub(super) x: f64,
-    pub(super) minus: &'a [f64],
     pub(super) log_minus: &'a [f64],
     pub(super) log_plus: &'a [f64],
     pub(super) sign_minus: &'a [f64],
@@ -157,6 +154,12 @@ impl Fine {
         out.resize(self.x.len(), 0.0);
     }
 
+    /// `x_i`, or 1 at the end, and its distances from some nodes.
+    #[inline(always)]
+    pub(super) fn minus(&self, i: usize, nodes: Range<usize>) -> (f64, &[f64]) {
+        (self.from[i], &self.table[3 * i * self.x.len()..][nodes])
+    }
+
     /// Some nodes of the row of the `i`-th staggered point, or of the end when there are only `i` of them.
     #[inline(always)]
     pub(super) fn row(&self, i: usize, nodes: Range<usize>) -> Row<'_> {
@@ -171,8 +174,6 @@ impl Fine {
         };
         let table = &self.table[3 * i * filled..3 * (i + 1) * filled];
         Row {
-            x: self.from[i],
-            minus: &table[..filled][nodes.clone()],
             log_minus: &table[filled..2 * filled][nodes.clone()],
             log_plus: &table[2 * filled..][nodes.clone()],
             sign_minus: &sign_minus[nodes.clone()],
@@ -200,7 +201,14 @@ impl WithSimd for Gather<'_> {
         for ((row, folded), scale) in rows.chunks_exact_mut(n).zip(folded.chunks_exact(count)).zip(scale) {
             let (weight, first) = (&fine.weight[grid.first..], grid.first);
             if factor == 1 {
-                for (entry, (value, weight)) in row.iter_mut().zip(folded[first..].iter().zip(weight)) {
+                let (values, values_rest) = S::as_simd_f64s(&folded[first..first + n]);
+                let (weights, weights_rest) = S::as_simd_f64s(&weight[..n]);
+                let (row, rest) = S::as_mut_simd_f64s(row);
+                let wide = simd.splat_f64s(*scale);
+                for (entry, (value, weight)) in row.iter_mut().zip(values.iter().zip(weights)) {
+                    *entry = simd.mul_add_e_f64s(simd.mul_f64s(wide, *value), *weight, *entry);
+                }
+                for (entry, (value, weight)) in rest.iter_mut().zip(values_rest.iter().zip(weights_rest)) {
                     *entry += scale * value * weight;
                 }
             } else {

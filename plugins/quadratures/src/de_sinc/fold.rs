@@ -145,7 +145,7 @@ impl WithSimd for Measure<'_> {
         let (fine, c) = (scene.fine, simd.splat_f64s(scene.half_width));
         for row in batch.rows.clone() {
             let nodes = batch.nodes(&scene, row);
-            let Row { x, minus, .. } = fine.row(row, nodes.clone());
+            let (x, minus) = fine.minus(row, nodes.clone());
             let (here, later) = out.split_at_mut(2 * nodes.len());
             let (near, far) = here.split_at_mut(nodes.len());
             let ((near, _), (far, _)) = (S::as_mut_simd_f64s(near), S::as_mut_simd_f64s(far));
@@ -183,7 +183,7 @@ impl WithSimd for Fold<'_> {
             let nodes = batch.nodes(&scene, row);
             let count = nodes.len();
             let out = &mut out[(row - first) * fine.x.len()..][nodes.clone()];
-            let Row { log_minus, log_plus, sign_minus, sign_plus, .. } = fine.row(row, nodes);
+            let Row { log_minus, log_plus, sign_minus, sign_plus } = fine.row(row, nodes);
             let out = S::as_mut_simd_f64s(out).0;
             let vectors = out.len();
             let near = Side::new::<S>(parts, start..start + count, sign_minus, log_minus, vectors);
