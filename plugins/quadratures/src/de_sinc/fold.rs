@@ -173,6 +173,7 @@ struct Fold<'a> {
 impl WithSimd for Fold<'_> {
     type Output = ();
 
+    #[allow(clippy::needless_range_loop)] // one index for eleven slices of one length
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         let Self { scene, batch, parts, first, out } = self;
