@@ -9,6 +9,7 @@ use rows::Nodes;
 use slipzone_api::double_exponential::{self, Node};
 use slipzone_api::elementary::ln_1p;
 use slipzone_api::{Component, Station};
+use std::cell::Cell;
 use std::f64::consts::PI;
 
 /// Nodes on either side: at least, at most, and beside a third of the unknowns of the stick zone's rule.
@@ -28,7 +29,13 @@ const BATCH: usize = 512;
 /// The nodes are filled up to a multiple of it: vectors of no machine have more lanes, and none is left half empty.
 const LANES: usize = 4;
 
-/// A double-exponential grid over the slip zone `(a, b)`, of unit length, and room for what is summed over it.
+thread_local! {
+    /// Room for the distances of a batch and for the kernel there: to clear one for each grid would cost more than to
+    /// fill it.
+    static ROOM: Cell<[Vec<f64>; 2]> = const { Cell::new([const { Vec::new() }; 2]) };
+}
+
+/// A double-exponential grid over the slip zone `(a, b)`, of unit length.
 pub(crate) struct SlipGrid {
     resolution: usize,
     grid: Vec<Node>,
@@ -38,8 +45,6 @@ pub(crate) struct SlipGrid {
     /// `p` there.
     pressure: Vec<f64>,
     nodes: Nodes,
-    distances: Vec<f64>,
-    kernel: Vec<f64>,
 }
 
 impl SlipGrid {
@@ -52,8 +57,6 @@ impl SlipGrid {
             stations: Vec::new(),
             pressure: Vec::new(),
             nodes: Nodes::default(),
-            distances: Vec::new(),
-            kernel: Vec::new(),
         };
         empty.resize(empty.nodes_for(0.0));
         empty
@@ -82,8 +85,6 @@ impl SlipGrid {
             row.clear();
             row.resize(filled, 0.0);
         }
-        self.distances.clear();
-        self.kernel.clear();
     }
 
     /// `p(a)` of the zone last seen.
@@ -112,17 +113,19 @@ impl SlipGrid {
 
         let per_station = 2 * self.nodes.r.len();
         let stations = (BATCH / per_station).clamp(1, at.len().max(1));
-        if self.distances.len() < stations * per_station {
-            self.distances.resize(stations * per_station, 0.0);
-            self.kernel.resize(stations * per_station, 0.0);
+        let [mut all_distances, mut all_kernel] = ROOM.take();
+        if all_distances.len() < stations * per_station {
+            all_distances.resize(stations * per_station, 0.0);
+            all_kernel.resize(stations * per_station, 0.0);
         }
         for (at, out) in at.chunks(stations).zip(out.chunks_mut(stations)) {
-            let distances = &mut self.distances[..at.len() * per_station];
-            let kernel = &mut self.kernel[..at.len() * per_station];
+            let distances = &mut all_distances[..at.len() * per_station];
+            let kernel = &mut all_kernel[..at.len() * per_station];
             self.nodes.distances_into(at, distances);
             layer.kernel_values(Component::ShearStrain, distances, kernel);
             self.nodes.sums_into(distances, kernel, out);
         }
+        ROOM.set([all_distances, all_kernel]);
         let (a, width, edge) = (zone.half_width, zone.slip_width, self.pressure_at_stick_edge);
         for (out, Station { gap, .. }) in out.iter_mut().zip(at) {
             let constant = -ln_1p(width * (2.0 * a + width) / (gap * (2.0 * a - gap)));

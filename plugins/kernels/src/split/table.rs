@@ -56,8 +56,11 @@ pub(super) struct Table {
     flexibility_evaluations: usize,
 }
 
-/// Distances of which the parts are kept at a time, where only values are wanted.
-const BATCH: usize = 64;
+/// Distances of which the parts are kept at a time, where only values are wanted: whole blocks of vectors.
+const BATCH: usize = 72;
+
+/// The bit of the sign.
+const SIGN_BIT: u64 = 1 << 63;
 
 /// Most cells: one look-up finds the piece, or the one before it.
 const MOST_CELLS: f64 = 4096.0;
@@ -213,7 +216,8 @@ impl WithSimd for WriteValues<'_> {
             let (smooth, sign, log) = (&mut smooth[..t.len()], &mut sign[..t.len()], &mut log[..t.len()]);
             let has_log = self.table.write(simd, self.kernel, t, [&mut *smooth, &mut *sign, &mut *log]);
             for (((out, t), smooth), sign) in out.iter_mut().zip(t).zip(smooth).zip(sign) {
-                *out = *smooth + *sign * t.signum();
+                // Times the sign of `t`.
+                *out = *smooth + f64::from_bits(sign.to_bits() ^ (t.to_bits() & SIGN_BIT));
             }
             if has_log {
                 for ((out, t), log) in out.iter_mut().zip(t).zip(log) {

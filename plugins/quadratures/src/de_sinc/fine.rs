@@ -10,6 +10,11 @@ use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Edge;
 use spec_math::cephes64::sici;
 use std::f64::consts::{FRAC_2_PI, PI};
+use std::ops::Range;
+
+/// The fine nodes are filled up to a multiple of it: vectors of no machine have more lanes, and none is left half
+/// empty. What fills them up stands where the last node does and is not summed.
+pub(super) const LANES: usize = 4;
 
 /// Distances and product weights from each staggered point, and from the end as one more row, to each fine
 /// node `u_k = k step/factor >= 0` and to its mirror image. With a whole number and a half of fine steps
@@ -20,16 +25,13 @@ use std::f64::consts::{FRAC_2_PI, PI};
 ///   `log|d|` is `Cin(pi d) - log pi - gamma_E`, and the ratio of both logarithms is smooth.
 pub(super) struct Fine {
     pub(super) factor: usize,
-    /// Fine nodes, `x_k`.
+    /// Fine nodes, `x_k`, filled up.
     pub(super) x: Vec<f64>,
     /// `x_i`, and 1 for the end.
     from: Vec<f64>,
-    /// `x_i - x_k`, a row per staggered point and one for the end.
-    minus: Vec<f64>,
-    /// Weight of the logarithm of `|x_i - x_k|`, laid out alike.
-    log_minus: Vec<f64>,
-    /// Weight of the logarithm of `x_i + x_k`.
-    log_plus: Vec<f64>,
+    /// For each staggered point, and for the end, at each fine node `x_i - x_k`, then the weights of the logarithm of
+    /// `|x_i - x_k|`, then those of the logarithm of `x_i + x_k`.
+    table: Vec<f64>,
     /// Weight of the sign at `d = (2 n - 1)/2 factor, ... , -n factor + factor/2`, descending.
     sign_descending: Vec<f64>,
     /// Weight of the sign at `d = 1/2, 3/2, ...`.
@@ -38,7 +40,7 @@ pub(super) struct Fine {
     ones: Vec<f64>,
     /// Weight of the sign and of the logarithm of the distance from the middle, which is a node: `d = 0, 1, ...`.
     pub(super) centre: (Vec<f64>, Vec<f64>),
-    /// How many fine nodes matter, per row and for the end.
+    /// How many fine nodes matter, per row and for the end, filled up.
     reach: Vec<usize>,
     /// `step/factor P_k` per unit of `F_j`, where the fine node is a node.
     pub(super) weight: Vec<f64>,
@@ -50,11 +52,8 @@ pub(super) struct Fine {
 /// where the kernel is some `1e7` times as large as the Cauchy part.
 const NEGLIGIBLE: f64 = 1e-22;
 
-/// Views of one row of a [`Fine`].
+/// Weights of some nodes of one row of a [`Fine`].
 pub(super) struct Row<'a> {
-    /// `x_i`.
-    pub(super) x: f64,
-    pub(super) minus: &'a [f64],
     pub(super) log_minus: &'a [f64],
     pub(super) log_plus: &'a [f64],
     pub(super) sign_minus: &'a [f64],
@@ -66,11 +65,14 @@ impl Fine {
         let n = grid.staggered.len();
         let count = n * factor + 1;
         let fine_step = grid.step / factor as f64;
-        let places: Vec<Place> = (0..count)
+        let last = count - 1;
+        let filled = count.next_multiple_of(LANES);
+        let places: Vec<Place> = (0..filled)
+            .map(|k| k.min(last))
             .map(|k| if k % factor == 0 { grid.nodes[k / factor] } else { Place::new(k as f64 * fine_step) })
             .collect();
-        // Half-integers up to d = n factor - factor/2 + n factor.
-        let halves = 2 * n * factor;
+        // Half-integers up to d = n factor - factor/2 + n factor, and beyond for what fills up.
+        let halves = 2 * n * factor + LANES;
         let (sign_ascending, cosine): (Vec<f64>, Vec<f64>) =
             (0..halves).map(|m| sici(PI * (m as f64 + 0.5))).map(|(si, ci)| (FRAC_2_PI * si, ci)).unzip();
         let nearest = n * factor - factor / 2;
@@ -81,12 +83,10 @@ impl Fine {
             factor,
             x: places.iter().map(|p| p.x).collect(),
             from: grid.staggered.iter().map(|v| v.x).chain([1.0]).collect(),
-            minus: Vec::with_capacity((n + 1) * count),
-            log_minus: Vec::with_capacity((n + 1) * count),
-            log_plus: Vec::with_capacity((n + 1) * count),
+            table: Vec::with_capacity((n + 1) * 3 * filled),
             sign_descending,
             sign_ascending,
-            ones: vec![1.0; count],
+            ones: vec![1.0; filled],
             centre: places.iter().enumerate().map(|(k, place)| centre_weights(k, place, fine_step)).unzip(),
             reach: Vec::with_capacity(n + 1),
             weight: grid.nodes.iter().map(|u| fine_step * u.slope).collect(),
@@ -95,28 +95,38 @@ impl Fine {
         // The middle node is its own mirror image, and both are summed.
         fine.weight[0] *= 0.5;
         if grid.edge == Edge::Sharp {
-            fine.weight[n] += tail(&places, fine_step);
+            fine.weight[n] += tail(&places[..count], fine_step);
         }
+        let reach = |slope: f64| {
+            let matter = places[..count].iter().take_while(|p| slope * p.slope > NEGLIGIBLE).count();
+            matter.next_multiple_of(LANES)
+        };
         let apart = Apart::new(n, factor, grid.step);
         for (i, v) in grid.staggered.iter().enumerate() {
             let d = (2 * i + 1) * factor; // in halves
-            for (k, place) in places.iter().enumerate() {
-                let minus = apart.minus((i, v), (k, place));
-                fine.minus.push(minus);
-                fine.log_minus.push(minus.abs().ln() - cosine[d.abs_diff(2 * k) / 2]);
-                fine.log_plus.push((v.x + place.x).ln() - cosine[d / 2 + k]);
-            }
-            fine.reach.push(places.iter().take_while(|p| v.slope * p.slope > NEGLIGIBLE).count());
+            let nodes = || places.iter().enumerate();
+            let minus: Vec<f64> = nodes().map(|(k, place)| apart.minus((i, v), (k.min(last), place))).collect();
+            let log_minus = nodes().zip(&minus).map(|((k, _), minus)| minus.abs().ln() - cosine[d.abs_diff(2 * k) / 2]);
+            let log_plus = nodes().map(|(k, place)| (v.x + place.x).ln() - cosine[d / 2 + k]);
+            fine.table.extend(minus.iter().copied().chain(log_minus).chain(log_plus));
+            fine.reach.push(reach(v.slope));
         }
         // The end lies infinitely many steps away: no correction.
-        fine.minus.extend(places.iter().map(|p| p.gap));
-        fine.log_minus.extend(places.iter().map(|p| p.gap.ln()));
-        fine.log_plus.extend(places.iter().map(|p| (1.0 + p.x).ln()));
-        fine.reach.push(places.iter().take_while(|p| p.slope > NEGLIGIBLE).count());
+        let log_minus = places.iter().map(|p| p.gap.ln());
+        let log_plus = places.iter().map(|p| (1.0 + p.x).ln());
+        fine.table.extend(places.iter().map(|p| p.gap).chain(log_minus).chain(log_plus));
+        fine.reach.push(reach(1.0));
         fine
     }
 
-    /// Number of fine nodes that matter to a row.
+    /// Number of rows before that of the end.
+    #[inline(always)]
+    pub(super) fn rows(&self) -> usize {
+        self.from.len() - 1
+    }
+
+    /// Number of fine nodes that matter to a row, filled up.
+    #[inline(always)]
     pub(super) fn reach(&self, i: usize) -> usize {
         self.reach[i]
     }
@@ -126,10 +136,11 @@ impl Fine {
         Arch::new().dispatch(Gather { fine: self, grid, folded, scale, rows });
     }
 
-    /// `out[k] = (step/factor) P_k` from the unknowns.
+    /// `out[k] = (step/factor) P_k` from the unknowns, filled up with zeros.
     pub(super) fn spread(&self, grid: &Grid, unknowns: &[f64], out: &mut Vec<f64>) {
+        let count = (grid.nodes.len() - 1) * self.factor + 1;
         out.clear();
-        out.extend((0..self.x.len()).map(|k| {
+        out.extend((0..count).map(|k| {
             let (node, off) = (k / self.factor, k % self.factor);
             if off != 0 {
                 let between = &self.between[(k - node - 1) * unknowns.len()..][..unknowns.len()];
@@ -140,14 +151,19 @@ impl Fine {
                 0.0
             }
         }));
+        out.resize(self.x.len(), 0.0);
     }
 
-    /// Row of the `i`-th staggered point, or of the end when there are only `i` of them.
-    #[inline]
-    pub(super) fn row(&self, i: usize) -> Row<'_> {
-        let count = self.x.len();
-        let here = i * count..(i + 1) * count;
-        let rows = self.reach.len() - 1;
+    /// `x_i`, or 1 at the end, and its distances from some nodes.
+    #[inline(always)]
+    pub(super) fn minus(&self, i: usize, nodes: Range<usize>) -> (f64, &[f64]) {
+        (self.from[i], &self.table[3 * i * self.x.len()..][nodes])
+    }
+
+    /// Some nodes of the row of the `i`-th staggered point, or of the end when there are only `i` of them.
+    #[inline(always)]
+    pub(super) fn row(&self, i: usize, nodes: Range<usize>) -> Row<'_> {
+        let (filled, rows) = (self.x.len(), self.rows());
         let (sign_minus, sign_plus) = if i == rows {
             (self.ones.as_slice(), self.ones.as_slice())
         } else {
@@ -156,13 +172,12 @@ impl Fine {
                 &self.sign_ascending[i * self.factor + self.factor / 2..],
             )
         };
+        let table = &self.table[3 * i * filled..3 * (i + 1) * filled];
         Row {
-            x: self.from[i],
-            minus: &self.minus[here.clone()],
-            log_minus: &self.log_minus[here.clone()],
-            log_plus: &self.log_plus[here],
-            sign_minus,
-            sign_plus,
+            log_minus: &table[filled..2 * filled][nodes.clone()],
+            log_plus: &table[2 * filled..][nodes.clone()],
+            sign_minus: &sign_minus[nodes.clone()],
+            sign_plus: &sign_plus[nodes],
         }
     }
 }
@@ -186,7 +201,14 @@ impl WithSimd for Gather<'_> {
         for ((row, folded), scale) in rows.chunks_exact_mut(n).zip(folded.chunks_exact(count)).zip(scale) {
             let (weight, first) = (&fine.weight[grid.first..], grid.first);
             if factor == 1 {
-                for (entry, (value, weight)) in row.iter_mut().zip(folded[first..].iter().zip(weight)) {
+                let (values, values_rest) = S::as_simd_f64s(&folded[first..first + n]);
+                let (weights, weights_rest) = S::as_simd_f64s(&weight[..n]);
+                let (row, rest) = S::as_mut_simd_f64s(row);
+                let wide = simd.splat_f64s(*scale);
+                for (entry, (value, weight)) in row.iter_mut().zip(values.iter().zip(weights)) {
+                    *entry = simd.mul_add_e_f64s(simd.mul_f64s(wide, *value), *weight, *entry);
+                }
+                for (entry, (value, weight)) in rest.iter_mut().zip(values_rest.iter().zip(weights_rest)) {
                     *entry += scale * value * weight;
                 }
             } else {
@@ -253,6 +275,6 @@ fn between(grid: &Grid, factor: usize) -> Vec<f64> {
 
 impl Size for Fine {
     fn numbers(&self) -> usize {
-        3 * self.minus.len() + self.between.len() + 2 * self.x.len()
+        self.table.len() + self.between.len() + 2 * self.x.len()
     }
 }

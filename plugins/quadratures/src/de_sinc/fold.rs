@@ -1,8 +1,9 @@
 //! The kernel between staggered points and fine nodes, each node together with its mirror image.
 
-use super::fine::{Fine, Row};
-use pulp::{Arch, Scalar, Simd, WithSimd};
+use super::fine::{Fine, LANES, Row};
+use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::{Component, KernelTable, PartsVec};
+use std::cell::Cell;
 use std::ops::Range;
 
 /// Distances that a table is asked for at a time: they and the parts stay in the fastest memory.
@@ -16,102 +17,121 @@ pub(super) struct Scene<'a> {
     /// Factor of the mirror image.
     pub(super) mirror: f64,
     pub(super) kernel: (&'a dyn KernelTable, Component),
+    /// Whether all rows reach as far as that of the end.
+    pub(super) whole: bool,
 }
 
-/// Room for a batch, as much as was asked for so far.
-#[derive(Default)]
-pub(super) struct Folder {
-    /// Near distances of each stretch, then its far ones.
-    distances: Vec<f64>,
+thread_local! {
+    /// The room of this thread, unless it is in use: to clear one for each rule would cost more than to fill it.
+    static ROOM: Cell<Option<Box<Room>>> = const { Cell::new(None) };
+}
+
+/// Room for a batch.
+struct Room {
+    /// Near distances of each row, then its far ones.
+    distances: [f64; BATCH],
     parts: PartsVec,
-    waiting: Vec<Stretch>,
 }
 
-/// Some nodes of a row, and where their distances begin in the batch.
-struct Stretch {
-    row: usize,
+impl Room {
+    /// Lends the room of this thread.
+    fn lend(work: impl FnOnce(&mut Self)) {
+        let kept = ROOM.take();
+        let mut room = kept.unwrap_or_else(|| Box::new(Self { distances: [0.0; BATCH], parts: PartsVec::new(BATCH) }));
+        work(&mut room);
+        ROOM.set(Some(room));
+    }
+}
+
+/// Rows whose distances fit into the room, and which nodes of them: the rows end with their reach.
+#[derive(Clone)]
+struct Batch {
+    rows: Range<usize>,
     nodes: Range<usize>,
-    start: usize,
 }
 
-impl Folder {
-    /// For each of the `rows` of `fine` writes as many numbers as there are fine nodes: `k` there and `mirror k` at the
-    /// mirror image, product weights included, as far as `reach` says and zeros beyond.
-    pub(super) fn fold(
-        &mut self,
-        scene: Scene,
-        rows: Range<usize>,
-        reach: impl Fn(usize) -> usize,
-        out: &mut Vec<f64>,
-    ) {
-        let count = scene.fine.x.len();
+impl Scene<'_> {
+    /// For each of the `rows` writes as many numbers as there are fine nodes, filled up: `k` there and `mirror k` at
+    /// the mirror image, product weights included, as far as the row reaches and zeros beyond.
+    pub(super) fn fold(self, rows: Range<usize>, out: &mut Vec<f64>) {
+        let count = self.fine.x.len();
         out.resize(rows.len() * count, 0.0);
-        let mut asked = 0;
-        for row in rows.clone() {
-            let reach = reach(row);
-            out[(row - rows.start) * count..][reach..count].fill(0.0);
-            for start in (0..reach).step_by(BATCH / 2) {
-                let nodes = start..reach.min(start + BATCH / 2);
-                if asked + 2 * nodes.len() > BATCH {
-                    self.flush(scene, asked, rows.start, out);
-                    asked = 0;
+        Room::lend(|room| {
+            let mut row = rows.start;
+            while row < rows.end {
+                let first = row;
+                let (mut asked, reach) = (0, self.reach(row));
+                while row < rows.end && asked + 2 * self.reach(row) <= BATCH {
+                    let reach = self.reach(row);
+                    out[(row - rows.start) * count..][reach..count].fill(0.0);
+                    asked += 2 * reach;
+                    row += 1;
                 }
-                self.waiting.push(Stretch { row, nodes: nodes.clone(), start: asked });
-                asked += 2 * nodes.len();
+                if first < row {
+                    self.fold_batch(room, &Batch { rows: first..row, nodes: 0..count }, asked, rows.start, out);
+                    continue;
+                }
+                // Too long a row for one batch.
+                row += 1;
+                out[(first - rows.start) * count..][reach..count].fill(0.0);
+                for start in (0..reach).step_by(BATCH / 2) {
+                    let nodes = start..reach.min(start + BATCH / 2);
+                    let asked = 2 * nodes.len();
+                    self.fold_batch(room, &Batch { rows: first..row, nodes }, asked, rows.start, out);
+                }
             }
-        }
-        self.flush(scene, asked, rows.start, out);
+        });
     }
 
-    /// The kernel against each of the first `reach` fine nodes seen from the middle, product weights included.
-    pub(super) fn fold_centre(
-        &mut self,
-        fine: &Fine,
-        half_width: f64,
-        (table, component): (&dyn KernelTable, Component),
-        reach: usize,
-        out: &mut Vec<f64>,
-    ) {
-        let log_c = half_width.ln();
-        out.clear();
-        for start in (0..reach).step_by(BATCH) {
-            let nodes = start..reach.min(start + BATCH);
-            self.make_room(nodes.len());
-            let distances = &mut self.distances[..nodes.len()];
-            for (t, x) in distances.iter_mut().zip(&fine.x[nodes.clone()]) {
-                *t = -half_width * x;
-            }
-            table.parts_into(component, distances, self.parts.first(nodes.len()));
-            let weights = fine.centre.0[nodes.clone()].iter().zip(&fine.centre.1[nodes.clone()]);
-            let parts = self.parts.range(0..nodes.len());
-            out.extend(parts.zip(weights).map(|(p, (s, l))| p.smooth - p.sign * s + p.log * (log_c + l)));
-        }
-    }
-
-    fn make_room(&mut self, distances: usize) {
-        if self.distances.len() < distances {
-            self.distances.resize(distances, 0.0);
-            self.parts.resize(distances);
-        }
-    }
-
-    /// Asks the table for all that waits.
-    fn flush(&mut self, scene: Scene, asked: usize, first: usize, out: &mut [f64]) {
-        self.make_room(asked);
+    /// Folds a batch, which takes `asked` distances; the first number of `out` belongs to row `first`.
+    fn fold_batch(self, room: &mut Room, batch: &Batch, asked: usize, first: usize, out: &mut [f64]) {
         let arch = Arch::new();
-        let Self { distances, parts, waiting } = self;
-        arch.dispatch(Measure { scene, waiting, out: distances });
-        let (table, component) = scene.kernel;
+        let Room { distances, parts } = room;
+        arch.dispatch(Measure { scene: self, batch, out: &mut distances[..asked] });
+        let (table, component) = self.kernel;
         table.parts_into(component, &distances[..asked], parts.first(asked));
-        arch.dispatch(Fold { scene, waiting, parts, first, out });
-        waiting.clear();
+        arch.dispatch(Fold { scene: self, batch, parts, first, out });
+    }
+
+    /// The kernel against each of the fine nodes that matter seen from the middle, product weights included.
+    pub(super) fn fold_centre(self, out: &mut Vec<f64>) {
+        let Self { fine, half_width, kernel: (table, component), .. } = self;
+        let (log_c, reach) = (half_width.ln(), fine.reach(fine.rows()));
+        out.clear();
+        Room::lend(|Room { distances, parts }| {
+            for start in (0..reach).step_by(BATCH) {
+                let nodes = start..reach.min(start + BATCH);
+                let distances = &mut distances[..nodes.len()];
+                for (t, x) in distances.iter_mut().zip(&fine.x[nodes.clone()]) {
+                    *t = -half_width * x;
+                }
+                table.parts_into(component, distances, parts.first(nodes.len()));
+                let weights = fine.centre.0[nodes.clone()].iter().zip(&fine.centre.1[nodes.clone()]);
+                let parts = parts.range(0..nodes.len());
+                out.extend(parts.zip(weights).map(|(p, (s, l))| p.smooth - p.sign * s + p.log * (log_c + l)));
+            }
+        });
+    }
+
+    /// How many of the nodes of a row matter.
+    #[inline(always)]
+    fn reach(&self, row: usize) -> usize {
+        self.fine.reach(if self.whole { self.fine.rows() } else { row })
+    }
+}
+
+impl Batch {
+    /// The nodes of one of the rows.
+    #[inline(always)]
+    fn nodes(&self, scene: &Scene, row: usize) -> Range<usize> {
+        self.nodes.start..self.nodes.end.min(scene.reach(row))
     }
 }
 
 /// The distances of a batch.
 struct Measure<'a> {
     scene: Scene<'a>,
-    waiting: &'a [Stretch],
+    batch: &'a Batch,
     out: &'a mut [f64],
 }
 
@@ -119,17 +139,23 @@ impl WithSimd for Measure<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        let (fine, c) = (self.scene.fine, self.scene.half_width);
-        for Stretch { row, nodes, start } in self.waiting {
-            let row = fine.row(*row);
-            let (near, far) = self.out[*start..start + 2 * nodes.len()].split_at_mut(nodes.len());
-            for (t, minus) in near.iter_mut().zip(&row.minus[nodes.clone()]) {
-                *t = c * minus;
+    fn with_simd<S: Simd>(self, simd: S) {
+        const { assert!(LANES.is_multiple_of(S::F64_LANES), "rows are filled up to whole vectors") };
+        let Self { scene, batch, mut out } = self;
+        let (fine, c) = (scene.fine, simd.splat_f64s(scene.half_width));
+        for row in batch.rows.clone() {
+            let nodes = batch.nodes(&scene, row);
+            let (x, minus) = fine.minus(row, nodes.clone());
+            let (here, later) = out.split_at_mut(2 * nodes.len());
+            let (near, far) = here.split_at_mut(nodes.len());
+            let ((near, _), (far, _)) = (S::as_mut_simd_f64s(near), S::as_mut_simd_f64s(far));
+            let ((minus, _), (nodes, _)) = (S::as_simd_f64s(minus), S::as_simd_f64s(&fine.x[nodes]));
+            let shift = simd.splat_f64s(scene.half_width * x);
+            for (((near, far), minus), node) in near.iter_mut().zip(far).zip(minus).zip(nodes) {
+                *near = simd.mul_f64s(c, *minus);
+                *far = simd.mul_add_e_f64s(c, *node, shift);
             }
-            for (t, x) in far.iter_mut().zip(&fine.x[nodes.clone()]) {
-                *t = c * (row.x + x);
-            }
+            out = later;
         }
     }
 }
@@ -137,7 +163,7 @@ impl WithSimd for Measure<'_> {
 /// The parts of a batch put together.
 struct Fold<'a> {
     scene: Scene<'a>,
-    waiting: &'a [Stretch],
+    batch: &'a Batch,
     parts: &'a PartsVec,
     /// Row of the first number of `out`.
     first: usize,
@@ -147,30 +173,31 @@ struct Fold<'a> {
 impl WithSimd for Fold<'_> {
     type Output = ();
 
+    #[allow(clippy::needless_range_loop)] // one index for eleven slices of one length
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Scene { fine, half_width, mirror, .. } = self.scene;
-        let (log_c, count) = (half_width.ln(), fine.x.len());
-        for Stretch { row, nodes, start } in self.waiting {
-            let out = &mut self.out[(row - self.first) * count..][nodes.clone()];
-            let Row { log_minus, log_plus, sign_minus, sign_plus, .. } = fine.row(*row);
-            let (near, far) = (*start..start + nodes.len(), start + nodes.len()..start + 2 * nodes.len());
-            let near = Side::new(self.parts, near, &sign_minus[nodes.clone()], &log_minus[nodes.clone()]);
-            let far = Side::new(self.parts, far, &sign_plus[nodes.clone()], &log_plus[nodes.clone()]);
-            let (whole, rest) = S::as_mut_simd_f64s(out);
-            let ((near, near_rest), (far, far_rest)) = (near.split::<S>(), far.split::<S>());
-            let (logs, mirrors) = (simd.splat_f64s(log_c), simd.splat_f64s(mirror));
-            for (i, out) in whole.iter_mut().enumerate() {
-                *out = simd.mul_add_e_f64s(mirrors, far.at(simd, logs, i), near.at(simd, logs, i));
+        let Self { scene, batch, parts, first, out } = self;
+        let Scene { fine, half_width, mirror, .. } = scene;
+        let (log_c, mirror) = (simd.splat_f64s(half_width.ln()), simd.splat_f64s(mirror));
+        let mut start = 0;
+        for row in batch.rows.clone() {
+            let nodes = batch.nodes(&scene, row);
+            let count = nodes.len();
+            let out = &mut out[(row - first) * fine.x.len()..][nodes.clone()];
+            let Row { log_minus, log_plus, sign_minus, sign_plus } = fine.row(row, nodes);
+            let out = S::as_mut_simd_f64s(out).0;
+            let vectors = out.len();
+            let near = Side::new::<S>(parts, start..start + count, sign_minus, log_minus, vectors);
+            let far = Side::new::<S>(parts, start + count..start + 2 * count, sign_plus, log_plus, vectors);
+            for i in 0..vectors {
+                out[i] = simd.mul_add_e_f64s(mirror, far.at(simd, log_c, i), near.at(simd, log_c, i));
             }
-            for (i, out) in rest.iter_mut().enumerate() {
-                *out = mirror * far_rest.at(Scalar::new(), log_c, i) + near_rest.at(Scalar::new(), log_c, i);
-            }
+            start += 2 * count;
         }
     }
 }
 
-/// The parts at some nodes and their weights, number by number or vector by vector.
+/// The parts at some nodes and their weights, vector by vector.
 struct Side<'a, T> {
     smooth: &'a [T],
     sign: &'a [T],
@@ -179,22 +206,22 @@ struct Side<'a, T> {
     log_weight: &'a [T],
 }
 
-impl<'a> Side<'a, f64> {
+impl<'a, T> Side<'a, T> {
     #[inline(always)]
-    fn new(parts: &'a PartsVec, range: Range<usize>, sign_weight: &'a [f64], log_weight: &'a [f64]) -> Self {
-        let PartsVec { smooth, sign, log } = parts;
-        let (smooth, sign, log) = (&smooth[range.clone()], &sign[range.clone()], &log[range]);
+    fn new<S: Simd<f64s = T>>(
+        parts: &'a PartsVec,
+        range: Range<usize>,
+        sign_weight: &'a [f64],
+        log_weight: &'a [f64],
+        vectors: usize,
+    ) -> Self {
+        // Cut to one length that the compiler knows: no index is checked in the loop.
+        let smooth = &S::as_simd_f64s(&parts.smooth[range.clone()]).0[..vectors];
+        let sign = &S::as_simd_f64s(&parts.sign[range.clone()]).0[..vectors];
+        let log = &S::as_simd_f64s(&parts.log[range]).0[..vectors];
+        let sign_weight = &S::as_simd_f64s(sign_weight).0[..vectors];
+        let log_weight = &S::as_simd_f64s(log_weight).0[..vectors];
         Self { smooth, sign, log, sign_weight, log_weight }
-    }
-
-    /// As many whole vectors as there are, and the rest.
-    #[inline(always)]
-    fn split<S: Simd>(&self) -> (Side<'a, S::f64s>, Self) {
-        let ((smooth, a), (sign, b), (log, c)) =
-            (S::as_simd_f64s(self.smooth), S::as_simd_f64s(self.sign), S::as_simd_f64s(self.log));
-        let ((sign_weight, d), (log_weight, e)) = (S::as_simd_f64s(self.sign_weight), S::as_simd_f64s(self.log_weight));
-        let whole = Side { smooth, sign, log, sign_weight, log_weight };
-        (whole, Self { smooth: a, sign: b, log: c, sign_weight: d, log_weight: e })
     }
 }
 

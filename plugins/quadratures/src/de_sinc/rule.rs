@@ -1,7 +1,7 @@
 //! One density on one interval.
 
 use super::fine::Fine;
-use super::fold::{Folder, Scene};
+use super::fold::Scene;
 use super::grid::Grid;
 use super::potential::Potential;
 use super::resolution::{Resolution, fine_grid};
@@ -30,7 +30,6 @@ pub(super) struct DeSincRule {
 
 /// Room for the kernel part.
 struct Scratch {
-    folder: Folder,
     /// Kernel against a fine node and its mirror image, product weights included.
     folded: Vec<f64>,
     /// Density times step at the fine nodes.
@@ -39,7 +38,7 @@ struct Scratch {
 
 impl DeSincRule {
     pub(super) fn new(half_width: f64, resolution: Resolution, grid: Arc<Grid>) -> Self {
-        let scratch = Scratch { folder: Folder::default(), folded: Vec::new(), spread: Vec::new() };
+        let scratch = Scratch { folded: Vec::new(), spread: Vec::new() };
         let mut rule =
             Self { half_width, resolution, grid, fine: None, stations: Vec::new(), scratch, room: Mutex::default() };
         rule.stations = vec![Station { x: 0.0, gap: 0.0 }; rule.grid.staggered.len()];
@@ -62,7 +61,13 @@ impl DeSincRule {
 
     /// A kernel summed over fine nodes.
     fn scene<'a>(&self, fine: &'a Fine, kernel: (&'a dyn KernelTable, Component)) -> Scene<'a> {
-        Scene { fine, half_width: self.half_width, mirror: if self.grid.odd { -1.0 } else { 1.0 }, kernel }
+        Scene {
+            fine,
+            half_width: self.half_width,
+            mirror: if self.grid.odd { -1.0 } else { 1.0 },
+            kernel,
+            whole: false,
+        }
     }
 }
 
@@ -101,14 +106,14 @@ impl Rule for DeSincRule {
         let Some(kernel) = kernel else { return };
         let fine = self.fine(kernel.0.length());
         let scene = self.scene(&fine, kernel);
-        let Scratch { folder, folded, .. } = &mut self.scratch;
+        let Scratch { folded, .. } = &mut self.scratch;
         let mut scale = [0.0; ROWS];
         for (block, rows) in rows.chunks_mut(ROWS * n).enumerate() {
             let here = block * ROWS..block * ROWS + rows.len() / n;
             for (scale, row) in scale.iter_mut().zip(&self.grid.scale[here.clone()]) {
                 *scale = self.half_width / PI * row;
             }
-            folder.fold(scene, here, |i| fine.reach(i), folded);
+            scene.fold(here, folded);
             fine.gather(&self.grid, folded, &scale, rows);
         }
     }
@@ -137,13 +142,13 @@ impl Rule for DeSincRule {
     fn sample_potential(&mut self, unknowns: &[f64], kernel: (&dyn KernelTable, Component), samples: &mut Vec<f64>) {
         assert_eq!(unknowns.len(), self.unknowns(), "one number per unknown");
         let fine = self.fine(kernel.0.length());
-        let scene = self.scene(&fine, kernel);
-        let Scratch { folder, folded, spread } = &mut self.scratch;
+        let scene = Scene { whole: true, ..self.scene(&fine, kernel) };
+        let Scratch { folded, spread } = &mut self.scratch;
         fine.spread(&self.grid, unknowns, spread);
         let (end, count) = (self.stations.len(), spread.len());
         samples.clear();
         for first in (0..=end).step_by(ROWS) {
-            folder.fold(scene, first..(end + 1).min(first + ROWS), |_| fine.reach(end), folded);
+            scene.fold(first..(end + 1).min(first + ROWS), folded);
             samples.extend(folded.chunks_exact(count).map(|row| self.half_width / PI * dot(row, spread)));
         }
         let odd = self.grid.odd != kernel.1.is_odd();
@@ -159,11 +164,11 @@ impl Rule for DeSincRule {
             return 0.0; // its two halves cancel
         }
         let fine = self.fine(table.length());
-        let Scratch { folder, folded, spread } = &mut self.scratch;
+        let scene = self.scene(&fine, (table, component));
+        let Scratch { folded, spread } = &mut self.scratch;
         fine.spread(&self.grid, unknowns, spread);
-        let c = self.half_width;
-        folder.fold_centre(&fine, c, (table, component), fine.reach(self.stations.len()), folded);
-        2.0 * c / PI * dot(folded, spread)
+        scene.fold_centre(folded);
+        2.0 * self.half_width / PI * dot(folded, spread)
     }
 
     fn potential_into(

@@ -2,8 +2,9 @@
 
 use pulp::Simd;
 
-/// Vectors that go through a polynomial together: a multiplication takes as long as it takes to begin so many.
-const WIDE: usize = 8;
+/// Vectors that go through a polynomial together: about as many as multiplications can be begun before the first is
+/// through, and few enough for sums and variables to stay in the 16 vectors that a processor has.
+const WIDE: usize = 6;
 
 /// The three polynomials of a kernel on one piece.
 #[derive(Clone, Copy)]
