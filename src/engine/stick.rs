@@ -14,6 +14,8 @@ use slipzone_api::{Component, Density, Edge, Parity, Quadrature, Refusal, Rule, 
 /// 2e-8, 1e-10 and 3e-13, like that of the pressure; with 0.5 four to twenty times that, with 0.8 a fifth for half as many
 /// entries again.
 const NEARLY: f64 = 0.65;
+/// By how much rounding may take the unknowns of a ladder beyond powers of `sqrt 2`.
+const ROUNDED_UP: f64 = 1.1;
 /// Finer steps tried for a stick zone that crowds its contact's edge.
 const MOST_STEPS: usize = 16;
 
@@ -158,10 +160,15 @@ impl Shear {
         if self.quadrature.is_pinned() {
             return 0;
         }
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small positive count
-        let wanted = (NEARLY * zone.crowding() * self.grids[0].rule.unknowns() as f64) as usize;
+        // From the ladder's `sqrt 2` a step and not from the unknowns, which are rounded: else two resolutions of a
+        // scene may come to the same grid, and their difference tells nothing.
+        let growth = NEARLY * zone.crowding();
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small count; `as` saturates
+        let steps = ((2.0 * growth.log2()).ceil() as usize).min(MOST_STEPS);
+        // Ladders that grow faster are there before.
+        let enough = ROUNDED_UP * growth * self.grids[0].rule.unknowns() as f64;
         let mut step = 0;
-        while self.grids[step].rule.unknowns() < wanted && step < MOST_STEPS {
+        while step < steps && (self.grids[step].rule.unknowns() as f64) < enough {
             step += 1;
             if step == self.grids.len() {
                 #[allow(clippy::cast_possible_truncation)] // at most MOST_STEPS

@@ -129,3 +129,23 @@ fn just_beyond_the_widest_stick_zone_there_is_a_bound() {
     let stick = solution.stick.unwrap();
     assert!(stick.one_minus_ratio.unwrap() < 1e-12 && solution.error.each["stick.one_minus_ratio"] >= 1.0, "{stick:?}");
 }
+
+/// Stick zones on a half-plane that were off by 16, 10 and 7 tolerances: two small differences in a row while the
+/// shear still moved by 3e-3, one stick grid for two resolutions, and a ratio that shrinks more slowly than the shear.
+#[test]
+fn stick_zones_are_as_good_as_their_resolutions() {
+    use slipzone::api::reference::partial_slip;
+    let scenes = [
+        (0.241_014_520_625_625_98, 0.325_874_022_992_474_2, 2.69e-8),
+        (0.242_987_390_350_219_3, 0.870_685_151_473_373_3, 6.41e-6),
+        (0.025_245_197_837_413_5, 0.101_033_283_528_372_6, 1.22e-12),
+    ];
+    for (nu, eta, tolerance) in scenes {
+        let beta = (1.0 - 2.0 * nu) / (2.0 - 2.0 * nu);
+        let solution = Sketch::half_plane(nu).rubbing(eta).with(&format!("[solver]\ntolerance = {tolerance:e}")).solve();
+        let (stick, exact) = (solution.stick.unwrap(), partial_slip::stick(eta, beta));
+        let error = |found: Option<f64>, exact: f64| (found.unwrap() / exact - 1.0).abs() / tolerance;
+        let worst = error(stick.ratio, exact.ratio).max(error(stick.one_minus_ratio, exact.one_minus_ratio));
+        assert!(worst <= 3.0, "{worst} tolerances off at nu = {nu}, eta = {eta}, {tolerance:e}");
+    }
+}
