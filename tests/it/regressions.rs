@@ -142,7 +142,8 @@ fn stick_zones_are_as_good_as_their_resolutions() {
     ];
     for (nu, eta, tolerance) in scenes {
         let beta = (1.0 - 2.0 * nu) / (2.0 - 2.0 * nu);
-        let solution = Sketch::half_plane(nu).rubbing(eta).with(&format!("[solver]\ntolerance = {tolerance:e}")).solve();
+        let solution =
+            Sketch::half_plane(nu).rubbing(eta).with(&format!("[solver]\ntolerance = {tolerance:e}")).solve();
         let (stick, exact) = (solution.stick.unwrap(), partial_slip::stick(eta, beta));
         let error = |found: Option<f64>, exact: f64| (found.unwrap() / exact - 1.0).abs() / tolerance;
         let worst = error(stick.ratio, exact.ratio).max(error(stick.one_minus_ratio, exact.one_minus_ratio));
