@@ -26,6 +26,8 @@ pub(crate) struct Shear {
     pub(crate) friction: f64,
     /// `eta p(a)`.
     at_edge: f64,
+    /// Whether it is as it was solved for the zone, and not adapted to another friction coefficient since.
+    pub(crate) is_solved: bool,
     quadrature: Box<dyn Quadrature>,
     /// By steps of the quadrature's ladder beyond its own resolution.
     grids: Vec<StickGrid>,
@@ -80,6 +82,7 @@ impl Shear {
             zone: StickZone::default(),
             friction: 0.0,
             at_edge: 0.0,
+            is_solved: false,
             quadrature,
             grids: vec![coarsest],
             used: 0,
@@ -93,6 +96,7 @@ impl Shear {
     /// Takes note of a new pressure; no zone is solved for it yet.
     pub(crate) fn under(&mut self, layer: &Layer, normal: &mut Normal) {
         self.zone = StickZone::default();
+        self.is_solved = false;
         normal.sample_potential(layer, Component::Coupling, &mut self.coupling);
     }
 
@@ -151,7 +155,7 @@ impl Shear {
         let (friction, unknowns) = grid.system.column(0).split_last().expect("one unknown more than q has");
         self.unknowns.clear();
         self.unknowns.extend_from_slice(unknowns);
-        (self.zone, self.friction, self.at_edge) = (zone, *friction, friction * p_edge);
+        (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, *friction, friction * p_edge, true);
         Ok(*friction)
     }
 
@@ -189,11 +193,13 @@ impl Shear {
         self.unknowns.iter_mut().for_each(|unknown| *unknown *= factor);
         self.friction = friction;
         self.at_edge *= factor;
+        self.is_solved = false;
     }
 
     /// Another friction coefficient in the slip zone, the same shear in the stick zone.
     pub(crate) fn slide_at(&mut self, friction: f64) {
         self.friction = friction;
+        self.is_solved = false;
     }
 
     /// The same densities taken to live on another zone: for a shear that vanishes.

@@ -93,7 +93,7 @@ impl FrictionCurve<'_> {
         let last = self.shear.zone;
         let is_near = ((last.half_width / last.slip_width).ln() - lambda).abs() < error;
         let is_here = (last.contact() / self.normal.half_width - 1.0).abs() < 4.0 * f64::EPSILON;
-        if !(is_near && is_here) {
+        if !(self.shear.is_solved && is_near && is_here) {
             self.at(lambda)?;
         }
         Ok(())
