@@ -16,8 +16,9 @@ const SUPERLINEAR: f64 = 0.3;
 /// A number may shrink more slowly than the largest of all differences; where it does not shrink at all, its last
 /// difference but one was small by chance.
 const SLOWER: f64 = 0.25;
-/// Share of the largest of all differences that a number's own is not believed to be below.
-const SHARE: f64 = 1e-4;
+/// Shares of the largest of all differences that a number's own is not believed to be below, among those of the pressure
+/// and of the shear. A stick zone is known far better than the shear beside its ends.
+const SHARES: [f64; 2] = [0.5, 1e-4];
 /// Factor on what the differences give.
 const SAFETY: f64 = 2.0;
 /// No number is claimed to be better than this: rounding of a dense solve of a few hundred unknowns.
@@ -51,14 +52,14 @@ pub(crate) fn extrapolated(history: &[Seen]) -> Option<Numbers> {
     let mut errors = Numbers::default();
     for (quantity, d2) in late.numbers.iter() {
         let d1 = early.numbers.get(quantity).unwrap_or(1.0);
-        let (of_all, largest) = if quantity.is_of_shear() {
-            (of_shear, late.of_shear.max(late.of_pressure))
+        let (of_all, least) = if quantity.is_of_shear() {
+            (of_shear, SHARES[1] * late.of_shear.max(late.of_pressure))
         } else {
-            (of_pressure, late.of_pressure)
+            (of_pressure, SHARES[0] * late.of_pressure)
         };
         let rate = of_all.max(relative(d2, d1).min(SLOWER));
         // Two differences may both be small by chance.
-        let d2 = d2.max(SHARE * largest);
+        let d2 = d2.max(least);
         let left = if rate < NOT_SHRINKING { d2.max(rate * d1) * rate / (1.0 - rate) } else { d1.max(d2) };
         let least = if quantity.is_of_shear() { SLIP_ROUNDING } else { ROUNDING };
         errors.set(quantity, (SAFETY * left).max(least));

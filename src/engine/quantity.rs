@@ -90,8 +90,8 @@ impl Numbers {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Traces {
     pub(crate) pressure: [f64; Self::AT.len()],
-    /// Where a stick zone was found.
-    pub(crate) shear: Option<[f64; Self::AT.len()]>,
+    /// Where a stick zone was found; at its end as well.
+    pub(crate) shear: Option<[f64; Self::AT.len() + 1]>,
 }
 
 impl Traces {

@@ -66,8 +66,8 @@ pub(crate) struct Rubbing {
     scanned: bool,
     /// Whether the root reported is known to satisfy the conditions of friction.
     checked: bool,
-    /// The shear at [`Traces::AT`] over the mean pressure, where a stick zone was found.
-    shear: Option<[f64; Traces::AT.len()]>,
+    /// The shear at [`Traces::AT`] and at the end, over the mean pressure, where a stick zone was found.
+    shear: Option<[f64; Traces::AT.len() + 1]>,
 }
 
 /// Whether a stick zone was found, and whether it holds.
@@ -193,8 +193,10 @@ impl Stage {
     ) -> Result<(), Refusal> {
         self.curve(layer, task).at_or_near(lambda, KNOWN)?;
         let shear = self.shear.as_ref().expect("room for the shear was made with friction");
-        let mut trace = [0.0; Traces::AT.len()];
-        shear.in_stick_into(&Traces::stations(shear.zone.half_width), &mut trace);
+        let mut trace = [0.0; Traces::AT.len() + 1];
+        let [inside @ .., end] = &mut trace;
+        shear.in_stick_into(&Traces::stations(shear.zone.half_width), inside);
+        *end = shear.at_edge;
         let mean = self.normal.force / (2.0 * self.normal.half_width);
         rubbing.shear = Some(trace.map(|q| q / mean));
         let is_known = before.is_some_and(|before| (before - lambda).abs() < KNOWN);

@@ -25,7 +25,7 @@ pub(crate) struct Shear {
     /// Friction coefficient that belongs to the zone: positive for inward slip, negative for outward.
     pub(crate) friction: f64,
     /// `eta p(a)`.
-    at_edge: f64,
+    pub(crate) at_edge: f64,
     /// Whether it is as it was solved for the zone, and not adapted to another friction coefficient since.
     pub(crate) is_solved: bool,
     quadrature: Box<dyn Quadrature>,

@@ -120,6 +120,16 @@ fn large_differences_are_not_believed_to_shrink_fast() {
     assert!(error <= 5e-4, "error {error:e} at a tolerance of 5e-4");
 }
 
+/// The shear within a stick zone that ends 3e-12 short of the edge is a difference of numbers as large as that at its end:
+/// its noise had the zone refined to 513 unknowns.
+#[test]
+fn noise_of_the_shear_beside_a_crowded_edge_does_not_cost_resolutions() {
+    let sketch = Sketch::flat(137.952_570_553_333_23, 0.387, 0.411_208_707_690_638_9).rubbing(1.351_623_164_871_539);
+    let solution = sketch.solve();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+    assert!(solution.plan.unknowns < 100, "{} unknowns", solution.plan.unknowns);
+}
+
 /// A root predicted just inside the widest stick zone and lying just outside it was none of the known cases.
 #[test]
 fn just_beyond_the_widest_stick_zone_there_is_a_bound() {
