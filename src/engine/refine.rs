@@ -25,6 +25,8 @@ const SKIPPED: usize = 7;
 const KERNEL_SHARE: f64 = 0.2;
 /// Errors that stop shrinking below this are those of rounding.
 pub(super) const ROUNDED: f64 = 1e-9;
+/// Steps in a row that have to stop shrinking.
+const STALLED: usize = 3;
 
 /// Every resolution solved so far, finest last used.
 #[derive(Default)]
@@ -148,7 +150,7 @@ impl Ladder {
                 let now = errors.worst().map_or(0.0, |(_, error)| error);
                 let met = now + beside_differences(layer, &outcome) <= tolerance || now <= 2.0 * ROUNDING;
                 stalled = if now < ROUNDED && now > 0.5 * before { stalled + 1 } else { 0 };
-                done = met || stalled >= 2;
+                done = met || stalled >= STALLED;
             }
             done = done || self.is_hopeless(step, first, &outcome);
             if done || step + first == FINEST {

@@ -5,6 +5,7 @@
 use crate::sketch::Sketch;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
+use slipzone::api::reference::partial_slip;
 use slipzone::engine::{Solution, Status};
 
 /// Layers from thin to thick, from soft skins to stiff ones; either punch; friction or none.
@@ -50,6 +51,22 @@ fn config() -> ProptestConfig {
 
 proptest! {
     #![proptest_config(config())]
+
+    /// Friction from 0.15 to 5 times what sticks to half of the contact: the exact zone is a ratio of elliptic integrals.
+    #[test]
+    fn stick_zones_on_half_planes_are_exact(nu in 0.0..0.49_f64, log in 0.15_f64.ln()..5.0_f64.ln(), digits in 3.0..11.5_f64) {
+        let beta = (1.0 - 2.0 * nu) / (2.0 - 2.0 * nu);
+        let (eta, tolerance) = (beta * log.exp(), 10.0_f64.powf(-digits));
+        let solution = Sketch::half_plane(nu).rubbing(eta).with(&format!("[solver]\ntolerance = {tolerance:e}")).solve();
+        let (stick, exact) = (solution.stick.expect("friction"), partial_slip::stick(eta, beta));
+        let numbers = [("stick.ratio", stick.ratio, exact.ratio), ("stick.one_minus_ratio", stick.one_minus_ratio, exact.one_minus_ratio)];
+        for (path, found, exact) in numbers {
+            let error = (found.expect("a stick zone") / exact - 1.0).abs();
+            let converged = solution.status == Status::Converged;
+            let allowed = if converged { tolerance } else { solution.error.each[path] };
+            prop_assert!(error <= 3.0 * allowed, "{}: error {:.1e}, allowed {:.1e}", path, error, allowed);
+        }
+    }
 
     #[test]
     fn errors_stay_within_three_tolerances(sketch in sketches(), digits in 3.0..12.0_f64) {
