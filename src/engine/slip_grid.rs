@@ -7,7 +7,7 @@ use super::normal::Normal;
 use super::stick_zone::StickZone;
 use rows::Nodes;
 use slipzone_api::double_exponential::{self, Node};
-use slipzone_api::elementary::ln_1p;
+use slipzone_api::elementary::{LANES, ln_1p};
 use slipzone_api::{Component, Station};
 use std::cell::Cell;
 use std::f64::consts::PI;
@@ -26,8 +26,6 @@ const NODES_PER_LENGTH: (f64, f64) = (0.8, 21.0);
 const MOST_NODES: usize = 1 << 14;
 /// Distances at which the kernel is asked for at a time, unless one station has more.
 const BATCH: usize = 512;
-/// The nodes are filled up to a multiple of it: vectors of no machine have more lanes, and none is left half empty.
-const LANES: usize = 4;
 
 thread_local! {
     /// Room for the distances of a batch and for the kernel there: to clear one for each grid would cost more than to

@@ -3,6 +3,12 @@
 //! A logarithm of the standard library is a call for each number. These have the same value in a loop and on
 //! their own: nothing in them depends on what the machine has.
 
+/// Euler's constant.
+pub const EULER_GAMMA: f64 = 0.577_215_664_901_532_9;
+
+/// Rows filled up to a multiple of it leave no vector half empty: those of no machine served have more lanes.
+pub const LANES: usize = 4;
+
 /// What of the bits of a number is its exponent's.
 const EXPONENT_BITS: u32 = 52;
 /// The bits of 1.

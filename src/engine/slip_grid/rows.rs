@@ -2,8 +2,9 @@
 
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Station;
+use slipzone_api::elementary::LANES;
 
-/// What of the nodes a row depends on.
+/// What of the nodes a row depends on; filled up to a multiple of [`LANES`].
 #[derive(Default)]
 pub(super) struct Nodes {
     /// `r - a`.
@@ -64,14 +65,14 @@ impl WithSimd for Sums<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
+        const { assert!(LANES.is_multiple_of(S::F64_LANES), "rows are filled up to whole vectors") };
         let count = self.nodes.r.len();
-        let (cauchy, cauchy_rest) = S::as_simd_f64s(&self.nodes.cauchy);
-        let (weight, weight_rest) = S::as_simd_f64s(&self.nodes.kernel);
+        let (cauchy, weight) = (S::as_simd_f64s(&self.nodes.cauchy).0, S::as_simd_f64s(&self.nodes.kernel).0);
         let rows = self.distances.chunks_exact(2 * count).zip(self.kernel.chunks_exact(2 * count));
         for (out, (distances, kernel)) in self.out.iter_mut().zip(rows) {
             let ((near, far), (k_near, k_far)) = (distances.split_at(count), kernel.split_at(count));
-            let ((near, near_rest), (far, far_rest)) = (S::as_simd_f64s(near), S::as_simd_f64s(far));
-            let ((k_near, k_near_rest), (k_far, k_far_rest)) = (S::as_simd_f64s(k_near), S::as_simd_f64s(k_far));
+            let (near, far) = (S::as_simd_f64s(near).0, S::as_simd_f64s(far).0);
+            let (k_near, k_far) = (S::as_simd_f64s(k_near).0, S::as_simd_f64s(k_far).0);
             let mut sum = simd.splat_f64s(0.0);
             for i in 0..cauchy.len() {
                 let fraction = simd.div_f64s(cauchy[i], simd.mul_f64s(near[i], far[i]));
@@ -79,10 +80,6 @@ impl WithSimd for Sums<'_> {
                 sum = simd.add_f64s(sum, simd.mul_add_e_f64s(weight[i], both, fraction));
             }
             *out = simd.reduce_sum_f64s(sum);
-            for i in 0..cauchy_rest.len() {
-                let fraction = cauchy_rest[i] / (near_rest[i] * far_rest[i]);
-                *out += fraction + weight_rest[i] * (k_near_rest[i] + k_far_rest[i]);
-            }
         }
     }
 }

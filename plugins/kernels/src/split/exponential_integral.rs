@@ -1,9 +1,8 @@
 //! The generalised exponential integrals `E_k(-iu)`: what a power of `1/s` leaves beyond a cut.
 
 use num_complex::Complex64;
+use slipzone_api::elementary::EULER_GAMMA;
 use std::f64::consts::FRAC_PI_2;
-
-const EULER: f64 = 0.577_215_664_901_532_9;
 
 /// Up to here `E_1` comes from its power series (terms up to `exp(u)/u`, so two digits are lost at most),
 /// beyond from the continued fraction, which takes 40 terms here and fewer further out.
@@ -39,7 +38,7 @@ pub(super) fn sequence(u: f64, out: &mut [Complex64]) {
 
 /// `E_1(-iu) = -euler - log u + i pi/2 - sum_m (iu)^m/(m m!)`.
 fn first_by_series(u: f64) -> Complex64 {
-    let mut sum = Complex64::new(-EULER - u.ln(), FRAC_PI_2);
+    let mut sum = Complex64::new(-EULER_GAMMA - u.ln(), FRAC_PI_2);
     let mut power = Complex64::new(1.0, 0.0);
     for m in 1..MOST_TERMS {
         power *= Complex64::new(0.0, u / f64::from(m));

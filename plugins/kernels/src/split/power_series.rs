@@ -7,10 +7,8 @@ use super::pieces::{Kernel, Pieces};
 use super::polynomial;
 use super::singular::signed_taylor;
 use super::spectrum::Spectrum;
+use slipzone_api::elementary::EULER_GAMMA;
 use std::f64::consts::FRAC_PI_2;
-
-/// Euler's constant.
-const EULER: f64 = 0.577_215_664_901_532_9;
 
 /// Most powers of `t`.
 const MOST_POWERS: usize = 2 * polynomial::MOST;
@@ -59,7 +57,7 @@ fn kernel(i: usize, column: &Column, spectrum: &Spectrum, beyond: &Beyond, reach
     let mut power = if odd { phase } else { 1.0 };
     let mut harmonic = first as f64;
     let (mut smooth, mut rounding, mut left) = (Vec::with_capacity(MOST_POWERS / 2), 0.0, f64::INFINITY);
-    let logarithm = EULER + cutoff.ln();
+    let logarithm = EULER_GAMMA + cutoff.ln();
     let mut moments = spectrum.moments(i, odd, cutoff);
     for m in (first..MOST_POWERS).step_by(2) {
         let (mut sum, mut size) = moments.next().expect("endless");

@@ -8,13 +8,10 @@ use super::shelf::Size;
 use super::sums::dot;
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Edge;
+use slipzone_api::elementary::{EULER_GAMMA, LANES};
 use spec_math::cephes64::sici;
 use std::f64::consts::{FRAC_2_PI, PI};
 use std::ops::Range;
-
-/// The fine nodes are filled up to a multiple of it: vectors of no machine have more lanes, and none is left half
-/// empty. What fills them up stands where the last node does and is not summed.
-pub(super) const LANES: usize = 4;
 
 /// Distances and product weights from each staggered point, and from the end as one more row, to each fine
 /// node `u_k = k step/factor >= 0` and to its mirror image. With a whole number and a half of fine steps
@@ -66,6 +63,7 @@ impl Fine {
         let count = n * factor + 1;
         let fine_step = grid.step / factor as f64;
         let last = count - 1;
+        // What fills the rows up stands where the last node does and is not summed.
         let filled = count.next_multiple_of(LANES);
         let places: Vec<Place> = (0..filled)
             .map(|k| k.min(last))
@@ -238,9 +236,6 @@ impl WithSimd for Gather<'_> {
         }
     }
 }
-
-/// Euler's constant.
-const EULER_GAMMA: f64 = 0.577_215_664_901_532_9;
 
 /// Weights of the sign and of the logarithm of the distance `x_k` from the middle, `k` fine steps away. At
 /// `k = 0` that of the logarithm is the limit of `log|x'(0) d step| - Ci(pi d)`.

@@ -1,7 +1,8 @@
 //! The kernel between staggered points and fine nodes, each node together with its mirror image.
 
-use super::fine::{Fine, LANES, Row};
+use super::fine::{Fine, Row};
 use pulp::{Arch, Simd, WithSimd};
+use slipzone_api::elementary::LANES;
 use slipzone_api::{Component, KernelTable, PartsVec};
 use std::cell::Cell;
 use std::ops::Range;
