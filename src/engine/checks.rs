@@ -37,7 +37,7 @@ fn samples<const SAMPLES: usize>(half_width: f64) -> [Station; SAMPLES] {
 /// Where the pressure pulls: `(x/b, p/mean)` of its lowest point, if it is negative anywhere.
 pub(crate) fn tension(normal: &Normal) -> Option<(f64, f64)> {
     let b = normal.half_width;
-    let mean = normal.force / (2.0 * b);
+    let mean = normal.mean();
     let at = samples::<PRESSURE_SAMPLES>(b);
     let mut pressure = [0.0; PRESSURE_SAMPLES];
     normal.values_into(&at, &mut pressure);

@@ -162,6 +162,11 @@ impl Normal {
         }
     }
 
+    /// Mean pressure.
+    pub(crate) fn mean(&self) -> f64 {
+        self.force / (2.0 * self.half_width)
+    }
+
     /// Distance to the edge of the outermost collocation point over the half-width: what the resolution can
     /// tell apart there.
     pub(crate) fn finest_gap(&self) -> f64 {

@@ -127,7 +127,7 @@ impl Stage {
         if let Some(rubbing) = &rubbing {
             rubbing.report(&mut numbers);
         }
-        let mean = self.normal.force / (2.0 * self.normal.half_width);
+        let mean = self.normal.mean();
         let mut pressure = [0.0; Traces::AT.len()];
         self.normal.values_into(&Traces::stations(self.normal.half_width), &mut pressure);
         Ok(Outcome { numbers, rubbing, size, pressure: pressure.map(|p| p / mean) })
@@ -141,7 +141,7 @@ impl Stage {
         numbers.set(Quantity::Force, normal.force);
         numbers.set(Quantity::HalfWidth, b);
         numbers.set(Quantity::Centre, normal.at(Station { x: 0.0, gap: b }));
-        numbers.set(Quantity::Mean, normal.force / (2.0 * b));
+        numbers.set(Quantity::Mean, normal.mean());
         numbers.set(Quantity::StressIntensity, normal.edge_factor / b.sqrt());
         numbers.set(Quantity::EdgeRatio, normal.edge_factor / normal.force);
         if let Some(depth) = depth {
@@ -197,7 +197,7 @@ impl Stage {
         let [inside @ .., end] = &mut trace;
         shear.in_stick_into(&Traces::stations(shear.zone.half_width), inside);
         *end = shear.at_edge;
-        let mean = self.normal.force / (2.0 * self.normal.half_width);
+        let mean = self.normal.mean();
         rubbing.shear = Some(trace.map(|q| q / mean));
         let is_known = before.is_some_and(|before| (before - lambda).abs() < KNOWN);
         rubbing.checked = rubbing.checked || is_known && self.violation(layer, task.problem).is_none();

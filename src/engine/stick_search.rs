@@ -21,7 +21,7 @@ const ON_ASYMPTOTE: f64 = 0.03;
 const PREDICTED: f64 = 0.25;
 /// Step of the scan where the layer is thinner than the contact is wide, and where it is thicker, so that the curve rises
 /// much as on a half-plane; and of the scan's continuation where the asymptote is late.
-const STEPS: [f64; 3] = [1.0, 1.5, 2.0];
+const STEPS: (f64, f64, f64) = (1.0, 1.5, 2.0);
 /// The curve is trusted where the slip zone is this many times as wide as the finest gap resolved.
 const RESOLVED: f64 = 4.0;
 /// What is left of `eta(lambda) - eta` at a root, over `eta`, is of the order of the root's tolerance;
@@ -126,7 +126,7 @@ impl FrictionCurve<'_> {
         let bottom = (ASYMPTOTIC.0 - thin).max(-WIDEST).min(top - 1.0);
         let mut samples = Samples::default();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most a few dozen
-        let count = ((top - bottom) / STEPS[usize::from(thin == 0.0)]).ceil() as usize;
+        let count = ((top - bottom) / if thin > 0.0 { STEPS.0 } else { STEPS.1 }).ceil() as usize;
         for k in 0..=count {
             let lambda = bottom + (top - bottom) * k as f64 / count as f64;
             samples.points.push((lambda, self.at(lambda)?));
@@ -138,7 +138,7 @@ impl FrictionCurve<'_> {
             if samples.high || to >= self.widest() {
                 break;
             }
-            let next = (to + STEPS[2]).min(self.widest());
+            let next = (to + STEPS.2).min(self.widest());
             samples.points.push((next, self.at(next)?));
         }
         let slope_below = self.slope_below();
@@ -148,7 +148,7 @@ impl FrictionCurve<'_> {
             if samples.low || from <= -WIDEST {
                 break;
             }
-            let next = (from - STEPS[2]).max(-WIDEST);
+            let next = (from - STEPS.2).max(-WIDEST);
             samples.points.insert(0, (next, self.at(next)?));
         }
         Ok(samples)
