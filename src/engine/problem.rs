@@ -129,8 +129,9 @@ impl Problem {
         self.shape.natural_length() / self.length
     }
 
-    /// Whether the punch is convex.
-    pub(crate) fn is_convex(&self) -> bool {
-        self.shape.is_convex()
+    /// What keeps a contact as wide as that from being one interval that grew with the load, in words.
+    pub(crate) fn flaw(&self, half_width: f64) -> Option<String> {
+        let flaw = self.shape.flaw(half_width * self.length)?;
+        Some(format!("{} at x = {:.6}: the contact may break up into several", flaw.what, flaw.x))
     }
 }

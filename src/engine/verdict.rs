@@ -41,9 +41,8 @@ fn objection(problem: &Problem, normal: &Normal, judged: &Judged, tolerance: f64
         );
         return Some((Status::AssumptionViolated, why));
     }
-    if !problem.is_convex() {
-        let why = "the punch is not convex: the contact may break up into several";
-        return Some((Status::AssumptionViolated, why.into()));
+    if let Some(why) = problem.flaw(normal.half_width) {
+        return Some((Status::AssumptionViolated, why));
     }
     let of_stick = judged.outcome.rubbing.as_ref().and_then(of_stick);
     of_stick.or_else(|| (error > tolerance).then(inexact))

@@ -13,12 +13,13 @@ dyn_clone::clone_trait_object!(PunchProfile);
 
 /// Run-time half of a punch: its height over the surface, all lengths in the user's unit.
 ///
-/// Shapes are symmetric about `x = 0` and convex unless they say otherwise.
+/// Shapes are symmetric about `x = 0`; how far they are convex is their own to say.
 pub trait PunchShape: Debug + Send + Sync {
     /// Gap `g(x)` between the unloaded surface and the punch that touches it at the origin; `g(0) = 0`.
+    /// Not a number where the shape is not defined.
     fn height(&self, x: f64) -> f64;
 
-    /// Slope `g'(x)`, dimensionless.
+    /// Slope `g'(x)`, dimensionless; 0 in the middle, the mean of both sides at any other corner.
     fn slope(&self, x: f64) -> f64;
 
     /// Half-width of the contact when sharp corners fix it, whatever the load; `None` for a contact
@@ -27,17 +28,51 @@ pub trait PunchShape: Debug + Send + Sync {
         None
     }
 
+    /// Half-width of the flat face that touches the surface before there is any load; 0 for a shape that touches in
+    /// the middle alone.
+    fn face(&self) -> f64 {
+        0.0
+    }
+
     /// A length typical of the shape: half-width of a flat, radius of a cylinder. The search for an
     /// unknown contact size starts from it.
     fn natural_length(&self) -> f64;
 
-    /// Whether `g` is convex: only then is the contact one interval that grows with the load.
-    fn is_convex(&self) -> bool {
-        true
+    /// Where the shape ends: nothing is known of it beyond. `None` for a shape that goes on for ever.
+    fn reach(&self) -> Option<f64> {
+        None
     }
 
-    /// Where the slope jumps, besides sharp corners at the contact's ends.
+    /// What keeps the contact under `|x| <= half_width` from being one interval that grew with the load, such as a face
+    /// that is not convex: what it is and at which `x`. `None` where nothing does.
+    fn flaw(&self, half_width: f64) -> Option<Flaw> {
+        let _ = half_width;
+        None
+    }
+
+    /// Where the shape is not analytic, ascending, `x >= 0`; the middle is among them where `g(|x|)` is not smooth
+    /// across it, as for a wedge or `|x|^1.5`. Sharp corners at the contact's ends do not count.
     fn kinks(&self) -> &[f64] {
         &[]
     }
+
+    /// Those of the kinks at which the slope itself jumps: the pressure is unbounded there, like a logarithm.
+    fn corners(&self) -> &[f64] {
+        &[]
+    }
+
+    /// Scatter of the measured heights that the shape was made of, root mean square; `None` for shapes that were not
+    /// measured.
+    fn noise(&self) -> Option<f64> {
+        None
+    }
+}
+
+/// What is wrong with a shape, and where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flaw {
+    /// In words, such as "the punch is not convex".
+    pub what: String,
+    /// Where it begins, in the user's unit of length.
+    pub x: f64,
 }
