@@ -17,7 +17,7 @@ pub(super) fn solution(
     scene: &Scene,
     plan: Plan,
     problem: &Problem,
-    stage: &Stage,
+    stage: &mut Stage,
     judged: &Judged,
     status: Status,
     reason: Option<String>,
@@ -30,6 +30,7 @@ pub(super) fn solution(
         Load::HalfWidth(half_width) => (None, Some(half_width.get()), None),
         Load::Indentation(depth) => (None, None, Some(depth.get())),
     };
+    let b = judged.outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
     let force = given_force.or(number(Quantity::Force, stress * length));
     let half_width = given_width.or(number(Quantity::HalfWidth, length));
     let solution = Solution {
@@ -45,7 +46,7 @@ pub(super) fn solution(
             stress_intensity: number(Quantity::StressIntensity, stress * length.sqrt()),
             ratio: number(Quantity::EdgeRatio, 1.0),
         },
-        stick: stage.shear.as_ref().map(|_| StickReport {
+        stick: judged.outcome.rubbing.as_ref().map(|_| StickReport {
             half_width: number(Quantity::StickHalfWidth, length),
             ratio: number(Quantity::StickRatio, 1.0),
             one_minus_ratio: number(Quantity::OneMinusRatio, 1.0),
@@ -56,7 +57,7 @@ pub(super) fn solution(
             each: judged.errors.iter().map(|(quantity, error)| (quantity.path().to_owned(), error)).collect(),
             how: how(judged.how),
         },
-        profile: profile(scene, problem, stage),
+        profile: profile(scene, problem, stage, b),
         ..Solution::refused(scene, plan, String::new())
     };
     match first_not_finite(&solution) {
@@ -82,22 +83,22 @@ fn how(how: How) -> String {
 
 /// Direction of slip, where there is one to tell.
 fn slip(stage: &Stage, judged: &Judged) -> Option<Slip> {
-    let (shear, rubbing) = (stage.shear.as_ref()?, judged.outcome.rubbing.as_ref()?);
+    let (friction, rubbing) = (stage.signed_friction()?, judged.outcome.rubbing.as_ref()?);
     if matches!(rubbing.verdict, Verdict::NoShear | Verdict::TooWide) {
         return None; // nothing slips, or too narrow a zone to tell which way
     }
-    Some(if shear.friction < 0.0 { Slip::Outward } else { Slip::Inward })
+    Some(if friction < 0.0 { Slip::Outward } else { Slip::Inward })
 }
 
 /// Tractions at the points that the scene asks for.
-fn profile(scene: &Scene, problem: &Problem, stage: &Stage) -> Profile {
+fn profile(scene: &Scene, problem: &Problem, stage: &mut Stage, b: f64) -> Profile {
     if let Some(x) = &scene.output.x {
-        return tractions(x, problem, stage);
+        return tractions(x, problem, stage, b);
     }
     // Equally spaced points are their own mirror images, and so are the tractions: the right half will do.
     let last = scene.output.points - 1;
     let right: Vec<f64> = (last.div_ceil(2)..=last).map(|i| (2 * i - last) as f64 / last as f64).collect();
-    let half = tractions(&right, problem, stage);
+    let half = tractions(&right, problem, stage, b);
     let left = scene.output.points / 2;
     Profile {
         x: with_mirror(&half.x, left, |x| -x),
@@ -111,9 +112,8 @@ fn with_mirror<T: Copy>(right: &[T], left: usize, mirror: impl Fn(T) -> T) -> Ve
     right.iter().rev().take(left).map(|value| mirror(*value)).chain(right.iter().copied()).collect()
 }
 
-/// Tractions at points in units of the half-width.
-fn tractions(relative: &[f64], problem: &Problem, stage: &Stage) -> Profile {
-    let b = stage.normal.half_width;
+/// Tractions at points in units of the half-width `b`.
+fn tractions(relative: &[f64], problem: &Problem, stage: &mut Stage, b: f64) -> Profile {
     let sharp = stage.normal.is_sharp();
     let value = |found: Option<f64>| match found {
         Some(value) => value.is_finite().then_some(value * problem.stress),
@@ -122,12 +122,12 @@ fn tractions(relative: &[f64], problem: &Problem, stage: &Stage) -> Profile {
     let stations: Vec<Station> = relative.iter().map(|x| Station { x: x * b, gap: (1.0 - x.abs()) * b }).collect();
     let inside: Vec<Station> = stations.iter().copied().filter(|station| station.gap > 0.0).collect();
     let mut pressure = vec![0.0; inside.len()];
-    stage.normal.values_into(&inside, &mut pressure);
+    stage.pressure_into(problem, &inside, &mut pressure);
     // Points on the edge or beyond it have no value of their own.
     let spread = |values: Vec<f64>| {
         let mut values = values.into_iter();
         stations.iter().map(|station| value(if station.gap > 0.0 { values.next() } else { None })).collect()
     };
-    let shear = stage.shear.as_ref().map(|shear| spread(shear.values(&inside, &pressure)));
+    let shear = stage.shear(problem, &inside, &pressure).map(&spread);
     Profile { x: relative.iter().map(|x| x * b * problem.length).collect(), pressure: spread(pressure), shear }
 }

@@ -36,6 +36,13 @@ pub(crate) struct Size {
     pub(crate) missed: f64,
 }
 
+impl Size {
+    /// A size that bears the load, all but rounding.
+    pub(crate) fn exactly(half_width: f64) -> Self {
+        Self { half_width, slope: f64::NAN, missed: 0.0 }
+    }
+}
+
 /// Slopes of a contact's load over its size, `d ln P/d ln b`, that are no jump; 2 to 3 for a cylinder.
 const SLOPES: std::ops::RangeInclusive<f64> = 0.2..=30.0;
 
@@ -54,7 +61,7 @@ pub(crate) fn press(
         LoadInLayerUnits::HalfWidth(half_width) => {
             layer.tabulate(Wanted { half_width, ..wanted })?;
             normal.press_smooth(layer, problem, half_width)?;
-            return Ok(Size { half_width, slope: f64::NAN, missed: 0.0 });
+            return Ok(Size::exactly(half_width));
         }
         LoadInLayerUnits::Force(target) | LoadInLayerUnits::Indentation(target) => target,
     };
@@ -193,6 +200,6 @@ fn first_size(problem: &Problem, target: f64, by_force: bool) -> f64 {
     if problem.has_base() { b.min(WIDEST_START) } else { b }
 }
 
-fn no_size(why: String) -> Refusal {
+pub(crate) fn no_size(why: String) -> Refusal {
     Refusal::OutOfReach { method: "contact size", why, remedy: "check the load against the punch and the layer" }
 }

@@ -3,12 +3,15 @@
 //! It knows the traits of `slipzone-api` and no plugin by name, prints nothing and reads no file.
 
 mod assemble;
+mod chebyshev;
 mod checks;
 mod contact_size;
 mod dense;
 mod elimination;
 mod error_estimate;
+mod family;
 mod finite;
+mod growing;
 mod layer;
 mod normal;
 mod problem;
@@ -18,6 +21,7 @@ mod root;
 mod slip_grid;
 mod solution;
 mod solver;
+mod stack;
 mod stage;
 mod stick;
 mod stick_search;

@@ -136,6 +136,18 @@ impl Normal {
         self.rule.value(self.density(), station)
     }
 
+    /// The unknowns of the pressure.
+    pub(crate) fn unknowns(&self) -> &[f64] {
+        &self.unknowns
+    }
+
+    /// A pressure of other unknowns and another half-width, at points strictly inside that contact.
+    pub(crate) fn values_of(&mut self, half_width: f64, unknowns: &[f64], at: &[Station], out: &mut [f64]) {
+        self.rule.stretch(half_width);
+        self.rule.values_into(Density { unknowns, carrier: 0.0 }, at, out);
+        self.rule.stretch(self.half_width);
+    }
+
     fn density(&self) -> Density<'_> {
         Density { unknowns: &self.unknowns, carrier: 0.0 }
     }

@@ -60,14 +60,6 @@ impl Problem {
         let stress = law.surface_modulus();
         let load = LoadInLayerUnits::new(scene.load, length, stress);
         let friction = scene.friction.map(coefficient);
-        if friction.is_some() && shape.fixed_half_width().is_none() {
-            return Err(Refusal::NotBuilt {
-                what: format!("friction under a punch whose contact grows (`{}`)", scene.punch.typetag_name()),
-                remedy: "its shear depends on the loading history, which is not solved yet: take away [friction], or \
-                         use a flat punch of the same half-width (its stick ratio is the same)"
-                    .into(),
-            });
-        }
         let elastic = Elastic::new(layer.plane, layer.poisson);
         Ok(Self {
             layer: Arc::new(LayerModel { law, elastic, base: layer.base }),
@@ -78,6 +70,50 @@ impl Problem {
             load,
             friction,
         })
+    }
+
+    /// The same layer and friction under another shape, with a unit force.
+    pub(crate) fn under(&self, shape: Box<dyn PunchShape>) -> Self {
+        Self {
+            layer: Arc::clone(&self.layer),
+            elastic: self.elastic,
+            shape,
+            length: self.length,
+            stress: self.stress,
+            load: LoadInLayerUnits::Force(1.0),
+            friction: self.friction,
+        }
+    }
+
+    /// The same without friction, as far as a flat face of unit force goes.
+    pub(crate) fn dry(&self, shape: Box<dyn PunchShape>) -> Self {
+        Self { friction: None, ..self.under(shape) }
+    }
+
+    /// Whether the contact is solved as a stack of flat punches: where it grows, and remembers how it grew or must not be
+    /// taken for smooth.
+    pub(crate) fn is_stacked(&self) -> bool {
+        self.fixed_half_width().is_none() && (self.friction.is_some() || self.is_kinked())
+    }
+
+    /// Whether the shape is not analytic all over the contact.
+    pub(crate) fn is_kinked(&self) -> bool {
+        self.shape.face() > 0.0 || !self.shape.kinks().is_empty()
+    }
+
+    /// Half-width of the face that touches before there is any load, in layer units.
+    pub(crate) fn face(&self) -> f64 {
+        self.shape.face() / self.length
+    }
+
+    /// Where the shape is not analytic, in layer units.
+    pub(crate) fn kinks(&self) -> impl Iterator<Item = f64> {
+        self.shape.kinks().iter().map(|kink| kink / self.length)
+    }
+
+    /// Where the pressure is unbounded inside the contact, in layer units.
+    pub(crate) fn corners(&self) -> impl Iterator<Item = f64> {
+        self.shape.corners().iter().map(|corner| corner / self.length)
     }
 
     /// Takes another load.

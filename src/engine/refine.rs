@@ -1,6 +1,5 @@
 //! Refines a scene until its error estimate meets the tolerance.
 
-use super::checks;
 use super::error_estimate::{ROUNDING, Seen, extrapolated, judged_by_twin};
 use super::layer::{Layer, Wanted};
 use super::problem::Problem;
@@ -62,10 +61,7 @@ impl Ladder {
 
     /// Matrices factorised so far.
     pub(super) fn factorisations(&self) -> usize {
-        let of = |stage: &Stage| {
-            stage.normal.factorisations() + stage.shear.as_ref().map_or(0, super::stick::Shear::factorisations)
-        };
-        self.stages.iter().map(of).sum()
+        self.stages.iter().map(Stage::factorisations).sum()
     }
 
     /// Solves a problem with the methods given.
@@ -152,7 +148,7 @@ impl Ladder {
                 stalled = if now < ROUNDED && now > 0.5 * before { stalled + 1 } else { 0 };
                 done = met || stalled >= STALLED;
             }
-            done = done || self.is_hopeless(step, first, &outcome);
+            done = done || self.is_hopeless(problem, step, first, &outcome);
             if done || step + first == FINEST {
                 let task = Self::task(problem, tolerance, level);
                 let changed = self.stages[step].settle(layer, task, &mut outcome)?;
@@ -200,7 +196,9 @@ impl Ladder {
             self.stages.push(Stage::new(problem, quadrature)?);
         }
         let task = Self::task(problem, tolerance, kernel_level);
-        self.stages[index].solve(layer, task, coarse)
+        let (before, here) = self.stages.split_at_mut(index);
+        let family = before.last_mut().and_then(|stage| stage.growing.as_mut()?.family.as_mut());
+        here[0].solve(layer, task, coarse, family)
     }
 
     fn task(problem: &Problem, tolerance: f64, level: u32) -> Task<'_> {
@@ -214,9 +212,9 @@ impl Ladder {
     }
 
     /// Whether no refinement will help. A pressure that pulls is looked for once: finer steps do not mend it.
-    fn is_hopeless(&self, step: usize, first: usize, outcome: &Outcome) -> bool {
+    fn is_hopeless(&mut self, problem: &Problem, step: usize, first: usize, outcome: &Outcome) -> bool {
         step + first >= BOUND_LEVEL && bound_of_stick(outcome).is_some()
-            || step + first == BOUND_LEVEL && checks::tension(&self.stages[step].normal).is_some()
+            || step + first == BOUND_LEVEL && self.stages[step].tension(problem, outcome).is_some()
     }
 }
 

@@ -117,9 +117,9 @@ impl Solver {
         let tolerance = self.chosen.scene.solver.tolerance.get();
         let factorisations = self.ladder.factorisations();
         let stage = self.ladder.stage(judged.stage);
-        let (status, reason) = verdict(&self.problem, &stage.normal, judged, tolerance);
+        let (status, reason) = verdict(&self.problem, stage, judged, tolerance);
         let plan = Plan {
-            unknowns: stage.normal.size(),
+            unknowns: stage.unknowns(),
             flexibility_evaluations: self.layer.flexibility_evaluations(),
             factorisations,
             ..self.chosen.plan.clone()

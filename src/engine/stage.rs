@@ -3,12 +3,14 @@
 use super::checks::{self, SlipCheck};
 use super::contact_size::{self, Size};
 use super::error_estimate::Seen;
+use super::family::Family;
+use super::growing::Growing;
 use super::layer::{Layer, Wanted};
 use super::normal::Normal;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity, Traces};
 use super::stick::Shear;
-use super::stick_search::{Found, FrictionCurve, Samples};
+use super::stick_search::{Found, FrictionCurve, Root, Samples};
 use super::stick_zone::StickZone;
 use arrayvec::ArrayVec;
 use slipzone_api::{Edge, Quadrature, Refusal, Station};
@@ -24,7 +26,10 @@ const PEAK_SAMPLES: usize = 24;
 /// Rules, matrices and scratch of one resolution, reused from load to load.
 pub(crate) struct Stage {
     pub(crate) normal: Normal,
+    /// Under a flat punch with friction.
     pub(crate) shear: Option<Shear>,
+    /// Of a contact that is solved as a stack of flat punches.
+    pub(crate) growing: Option<Growing>,
     slip_check: SlipCheck,
     /// The friction curve, and the half-width that it belongs to: it depends on no load.
     curve: Option<(f64, Samples)>,
@@ -47,6 +52,21 @@ pub(crate) struct Outcome {
 }
 
 impl Outcome {
+    /// The pressure is that at [`Traces::AT`], over its mean.
+    pub(crate) fn new(
+        numbers: Numbers,
+        rubbing: Option<Rubbing>,
+        size: Option<Size>,
+        pressure: [f64; Traces::AT.len()],
+    ) -> Self {
+        Self { numbers, rubbing, size, pressure }
+    }
+
+    /// An outcome of which only the stick zone is known.
+    pub(crate) fn of_rubbing(rubbing: Rubbing) -> Self {
+        Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()])
+    }
+
     /// What it tells of the next resolution.
     pub(crate) fn seen(&self) -> Seen {
         let shear = self.rubbing.as_ref().and_then(|rubbing| rubbing.shear);
@@ -99,18 +119,26 @@ impl Stage {
     pub(crate) fn new(problem: &Problem, quadrature: Box<dyn Quadrature>) -> Result<Self, Refusal> {
         let edge = if problem.fixed_half_width().is_some() { Edge::Sharp } else { Edge::Smooth };
         let normal = Normal::new(quadrature.as_ref(), edge)?;
-        let shear = problem.friction.map(|_| Shear::new(quadrature)).transpose()?;
-        Ok(Self { normal, shear, slip_check: SlipCheck::default(), curve: None, rubbed: None, shown: None })
+        let growing = problem.is_stacked().then(|| Growing::new(problem, quadrature.clone()));
+        let shear = match (problem.friction, &growing) {
+            (Some(_), None) => Some(Shear::new(quadrature)?),
+            _ => None,
+        };
+        Ok(Self { normal, shear, growing, slip_check: SlipCheck::default(), curve: None, rubbed: None, shown: None })
     }
 
-    /// Solves; `coarse` is what a coarser resolution found.
+    /// Solves; `coarse` is what a coarser resolution found, and the flat punches it found it with.
     pub(crate) fn solve(
         &mut self,
         layer: &mut Layer,
         task: Task,
         coarse: Option<&Outcome>,
+        family: Option<&mut Family>,
     ) -> Result<Outcome, Refusal> {
         let problem = task.problem;
+        if let Some(growing) = &mut self.growing {
+            return growing.solve(layer, task, &mut self.normal, coarse, family);
+        }
         let size = if let Some(half_width) = problem.fixed_half_width() {
             layer.tabulate(Wanted { half_width, ..task.wanted })?;
             self.normal.press_sharp(layer, problem, half_width)?;
@@ -119,7 +147,7 @@ impl Stage {
             let known = coarse.and_then(|coarse| coarse.size);
             Some(contact_size::press(layer, problem, &mut self.normal, task.wanted, task.tolerance, known)?)
         };
-        let mut numbers = self.normal_numbers(layer, problem);
+        let mut numbers = normal_numbers(layer, problem, &mut self.normal);
         let rubbing = match problem.friction {
             Some(eta) => Some(self.rub(layer, task, eta, coarse.and_then(|c| c.rubbing.as_ref()))?),
             None => None,
@@ -133,24 +161,46 @@ impl Stage {
         Ok(Outcome { numbers, rubbing, size, pressure: pressure.map(|p| p / mean) })
     }
 
-    /// The numbers of the pressure alone.
-    fn normal_numbers(&mut self, layer: &Layer, problem: &Problem) -> Numbers {
-        let mut numbers = Numbers::default();
-        let depth = self.normal.depth(layer, problem);
-        let (normal, b) = (&self.normal, self.normal.half_width);
-        numbers.set(Quantity::Force, normal.force);
-        numbers.set(Quantity::HalfWidth, b);
-        numbers.set(Quantity::Centre, normal.at(Station { x: 0.0, gap: b }));
-        numbers.set(Quantity::Mean, normal.mean());
-        numbers.set(Quantity::StressIntensity, normal.edge_factor / b.sqrt());
-        numbers.set(Quantity::EdgeRatio, normal.edge_factor / normal.force);
-        if let Some(depth) = depth {
-            numbers.set(Quantity::Indentation, depth);
+    /// Pressure at points strictly inside the contact solved last.
+    pub(crate) fn pressure_into(&mut self, problem: &Problem, at: &[Station], out: &mut [f64]) {
+        match &mut self.growing {
+            Some(growing) => growing.pressure_into(problem, &self.normal, at, out),
+            None => self.normal.values_into(at, out),
         }
-        if !normal.is_sharp() {
-            numbers.set(Quantity::Peak, peak(normal));
+    }
+
+    /// Shear at such points, where the pressures are `pressure`; `None` where there is none to tell.
+    pub(crate) fn shear(&mut self, problem: &Problem, at: &[Station], pressure: &[f64]) -> Option<Vec<f64>> {
+        match &mut self.growing {
+            Some(growing) => growing.shear(problem, at, pressure),
+            None => self.shear.as_ref().map(|shear| shear.values(at, pressure)),
         }
-        numbers
+    }
+
+    /// Friction coefficient of the shear, negative where the slip is outward.
+    pub(crate) fn signed_friction(&self) -> Option<f64> {
+        match &self.growing {
+            Some(growing) => growing.signed_friction(),
+            None => self.shear.as_ref().map(|shear| shear.friction),
+        }
+    }
+
+    /// Where the pressure of an outcome pulls, see [`checks::tension`].
+    pub(crate) fn tension(&mut self, problem: &Problem, outcome: &Outcome) -> Option<(f64, f64)> {
+        let (b, mean) = (outcome.numbers.get(Quantity::HalfWidth)?, outcome.numbers.get(Quantity::Mean)?);
+        checks::tension(b, mean, |at, out| self.pressure_into(problem, at, out))
+    }
+
+    /// Unknowns of the pressure.
+    pub(crate) fn unknowns(&self) -> usize {
+        self.normal.size()
+    }
+
+    /// Matrices factorised so far.
+    pub(crate) fn factorisations(&self) -> usize {
+        let of_shear = self.shear.as_ref().map_or(0, Shear::factorisations);
+        let of_members = self.growing.as_ref().map_or(0, Growing::factorisations);
+        self.normal.factorisations() + of_shear + of_members
     }
 
     /// The curve of friction coefficients over stick zones, and room for the shear.
@@ -304,9 +354,18 @@ impl Stage {
         Ok(())
     }
 
+    /// Leaves the shear of a stick zone in `shear`.
+    pub(crate) fn shear_at(&mut self, layer: &Layer, task: Task, lambda: f64) -> Result<(), Refusal> {
+        self.curve(layer, task).at_or_near(lambda, task.tolerance)
+    }
+
     /// Leaves the shear of the stick zone reported in `shear`, and checks it. Returns whether another zone than
     /// before is reported.
-    pub(crate) fn settle(&mut self, layer: &Layer, task: Task, outcome: &mut Outcome) -> Result<bool, Refusal> {
+    pub(crate) fn settle(&mut self, layer: &mut Layer, task: Task, outcome: &mut Outcome) -> Result<bool, Refusal> {
+        if let Some(growing) = &mut self.growing {
+            growing.settle(layer, task, outcome)?;
+            return Ok(false);
+        }
         let (Some(rubbing), Some(eta)) = (&mut outcome.rubbing, task.problem.friction) else { return Ok(false) };
         self.refresh(layer);
         if !rubbing.found.roots.is_empty() {
@@ -366,27 +425,83 @@ impl Stage {
 }
 
 impl Rubbing {
-    /// `lambda` of the root reported, where there is one that may hold.
+    /// A stick zone told by a coarser resolution.
+    pub(crate) fn expected(root: Root, half_width: f64, checked: bool) -> Self {
+        Self {
+            zone: StickZone::from_log(root.lambda, half_width),
+            verdict: Verdict::Holds,
+            found: Found::only(root),
+            chosen: 0,
+            scanned: false,
+            checked,
+            shear: None,
+        }
+    }
+
+    /// The root reported, where there is one that may hold.
+    pub(crate) fn reported(&self) -> Option<Root> {
+        (self.verdict == Verdict::Holds).then(|| self.found.roots[self.chosen])
+    }
+
+    /// `lambda` of that root.
     fn root(&self) -> Option<f64> {
-        (self.verdict == Verdict::Holds).then(|| self.found.roots[self.chosen].lambda)
+        self.reported().map(|root| root.lambda)
+    }
+
+    /// Whether the root reported is known to satisfy the conditions of friction.
+    pub(crate) fn is_checked(&self) -> bool {
+        self.checked
+    }
+
+    /// The same, found to fail a condition.
+    pub(crate) fn failing(self, what: String) -> Self {
+        Self { verdict: Verdict::Fails(what), ..self }
+    }
+
+    /// The same with the shear at [`Traces::AT`] and at the end, over the mean pressure.
+    pub(crate) fn traced(self, shear: [f64; Traces::AT.len() + 1]) -> Self {
+        Self { shear: Some(shear), ..self }
     }
 
     /// Adds the zone to the numbers reported.
-    fn report(&self, numbers: &mut Numbers) {
+    pub(crate) fn report(&self, numbers: &mut Numbers) {
         numbers.set(Quantity::StickHalfWidth, self.zone.half_width);
         numbers.set(Quantity::StickRatio, self.zone.ratio());
         numbers.set(Quantity::OneMinusRatio, self.zone.one_minus_ratio());
     }
 }
 
-/// The largest pressure under a punch whose contact ends smoothly.
-fn peak(normal: &Normal) -> f64 {
+/// The numbers of the pressure alone.
+pub(crate) fn normal_numbers(layer: &Layer, problem: &Problem, normal: &mut Normal) -> Numbers {
+    let mut numbers = Numbers::default();
+    let depth = normal.depth(layer, problem);
     let b = normal.half_width;
-    let at = |x: f64| normal.at(Station { x, gap: b - x });
+    numbers.set(Quantity::Force, normal.force);
+    numbers.set(Quantity::HalfWidth, b);
+    numbers.set(Quantity::Centre, normal.at(Station { x: 0.0, gap: b }));
+    numbers.set(Quantity::Mean, normal.mean());
+    numbers.set(Quantity::StressIntensity, normal.edge_factor / b.sqrt());
+    numbers.set(Quantity::EdgeRatio, normal.edge_factor / normal.force);
+    if let Some(depth) = depth {
+        numbers.set(Quantity::Indentation, depth);
+    }
+    if !normal.is_sharp() {
+        numbers.set(Quantity::Peak, peak(b, |at, out| normal.values_into(at, out)));
+    }
+    numbers
+}
+
+/// The largest pressure under a punch whose contact ends smoothly, from the pressures at points inside it.
+pub(crate) fn peak(b: f64, mut pressure: impl FnMut(&[Station], &mut [f64])) -> f64 {
     let mut step = b / PEAK_SAMPLES as f64;
     let mut samples = [0.0; PEAK_SAMPLES];
     let stations: [Station; PEAK_SAMPLES] = std::array::from_fn(|i| i as f64 * step).map(|x| Station { x, gap: b - x });
-    normal.values_into(&stations, &mut samples);
+    pressure(&stations, &mut samples);
+    let mut at = |x: f64| {
+        let mut p = [0.0];
+        pressure(&[Station { x, gap: b - x }], &mut p);
+        p[0]
+    };
     let (top, mut highest) =
         samples.iter().copied().enumerate().fold((0, samples[0]), |top, next| if next.1 > top.1 { next } else { top });
     if top == 0 || top == PEAK_SAMPLES - 1 {

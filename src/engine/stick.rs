@@ -33,6 +33,8 @@ pub(crate) struct Shear {
     grids: Vec<StickGrid>,
     /// That of the zone solved last.
     used: usize,
+    /// The coarsest that may be used.
+    least: usize,
     /// The unknowns of that zone.
     unknowns: Vec<f64>,
     slip: SlipGrid,
@@ -86,6 +88,7 @@ impl Shear {
             quadrature,
             grids: vec![coarsest],
             used: 0,
+            least: 0,
             unknowns: Vec::new(),
             slip,
             coupling: Vec::new(),
@@ -172,7 +175,7 @@ impl Shear {
         // Ladders that grow faster are there before.
         let enough = ROUNDED_UP * growth * self.grids[0].rule.unknowns() as f64;
         let mut step = 0;
-        while step < steps && (self.grids[step].rule.unknowns() as f64) < enough {
+        while step < self.least || step < steps && (self.grids[step].rule.unknowns() as f64) < enough {
             step += 1;
             if step == self.grids.len() {
                 #[allow(clippy::cast_possible_truncation)] // at most MOST_STEPS
@@ -211,6 +214,33 @@ impl Shear {
     pub(crate) fn in_stick_into(&self, at: &[Station], out: &mut [f64]) {
         let density = Density { unknowns: &self.unknowns, carrier: self.at_edge };
         self.grids[self.used].rule.values_into(density, at, out);
+    }
+
+    /// The unknowns of the shear in the stick zone.
+    pub(crate) fn unknowns(&self) -> &[f64] {
+        &self.unknowns
+    }
+
+    /// Which grid solved the zone.
+    pub(crate) fn grid(&self) -> usize {
+        self.used
+    }
+
+    /// The coarsest grid that may be used.
+    pub(crate) fn insisted(&self) -> usize {
+        self.least
+    }
+
+    /// Asks for grids at least as fine as that one from now on.
+    pub(crate) fn insist_on(&mut self, grid: usize) {
+        self.least = grid;
+    }
+
+    /// A shear of other unknowns in another zone, on the grid used last, at a point within that zone.
+    pub(crate) fn value_of(&mut self, zone: StickZone, unknowns: &[f64], at_edge: f64, at: Station) -> f64 {
+        let rule = &mut self.grids[self.used].rule;
+        rule.stretch(zone.half_width);
+        rule.value(Density { unknowns, carrier: at_edge }, at)
     }
 
     /// Shear traction at points strictly inside the contact, where the pressures are `pressure`.

@@ -56,9 +56,9 @@ pub(crate) struct Root {
     /// `+1` for inward slip, `-1` for outward.
     pub(crate) branch: f64,
     /// `d eta/d lambda`.
-    slope: f64,
+    pub(crate) slope: f64,
     /// See [`root::Near::doubt`].
-    doubt: f64,
+    pub(crate) doubt: f64,
 }
 
 /// What one scan found.
@@ -349,6 +349,11 @@ impl FrictionCurve<'_> {
 }
 
 impl Found {
+    /// A single root.
+    pub(crate) fn only(root: Root) -> Self {
+        Self { roots: ArrayVec::from_iter([root]), ..Self::default() }
+    }
+
     fn add(&mut self, root: Root) {
         let is_new = !self.roots.iter().any(|known| (known.lambda - root.lambda).abs() < SAME_ROOT);
         if is_new && !self.roots.is_full() {

@@ -1,19 +1,17 @@
 //! Whether a solved contact may be believed.
 
-use super::checks;
-use super::normal::Normal;
 use super::problem::Problem;
 use super::quantity::Quantity;
 use super::refine::{Judged, ROUNDED};
 use super::solution::Status;
-use super::stage::{Rubbing, Verdict};
+use super::stage::{Rubbing, Stage, Verdict};
 
 /// A pressure less certain than this, relative, is no ground for saying that it pulls.
 const UNRESOLVED: f64 = 0.1;
 
 /// Status and reason of a solved contact.
-pub(super) fn verdict(problem: &Problem, normal: &Normal, judged: &Judged, tolerance: f64) -> (Status, Option<String>) {
-    let Some((status, reason)) = objection(problem, normal, judged, tolerance) else {
+pub(super) fn verdict(problem: &Problem, stage: &mut Stage, judged: &Judged, tolerance: f64) -> (Status, Option<String>) {
+    let Some((status, reason)) = objection(problem, stage, judged, tolerance) else {
         return (Status::Converged, None);
     };
     let ended = judged.stopped.as_ref().map_or(String::new(), |refusal| format!("; refinement ended: {refusal}"));
@@ -21,7 +19,7 @@ pub(super) fn verdict(problem: &Problem, normal: &Normal, judged: &Judged, toler
 }
 
 /// The gravest thing to be said against the result.
-fn objection(problem: &Problem, normal: &Normal, judged: &Judged, tolerance: f64) -> Option<(Status, String)> {
+fn objection(problem: &Problem, stage: &mut Stage, judged: &Judged, tolerance: f64) -> Option<(Status, String)> {
     let (worst, error) = judged.errors.worst()?;
     let inexact = || {
         let why = if error < ROUNDED { "; double precision allows no more" } else { "" };
@@ -34,14 +32,14 @@ fn objection(problem: &Problem, normal: &Normal, judged: &Judged, tolerance: f64
     if judged.errors.get(Quantity::Centre).is_some_and(|e| e > UNRESOLVED) {
         return Some(inexact());
     }
-    if let Some((x, p)) = checks::tension(normal) {
+    if let Some((x, p)) = stage.tension(problem, &judged.outcome) {
         let why = format!(
             "the pressure is negative, {p:.4} times the mean at |x| = {x:.4} b: the punch lifts off there, and contact \
              with gaps is not modelled"
         );
         return Some((Status::AssumptionViolated, why));
     }
-    if let Some(why) = problem.flaw(normal.half_width) {
+    if let Some(why) = problem.flaw(judged.outcome.numbers.get(Quantity::HalfWidth)?) {
         return Some((Status::AssumptionViolated, why));
     }
     let of_stick = judged.outcome.rubbing.as_ref().and_then(of_stick);

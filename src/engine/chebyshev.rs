@@ -1,0 +1,98 @@
+//! Functions on `[0, 1]` known at Chebyshev points.
+//!
+//! L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013), chapters 3 to 5 and 8.
+
+use std::f64::consts::FRAC_PI_2;
+
+/// Chebyshev points of the first kind on `(0, 1)`, descending, and the barycentric weights that belong to them.
+#[derive(Clone, Debug)]
+pub(crate) struct Points {
+    pub(crate) at: Vec<f64>,
+    weights: Vec<f64>,
+}
+
+impl Points {
+    /// So many points.
+    pub(crate) fn new(count: usize) -> Self {
+        let angle = |k: usize| (2 * k + 1) as f64 * FRAC_PI_2 / count as f64;
+        // (1 + cos)/2, without cancellation near 0.
+        let at = (0..count).map(|k| (0.5 * angle(k)).cos().powi(2)).collect();
+        let weights = (0..count).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 } * angle(k).sin()).collect();
+        Self { at, weights }
+    }
+
+    /// How much of each point's value the interpolant at `s` is: the barycentric formula, one number per point.
+    pub(crate) fn shares_into(&self, s: f64, shares: &mut Vec<f64>) {
+        shares.clear();
+        if let Some(here) = self.at.iter().position(|at| at.to_bits() == s.to_bits()) {
+            shares.extend((0..self.at.len()).map(|k| if k == here { 1.0 } else { 0.0 }));
+            return;
+        }
+        shares.extend(self.at.iter().zip(&self.weights).map(|(at, weight)| weight / (s - at)));
+        let all: f64 = shares.iter().sum();
+        shares.iter_mut().for_each(|share| *share /= all);
+    }
+
+    /// The polynomial through values at the points.
+    pub(crate) fn through(&self, values: &[f64]) -> Series {
+        let n = self.at.len();
+        assert_eq!(values.len(), n, "one value per point");
+        let coefficient = |m: usize| {
+            let angle = |k: usize| ((2 * k + 1) * m % (4 * n)) as f64 * FRAC_PI_2 / n as f64;
+            let sum: f64 = values.iter().enumerate().map(|(k, value)| value * angle(k).cos()).sum();
+            sum * if m == 0 { 1.0 } else { 2.0 } / n as f64
+        };
+        Series((0..n).map(coefficient).collect())
+    }
+}
+
+/// A Chebyshev series on `[0, 1]`.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Series(Vec<f64>);
+
+impl Series {
+    /// Value and derivative (Clenshaw's recurrence).
+    pub(crate) fn value_and_slope(&self, s: f64) -> (f64, f64) {
+        let x = 2.0 * s - 1.0;
+        let (mut b1, mut b2, mut d1, mut d2) = (0.0, 0.0, 0.0, 0.0);
+        for c in self.0.iter().skip(1).rev() {
+            (d1, d2) = (2.0 * (b1 + x * d1) - d2, d1);
+            (b1, b2) = (c + 2.0 * x * b1 - b2, b1);
+        }
+        let first = self.0.first().copied().unwrap_or(0.0);
+        (first + x * b1 - b2, 2.0 * (b1 + x * d1 - d2))
+    }
+
+    /// How much of the largest coefficient the last few are: what the series misses is about as much.
+    pub(crate) fn tail(&self) -> f64 {
+        let size = |c: &[f64]| c.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+        let last = self.0.len().saturating_sub(3);
+        let all = size(&self.0);
+        if all > 0.0 { size(&self.0[last..]) / all } else { 0.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_smooth_function_and_its_slope_come_back() {
+        let points = Points::new(18);
+        let f = |s: f64| (2.0 * s).exp() / (1.0 + s);
+        let values: Vec<f64> = points.at.iter().map(|s| f(*s)).collect();
+        let series = points.through(&values);
+        // The pole at -1 is rho = 3 + sqrt 8 away: 5.8^-18 = 2e-14.
+        assert!(series.tail() < 1e-11, "{}", series.tail());
+        let mut shares = Vec::new();
+        for s in [0.0, 1e-3, 0.3, 0.77, 1.0, points.at[4]] {
+            let (value, slope) = series.value_and_slope(s);
+            let exact = 2.0 * f(s) - f(s) / (1.0 + s);
+            assert!((value - f(s)).abs() < 1e-12 && (slope - exact).abs() < 1e-10, "{value}, {slope} at {s}");
+            points.shares_into(s, &mut shares);
+            let barycentric: f64 = shares.iter().zip(&values).map(|(share, value)| share * value).sum();
+            assert!((barycentric - value).abs() < 1e-13, "two forms of one polynomial");
+        }
+        assert!((points.at[0] - (0.5 * FRAC_PI_2 / 18.0).cos().powi(2)).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,401 @@
+//! The flat punches of one layer, over all half-widths up to some widest: what every growing contact is a stack of.
+//!
+//! All that a flat punch answers varies smoothly with its half-width `b'`; it is solved at Chebyshev points of
+//! `(b'/B)^(1/2)` and interpolated. The root tames what the thin end has of `b'^2 log b'` where the layer is graded.
+
+use super::chebyshev::Points;
+use super::dense::Dense;
+use super::layer::{Layer, Wanted};
+use super::problem::Problem;
+use super::stage::{Outcome, Rubbing, Stage, Task, Verdict};
+use super::stick_search::Root;
+use super::stick_zone::StickZone;
+use slipzone_api::{
+    Component, Density, Edge, Parity, PunchShape, Quadrature, Refusal, Rule, Span, Station,
+};
+use std::f64::consts::PI;
+
+/// Power of the interpolation's variable that is the half-width.
+const POWER: i32 = 2;
+/// Points: at least, and more per unknown of the pressure; so many times more for each doubling of the widest half-width
+/// beyond the layer's length.
+const POINTS: (f64, f64, f64) = (5.0, 0.6, 0.5);
+/// Doubt of a slope that a coarser resolution tells; see [`super::root::Near`].
+const SLOPE_DOUBT: f64 = 0.005;
+/// Of so many points one is checked against the conditions of friction.
+const CHECKED: usize = 4;
+
+/// Flat punches that carry a unit force each, at one resolution, in layer units.
+pub(crate) struct Family {
+    widest: f64,
+    friction: Option<f64>,
+    accuracy: f64,
+    points: Points,
+    /// Pressures, times the half-width.
+    pressure: Table,
+    /// Odd densities `W` with `int W(r)/(x - r) dr/pi + ... = -1`: a punch of slope `g'` carries `int W g' dx/A0`.
+    tilt: Table,
+    /// Depth, `ln(b')/pi` added.
+    depth: Vec<f64>,
+    /// What friction makes of it.
+    rubbed: Option<Rubbed>,
+    /// Rules and room of the flat punch.
+    stage: Box<Stage>,
+    rule: Box<dyn Rule>,
+    system: Dense,
+    room: Room,
+}
+
+/// The stick zones of a family.
+struct Rubbed {
+    /// `ln(a/(b' - a))`, and the slope of the friction coefficient over it.
+    lambda: Vec<f64>,
+    slope: Vec<f64>,
+    /// `+1` where the slip is inward, `-1` where it is outward.
+    branch: f64,
+    /// Shear in the stick zone, times the half-width; its value at the end is the last number.
+    shear: Table,
+    /// Whether the conditions of friction were found to hold.
+    checked: bool,
+}
+
+/// A few numbers at each point of a family.
+#[derive(Default)]
+struct Table {
+    width: usize,
+    numbers: Vec<f64>,
+}
+
+impl Table {
+    fn push(&mut self, row: impl Iterator<Item = f64>) {
+        let before = self.numbers.len();
+        self.numbers.extend(row);
+        self.width = self.numbers.len() - before;
+    }
+
+    /// The row between the points.
+    fn blend_into(&self, shares: &[f64], out: &mut Vec<f64>) {
+        out.clear();
+        out.resize(self.width, 0.0);
+        for (share, row) in shares.iter().zip(self.numbers.chunks_exact(self.width)) {
+            out.iter_mut().zip(row).for_each(|(out, number)| *out += share * number);
+        }
+    }
+}
+
+/// Room for one member.
+#[derive(Default)]
+struct Room {
+    shares: Vec<f64>,
+    pressure: Vec<f64>,
+    tilt: Vec<f64>,
+    shear: Vec<f64>,
+}
+
+/// A flat face.
+#[derive(Debug)]
+struct Face {
+    half_width: f64,
+}
+
+impl PunchShape for Face {
+    fn height(&self, _x: f64) -> f64 {
+        0.0
+    }
+    fn slope(&self, _x: f64) -> f64 {
+        0.0
+    }
+    fn fixed_half_width(&self) -> Option<f64> {
+        Some(self.half_width)
+    }
+    fn natural_length(&self) -> f64 {
+        self.half_width
+    }
+}
+
+/// A flat punch of that half-width.
+fn member(problem: &Problem, half_width: f64, friction: bool) -> Problem {
+    let face = Box::new(Face { half_width: half_width * problem.length });
+    if friction { problem.under(face) } else { problem.dry(face) }
+}
+
+/// A failure with its place in the history.
+pub(crate) fn during(problem: &Problem, half_width: f64, what: &str) -> String {
+    format!("while the contact grew, at a half-width of {:.6}: {what}", half_width * problem.length)
+}
+
+/// Why a family ends before its widest member.
+#[derive(Clone, Debug)]
+pub(crate) enum Unfit {
+    /// A method's limit.
+    Refused(Refusal),
+    /// No single stick zone under one of its members: its half-width, and what is reported of it.
+    Friction(f64, Box<Rubbing>),
+}
+
+impl From<Refusal> for Unfit {
+    fn from(refusal: Refusal) -> Self {
+        Self::Refused(refusal)
+    }
+}
+
+impl Family {
+    /// Solves the members up to a widest half-width for a contact that is nearly as wide, with friction or without;
+    /// `coarse` is the family of a coarser resolution.
+    pub(crate) fn new(
+        layer: &mut Layer,
+        task: Task,
+        quadrature: &dyn Quadrature,
+        (contact, widest): (f64, f64),
+        friction: bool,
+        mut coarse: Option<&mut Family>,
+    ) -> Result<Self, Unfit> {
+        let flat = member(task.problem, widest, friction);
+        let rule = quadrature.rule(&Span::symmetric(1.0, Parity::Odd, Edge::Sharp))?;
+        let n = rule.unknowns();
+        layer.tabulate(Wanted { half_width: widest, ..task.wanted })?;
+        let octaves = (widest / layer.length()).max(1.0).log2();
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen
+        let count = ((POINTS.0 + POINTS.1 * n as f64) * (1.0 + POINTS.2 * octaves)) as usize;
+        let mut family = Self {
+            widest,
+            friction: flat.friction,
+            accuracy: task.wanted.accuracy,
+            points: Points::new(count),
+            pressure: Table::default(),
+            tilt: Table::default(),
+            depth: Vec::new(),
+            rubbed: None,
+            stage: Box::new(Stage::new(&flat, quadrature.refined(0))?),
+            rule,
+            system: Dense::new(n, 1),
+            room: Room::default(),
+        };
+        // Finer grids of the stick zone where one member needs them.
+        while !family.solve(layer, task, contact, coarse.as_deref_mut())? {}
+        Ok(family)
+    }
+
+    /// Whether it is what a task asks for.
+    pub(crate) fn serves(&self, task: Task, friction: bool, half_width: f64) -> bool {
+        let asked = task.problem.friction.filter(|_| friction);
+        self.friction.map(f64::to_bits) == asked.map(f64::to_bits)
+            && self.accuracy <= task.wanted.accuracy
+            && (self.widest / 4.0..=self.widest).contains(&half_width)
+    }
+
+    pub(crate) fn widest(&self) -> f64 {
+        self.widest
+    }
+
+    /// Solves all members. Returns false where one of them needed a finer grid than the others: between different grids
+    /// nothing can be interpolated.
+    fn solve(
+        &mut self,
+        layer: &mut Layer,
+        task: Task,
+        contact: f64,
+        mut coarse: Option<&mut Family>,
+    ) -> Result<bool, Unfit> {
+        self.pressure = Table::default();
+        self.tilt = Table::default();
+        self.depth.clear();
+        let half_widths: Vec<f64> = self.points.at.iter().map(|s| self.widest * s.powi(POWER)).collect();
+        let mut before = None;
+        if self.friction.is_some() && coarse.as_ref().is_none_or(|coarse| coarse.rubbed.is_none()) {
+            // The contact itself, by a search of its own: the others follow.
+            let flat = member(task.problem, contact, true);
+            let outcome = self.stage.solve(layer, Task { problem: &flat, ..task }, None, None)?;
+            let found = outcome.rubbing.as_ref().expect("a stick zone, or why there is none");
+            if found.reported().is_none() {
+                return Err(Unfit::Friction(contact, Box::new(found.clone())));
+            }
+            before = Some(outcome);
+        }
+        let count = half_widths.len();
+        let mut rubbed = Rubbed {
+            lambda: Vec::with_capacity(count),
+            slope: Vec::with_capacity(count),
+            branch: 1.0,
+            shear: Table::default(),
+            checked: true,
+        };
+        let known = coarse.as_ref().is_some_and(|coarse| coarse.is_checked());
+        for (k, b) in half_widths.iter().copied().enumerate() {
+            let flat = member(task.problem, b, self.friction.is_some());
+            let task = Task { problem: &flat, ..task };
+            let asked = !known && k % CHECKED == 0;
+            let predicted = coarse.as_mut().and_then(|coarse| coarse.rubbing_at(b, !asked));
+            let start = predicted.map(Outcome::of_rubbing).or(before);
+            let outcome = self.stage.solve(layer, task, start.as_ref(), None)?;
+            let normal = &self.stage.normal;
+            self.pressure.push(normal.unknowns().iter().map(|p| p * b));
+            self.tilted(layer, b)?;
+            let depth = self.stage.normal.depth(layer, &flat);
+            self.depth.push(depth.map_or(0.0, |depth| depth / flat.elastic.a0() + b.ln() / PI));
+            if let Some(found) = &outcome.rubbing {
+                let Some(root) = found.reported() else {
+                    return Err(Unfit::Friction(b, Box::new(found.clone())));
+                };
+                if k == 0 {
+                    rubbed.branch = root.branch;
+                } else if rubbed.branch.to_bits() != root.branch.to_bits() {
+                    let turned = "the direction of slip turns while the contact grows".into();
+                    return Err(Unfit::Friction(b, Box::new(found.clone().failing(turned))));
+                }
+                self.stage.shear_at(layer, task, root.lambda)?;
+                let shear = self.stage.shear.as_mut().expect("friction has shear");
+                let grid = shear.grid();
+                if k > 0 && grid > shear.insisted() {
+                    shear.insist_on(grid);
+                    return Ok(false);
+                }
+                shear.insist_on(grid);
+                rubbed.lambda.push(root.lambda);
+                rubbed.slope.push(root.slope);
+                rubbed.shear.push(shear.unknowns().iter().copied().chain([shear.at_edge]).map(|q| q * b));
+                rubbed.checked &= !asked || found.is_checked();
+            }
+            before = Some(outcome);
+        }
+        self.rubbed = self.friction.map(|_| rubbed);
+        Ok(true)
+    }
+
+    /// Checks the conditions of friction under some of the members up to a half-width; what the first that fails one
+    /// fails.
+    pub(crate) fn check(&mut self, layer: &mut Layer, task: Task, half_width: f64) -> Result<Option<String>, Refusal> {
+        let half_widths: Vec<f64> = self.points.at.iter().map(|s| self.widest * s.powi(POWER)).collect();
+        for b in [half_width].into_iter().chain(half_widths.into_iter().filter(|b| *b < half_width).step_by(CHECKED)) {
+            let flat = member(task.problem, b, true);
+            let task = Task { problem: &flat, ..task };
+            let start = self.rubbing_at(b, false).map(Outcome::of_rubbing);
+            let mut outcome = self.stage.solve(layer, task, start.as_ref(), None)?;
+            self.stage.settle(layer, task, &mut outcome)?;
+            let found = outcome.rubbing.as_ref().expect("a stick zone, or why there is none");
+            match &found.verdict {
+                Verdict::Holds => {}
+                Verdict::Fails(what) => return Ok(Some(during(task.problem, b, what))),
+                _ => return Ok(Some(during(task.problem, b, "no stick zone belongs to this friction coefficient"))),
+            }
+        }
+        if let Some(rubbed) = &mut self.rubbed {
+            rubbed.checked = true;
+        }
+        Ok(None)
+    }
+
+    /// The widest half-width up to `b` beyond which the stick zone shrinks while the contact grows, by more than rounding.
+    pub(crate) fn shrinks(&self, b: f64, rounding: f64) -> Option<f64> {
+        let at = |i: usize| self.zone(b * (i as f64 / 64.0).powi(POWER)).half_width;
+        (1..64).rev().find(|i| at(*i + 1) < at(*i) * (1.0 - rounding)).map(|i| b * (i as f64 / 64.0).powi(POWER))
+    }
+
+    /// The stick zone of a contact of that half-width.
+    pub(crate) fn rubbing(&mut self, b: f64) -> Option<Rubbing> {
+        let checked = self.is_checked();
+        self.rubbing_at(b, checked)
+    }
+
+    /// Matrices factorised so far.
+    pub(crate) fn factorisations(&self) -> usize {
+        self.stage.factorisations() + self.system.factorisations
+    }
+
+    /// Unknowns of a member's pressure.
+    pub(crate) fn unknowns(&self) -> usize {
+        self.stage.normal.size()
+    }
+
+    /// Solves for `W`.
+    fn tilted(&mut self, layer: &Layer, b: f64) -> Result<(), Refusal> {
+        self.rule.stretch(b);
+        self.rule.operator_into(layer.kernel(Component::NormalSlope), &mut self.system.rows);
+        match self.rule.row_scale() {
+            Some(scale) => self.system.columns.iter_mut().zip(scale).for_each(|(right, scale)| *right = -scale),
+            None => self.system.columns.fill(-1.0),
+        }
+        self.system.solve(1)?;
+        self.tilt.push(self.system.column(0).iter().copied());
+        Ok(())
+    }
+
+    /// The stick zone to be expected under a member.
+    fn rubbing_at(&mut self, b: f64, checked: bool) -> Option<Rubbing> {
+        self.points.shares_into(self.place(b), &mut self.room.shares);
+        let rubbed = self.rubbed.as_ref()?;
+        let blend = |numbers: &[f64]| self.room.shares.iter().zip(numbers).map(|(share, number)| share * number).sum();
+        let root =
+            Root { lambda: blend(&rubbed.lambda), branch: rubbed.branch, slope: blend(&rubbed.slope), doubt: SLOPE_DOUBT };
+        Some(Rubbing::expected(root, b, checked))
+    }
+
+    /// A half-width in the interpolation's variable.
+    fn place(&self, b: f64) -> f64 {
+        (b / self.widest).sqrt()
+    }
+
+    /// The stick zone of a member.
+    pub(crate) fn zone(&self, b: f64) -> StickZone {
+        let rubbed = self.rubbed.as_ref().expect("a family with friction");
+        let mut shares = Vec::new();
+        self.points.shares_into(self.place(b), &mut shares);
+        StickZone::from_log(shares.iter().zip(&rubbed.lambda).map(|(share, number)| share * number).sum(), b)
+    }
+
+    /// Friction coefficient, negative where the slip is outward.
+    pub(crate) fn signed_friction(&self) -> f64 {
+        self.rubbed.as_ref().map_or(0.0, |rubbed| rubbed.branch) * self.friction.unwrap_or(0.0)
+    }
+
+    /// Whether the conditions of friction were found to hold under its members.
+    pub(crate) fn is_checked(&self) -> bool {
+        self.rubbed.as_ref().is_none_or(|rubbed| rubbed.checked)
+    }
+
+    /// Depth of a member over `A0`.
+    pub(crate) fn depth(&mut self, b: f64) -> f64 {
+        self.points.shares_into(self.place(b), &mut self.room.shares);
+        let sum: f64 = self.room.shares.iter().zip(&self.depth).map(|(share, depth)| share * depth).sum();
+        sum - b.ln() / PI
+    }
+
+    /// `W` of a member at points within it.
+    pub(crate) fn tilt_into(&mut self, b: f64, at: &[Station], out: &mut [f64]) {
+        self.points.shares_into(self.place(b), &mut self.room.shares);
+        self.tilt.blend_into(&self.room.shares, &mut self.room.tilt);
+        self.rule.stretch(b);
+        self.rule.values_into(Density { unknowns: &self.room.tilt, carrier: 0.0 }, at, out);
+    }
+
+    /// Pressure of a member at points within it.
+    pub(crate) fn pressure_into(&mut self, b: f64, at: &[Station], out: &mut [f64]) {
+        self.points.shares_into(self.place(b), &mut self.room.shares);
+        self.pressures(b, at, out);
+    }
+
+    fn pressures(&mut self, b: f64, at: &[Station], out: &mut [f64]) {
+        self.pressure.blend_into(&self.room.shares, &mut self.room.pressure);
+        self.stage.normal.values_of(b, &self.room.pressure, at, out);
+        out.iter_mut().for_each(|p| *p /= b);
+    }
+
+    /// What the shear of a member lacks to that of full sliding, `eta p - q`, at a point within its stick zone.
+    pub(crate) fn lack(&mut self, b: f64, x: f64) -> f64 {
+        self.points.shares_into(self.place(b), &mut self.room.shares);
+        let rubbed = self.rubbed.as_ref().expect("a family with friction");
+        let blend = |numbers: &[f64]| self.room.shares.iter().zip(numbers).map(|(share, number)| share * number).sum();
+        let zone = StickZone::from_log(blend(&rubbed.lambda), b);
+        let gap = zone.half_width - x;
+        if gap <= 0.0 {
+            return 0.0;
+        }
+        rubbed.shear.blend_into(&self.room.shares, &mut self.room.shear);
+        let (at_edge, unknowns) = self.room.shear.split_last().expect("the shear's end");
+        let shear = self.stage.shear.as_mut().expect("friction has shear");
+        let q = shear.value_of(zone, unknowns, *at_edge, Station { x, gap }) / b;
+        let mut p = [0.0];
+        self.pressures(b, &[Station { x, gap: gap + zone.slip_width }], &mut p);
+        self.signed_friction() * p[0] - q
+    }
+}

@@ -1,0 +1,281 @@
+//! A contact that grows with the load, solved as a stack of flat punches: under friction, which remembers how it grew, and
+//! under shapes that are not analytic.
+
+use super::contact_size::{self, Size};
+use super::family::{Family, Unfit, during};
+use super::layer::Layer;
+use super::normal::Normal;
+use super::problem::{LoadInLayerUnits, Problem};
+use super::quantity::{Numbers, Quantity, Traces};
+use super::stack::Stack;
+use super::stage::{Outcome, Rubbing, Task, Verdict, normal_numbers, peak};
+use slipzone_api::{Quadrature, Refusal, Station};
+
+/// By how much a family is wider than the contact expected: beside a size known from a coarser resolution, and beside a
+/// guess; and how often it is widened when that was not enough.
+const ROOM: (f64, f64, usize) = (1.02, 1.3, 20);
+/// Error of a guess.
+const GUESSED: f64 = 1e-3;
+/// Error of the series over the half-width, over the tolerance.
+const SERIES_SHARE: f64 = 1e-2;
+/// Nodes on either side of the integrals over shape and half-width: at least, per unknown, at most.
+const NODES: (f64, f64, f64) = (8.0, 0.7, 26.0);
+/// The stick zone may shrink by rounding, relative.
+const STEADY: f64 = 1e-9;
+
+/// One resolution of a growing contact.
+pub(crate) struct Growing {
+    quadrature: Box<dyn Quadrature>,
+    pub(crate) family: Option<Family>,
+    stack: Option<Stack>,
+    /// Half-width of the present contact.
+    half_width: f64,
+    force: f64,
+    /// Whether the pressure is stacked, too.
+    is_kinked: bool,
+    /// What keeps friction from being told.
+    broken: Option<(f64, Rubbing)>,
+}
+
+impl Growing {
+    pub(crate) fn new(problem: &Problem, quadrature: Box<dyn Quadrature>) -> Self {
+        Self {
+            quadrature,
+            family: None,
+            stack: None,
+            half_width: 0.0,
+            force: 0.0,
+            is_kinked: problem.is_kinked(),
+            broken: None,
+        }
+    }
+
+    /// Solves; `coarse` is what a coarser resolution found, and the family it found it with.
+    pub(crate) fn solve(
+        &mut self,
+        layer: &mut Layer,
+        task: Task,
+        normal: &mut Normal,
+        coarse: Option<&Outcome>,
+        coarse_family: Option<&mut Family>,
+    ) -> Result<Outcome, Refusal> {
+        let problem = task.problem;
+        let known = coarse.and_then(|coarse| coarse.size);
+        let size = if self.is_kinked {
+            match (problem.load, known) {
+                (LoadInLayerUnits::HalfWidth(half_width), _) => Size::exactly(half_width),
+                (_, Some(size)) => size,
+                (_, None) => contact_size::press(layer, problem, normal, task.wanted, GUESSED, None)?,
+            }
+        } else {
+            contact_size::press(layer, problem, normal, task.wanted, task.tolerance, known)?
+        };
+        let room = match (problem.load, known.is_some() || !self.is_kinked) {
+            (LoadInLayerUnits::HalfWidth(_), _) => 1.0,
+            (_, true) => ROOM.0,
+            (_, false) => ROOM.1,
+        };
+        self.provide(layer, task, size.half_width, room, coarse_family)?;
+        let size = if self.is_kinked { self.widen(layer, task, size)? } else { size };
+        self.half_width = size.half_width;
+
+        let mut numbers = if self.is_kinked { self.stacked_numbers(layer, problem) } else { normal_numbers(layer, problem, normal) };
+        self.force = numbers.get(Quantity::Force).expect("every contact has one");
+        let rubbing = match problem.friction {
+            Some(_) => Some(self.rub(problem, normal)),
+            None => None,
+        };
+        if let Some(rubbing) = &rubbing {
+            rubbing.report(&mut numbers);
+        }
+        let mean = self.force / (2.0 * self.half_width);
+        let stations = Traces::stations(self.half_width);
+        let mut pressure = [0.0; Traces::AT.len()];
+        self.pressure_into(problem, normal, &stations, &mut pressure);
+        Ok(Outcome::new(numbers, rubbing, Some(size), pressure.map(|p| p / mean)))
+    }
+
+    /// Makes a family and a stack that reach to a half-width.
+    fn provide(
+        &mut self,
+        layer: &mut Layer,
+        task: Task,
+        half_width: f64,
+        room: f64,
+        coarse: Option<&mut Family>,
+    ) -> Result<(), Refusal> {
+        let rubs = task.problem.friction.is_some();
+        if self.family.as_ref().is_some_and(|family| family.serves(task, rubs, half_width)) {
+            if self.stack.is_none() {
+                self.stacked_on(task);
+            }
+            return Ok(());
+        }
+        self.broken = None;
+        self.stack = None;
+        let sizes = (half_width, room * half_width);
+        self.family = match Family::new(layer, task, self.quadrature.as_ref(), sizes, rubs, coarse) {
+            Ok(family) => Some(family),
+            Err(Unfit::Refused(refusal)) => return Err(refusal),
+            Err(Unfit::Friction(at, rubbing)) => {
+                self.broken = Some((at, *rubbing));
+                None
+            }
+        };
+        if self.broken.is_some() && self.is_kinked {
+            // The pressure can be told all the same.
+            self.family = match Family::new(layer, task, self.quadrature.as_ref(), sizes, false, None) {
+                Ok(family) => Some(family),
+                Err(Unfit::Refused(refusal)) => return Err(refusal),
+                Err(Unfit::Friction(..)) => unreachable!("no friction was asked for"),
+            };
+        }
+        self.stacked_on(task);
+        Ok(())
+    }
+
+    fn stacked_on(&mut self, task: Task) {
+        let Some(family) = &mut self.family else { return };
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen
+        let nodes = (NODES.0 + NODES.1 * family.unknowns() as f64).min(NODES.2) as usize;
+        self.stack = Some(Stack::new(task.problem, family, SERIES_SHARE * task.tolerance, nodes));
+    }
+
+    /// The size of a stacked contact; widens the family until it bears the load.
+    fn widen(&mut self, layer: &mut Layer, task: Task, guess: Size) -> Result<Size, Refusal> {
+        let problem = task.problem;
+        let mut widest = guess.half_width;
+        for _ in 0..ROOM.2 {
+            let (Some(family), Some(stack)) = (&mut self.family, &mut self.stack) else { break };
+            let found = match problem.load {
+                LoadInLayerUnits::HalfWidth(half_width) => Some(half_width),
+                LoadInLayerUnits::Force(force) => stack.half_width(problem, force),
+                LoadInLayerUnits::Indentation(depth) => stack.half_width_at_depth(problem, family, depth),
+            };
+            if let Some(half_width) = found {
+                return Ok(Size::exactly(half_width));
+            }
+            widest *= ROOM.1;
+            self.family = None;
+            self.provide(layer, task, widest, ROOM.1, None)?;
+        }
+        Err(contact_size::no_size("no half-width of the contact bears the load".into()))
+    }
+
+    /// The numbers of a stacked pressure.
+    fn stacked_numbers(&mut self, layer: &Layer, problem: &Problem) -> Numbers {
+        let mut numbers = Numbers::default();
+        let (Some(family), Some(stack)) = (&mut self.family, &mut self.stack) else { unreachable!("provided before") };
+        let b = self.half_width;
+        let force = stack.force(problem, b);
+        numbers.set(Quantity::Force, force);
+        numbers.set(Quantity::HalfWidth, b);
+        numbers.set(Quantity::Mean, force / (2.0 * b));
+        numbers.set(Quantity::StressIntensity, 0.0);
+        numbers.set(Quantity::EdgeRatio, 0.0);
+        if !layer.is_plain() {
+            numbers.set(Quantity::Indentation, stack.depth(problem, family, b));
+        }
+        let corners: Vec<f64> = problem.corners().filter(|corner| *corner < b).collect();
+        if corners.first().is_none_or(|corner| *corner > 0.0) {
+            numbers.set(Quantity::Centre, stack.pressure(problem, family, b, 0.0));
+        }
+        if corners.is_empty() {
+            let pressure = |at: &[Station], out: &mut [f64]| {
+                for (at, out) in at.iter().zip(out) {
+                    *out = stack.pressure(problem, family, b, at.x);
+                }
+            };
+            numbers.set(Quantity::Peak, peak(b, pressure));
+        }
+        numbers
+    }
+
+    /// The stick zone, and the shear's trace.
+    fn rub(&mut self, problem: &Problem, normal: &Normal) -> Rubbing {
+        let b = self.half_width;
+        if let Some((at, rubbing)) = &self.broken {
+            let rubbing = rubbing.clone();
+            return match &rubbing.verdict {
+                Verdict::Fails(what) => {
+                    let what = during(problem, *at, what);
+                    rubbing.failing(what)
+                }
+                Verdict::Holds | Verdict::NoShear => rubbing,
+                _ if *at >= b => rubbing,
+                _ => rubbing.failing(during(problem, *at, "no stick zone belongs to this friction coefficient")),
+            };
+        }
+        let family = self.family.as_mut().expect("provided before");
+        let zone = family.zone(b);
+        let mut rubbing = family.rubbing(b).expect("a family with friction");
+        if let Some(at) = family.shrinks(b, STEADY) {
+            rubbing = rubbing.failing(during(problem, at, "the stick zone shrinks"));
+        }
+        let mut trace = [0.0; Traces::AT.len() + 1];
+        let (inside, end) = trace.split_at_mut(Traces::AT.len());
+        let stations = Traces::stations(zone.half_width).map(|at| zone.in_contact(at));
+        let edge = [Station { x: zone.half_width, gap: zone.slip_width }];
+        self.pressure_into(problem, normal, &edge, end);
+        let friction = self.family.as_ref().map_or(0.0, Family::signed_friction);
+        end[0] *= friction;
+        let mut pressure = [0.0; Traces::AT.len()];
+        self.pressure_into(problem, normal, &stations, &mut pressure);
+        inside.copy_from_slice(&self.shear(problem, &stations, &pressure).expect("a family with friction"));
+        let mean = self.force / (2.0 * b);
+        rubbing.traced(trace.map(|q| q / mean))
+    }
+
+    /// Checks the conditions of friction where no coarser resolution has.
+    pub(crate) fn settle(&mut self, layer: &mut Layer, task: Task, outcome: &mut Outcome) -> Result<(), Refusal> {
+        let (Some(family), Some(rubbing)) = (&mut self.family, &mut outcome.rubbing) else { return Ok(()) };
+        if rubbing.verdict != Verdict::Holds || family.is_checked() {
+            return Ok(());
+        }
+        if let Some(what) = family.check(layer, task, self.half_width)? {
+            *rubbing = rubbing.clone().failing(what);
+        }
+        Ok(())
+    }
+
+    /// Pressure at points strictly inside the contact.
+    pub(crate) fn pressure_into(&mut self, problem: &Problem, normal: &Normal, at: &[Station], out: &mut [f64]) {
+        if !self.is_kinked {
+            return normal.values_into(at, out);
+        }
+        let (Some(family), Some(stack)) = (&mut self.family, &self.stack) else { unreachable!("provided before") };
+        for (at, out) in at.iter().zip(out) {
+            *out = stack.pressure(problem, family, self.half_width, at.x);
+        }
+    }
+
+    /// Shear at points strictly inside the contact, where the pressures are `pressure`; `None` where it cannot be told.
+    pub(crate) fn shear(&mut self, problem: &Problem, at: &[Station], pressure: &[f64]) -> Option<Vec<f64>> {
+        if let Some((_, Rubbing { verdict: Verdict::NoShear, .. })) = &self.broken {
+            return Some(vec![0.0; at.len()]);
+        }
+        let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return None };
+        problem.friction?;
+        let zone = family.zone(self.half_width);
+        let friction = family.signed_friction();
+        let one = |(at, p): (&Station, &f64)| {
+            let x = at.x.abs();
+            if x == 0.0 {
+                return 0.0;
+            }
+            let lack = if x < zone.half_width { stack.lack(problem, family, self.half_width, x) } else { 0.0 };
+            (friction * p - lack) * 1.0_f64.copysign(at.x)
+        };
+        Some(at.iter().zip(pressure).map(one).collect())
+    }
+
+    /// Friction coefficient of the shear, negative where the slip is outward; `None` where there is none to tell.
+    pub(crate) fn signed_friction(&self) -> Option<f64> {
+        self.family.as_ref().filter(|_| self.broken.is_none()).map(Family::signed_friction)
+    }
+
+    /// Matrices factorised so far.
+    pub(crate) fn factorisations(&self) -> usize {
+        self.family.as_ref().map_or(0, Family::factorisations)
+    }
+}

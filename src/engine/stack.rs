@@ -1,0 +1,239 @@
+//! A growing contact as a stack of flat punches.
+//!
+//! While the load on a convex punch grows, the rate of change inside a contact of half-width `b'` is what a flat punch
+//! of that half-width does (docs/theory.md, "Every punch is a stack of flat punches"). So, with `P(b')` the force that
+//! the punch bears at each half-width,
+//! `p(x; b) = int_|x|^b p_flat(x; b') dP(b')` and `q(x; b) = eta p(x; b) - int_b*^b (eta p_flat - q_flat)(x; b') dP(b')`,
+//! `b*` being the half-width at which the stick zone ended at `x`.
+
+use super::chebyshev::{Points, Series};
+use super::family::Family;
+use super::problem::Problem;
+use basin::Toms748Root;
+use slipzone_api::Station;
+use slipzone_api::double_exponential::{self, Node};
+
+/// Coefficients of the force over a piece: at first, and at most.
+const COEFFICIENTS: (usize, usize) = (12, 96);
+/// Power of the variable in which the force over the first piece is a series.
+const POWER: i32 = 2;
+
+/// The force under one punch over all half-widths of a family, and what is stacked with it.
+pub(crate) struct Stack {
+    pieces: Vec<Piece>,
+    /// Where the shape is not analytic, within the contact, both ends of it included.
+    breaks: Vec<f64>,
+    grid: Vec<Node>,
+    room: Room,
+}
+
+/// Room for points within a contact.
+#[derive(Default)]
+struct Room {
+    at: Vec<Station>,
+    weights: Vec<f64>,
+    values: Vec<f64>,
+}
+
+/// The force between two half-widths at which the shape is not analytic.
+struct Piece {
+    from: f64,
+    to: f64,
+    force: Force,
+}
+
+/// How the force is written.
+enum Force {
+    /// From a point: `g(b') rho/A0`, `rho` a series in `(b'/to)^(1/2)`. It has the order of the shape from the start.
+    OfHeight(Series),
+    /// From anywhere else: a series in `((b' - from)/(to - from))^(1/2)`.
+    Plain(Series),
+}
+
+impl Stack {
+    /// The stack of a punch over a family; `digits` is the error wanted, relative.
+    pub(crate) fn new(problem: &Problem, family: &mut Family, digits: f64, nodes: usize) -> Self {
+        let widest = family.widest();
+        let face = problem.face().min(widest);
+        let mut breaks = vec![face];
+        breaks.extend(problem.kinks().filter(|kink| *kink > face && *kink < widest));
+        breaks.push(widest);
+        let grid = double_exponential::nodes(1.0, nodes);
+        let mut stack = Self { pieces: Vec::new(), breaks, grid, room: Room::default() };
+        for i in 1..stack.breaks.len() {
+            let (from, to) = (stack.breaks[i - 1], stack.breaks[i]);
+            let piece = stack.piece(problem, family, from, to, digits);
+            stack.pieces.push(piece);
+        }
+        stack
+    }
+
+    fn piece(&mut self, problem: &Problem, family: &mut Family, from: f64, to: f64, digits: f64) -> Piece {
+        let mut count = COEFFICIENTS.0;
+        loop {
+            let points = Points::new(count);
+            let force = if from > 0.0 {
+                let at = |s: &f64| self.force_by_tilt(problem, family, from + (to - from) * s * s);
+                let values: Vec<f64> = points.at.iter().map(at).collect();
+                Force::Plain(points.through(&values))
+            } else {
+                let at = |s: &f64| {
+                    let b = to * s.powi(POWER);
+                    self.force_by_tilt(problem, family, b) / problem.height(b)
+                };
+                let values: Vec<f64> = points.at.iter().map(at).collect();
+                Force::OfHeight(points.through(&values))
+            };
+            let (Force::OfHeight(series) | Force::Plain(series)) = &force;
+            if series.tail() < digits || 2 * count > COEFFICIENTS.1 || series.tail().is_nan() {
+                return Piece { from, to, force };
+            }
+            count *= 2;
+        }
+    }
+
+    /// `2/A0 int_0^b f(x) h(x) dx`, with `f` of a family member and `h` of the shape.
+    fn over_contact(
+        &mut self,
+        b: f64,
+        member: &mut dyn FnMut(&[Station], &mut [f64]),
+        of_shape: impl Fn(f64) -> f64,
+    ) -> f64 {
+        let Room { at, weights, values } = &mut self.room;
+        at.clear();
+        weights.clear();
+        let start = [0.0].into_iter().filter(|_| self.breaks[0] > 0.0);
+        let ends: Vec<f64> = start.chain(self.breaks.iter().copied().filter(|x| *x < b)).chain([b]).collect();
+        for ends in ends.windows(2) {
+            let length = ends[1] - ends[0];
+            for node in &self.grid {
+                let x = ends[0] + length * node.from_lower;
+                let gap = length * node.to_upper + (b - ends[1]);
+                at.push(Station { x, gap });
+                weights.push(length * node.weight);
+            }
+        }
+        values.resize(at.len(), 0.0);
+        member(at, values);
+        let terms = at.iter().zip(weights.iter()).zip(values.iter());
+        2.0 * terms.map(|((at, weight), value)| weight * value * of_shape(at.x)).sum::<f64>()
+    }
+
+    /// The force at a half-width, by reciprocity with the tilted flat punch.
+    fn force_by_tilt(&mut self, problem: &Problem, family: &mut Family, b: f64) -> f64 {
+        let a0 = problem.elastic.a0();
+        self.over_contact(b, &mut |at, out| family.tilt_into(b, at, out), |x| problem.slope(x)) / a0
+    }
+
+    /// The force at a half-width.
+    pub(crate) fn force(&self, problem: &Problem, b: f64) -> f64 {
+        let last = self.pieces.last().expect("one piece at least");
+        let piece = self.pieces.iter().find(|piece| b <= piece.to).unwrap_or(last);
+        piece.force_and_rate(problem, b, b - piece.from).0
+    }
+
+    /// Depth of the punch at a half-width, by reciprocity: `P D + int p_flat g dx`.
+    pub(crate) fn depth(&mut self, problem: &Problem, family: &mut Family, b: f64) -> f64 {
+        let lifted = self.over_contact(b, &mut |at, out| family.pressure_into(b, at, out), |x| problem.height(x));
+        self.force(problem, b) * problem.elastic.a0() * family.depth(b) + lifted
+    }
+
+    /// Half-width that bears a force; `None` where no member does.
+    pub(crate) fn half_width(&self, problem: &Problem, force: f64) -> Option<f64> {
+        let (face, widest) = (self.breaks[0], *self.breaks.last()?);
+        let excess = |b: f64| self.force(problem, b) / force - 1.0;
+        let least = if face > 0.0 { face * (1.0 + 1e-12) } else { widest * 1e-9 };
+        let root = Toms748Root::new(least, widest)
+            .with_absolute_position_tolerance(4.0 * f64::EPSILON * widest)
+            .solve(|b| Ok::<_, std::convert::Infallible>(excess(b)));
+        root.ok().map(|root| root.root())
+    }
+
+    /// Half-width at which a depth is reached.
+    pub(crate) fn half_width_at_depth(&mut self, problem: &Problem, family: &mut Family, depth: f64) -> Option<f64> {
+        let (face, widest) = (self.breaks[0], *self.breaks.last()?);
+        let least = if face > 0.0 { face * (1.0 + 1e-12) } else { widest * 1e-9 };
+        let root = Toms748Root::new(least, widest)
+            .with_absolute_position_tolerance(4.0 * f64::EPSILON * widest)
+            .solve(|b| Ok::<_, std::convert::Infallible>(self.depth(problem, family, b) / depth - 1.0));
+        root.ok().map(|root| root.root())
+    }
+
+    /// `int F(b', b' - from) dP(b')` from `from` to `b`.
+    fn stacked(&self, problem: &Problem, from: f64, b: f64, mut f: impl FnMut(f64, f64) -> f64) -> f64 {
+        let mut sum = 0.0;
+        for piece in &self.pieces {
+            let (lower, upper) = (piece.from.max(from), piece.to.min(b));
+            if lower >= upper {
+                continue;
+            }
+            // In proportion, where that is a long way: what is stacked varies with `x/b'`.
+            let way = if lower > 0.0 { (upper / lower).ln() } else { 0.0 };
+            for node in &self.grid {
+                let (beyond, weight) = if way > 0.0 {
+                    let beyond = lower * (way * node.from_lower).exp_m1();
+                    (beyond, way * node.weight * (lower + beyond))
+                } else {
+                    ((upper - lower) * node.from_lower, (upper - lower) * node.weight)
+                };
+                let member = lower + beyond;
+                let to_piece = (lower - piece.from) + beyond;
+                let (_, rate) = piece.force_and_rate(problem, member, to_piece);
+                sum += weight * rate * f(member, (lower - from) + beyond);
+            }
+        }
+        sum
+    }
+
+    /// Pressure at a point of a contact.
+    pub(crate) fn pressure(&self, problem: &Problem, family: &mut Family, b: f64, x: f64) -> f64 {
+        let x = x.abs();
+        let from = x.max(self.breaks[0]);
+        let mut p = [0.0];
+        self.stacked(problem, from, b, |member, beyond| {
+            let gap = (from - x) + beyond;
+            family.pressure_into(member, &[Station { x, gap }], &mut p);
+            p[0]
+        })
+    }
+
+    /// Half-width at which the stick zone ended at a point; that of the face where it was never so narrow.
+    fn stuck_since(&self, family: &Family, b: f64, x: f64) -> f64 {
+        let face = self.breaks[0];
+        let beyond = |half_width: f64| family.zone(half_width).half_width - x;
+        if face > 0.0 && beyond(face) >= 0.0 {
+            return face;
+        }
+        let least = face.max(x);
+        Toms748Root::new(least, b)
+            .with_absolute_position_tolerance(f64::EPSILON * b)
+            .solve(|half_width| Ok::<_, std::convert::Infallible>(beyond(half_width)))
+            .map_or(b, |root| root.root())
+    }
+
+    /// What the shear at a point of the stick zone lacks to that of full sliding.
+    pub(crate) fn lack(&self, problem: &Problem, family: &mut Family, b: f64, x: f64) -> f64 {
+        let x = x.abs();
+        let since = self.stuck_since(family, b, x);
+        self.stacked(problem, since, b, |member, _| family.lack(member, x))
+    }
+}
+
+impl Piece {
+    /// The force at a half-width and its rate `dP/db'`; the distance to the lower end is not left to a difference.
+    fn force_and_rate(&self, problem: &Problem, b: f64, from_lower: f64) -> (f64, f64) {
+        let width = self.to - self.from;
+        let s = (from_lower / width).sqrt();
+        match &self.force {
+            Force::OfHeight(series) => {
+                let (rho, slope) = series.value_and_slope(s);
+                let height = problem.height(b);
+                (height * rho, problem.slope(b) * rho + height * slope * s / (2.0 * b))
+            }
+            Force::Plain(series) => {
+                let (force, slope) = series.value_and_slope(s);
+                (force, slope / (2.0 * s * width))
+            }
+        }
+    }
+}
