@@ -4,11 +4,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-/// Chebyshev points of the first kind on `(0, 1)`, descending, and the barycentric weights that belong to them.
+/// Chebyshev points of the first kind on `(0, 1)`, descending.
 #[derive(Clone, Debug)]
 pub(crate) struct Points {
     pub(crate) at: Vec<f64>,
-    weights: Vec<f64>,
 }
 
 impl Points {
@@ -17,20 +16,7 @@ impl Points {
         let angle = |k: usize| (2 * k + 1) as f64 * FRAC_PI_2 / count as f64;
         // (1 + cos)/2, without cancellation near 0.
         let at = (0..count).map(|k| (0.5 * angle(k)).cos().powi(2)).collect();
-        let weights = (0..count).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 } * angle(k).sin()).collect();
-        Self { at, weights }
-    }
-
-    /// How much of each point's value the interpolant at `s` is: the barycentric formula, one number per point.
-    pub(crate) fn shares_into(&self, s: f64, shares: &mut Vec<f64>) {
-        shares.clear();
-        if let Some(here) = self.at.iter().position(|at| at.to_bits() == s.to_bits()) {
-            shares.extend((0..self.at.len()).map(|k| if k == here { 1.0 } else { 0.0 }));
-            return;
-        }
-        shares.extend(self.at.iter().zip(&self.weights).map(|(at, weight)| weight / (s - at)));
-        let all: f64 = shares.iter().sum();
-        shares.iter_mut().for_each(|share| *share /= all);
+        Self { at }
     }
 
     /// The polynomial through values at the points.
@@ -84,14 +70,10 @@ mod tests {
         let series = points.through(&values);
         // The pole at -1 is rho = 3 + sqrt 8 away: 5.8^-18 = 2e-14.
         assert!(series.tail() < 1e-11, "{}", series.tail());
-        let mut shares = Vec::new();
         for s in [0.0, 1e-3, 0.3, 0.77, 1.0, points.at[4]] {
             let (value, slope) = series.value_and_slope(s);
             let exact = 2.0 * f(s) - f(s) / (1.0 + s);
             assert!((value - f(s)).abs() < 1e-12 && (slope - exact).abs() < 1e-10, "{value}, {slope} at {s}");
-            points.shares_into(s, &mut shares);
-            let barycentric: f64 = shares.iter().zip(&values).map(|(share, value)| share * value).sum();
-            assert!((barycentric - value).abs() < 1e-13, "two forms of one polynomial");
         }
         assert!((points.at[0] - (0.5 * FRAC_PI_2 / 18.0).cos().powi(2)).abs() < 1e-15);
     }

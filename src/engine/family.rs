@@ -1,36 +1,32 @@
 //! The flat punches of one layer, over all half-widths up to some widest: what every growing contact is a stack of.
 //!
-//! All that a flat punch answers varies smoothly with its half-width `b'`; it is solved at Chebyshev points of
-//! `(b'/B)^(1/2)` and interpolated. The root tames what the thin end has of `b'^2 log b'` where the layer is graded.
+//! All that a flat punch answers varies smoothly with its half-width; it is solved at a few and told in between.
 
-use super::chebyshev::Points;
+use super::blend::Blend;
 use super::dense::Dense;
 use super::layer::{Layer, Wanted};
 use super::problem::Problem;
 use super::stage::{Outcome, Rubbing, Stage, Task, Verdict};
 use super::stick_search::Root;
 use super::stick_zone::StickZone;
-use slipzone_api::{
-    Component, Density, Edge, Parity, PunchShape, Quadrature, Refusal, Rule, Span, Station,
-};
+use slipzone_api::{Component, Density, Edge, Parity, PunchShape, Quadrature, Refusal, Rule, Span, Station};
 use std::f64::consts::PI;
 
-/// Power of the interpolation's variable that is the half-width.
-const POWER: i32 = 2;
 /// Points: at least, and more per unknown of the pressure; so many times more for each doubling of the widest half-width
 /// beyond the layer's length.
 const POINTS: (f64, f64, f64) = (5.0, 0.6, 0.5);
 /// Doubt of a slope that a coarser resolution tells; see [`super::root::Near`].
 const SLOPE_DOUBT: f64 = 0.005;
+/// Error of the members' stick zones over the tolerance.
+const REFINED: f64 = 0.01;
 /// Of so many points one is checked against the conditions of friction.
 const CHECKED: usize = 4;
 
 /// Flat punches that carry a unit force each, at one resolution, in layer units.
 pub(crate) struct Family {
-    widest: f64,
     friction: Option<f64>,
     accuracy: f64,
-    points: Points,
+    blend: Blend,
     /// Pressures, times the half-width.
     pressure: Table,
     /// Odd densities `W` with `int W(r)/(x - r) dr/pi + ... = -1`: a punch of slope `g'` carries `int W g' dx/A0`.
@@ -158,10 +154,9 @@ impl Family {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen
         let count = ((POINTS.0 + POINTS.1 * n as f64) * (1.0 + POINTS.2 * octaves)) as usize;
         let mut family = Self {
-            widest,
             friction: flat.friction,
             accuracy: task.wanted.accuracy,
-            points: Points::new(count),
+            blend: Blend::new(widest, count)?,
             pressure: Table::default(),
             tilt: Table::default(),
             depth: Vec::new(),
@@ -181,11 +176,11 @@ impl Family {
         let asked = task.problem.friction.filter(|_| friction);
         self.friction.map(f64::to_bits) == asked.map(f64::to_bits)
             && self.accuracy <= task.wanted.accuracy
-            && (self.widest / 4.0..=self.widest).contains(&half_width)
+            && (self.blend.widest() / 4.0..=self.blend.widest()).contains(&half_width)
     }
 
     pub(crate) fn widest(&self) -> f64 {
-        self.widest
+        self.blend.widest()
     }
 
     /// Solves all members. Returns false where one of them needed a finer grid than the others: between different grids
@@ -200,7 +195,7 @@ impl Family {
         self.pressure = Table::default();
         self.tilt = Table::default();
         self.depth.clear();
-        let half_widths: Vec<f64> = self.points.at.iter().map(|s| self.widest * s.powi(POWER)).collect();
+        let half_widths = self.blend.half_widths().to_vec();
         let mut before = None;
         if self.friction.is_some() && coarse.as_ref().is_none_or(|coarse| coarse.rubbed.is_none()) {
             // The contact itself, by a search of its own: the others follow.
@@ -243,7 +238,7 @@ impl Family {
                     let turned = "the direction of slip turns while the contact grows".into();
                     return Err(Unfit::Friction(b, Box::new(found.clone().failing(turned))));
                 }
-                self.stage.shear_at(layer, task, root.lambda)?;
+                let root = self.stage.refined_root(layer, task, root, REFINED * task.tolerance)?;
                 let shear = self.stage.shear.as_mut().expect("friction has shear");
                 let grid = shear.grid();
                 if k > 0 && grid > shear.insisted() {
@@ -265,7 +260,7 @@ impl Family {
     /// Checks the conditions of friction under some of the members up to a half-width; what the first that fails one
     /// fails.
     pub(crate) fn check(&mut self, layer: &mut Layer, task: Task, half_width: f64) -> Result<Option<String>, Refusal> {
-        let half_widths: Vec<f64> = self.points.at.iter().map(|s| self.widest * s.powi(POWER)).collect();
+        let half_widths = self.blend.half_widths().to_vec();
         for b in [half_width].into_iter().chain(half_widths.into_iter().filter(|b| *b < half_width).step_by(CHECKED)) {
             let flat = member(task.problem, b, true);
             let task = Task { problem: &flat, ..task };
@@ -287,8 +282,9 @@ impl Family {
 
     /// The widest half-width up to `b` beyond which the stick zone shrinks while the contact grows, by more than rounding.
     pub(crate) fn shrinks(&self, b: f64, rounding: f64) -> Option<f64> {
-        let at = |i: usize| self.zone(b * (i as f64 / 64.0).powi(POWER)).half_width;
-        (1..64).rev().find(|i| at(*i + 1) < at(*i) * (1.0 - rounding)).map(|i| b * (i as f64 / 64.0).powi(POWER))
+        let half_width = |i: usize| b * (i as f64 / 64.0).powi(2);
+        let at = |i: usize| self.zone(half_width(i)).half_width;
+        (1..64).rev().find(|i| at(*i + 1) < at(*i) * (1.0 - rounding)).map(half_width)
     }
 
     /// The stick zone of a contact of that half-width.
@@ -322,24 +318,23 @@ impl Family {
 
     /// The stick zone to be expected under a member.
     fn rubbing_at(&mut self, b: f64, checked: bool) -> Option<Rubbing> {
-        self.points.shares_into(self.place(b), &mut self.room.shares);
+        self.blend.shares_into(b, &mut self.room.shares);
         let rubbed = self.rubbed.as_ref()?;
         let blend = |numbers: &[f64]| self.room.shares.iter().zip(numbers).map(|(share, number)| share * number).sum();
-        let root =
-            Root { lambda: blend(&rubbed.lambda), branch: rubbed.branch, slope: blend(&rubbed.slope), doubt: SLOPE_DOUBT };
+        let root = Root {
+            lambda: blend(&rubbed.lambda),
+            branch: rubbed.branch,
+            slope: blend(&rubbed.slope),
+            doubt: SLOPE_DOUBT,
+        };
         Some(Rubbing::expected(root, b, checked))
-    }
-
-    /// A half-width in the interpolation's variable.
-    fn place(&self, b: f64) -> f64 {
-        (b / self.widest).sqrt()
     }
 
     /// The stick zone of a member.
     pub(crate) fn zone(&self, b: f64) -> StickZone {
         let rubbed = self.rubbed.as_ref().expect("a family with friction");
         let mut shares = Vec::new();
-        self.points.shares_into(self.place(b), &mut shares);
+        self.blend.shares_into(b, &mut shares);
         StickZone::from_log(shares.iter().zip(&rubbed.lambda).map(|(share, number)| share * number).sum(), b)
     }
 
@@ -355,14 +350,14 @@ impl Family {
 
     /// Depth of a member over `A0`.
     pub(crate) fn depth(&mut self, b: f64) -> f64 {
-        self.points.shares_into(self.place(b), &mut self.room.shares);
+        self.blend.shares_into(b, &mut self.room.shares);
         let sum: f64 = self.room.shares.iter().zip(&self.depth).map(|(share, depth)| share * depth).sum();
         sum - b.ln() / PI
     }
 
     /// `W` of a member at points within it.
     pub(crate) fn tilt_into(&mut self, b: f64, at: &[Station], out: &mut [f64]) {
-        self.points.shares_into(self.place(b), &mut self.room.shares);
+        self.blend.shares_into(b, &mut self.room.shares);
         self.tilt.blend_into(&self.room.shares, &mut self.room.tilt);
         self.rule.stretch(b);
         self.rule.values_into(Density { unknowns: &self.room.tilt, carrier: 0.0 }, at, out);
@@ -370,7 +365,7 @@ impl Family {
 
     /// Pressure of a member at points within it.
     pub(crate) fn pressure_into(&mut self, b: f64, at: &[Station], out: &mut [f64]) {
-        self.points.shares_into(self.place(b), &mut self.room.shares);
+        self.blend.shares_into(b, &mut self.room.shares);
         self.pressures(b, at, out);
     }
 
@@ -382,7 +377,7 @@ impl Family {
 
     /// What the shear of a member lacks to that of full sliding, `eta p - q`, at a point within its stick zone.
     pub(crate) fn lack(&mut self, b: f64, x: f64) -> f64 {
-        self.points.shares_into(self.place(b), &mut self.room.shares);
+        self.blend.shares_into(b, &mut self.room.shares);
         let rubbed = self.rubbed.as_ref().expect("a family with friction");
         let blend = |numbers: &[f64]| self.room.shares.iter().zip(numbers).map(|(share, number)| share * number).sum();
         let zone = StickZone::from_log(blend(&rubbed.lambda), b);

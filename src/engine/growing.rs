@@ -79,7 +79,8 @@ impl Growing {
         let size = if self.is_kinked { self.widen(layer, task, size)? } else { size };
         self.half_width = size.half_width;
 
-        let mut numbers = if self.is_kinked { self.stacked_numbers(layer, problem) } else { normal_numbers(layer, problem, normal) };
+        let mut numbers =
+            if self.is_kinked { self.stacked_numbers(layer, problem) } else { normal_numbers(layer, problem, normal) };
         self.force = numbers.get(Quantity::Force).expect("every contact has one");
         let rubbing = match problem.friction {
             Some(_) => Some(self.rub(problem, normal)),

@@ -3,6 +3,7 @@
 //! It knows the traits of `slipzone-api` and no plugin by name, prints nothing and reads no file.
 
 mod assemble;
+mod blend;
 mod chebyshev;
 mod checks;
 mod contact_size;

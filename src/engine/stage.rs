@@ -354,9 +354,26 @@ impl Stage {
         Ok(())
     }
 
-    /// Leaves the shear of a stick zone in `shear`.
-    pub(crate) fn shear_at(&mut self, layer: &Layer, task: Task, lambda: f64) -> Result<(), Refusal> {
-        self.curve(layer, task).at_or_near(lambda, task.tolerance)
+    /// A root once more, to within an error; its shear is left in `shear`.
+    pub(crate) fn refined_root(&mut self, layer: &Layer, task: Task, root: Root, error: f64) -> Result<Root, Refusal> {
+        const STEPS: usize = 4;
+        let target = root.branch * task.problem.friction.unwrap_or(0.0);
+        let mut curve = self.curve(layer, task);
+        let Root { mut lambda, mut slope, .. } = root;
+        let mut value = curve.at(lambda)?;
+        for _ in 0..STEPS {
+            let step = (target - value) / slope;
+            if step.abs() < error {
+                lambda += step;
+                break;
+            }
+            let next = curve.at(lambda + step)?;
+            if (step.abs() > f64::EPSILON.sqrt()) && (next - value) / step * slope > 0.0 {
+                slope = (next - value) / step;
+            }
+            (lambda, value) = (lambda + step, next);
+        }
+        Ok(Root { lambda, slope, ..root })
     }
 
     /// Leaves the shear of the stick zone reported in `shear`, and checks it. Returns whether another zone than

@@ -10,7 +10,12 @@ use super::stage::{Rubbing, Stage, Verdict};
 const UNRESOLVED: f64 = 0.1;
 
 /// Status and reason of a solved contact.
-pub(super) fn verdict(problem: &Problem, stage: &mut Stage, judged: &Judged, tolerance: f64) -> (Status, Option<String>) {
+pub(super) fn verdict(
+    problem: &Problem,
+    stage: &mut Stage,
+    judged: &Judged,
+    tolerance: f64,
+) -> (Status, Option<String>) {
     let Some((status, reason)) = objection(problem, stage, judged, tolerance) else {
         return (Status::Converged, None);
     };
