@@ -112,7 +112,10 @@ fn only<'k>(document: &Document, table: &str, keys: &[&'k str]) -> Result<&'k st
         [key] => Ok(key),
         [] => Err(document
             .error(document.key(&["load", table]), format!("no load in `load.{table}`"))
-            .found(document.found(&["load", table]))
+            .found(match document.value(&["load", table, "points"]) {
+                Some(_) => "`points` alone".into(),
+                None => document.found(&["load", table]),
+            })
             .expected(ONE_QUANTITY)),
         [first, second, ..] => Err(document
             .error(document.key(&["load", table, second]), format!("a second load, `{second}` beside `{first}`"))

@@ -101,6 +101,9 @@ pub enum PathError {
         /// The one before it.
         before: f64,
     },
+    /// A load whose steps are lost among the smallest numbers.
+    #[error("expected a load that can be divided into so many steps, found {0:?}")]
+    TooSmall(f64),
 }
 
 impl LoadPath {
@@ -128,6 +131,9 @@ impl LoadPath {
         if !Self::POINTS.contains(&points) {
             return Err(PathError::Count { allowed: Self::POINTS, found: points });
         }
+        if most.value().get() / (points as f64) < f64::MIN_POSITIVE {
+            return Err(PathError::TooSmall(most.value().get()));
+        }
         Ok(Self { kind: most.kind(), steps: Steps::Until { most: most.value(), points } })
     }
 
@@ -153,8 +159,9 @@ impl LoadPath {
         self.kind.load(match &self.steps {
             Steps::Listed(loads) => loads[index],
             // The last share is 1 without rounding, so that the last load is the one given.
-            Steps::Until { most, points } => Positive::new(most.get() * ((index + 1) as f64 / *points as f64))
-                .expect("a share of a number between 1e-100 and 1e100"),
+            Steps::Until { most, points } => {
+                Positive::new(most.get() * ((index + 1) as f64 / *points as f64)).expect("a positive share")
+            }
         })
     }
 
@@ -311,5 +318,6 @@ mod tests {
         for points in [0, 1, 100_001] {
             assert!(LoadPath::until(Load::Force(positive(1.0)), points).is_err(), "{points}");
         }
+        assert!(LoadPath::until(Load::Force(positive(1e-310)), 2).is_err(), "its half is no normal number");
     }
 }
