@@ -54,7 +54,7 @@ fn the_result_is_that_of_the_last_load_to_the_last_byte() {
         let taken = with_path.path.take().expect("a curve was asked for");
         assert_eq!((taken.status, taken.note.as_deref()), (Status::Converged, None), "{}", path.load);
         with_path.scene.path = None;
-        assert_eq!(json(&with_path), json(&alone), "{}", path.load);
+        assert!(json(&with_path) == json(&alone), "{}", path.load);
 
         let ends = |column: &[Option<f64>]| column.last().copied().flatten();
         assert_eq!(ends(&taken.force), alone.load.force);
@@ -67,18 +67,29 @@ fn the_result_is_that_of_the_last_load_to_the_last_byte() {
     }
 }
 
+/// What is read of a result.
+#[derive(serde::Deserialize)]
+struct Written {
+    scene: Scene,
+}
+
 /// A scene read from a result gives that result, the curve included.
 #[test]
 fn the_scene_of_a_result_reproduces_it() {
     for (path, _) in pairs() {
-        let first = json(&path.solve());
-        let value: Value = serde_json::from_str(&first).expect("JSON");
-        let scene: Scene = serde_json::from_value(value["scene"].clone()).expect("a scene");
-        assert_eq!(json(&solve(&scene)), first, "{}", path.load);
+        // Why each method was chosen goes without saying once the scene names it.
+        let result = |scene: &Scene| {
+            let mut solution = solve(scene);
+            solution.plan.reasons.clear();
+            json(&solution)
+        };
+        let first = result(&path.scene());
+        let Written { scene } = serde_json::from_str(&first).expect("a result with a scene");
+        assert!(result(&scene) == first, "{}", path.load);
         let text = toml::to_string(&scene).expect("TOML");
         let again = parse("again", &text).unwrap_or_else(|error| panic!("{error}\n{text}"));
         assert_eq!(again.path, scene.path, "{text}");
-        assert_eq!(json(&solve(&again)), first, "{text}");
+        assert!(result(&again) == first, "{text}");
     }
     let plain: Value = serde_json::from_str(&json(&cylinder().solve())).expect("JSON");
     assert_eq!(plain.get("path"), None, "nothing is said of a curve that was not asked for");
@@ -155,7 +166,7 @@ fn a_flat_punch_has_a_straight_curve() {
     }
 }
 
-/// A tolerance that no resolution meets, on a layer so thin that wide contacts pass no more for solved.
+/// A tolerance that no resolution meets.
 #[test]
 fn a_load_that_fails_is_named() {
     let sketch = cylinder().loaded("path = { force = [0.1, 0.2] }").with("[solver]\ntolerance = 1e-14");

@@ -206,3 +206,113 @@ fn head(solution: &Solution, curve: &Curve, width: f64) -> Head {
     head.height += 0.3 * LINE;
     head
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::samples;
+
+    /// All text of a figure; fails on what is no XML.
+    fn texts(svg: &str) -> Vec<String> {
+        let document = roxmltree::Document::parse(svg).expect("well-formed XML");
+        document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).map(Into::into).collect()
+    }
+
+    /// The column of a curve that has it.
+    fn column(column: &mut Option<Vec<Option<f64>>>) -> &mut Vec<Option<f64>> {
+        column.as_mut().expect("a column")
+    }
+
+    #[test]
+    fn curves_and_axes_are_named_with_their_units() {
+        let found = texts(&curve_svg(&samples::loading_curve()).expect("a curve"));
+        for name in ["force per length P (N/mm)", "indentation δ (mm)", "half-width (mm)", "contact b", "stick zone a"]
+        {
+            assert!(found.iter().any(|text| text == name), "{name} in {found:?}");
+        }
+        let scene = found.iter().find(|text| text.contains("exponential")).expect("the scene");
+        assert!(scene.starts_with("h = 5 mm, "), "no number of the last load alone: {scene}");
+        let mut solution = samples::loading_curve();
+        let curve = solution.path.as_mut().expect("a curve");
+        (curve.indentation, curve.stick_half_width, curve.stick_ratio) = (None, None, None);
+        let found = texts(&curve_svg(&solution).expect("a curve"));
+        assert!(found.contains(&"contact half-width b (mm)".to_owned()), "{found:?}");
+        assert!(!found.iter().any(|text| text.contains("stick") || text.contains('δ')), "{found:?}");
+    }
+
+    #[test]
+    fn the_same_solution_gives_the_same_figure() {
+        let solution = samples::loading_curve();
+        let figure = curve_svg(&solution).expect("a curve");
+        assert_eq!(curve_svg(&solution).expect("a curve"), figure);
+        for frame in ["frame0", "frame1"] {
+            assert!(figure.contains(&format!("url(#{frame})")), "each panel clips its own curves");
+        }
+    }
+
+    #[test]
+    fn few_points_are_marked_and_many_are_not() {
+        let marks = |points: usize| {
+            let mut solution = samples::loading_curve();
+            let curve = solution.path.as_mut().expect("a curve");
+            curve.force.truncate(points);
+            let figure = curve_svg(&solution).expect("a curve");
+            figure.matches("<circle").count()
+        };
+        assert_eq!((marks(1), marks(24), marks(25)), (3, 72, 0), "three curves");
+    }
+
+    #[test]
+    fn odd_numbers_still_fit_a_figure() {
+        for odd in [None, Some(0.0), Some(-1.0), Some(1e300), Some(1e-300)] {
+            let mut solution = samples::loading_curve();
+            let curve = solution.path.as_mut().expect("a curve");
+            (curve.force[3], curve.half_width[7]) = (odd, odd);
+            column(&mut curve.indentation)[59] = odd;
+            column(&mut curve.stick_half_width).fill(odd);
+            let figure = curve_svg(&solution).expect("a curve");
+            texts(&figure);
+            assert!(!figure.contains("NaN") && !figure.contains("inf"), "{odd:?}: {figure}");
+        }
+    }
+
+    #[test]
+    fn what_failed_is_told() {
+        let mut solution = samples::loading_curve();
+        solution.scene.title = Some("a < b & $1".into());
+        let curve = solution.path.as_mut().expect("a curve");
+        (curve.status, curve.note) = (Status::Refused, Some("1 of 60 loads have no numbers at $2 & up".into()));
+        let found = texts(&curve_svg(&solution).expect("a curve"));
+        for text in ["a < b & $1", "INCOMPLETE: 1 of 60 loads have no numbers at $2 & up"] {
+            assert!(found.iter().any(|found| found == text), "{text} in {found:?}");
+        }
+    }
+
+    #[test]
+    fn without_numbers_there_is_no_figure() {
+        assert!(matches!(curve_svg(&samples::refused()), Err(FigureError::Refused(_))));
+        assert_eq!(curve_svg(&samples::flat_with_friction()), Err(FigureError::NoCurve));
+        let mut solution = samples::loading_curve();
+        solution.path.as_mut().expect("a curve").force.fill(None);
+        assert_eq!(curve_svg(&solution), Err(FigureError::NoCurve));
+        solution.path.as_mut().expect("a curve").force[0] = Some(f64::NAN);
+        assert_eq!(curve_svg(&solution), Err(FigureError::NotFinite("`path.force[0]` is NaN".into())));
+    }
+
+    /// Writes the figures to look at: `SLIPZONE_FIGURES=folder cargo test loading_curves_to_look_at -- --ignored`.
+    #[test]
+    #[ignore = "for the eye"]
+    fn loading_curves_to_look_at() {
+        let folder = std::path::PathBuf::from(std::env::var("SLIPZONE_FIGURES").expect("a folder"));
+        let mut failed = samples::loading_curve();
+        let curve = failed.path.as_mut().expect("a curve");
+        curve.half_width[20..30].fill(None);
+        (curve.status, curve.note) =
+            (Status::Refused, Some("10 of 60 loads have no numbers, the first at force = 0.35: out of reach".into()));
+        let mut long = samples::loading_curve();
+        long.scene.title = Some("A title that does not end before all has been said, ".repeat(4));
+        for (name, solution) in [("curve", samples::loading_curve()), ("curve-failed", failed), ("curve-long", long)] {
+            std::fs::write(folder.join(name).with_extension("svg"), curve_svg(&solution).unwrap()).unwrap();
+        }
+    }
+}
