@@ -150,7 +150,8 @@ fn error(estimate: f64) -> String {
 
 /// How many loads there are on the way to the one reported, and between which numbers the contact grows.
 fn path(page: &mut String, curve: &Curve, labels: &Labels) {
-    let columns: [(&str, Option<&[Option<f64>]>, &str); 5] = [
+    type Column<'c> = (&'c str, Option<&'c [Option<f64>]>, &'c str);
+    let columns: [Column; 5] = [
         ("P", Some(&curve.force), &labels.force),
         ("b", Some(&curve.half_width), &labels.length),
         ("delta", curve.indentation.as_deref(), &labels.length),
@@ -158,7 +159,7 @@ fn path(page: &mut String, curve: &Curve, labels: &Labels) {
         ("a/b", curve.stick_ratio.as_deref(), ""),
     ];
     let supported = curve.error.map_or(DIGITS_OF_CURVE, |error| digits(error).min(DIGITS_OF_CURVE));
-    let range = |(symbol, column, unit): (&str, Option<&[Option<f64>]>, &str)| {
+    let range = |(symbol, column, unit): Column| {
         let mut known = column?.iter().copied().flatten();
         let first = known.next()?;
         let last = known.next_back().unwrap_or(first);

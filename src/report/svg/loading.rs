@@ -3,7 +3,7 @@
 mod axis;
 mod trace;
 
-use super::{ALARM, FigureError, GRID, INK, LEGEND, LETTERS, LINE, SIZE};
+use super::{ALARM, FigureError, GRID, INK, LEGEND, LETTERS, LINE, SIZE, SUBTITLE};
 use super::{alarm, legend, lines, literal, name_clip, outline, wrapped};
 use crate::engine::{Curve, Solution, Status, first_not_finite};
 use crate::report::labels::{Labels, one_line};
@@ -47,9 +47,8 @@ pub fn curve_svg(solution: &Solution) -> Result<String, FigureError> {
         return Err(FigureError::NoCurve);
     }
 
-    let width = SIZE.0 * panels.len() as f64;
-    let head = head(solution, curve, width);
-    let mut figure = Scene::new(width, head.height + PANEL);
+    let head = head(solution, curve, panels.len());
+    let mut figure = Scene::new(SIZE.0 * panels.len() as f64, head.height + PANEL);
     for (index, panel) in panels.into_iter().enumerate() {
         let mut drawn = draw(&panel, &force);
         name_clip(&mut drawn, &format!("frame{index}"));
@@ -177,11 +176,13 @@ struct Head {
     height: f64,
 }
 
-fn head(solution: &Solution, curve: &Curve, width: f64) -> Head {
+fn head(solution: &Solution, curve: &Curve, panels: usize) -> Head {
+    /// Sizes of letters, px.
     const TITLE: u32 = 17;
-    const SUBTITLE: u32 = 12;
-    // A letter is half as wide as high, or a little more.
-    let fitting = |size: u32| (width / (0.62 * f64::from(size))).floor() as usize;
+    const SCENE: u32 = 12;
+    /// Characters of a title that fit over a panel, in the widest of the fonts asked for.
+    const FITTING: usize = 52;
+    let width = SIZE.0 * panels as f64;
     let title = solution.scene.title.as_deref().map(one_line).filter(|title| !title.is_empty());
     let title = title.unwrap_or_else(|| "Loading curve".into());
     let mut head = Head { lines: Vec::new(), height: 14.0 };
@@ -198,11 +199,16 @@ fn head(solution: &Solution, curve: &Curve, width: f64) -> Head {
             color: Some(Color::from(color)),
         });
     };
-    wrapped(&literal(&title), fitting(TITLE), 3).iter().for_each(|text| line(text, TITLE, INK, false));
-    let parts = lines(&constant_parts(solution, &GREEK), fitting(SUBTITLE));
-    literal(&parts).lines().for_each(|text| line(text, SUBTITLE, INK, false));
-    let wrong = alarm(curve.status, curve.note.as_deref());
-    wrong.iter().for_each(|text| line(text, LETTERS - 2, ALARM, true));
+    for text in wrapped(&literal(&title), FITTING * panels, 3) {
+        line(&text, TITLE, INK, false);
+    }
+    let parts = lines(&constant_parts(solution, &GREEK), SUBTITLE * panels);
+    for text in literal(&parts).lines() {
+        line(text, SCENE, INK, false);
+    }
+    for text in alarm(curve.status, curve.note.as_deref()) {
+        line(&text, LETTERS - 2, ALARM, true);
+    }
     head.height += 0.3 * LINE;
     head
 }
