@@ -56,4 +56,11 @@ pub(super) struct Solve {
     #[cfg(feature = "plot")]
     #[arg(long, value_name = "FILE")]
     pub(super) svg: Option<PathBuf>,
+    /// Write the loading curve that the scene asks for as CSV
+    #[arg(long, value_name = "FILE")]
+    pub(super) curve_csv: Option<PathBuf>,
+    /// Draw the loading curve that the scene asks for as SVG
+    #[cfg(feature = "plot")]
+    #[arg(long, value_name = "FILE")]
+    pub(super) curve_svg: Option<PathBuf>,
 }

@@ -35,5 +35,8 @@ fn summary(scene: &Scene) -> String {
         Load::HalfWidth(half_width) => format!("half-width {}", half_width.get()),
         Load::Indentation(indentation) => format!("indentation {}", indentation.get()),
     };
-    format!("{title}{punch} punch, {grading} {base}, {friction}, {load}")
+    let path = scene.path.as_ref().map_or(String::new(), |path| {
+        format!(", on a path of {} from {:?}", path.points(), path.load(0).value().get())
+    });
+    format!("{title}{punch} punch, {grading} {base}, {friction}, {load}{path}")
 }

@@ -8,6 +8,7 @@ use slipzone::engine::{self, Solution, Status};
 use slipzone::report;
 #[cfg(feature = "plot")]
 use slipzone::report::FigureError;
+use slipzone::scene::Scene;
 
 /// A way of writing a solution to a file; `None` when there is nothing to write.
 type Writer = fn(&Solution) -> Option<String>;
@@ -17,7 +18,10 @@ pub(super) fn run(arguments: &Solve) -> Result<Outcome, Failure> {
         ("--json", &arguments.json, (|solution| Some(report::json(solution))) as Writer),
         ("--csv", &arguments.csv, |solution| Some(report::csv(solution))),
         #[cfg(feature = "plot")]
-        ("--svg", &arguments.svg, figure),
+        ("--svg", &arguments.svg, |solution| figure(report::svg(solution))),
+        (CURVE_CSV, &arguments.curve_csv, |solution| Some(report::curve_csv(solution))),
+        #[cfg(feature = "plot")]
+        (CURVE_SVG, &arguments.curve_svg, |solution| figure(report::curve_svg(solution))),
     ];
     let to_stdout = arguments.json.as_deref().is_some_and(is_dash);
     let files: Vec<_> = outputs
@@ -34,6 +38,11 @@ pub(super) fn run(arguments: &Solve) -> Result<Outcome, Failure> {
     output::distinct(&arguments.scene, &files.iter().map(|(option, path, _)| (*option, *path)).collect::<Vec<_>>())?;
 
     let scene = input::scene(&arguments.scene)?;
+    if let Some((option, ..)) = files.iter().find(|file| [CURVE_CSV, CURVE_SVG].contains(&file.0))
+        && scene.path.is_none()
+    {
+        return Err(no_curve(option, &scene));
+    }
     let targets = files.iter().map(|(_, path, writer)| Ok((Target::new(path)?, *writer)));
     let targets = targets.collect::<Result<Vec<_>, Failure>>()?;
 
@@ -43,16 +52,33 @@ pub(super) fn run(arguments: &Solve) -> Result<Outcome, Failure> {
     if solution.status != Status::Converged {
         print::note(solution.reason.as_deref().unwrap_or("the result did not converge"));
     }
+    if let Some(note) = solution.path.as_ref().and_then(|curve| curve.note.as_deref()) {
+        print::note(&format!("the loading curve: {note}"));
+    }
     print::result(&if to_stdout { report::json(&solution) } else { report::text(&solution) })?;
-    Ok(if solution.status == Status::Converged { Outcome::Done } else { Outcome::NotConverged })
+    let of_curve = solution.path.as_ref().map(|curve| curve.status);
+    let converged = [Some(solution.status), of_curve].into_iter().flatten().all(|status| status == Status::Converged);
+    Ok(if converged { Outcome::Done } else { Outcome::NotConverged })
+}
+
+/// Options that ask for a loading curve.
+const CURVE_CSV: &str = "--curve-csv";
+const CURVE_SVG: &str = "--curve-svg";
+
+/// A curve is asked for that the scene does not have.
+fn no_curve(option: &str, scene: &Scene) -> Failure {
+    let (key, value) = (scene.load.kind().key(), scene.load.value().get());
+    let hint =
+        format!("in [load] of the scene, write `until = {{ {key} = {value:?}, points = 60 }}` in place of `{key}`");
+    Failure::Usage(format!("{option} needs a scene that asks for a loading curve"), Some(hint))
 }
 
 #[cfg(feature = "plot")]
-fn figure(solution: &Solution) -> Option<String> {
+fn figure(drawn: Result<String, FigureError>) -> Option<String> {
     let told = |error| match error {
         // The reason is told with the status.
         FigureError::Refused(_) => print::note("no figure was drawn: the scene was refused"),
         other => print::note(&format!("no figure was drawn: {other}")),
     };
-    report::svg(solution).map_err(told).ok()
+    drawn.map_err(told).ok()
 }

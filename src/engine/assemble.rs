@@ -1,6 +1,7 @@
 //! A solved contact in the scene's units.
 
 use super::finite::first_not_finite;
+use super::loading_curve::Point;
 use super::problem::Problem;
 use super::quantity::Quantity;
 use super::refine::{How, Judged};
@@ -9,7 +10,7 @@ use super::solution::{
 };
 use super::stage::{Stage, Verdict};
 use crate::plan::Plan;
-use crate::scene::{Load, Scene};
+use crate::scene::{Load, LoadKind, Scene};
 use slipzone_api::{Refusal, Station};
 
 /// The solution; refused when one of its numbers is not finite.
@@ -24,22 +25,14 @@ pub(super) fn solution(
 ) -> Result<Solution, Refusal> {
     let (length, stress) = (problem.length, problem.stress);
     let number = |quantity, unit: f64| judged.outcome.numbers.get(quantity).map(|value| value * unit);
-    // What the scene gives is reported as given, not after its way through the layer's units.
-    let (given_force, given_width, given_depth) = match scene.load {
-        Load::Force(force) => (Some(force.get()), None, None),
-        Load::HalfWidth(half_width) => (None, Some(half_width.get()), None),
-        Load::Indentation(depth) => (None, None, Some(depth.get())),
-    };
     let b = judged.outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
-    let force = given_force.or(number(Quantity::Force, stress * length));
-    let half_width = given_width.or(number(Quantity::HalfWidth, length));
+    let load = load(scene.load, problem, judged);
     let solution = Solution {
         status,
         reason,
-        load: LoadReport { force, half_width, indentation: given_depth.or(number(Quantity::Indentation, length)) },
         pressure: PressureReport {
             centre: number(Quantity::Centre, stress),
-            mean: force.zip(half_width).map(|(force, b)| force / (2.0 * b)),
+            mean: load.force.zip(load.half_width).map(|(force, b)| force / (2.0 * b)),
             peak: number(Quantity::Peak, stress),
         },
         edge: EdgeReport {
@@ -52,6 +45,7 @@ pub(super) fn solution(
             one_minus_ratio: number(Quantity::OneMinusRatio, 1.0),
             slip: slip(stage, judged),
         }),
+        load,
         error: ErrorReport {
             estimate: judged.errors.worst().map(|(_, error)| error),
             each: judged.errors.iter().map(|(quantity, error)| (quantity.path().to_owned(), error)).collect(),
@@ -68,6 +62,28 @@ pub(super) fn solution(
             remedy: "check the sizes of the scene's numbers against each other",
         }),
     }
+}
+
+/// Load and what it does.
+fn load(load: Load, problem: &Problem, judged: &Judged) -> LoadReport {
+    let (length, stress) = (problem.length, problem.stress);
+    let number = |quantity, unit: f64| judged.outcome.numbers.get(quantity).map(|value| value * unit);
+    // What the scene gives is reported as given, not after its way through the layer's units.
+    let given = |kind| (load.kind() == kind).then_some(load.value().get());
+    LoadReport {
+        force: given(LoadKind::Force).or(number(Quantity::Force, stress * length)),
+        half_width: given(LoadKind::HalfWidth).or(number(Quantity::HalfWidth, length)),
+        indentation: given(LoadKind::Indentation).or(number(Quantity::Indentation, length)),
+    }
+}
+
+/// A solved contact as a point of a loading curve.
+pub(super) fn point(given: Load, problem: &Problem, judged: &Judged, judgement: (Status, Option<String>)) -> Point {
+    let number = |quantity| {
+        let unit = if quantity == Quantity::StickRatio { 1.0 } else { problem.length };
+        judged.outcome.numbers.get(quantity).map(|value| value * unit)
+    };
+    Point::found(load(given, problem, judged), number, judged, judgement)
 }
 
 /// How the errors were estimated, in words.

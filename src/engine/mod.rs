@@ -14,6 +14,7 @@ mod family;
 mod finite;
 mod growing;
 mod layer;
+mod loading_curve;
 mod normal;
 mod problem;
 mod quantity;
@@ -33,6 +34,7 @@ pub use crate::plan::Plan;
 pub use finite::first_not_finite;
 pub(crate) use finite::insist;
 pub use layer::Layer;
+pub use loading_curve::Curve;
 pub use solution::{
     EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Program, Slip, Solution, Status, StickReport,
 };

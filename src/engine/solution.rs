@@ -1,5 +1,6 @@
 //! The result of a scene (docs: `docs/formats.md`). Lengths, stresses and forces in the scene's units.
 
+use super::loading_curve::Curve;
 use crate::plan::Plan;
 use crate::scene::{Scene, Units};
 use serde::Serialize;
@@ -49,6 +50,9 @@ pub struct Solution {
     pub plan: Plan,
     /// Tractions along the contact.
     pub profile: Profile,
+    /// The contact on the way to its last load, where the scene asks for it and the last load is solved.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub path: Option<Curve>,
     /// What the model takes for granted.
     pub assumptions: Vec<String>,
 }
@@ -155,6 +159,7 @@ impl Solution {
             error: ErrorReport::default(),
             plan,
             profile: Profile::default(),
+            path: None,
             assumptions: assumptions(scene),
         }
     }

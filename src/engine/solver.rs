@@ -2,12 +2,13 @@
 
 use super::assemble;
 use super::layer::Layer;
+use super::loading_curve::{self, Curve, Point};
 use super::problem::Problem;
 use super::refine::{Judged, Ladder};
 use super::solution::Solution;
 use super::verdict::verdict;
 use crate::plan::{Chosen, Plan, choose};
-use crate::scene::{Load, Scene};
+use crate::scene::{Load, LoadPath, Scene};
 use slipzone_api::{Friction, Refusal};
 
 /// A layer, a punch and the methods that solve them, with all that earlier loads left behind: kernel tables,
@@ -76,9 +77,10 @@ impl Solver {
         self.layer.describing(&self.chosen.scene)
     }
 
-    /// Takes another load.
+    /// Takes another load; of a path, that one alone.
     pub fn press(&mut self, load: Load) {
         self.chosen.scene.load = load;
+        self.chosen.scene.path = None;
         self.problem.press(load);
         self.judged = None;
     }
@@ -102,13 +104,56 @@ impl Solver {
         Ok(())
     }
 
-    /// Solves for the present load. Whatever happens is in the solution's `status` and `reason`.
+    /// Solves for the present load, and for those on the way to it where the scene asks for them. Whatever happens is
+    /// in the solution's `status` and `reason`, or in its path's.
     pub fn solve(&mut self) -> Solution {
         let found = if self.judged.is_some() { Ok(()) } else { self.find() };
-        match found.and_then(|()| self.report()) {
+        let mut solution = match found.and_then(|()| self.report()) {
             Ok(solution) => solution,
-            Err(refusal) => Solution::refused(&self.chosen.scene, self.chosen.plan.clone(), refusal.to_string()),
+            Err(refusal) => {
+                return Solution::refused(&self.chosen.scene, self.chosen.plan.clone(), refusal.to_string());
+            }
+        };
+        if let Some(path) = self.chosen.scene.path.clone() {
+            solution.path = Some(loading_curve::curve_to(self, &path, &solution));
+            self.press(path.last());
+            self.chosen.scene.path = Some(path);
         }
+        solution
+    }
+
+    /// The contact under each of the loads, from the smallest to the largest: numbers alone, no report. Afterwards the
+    /// solver is pressed by the largest.
+    ///
+    /// ```
+    /// use slipzone::{api::Positive, engine::{Solver, Status}, scene::{self, Load, LoadPath}};
+    ///
+    /// let scene = scene::parse("example.toml", r#"
+    ///     format = 1
+    ///     layer = { thickness = 5.0, poisson = 0.3, grading = { type = "exponential", surface = 1.0, base = 8.0 } }
+    ///     punch = { type = "cylinder", radius = 10.0 }
+    ///     load = { half_width = 1.0 }
+    /// "#).unwrap();
+    /// let loads = LoadPath::until(Load::HalfWidth(Positive::new(1.0).unwrap()), 10).unwrap();
+    /// let curve = Solver::new(&scene).unwrap().curve(&loads);
+    /// assert_eq!((curve.status, curve.points()), (Status::Converged, 10));
+    /// assert!(curve.force.is_sorted(), "a wider contact takes more force");
+    /// ```
+    pub fn curve(&mut self, loads: &LoadPath) -> Curve {
+        loading_curve::curve(self, loads)
+    }
+
+    /// The scene as it is solved.
+    pub(super) fn scene(&self) -> &Scene {
+        &self.chosen.scene
+    }
+
+    /// What was found, as a point of a loading curve.
+    pub(super) fn point(&mut self) -> Point {
+        let Some(judged) = &self.judged else { unreachable!("found before") };
+        let tolerance = self.chosen.scene.solver.tolerance.get();
+        let judgement = verdict(&self.problem, self.ladder.stage(judged.stage), judged, tolerance);
+        assemble::point(self.chosen.scene.load, &self.problem, judged, judgement)
     }
 
     /// The report of what was found.

@@ -25,7 +25,7 @@ pub fn csv(solution: &Solution) -> String {
 
 /// The shortest decimal that reads back as the same number (`{:?}` turns to powers of ten where `{}` would
 /// write hundreds of zeros).
-fn cell(value: Option<f64>) -> String {
+pub(super) fn cell(value: Option<f64>) -> String {
     value.map_or_else(String::new, |v| format!("{v:?}"))
 }
 

@@ -1,6 +1,7 @@
 //! A solution as text, JSON, CSV and SVG. Nothing here computes physics.
 
 mod csv;
+mod curve_csv;
 mod json;
 mod labels;
 mod number;
@@ -10,9 +11,10 @@ mod svg;
 mod text;
 
 pub use csv::csv;
+pub use curve_csv::curve_csv;
 pub use json::json;
 #[cfg(feature = "plot")]
-pub use svg::{FigureError, svg};
+pub use svg::{FigureError, curve_svg, svg};
 pub use text::text;
 
 #[cfg(test)]

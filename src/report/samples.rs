@@ -1,7 +1,7 @@
 //! Solutions made by hand, for the tests of the reports. Their shapes are right, their digits need not be.
 
 use crate::engine::{
-    EdgeReport, ErrorReport, LoadReport, Plan, PressureReport, Profile, Slip, Solution, Status, StickReport,
+    Curve, EdgeReport, ErrorReport, LoadReport, Plan, PressureReport, Profile, Slip, Solution, Status, StickReport,
 };
 use crate::scene::Scene;
 use std::f64::consts::PI;
@@ -111,6 +111,25 @@ pub(crate) fn cylinder_without_friction() -> Solution {
         },
         ..Solution::refused(&scene, Plan::default(), String::new())
     }
+}
+
+/// A contact that grows with friction on its way to [`flat_with_friction`]: `b = sqrt(P)`, `delta = P/10`.
+pub(crate) fn loading_curve() -> Solution {
+    let mut solution = flat_with_friction();
+    let forces: Vec<f64> = (1..=60).map(|i| f64::from(i) / 60.0).collect();
+    let column = |of: fn(f64) -> f64| forces.iter().map(|force| Some(of(*force))).collect::<Vec<_>>();
+    solution.scene.punch = cylinder_without_friction().scene.punch;
+    solution.path = Some(Curve {
+        status: Status::Converged,
+        note: None,
+        error: Some(1e-6),
+        force: column(|force| force),
+        half_width: column(f64::sqrt),
+        indentation: Some(column(|force| 0.1 * force)),
+        stick_half_width: Some(column(|force| 0.553 * force.sqrt())),
+        stick_ratio: Some(column(|_| 0.553)),
+    });
+    solution
 }
 
 /// No numbers.

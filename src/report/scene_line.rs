@@ -47,7 +47,26 @@ impl Alphabet {
 /// The scene's parts, widest meaning first: geometry, material, base, punch, friction, load.
 pub(super) fn scene_parts(solution: &Solution, letters: &Alphabet) -> Vec<String> {
     let (scene, labels) = (&solution.scene, Labels::new(&solution.units));
-    let mut parts = layer(&scene.layer, solution.load.half_width, &labels, letters);
+    let mut parts = parts_but_load(solution, solution.load.half_width, letters);
+    let (symbol, value, unit) = match &scene.load {
+        Load::Force(v) => ("P", v, &labels.force),
+        Load::HalfWidth(v) => ("b", v, &labels.length),
+        Load::Indentation(v) => (letters.delta, v, &labels.length),
+    };
+    parts.push(format!("{symbol} = {}", with_unit(&letters.number(value.get()), unit)));
+    parts
+}
+
+/// The same parts but those that change on the way to the load.
+#[cfg(feature = "plot")]
+pub(super) fn constant_parts(solution: &Solution, letters: &Alphabet) -> Vec<String> {
+    let fixed = solution.scene.punch.shape().ok().and_then(|shape| shape.fixed_half_width());
+    parts_but_load(solution, fixed, letters)
+}
+
+fn parts_but_load(solution: &Solution, half_width: Option<f64>, letters: &Alphabet) -> Vec<String> {
+    let (scene, labels) = (&solution.scene, Labels::new(&solution.units));
+    let mut parts = layer(&scene.layer, half_width, &labels, letters);
     parts.push(format!("{} = {}", letters.nu, letters.number(scene.layer.poisson.get())));
     parts.push(plane(scene.layer.plane).into());
     parts.push(base(&scene.layer.base, &labels, letters));
@@ -56,12 +75,6 @@ pub(super) fn scene_parts(solution: &Solution, letters: &Alphabet) -> Vec<String
         None => "frictionless".into(),
         Some(Friction::Goodman { coefficient }) => format!("{} = {}", letters.eta, letters.number(coefficient.get())),
     });
-    let (symbol, value, unit) = match &scene.load {
-        Load::Force(v) => ("P", v, &labels.force),
-        Load::HalfWidth(v) => ("b", v, &labels.length),
-        Load::Indentation(v) => (letters.delta, v, &labels.length),
-    };
-    parts.push(format!("{symbol} = {}", with_unit(&letters.number(value.get()), unit)));
     parts
 }
 

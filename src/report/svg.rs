@@ -1,6 +1,7 @@
 //! The tractions as a figure fit to print.
 
 mod curves;
+mod loading;
 
 use crate::engine::first_not_finite;
 use crate::engine::{Slip, Solution, Status, StickReport};
@@ -15,6 +16,7 @@ use kuva::render::color::Color;
 use kuva::render::layout::{ComputedLayout, Layout, TickFormat};
 use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
+pub use loading::curve_svg;
 use std::sync::Arc;
 
 /// Why there is no figure.
@@ -32,6 +34,9 @@ pub enum FigureError {
     /// A curve needs two points.
     #[error("the pressure is known and bounded at {0} point(s) of the profile; a curve takes at least 2")]
     NoProfile(usize),
+    /// The scene asks for no loading curve, or no load on it has numbers.
+    #[error("the solution has no loading curve")]
+    NoCurve,
 }
 
 /// Canvas in px; the letters are legible when it is printed 85 mm wide, the column of a journal.
@@ -64,7 +69,7 @@ pub fn svg(solution: &Solution) -> Result<String, FigureError> {
         layout = layout.with_shaded_region(ShadedRegion::vertical(from, to).with_color(color).with_opacity(1.0));
     }
     // Room between subtitle and frame for the names of the zones and, if need be, for the alarm.
-    let (names, alarm) = (names(solution), alarm(solution));
+    let (names, alarm) = (names(solution), alarm(solution.status, solution.reason.as_deref()));
     let lines = (alarm.len() + usize::from(!names.is_empty())) as f64;
     let plain = ComputedLayout::from_layout(&layout);
     let layout = layout.with_force_margins_y(plain.margin_top + lines * LINE, plain.margin_bottom + LEGEND);
@@ -80,8 +85,8 @@ pub fn svg(solution: &Solution) -> Result<String, FigureError> {
         write(&mut scene, SIZE.0 / 2.0, computed.margin_top - (lines - line as f64 - 0.6) * LINE, text, ALARM, true);
     }
     outline(&mut scene, &computed);
-    legend(&mut scene, &computed, &curves.strokes());
-    name_clip(&mut scene);
+    legend(&mut scene, &computed, curves.strokes().iter());
+    name_clip(&mut scene, "frame");
     Ok(SvgBackend::new().with_pretty(true).render_scene(&scene))
 }
 
@@ -119,7 +124,7 @@ fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
         .with_title(literal(&title))
         .with_title_size(17)
         .with_title_wrap(52)
-        .with_subtitle(literal(&lines(&scene_parts(solution, &GREEK))))
+        .with_subtitle(literal(&lines(&scene_parts(solution, &GREEK), SUBTITLE)))
         .with_subtitle_size(12)
         .with_subtitle_wrap(SUBTITLE)
         .with_label_size(15)
@@ -137,12 +142,12 @@ fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
 /// Characters that a line of the subtitle holds, in the widest of the fonts asked for.
 const SUBTITLE: usize = 78;
 
-/// The parts in lines that break between two parts, never within one.
-fn lines(parts: &[String]) -> String {
+/// The parts in lines of so many characters that break between two parts, never within one.
+fn lines(parts: &[String], longest: usize) -> String {
     let mut lines: Vec<String> = Vec::new();
     for part in parts {
         match lines.last_mut() {
-            Some(line) if line.chars().count() + part.chars().count() + 3 <= SUBTITLE => {
+            Some(line) if line.chars().count() + part.chars().count() + 3 <= longest => {
                 line.push_str(", ");
                 line.push_str(part);
             }
@@ -205,31 +210,38 @@ fn names(solution: &Solution) -> Vec<(f64, String)> {
 }
 
 /// What is wrong with the numbers, if anything, as far as it fits into two lines.
-fn alarm(solution: &Solution) -> Vec<String> {
+fn alarm(status: Status, reason: Option<&str>) -> Vec<String> {
     const LONGEST: usize = 68;
     const MOST_LINES: usize = 2;
-    let status = match solution.status {
-        Status::Converged | Status::Refused => return Vec::new(),
+    let status = match status {
+        Status::Converged => return Vec::new(),
         Status::NotConverged => "NOT CONVERGED",
         Status::AssumptionViolated => "ASSUMPTION VIOLATED",
+        // Of some loads of a curve: of a scene there is no figure.
+        Status::Refused => "INCOMPLETE",
     };
-    let reason = solution.reason.as_deref().map(one_line).unwrap_or_default();
+    let reason = reason.map(one_line).unwrap_or_default();
     let text = if reason.is_empty() { status.to_owned() } else { format!("{status}: {reason}") };
+    wrapped(&text, LONGEST, MOST_LINES).iter().map(|line| literal(line)).collect()
+}
+
+/// A text in lines that hold so many characters, cut off after the last line.
+fn wrapped(text: &str, longest: usize, most_lines: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {
-        let full = lines.len() == MOST_LINES;
+        let full = lines.len() == most_lines;
         let last = lines.last_mut().expect("never empty");
-        if last.chars().count() + word.chars().count() < LONGEST {
+        if last.chars().count() + word.chars().count() < longest {
             last.push_str(if last.is_empty() { "" } else { " " });
             last.push_str(word);
         } else if full {
             last.push('…');
             break;
         } else {
-            lines.push(word.chars().take(LONGEST).collect());
+            lines.push(word.chars().take(longest).collect());
         }
     }
-    lines.iter().map(|line| literal(line)).collect()
+    lines
 }
 
 /// Grid, edges of the contact and of the stick zone: under the curves, none in the legend.
@@ -266,14 +278,14 @@ fn write(scene: &mut Scene, x: f64, y: f64, content: String, color: &str, bold: 
 }
 
 /// The legend in a line under the axis, centred. (kuva's own samples are too short to show how a line is dashed.)
-fn legend(scene: &mut Scene, computed: &ComputedLayout, strokes: &[Stroke]) {
+fn legend<'s>(scene: &mut Scene, computed: &ComputedLayout, strokes: impl Iterator<Item = &'s Stroke> + Clone) {
     const SAMPLE: f64 = 44.0;
     const GAP: f64 = 8.0;
     const BETWEEN: f64 = 30.0;
     /// Width of an average letter in its height; the viewer chooses the font, so nobody knows better.
     const LETTER: f64 = 0.55;
     let width = |stroke: &Stroke| SAMPLE + GAP + LETTER * f64::from(LETTERS) * stroke.name.chars().count() as f64;
-    let total: f64 = strokes.iter().map(width).sum::<f64>() + BETWEEN * (strokes.len() as f64 - 1.0);
+    let total: f64 = strokes.clone().map(width).sum::<f64>() + BETWEEN * (strokes.clone().count() as f64 - 1.0);
     let mut x = computed.margin_left + (computed.plot_width() - total) / 2.0;
     let y = computed.height - 0.5 * LEGEND;
     for stroke in strokes {
@@ -316,14 +328,13 @@ fn outline(scene: &mut Scene, computed: &ComputedLayout) {
 }
 
 /// kuva numbers its clip paths through the life of the process; the same solution shall give the same text.
-fn name_clip(scene: &mut Scene) {
-    const NAME: &str = "frame";
+fn name_clip(scene: &mut Scene, name: &str) {
     for element in &mut scene.elements {
         if let Primitive::ClipStart { id, .. } = element {
             for definition in &mut scene.defs {
-                *definition = definition.replace(id.as_str(), NAME);
+                *definition = definition.replace(id.as_str(), name);
             }
-            NAME.clone_into(id);
+            name.clone_into(id);
         }
     }
 }
@@ -447,7 +458,7 @@ mod tests {
             assert!(texts(&svg(&solution).unwrap()).contains(&flag.to_owned()));
         }
         solution.reason = Some("word ".repeat(50));
-        let alarm = alarm(&solution);
+        let alarm = alarm(solution.status, solution.reason.as_deref());
         assert_eq!(alarm.len(), 2);
         assert!(alarm.iter().all(|line| line.chars().count() <= 68) && alarm[1].ends_with("word…"), "{alarm:?}");
     }

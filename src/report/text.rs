@@ -1,7 +1,7 @@
 //! What a tribologist reads on the terminal.
 
-use crate::engine::{Slip, Solution, Status};
-use crate::report::labels::{Labels, one_line};
+use crate::engine::{Curve, Slip, Solution, Status};
+use crate::report::labels::{Labels, one_line, with_unit};
 use crate::report::number::{digits, short, significant};
 use crate::report::scene_line::{ASCII, scene_parts};
 use slipzone_api::Base;
@@ -13,6 +13,9 @@ const DIGITS_WITHOUT_ESTIMATE: usize = 6;
 
 /// Digits of a number that is exact: as many as a decimal fraction keeps through a division or two.
 const DIGITS_OF_EXACT: usize = 15;
+
+/// Digits of the ends of a loading curve, at most: they remind, the curve itself is data.
+const DIGITS_OF_CURVE: usize = 6;
 
 /// The solution as a page of aligned text: status first, then every number with its unit and its own error
 /// estimate, with only as many digits as the estimate supports and one more. Never `NaN`: a number that does
@@ -33,6 +36,9 @@ pub fn text(solution: &Solution) -> String {
         table(&mut page, &rows(solution), &solution.error.each);
         if let Some(slip) = solution.stick.as_ref().and_then(|stick| stick.slip) {
             pair(&mut page, "slip", direction(slip));
+        }
+        if let Some(curve) = &solution.path {
+            path(&mut page, curve, &Labels::new(&solution.units));
         }
         line(&mut page, "");
         work(&mut page, solution);
@@ -142,6 +148,36 @@ fn error(estimate: f64) -> String {
     }
 }
 
+/// How many loads there are on the way to the one reported, and between which numbers the contact grows.
+fn path(page: &mut String, curve: &Curve, labels: &Labels) {
+    type Column<'c> = (&'c str, Option<&'c [Option<f64>]>, &'c str);
+    let columns: [Column; 5] = [
+        ("P", Some(&curve.force), &labels.force),
+        ("b", Some(&curve.half_width), &labels.length),
+        ("delta", curve.indentation.as_deref(), &labels.length),
+        ("a", curve.stick_half_width.as_deref(), &labels.length),
+        ("a/b", curve.stick_ratio.as_deref(), ""),
+    ];
+    let supported = curve.error.map_or(DIGITS_OF_CURVE, |error| digits(error).min(DIGITS_OF_CURVE));
+    let range = |(symbol, column, unit): Column| {
+        let mut known = column?.iter().copied().flatten();
+        let first = known.next()?;
+        let last = known.next_back().unwrap_or(first);
+        let number = |value| short(value, supported);
+        Some(with_unit(&format!("{symbol} {} to {}", number(first), number(last)), unit))
+    };
+    let ranges: Vec<String> = columns.into_iter().filter_map(range).collect();
+    let points = curve.points();
+    let loads = if points == 1 { "1 load".into() } else { format!("{points} loads, the last of them above") };
+    pair(page, "path", &format!("{loads}: {}", ranges.join(", ")));
+    if let Some(error) = curve.error {
+        pair(page, "", &format!("largest relative error on the way {}", self::error(error)));
+    }
+    if let Some(note) = &curve.note {
+        pair(page, "", &one_line(note));
+    }
+}
+
 /// Methods, counts of work, how the errors were got.
 fn work(page: &mut String, solution: &Solution) {
     let plan = &solution.plan;
@@ -234,6 +270,18 @@ assumptions  plane strain
         let page = text(&samples::refused());
         assert!(page.contains("status       REFUSED: no numbers\nreason       this grading does not exist yet"));
         assert!(!page.contains("relative error"), "{page}");
+    }
+
+    #[test]
+    fn a_loading_curve_is_told_by_its_ends() {
+        let mut solution = samples::loading_curve();
+        let page = text(&solution);
+        let told = "path         60 loads, the last of them above: P 0.0166667 to 1 N/mm, b 0.129099 to 1 mm, \
+                    delta 0.00166667 to 0.1 mm, a 0.0713920 to 0.553 mm, a/b 0.553 to 0.553\n             \
+                    largest relative error on the way 1e-6\n";
+        assert!(page.contains(&told.replace("0.0713920", "0.071392")), "{page}");
+        solution.path.as_mut().expect("a curve").note = Some("1 of 60 loads not converged\nat all".into());
+        assert!(text(&solution).contains("\n             1 of 60 loads not converged at all\n"));
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! What no single key can show to be wrong.
 
-use super::document::Document;
+use super::document::{Document, dotted};
 use super::{Load, Scene, SceneError};
 use slipzone_api::{Base, Friction};
+use toml::Spanned;
 use toml::de::DeValue;
 
 type Check = fn(&Document, &Scene) -> Result<(), SceneError>;
@@ -87,7 +88,7 @@ fn in_scale(number: f64) -> bool {
 }
 
 /// The number that a value is, if it is one.
-fn number(value: &DeValue) -> Option<f64> {
+pub(super) fn number(value: &DeValue) -> Option<f64> {
     match value {
         DeValue::Float(float) => float.as_str().parse().ok(),
         DeValue::Integer(integer) => i128::from_str_radix(integer.as_str(), integer.radix()).ok().map(|i| i as f64),
@@ -116,13 +117,15 @@ fn thickness(document: &Document, scene: &Scene) -> Result<(), SceneError> {
 fn load(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     // A shape that cannot be built is the engine's to refuse.
     let fixed = scene.punch.shape().ok().and_then(|shape| shape.fixed_half_width());
+    let key = scene.load.kind().key();
+    let place = scene.path.as_ref().map_or_else(|| vec!["load", key], |path| vec!["load", path.key(), key]);
     match scene.load {
         Load::HalfWidth(_) if fixed.is_some() => Err(document
-            .error(document.key(&["load", "half_width"]), "a half-width as load on a punch whose contact is fixed")
+            .error(document.key(&place), "a half-width as load on a punch whose contact is fixed")
             .found("`half_width`, which the punch itself sets")
             .expected("`force` or `indentation`")),
         Load::Indentation(_) if scene.layer.base == Base::Infinite => Err(document
-            .error(document.key(&["load", "indentation"]), "an indentation on a solid without a base")
+            .error(document.key(&place), "an indentation on a solid without a base")
             .found("`indentation`, which is undefined there: it grows without bound with the depth of the datum")
             .expected(if fixed.is_some() { "`force`" } else { "`force` or `half_width`" })),
         _ => Ok(()),
@@ -167,18 +170,30 @@ fn output(document: &Document, scene: &Scene) -> Result<(), SceneError> {
 
 /// Lengths must be comparable: beyond these ratios no digit of the smaller one is left.
 fn ratios(document: &Document, _scene: &Scene) -> Result<(), SceneError> {
-    const LENGTHS: [[&str; 2]; 4] =
-        [["layer", "thickness"], ["punch", "half_width"], ["punch", "radius"], ["load", "half_width"]];
-    let lengths: Vec<_> = LENGTHS
+    let last = match document.value(&["load", "path", "half_width"]).map(Spanned::get_ref) {
+        Some(DeValue::Array(path)) => path.len().saturating_sub(1).to_string(),
+        _ => String::new(),
+    };
+    let places: [&[&str]; 7] = [
+        &["layer", "thickness"],
+        &["punch", "half_width"],
+        &["punch", "radius"],
+        &["load", "half_width"],
+        &["load", "until", "half_width"],
+        // Those between are between.
+        &["load", "path", "half_width", "0"],
+        &["load", "path", "half_width", &last],
+    ];
+    let lengths: Vec<_> = places
         .iter()
         .filter_map(|path| Some((path, document.value(path).and_then(|value| number(value.get_ref()))?)))
         .collect();
     for (index, (path, length)) in lengths.iter().enumerate() {
         for (other, reference) in &lengths[..index] {
             if !(1e-9..=1e9).contains(&(length / reference)) {
-                let (name, value) = (other.join("."), document.found(*other));
+                let (name, value) = (dotted(other), document.found(other));
                 return Err(document
-                    .not_allowed(*path, format!("between 1e-9 and 1e9 times `{name}`, which is {value}"))
+                    .not_allowed(path, format!("between 1e-9 and 1e9 times `{name}`, which is {value}"))
                     .hint("are both in the same unit? A layer without end is `base = { type = \"infinite\" }`"));
             }
         }

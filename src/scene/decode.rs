@@ -2,6 +2,7 @@
 
 use super::complaint::Complaint;
 use super::document::{Document, clip, dotted, one_of, section};
+use super::load_keys::LOAD;
 use super::{Scene, SceneError};
 use serde_path_to_error::{Path, Segment};
 use slipzone_api::{Family, PluginInfo, plugins};
@@ -10,9 +11,6 @@ use toml::de::{DeTable, DeValue};
 
 /// The version of the format that this program reads.
 const FORMAT: &str = "1";
-
-/// The section that every scene has, in words.
-const LOAD: &str = "[load] with one of `force`, `half_width`, `indentation`";
 
 /// Checks `format` before anything else: the rest is read by its rules.
 pub(super) fn format(document: &Document) -> Result<(), SceneError> {
@@ -31,30 +29,6 @@ pub(super) fn format(document: &Document) -> Result<(), SceneError> {
                 .found("a scene that does not say its format")
                 .expected(format!("{expected}, on top")))
         }
-    }
-}
-
-/// Checks that there is exactly one load; its value is left to the decoder.
-pub(super) fn load(document: &Document) -> Result<(), SceneError> {
-    const LOADS: [&str; 3] = ["force", "half_width", "indentation"];
-    let Some(table) = document.table(&["load"]) else {
-        return match document.value(&["load"]) {
-            Some(_) => Err(wrong_type(document, &["load"], LOAD)),
-            None => Ok(()),
-        };
-    };
-    let keys: Vec<_> = table.keys().map(|key| key.get_ref().as_ref()).collect();
-    if let Some(unknown) = keys.iter().find(|key| !LOADS.contains(key)) {
-        return Err(document.unknown_key(&["load"], unknown, &LOADS));
-    }
-    let expected = "exactly one of `force`, `half_width`, `indentation`";
-    match keys.as_slice() {
-        [_] => Ok(()),
-        [] => Err(document.error(document.key(&["load"]), "no load").found("an empty table").expected(expected)),
-        [first, second, ..] => Err(document
-            .error(document.key(&["load", second]), format!("a second load, `{second}` beside `{first}`"))
-            .found(keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(" and "))
-            .expected(expected)),
     }
 }
 
@@ -199,7 +173,7 @@ fn clip_list(list: &str) -> String {
     if short.len() == list.len() { short } else { short + "..." }
 }
 
-fn wrong_type(document: &Document, path: &[&str], expected: &str) -> SceneError {
+pub(super) fn wrong_type(document: &Document, path: &[&str], expected: &str) -> SceneError {
     let found = document.found(path);
     let found = match document.value(path).map(Spanned::get_ref) {
         Some(DeValue::Table(_) | DeValue::Array(_)) | None => found,

@@ -11,11 +11,15 @@ mod complaint;
 mod decode;
 mod document;
 mod error;
+mod load_keys;
+mod load_path;
 mod names;
+mod table;
 mod tagged;
 mod text;
 
 pub use error::SceneError;
+pub use load_path::{LoadKind, LoadPath, PathError};
 pub use names::nearest;
 pub use text::{LARGEST, text, too_large};
 
@@ -45,7 +49,7 @@ pub fn parse(name: &str, text: &str) -> Result<Scene, SceneError> {
     }
     let document = Document::parse(name, text)?;
     decode::format(&document)?;
-    decode::load(&document)?;
+    load_keys::load(&document)?;
     let scene = decode::scene(&document)?;
     check::all(&document, &scene)?;
     Ok(scene)
@@ -53,31 +57,28 @@ pub fn parse(name: &str, text: &str) -> Result<Scene, SceneError> {
 
 /// A contact problem, each number of it checked. Lengths, stresses and forces per length in any
 /// consistent units.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, Deserialize)]
+#[serde(from = "table::SceneTable")]
 pub struct Scene {
     /// Version of the file format; 1.
     pub format: u32,
     /// One line that names the scene in reports and figures.
-    #[serde(default)]
     pub title: Option<String>,
     /// The elastic solid.
     pub layer: Layer,
     /// The rigid punch.
     pub punch: Box<dyn PunchProfile>,
     /// Friction; frictionless when absent.
-    #[serde(default, deserialize_with = "tagged::friction")]
     pub friction: Option<Friction>,
-    /// How hard it is pressed.
+    /// How hard it is pressed; of a path, the last load.
     pub load: Load,
+    /// Loads on the way to the last, where a loading curve is asked for.
+    pub path: Option<LoadPath>,
     /// How it is solved.
-    #[serde(default)]
     pub solver: Solver,
     /// What is written.
-    #[serde(default)]
     pub output: Output,
     /// Labels of the units.
-    #[serde(default)]
     pub units: Units,
 }
 
@@ -101,8 +102,7 @@ pub struct Layer {
 }
 
 /// The load: exactly one of three.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Load {
     /// Force per unit length out of plane.
     Force(Positive),

@@ -14,9 +14,17 @@ pub(super) fn base<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Base, D
     deserializer.deserialize_map(BaseTable)
 }
 
-/// Reads `[friction]`.
+/// Reads `[friction]`; the scene of a result says `null` where there is none.
 pub(super) fn friction<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Friction>, D::Error> {
-    deserializer.deserialize_map(FrictionTable).map(Some)
+    Option::<Tagged>::deserialize(deserializer).map(|tagged| tagged.map(|Tagged(friction)| friction))
+}
+
+struct Tagged(Friction);
+
+impl<'de> Deserialize<'de> for Tagged {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(FrictionTable).map(Tagged)
+    }
 }
 
 #[derive(serde::Deserialize)]

@@ -151,6 +151,19 @@ fn a_long_line_is_shown_in_part() {
     insta::assert_snapshot!("long_line", told(&output));
 }
 
+/// More loads than a path may have: too many for a file among the broken scenes.
+#[test]
+fn a_path_of_too_many_loads() {
+    let folder = tempfile::tempdir().unwrap();
+    let loads: Vec<String> = (1..=100_001).map(|load| load.to_string()).collect();
+    let path = |loads: &[String]| GOOD.replace("force = 1.0", &format!("path = {{ force = [{}] }}", loads.join(", ")));
+    let output = solve(folder.path(), "-", Some(path(&loads).as_bytes()));
+    assert_eq!(output.status.code(), Some(2));
+    insta::assert_snapshot!("path_too_many", told(&output));
+    let check = feed(folder.path(), &["check", "-"], path(&loads[1..]).as_bytes());
+    assert_eq!(check.status.code(), Some(0), "one less is fine: {}", told(&check));
+}
+
 /// A message must not steer the terminal it is shown on, its own colours aside.
 #[test]
 fn no_control_character_reaches_the_terminal() {

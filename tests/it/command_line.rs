@@ -60,6 +60,59 @@ fn a_refused_scene_still_has_a_result() {
     assert!(result["reason"].is_string());
 }
 
+/// The curve has files of its own; the profile stays that of the last load.
+#[test]
+fn a_loading_curve_is_written() {
+    let folder = folder();
+    let scene = GOOD.replace("force = 1.0", "path = { force = [0.25, 0.5, 1.0] }");
+    fs::write(folder.path().join("path.toml"), scene).unwrap();
+    let outputs = ["--csv", "profile.csv", "--curve-csv", "curve.csv"];
+    let output = run(folder.path(), ["solve", "path.toml"].iter().chain(&outputs));
+    assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+    run(folder.path(), ["solve", "good.toml", "--csv", "alone.csv"]);
+    let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+    assert_eq!(read("profile.csv"), read("alone.csv"));
+    let curve = read("curve.csv");
+    insta::assert_snapshot!("curve_csv_heading", curve.lines().next().unwrap());
+    let forces: Vec<&str> = curve.lines().skip(1).map(|row| row.split(',').next().unwrap()).collect();
+    assert_eq!(forces, ["0.25", "0.5", "1.0"]);
+    let page = String::from_utf8(output.stdout).unwrap();
+    assert!(page.contains("path         3 loads, the last of them above: P 0.25 to 1, b 1 to 1, delta "), "{page}");
+    let checked = told(&run(folder.path(), ["check", "path.toml"]));
+    assert!(checked.ends_with("force 1, on a path of 3 from 0.25\n"), "{checked}");
+}
+
+#[cfg(feature = "plot")]
+#[test]
+fn a_loading_curve_is_drawn() {
+    let folder = folder();
+    let scene = GOOD.replace("force = 1.0", "until = { force = 1.0, points = 5 }");
+    let output = feed(folder.path(), &["solve", "-", "--curve-svg", "curve.svg"], scene.as_bytes());
+    assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+    let figure = fs::read_to_string(folder.path().join("curve.svg")).unwrap();
+    assert!(figure.contains("indentation δ") && figure.contains("stick zone a"), "{figure}");
+}
+
+/// The result is written, and its exit code tells that some point of the curve is not what was asked for.
+#[test]
+fn a_curve_that_did_not_converge_is_told() {
+    let folder = folder();
+    let scene = GOOD.replace("force = 1.0", "path = { force = [0.5, 1.0] }\n[solver]\ntolerance = 1e-14");
+    let output = feed(folder.path(), &["solve", "-", "--json", "out.json"], scene.as_bytes());
+    assert_eq!(output.status.code(), Some(1), "{}", told(&output));
+    assert!(told(&output).contains("slipzone: the loading curve: 2 of 2 loads not converged"), "{}", told(&output));
+    let result = json(&fs::read(folder.path().join("out.json")).unwrap());
+    assert_eq!(result["path"]["status"], "not-converged");
+}
+
+#[test]
+fn a_curve_must_be_asked_for() {
+    let folder = folder();
+    let output = run(folder.path(), ["solve", "good.toml", "--json", "out.json", "--curve-csv", "curve.csv"]);
+    insta::assert_snapshot!("curve_not_asked_for", told(&output));
+    assert_eq!(files(folder.path()), [PathBuf::from("good.toml")], "nothing was written");
+}
+
 /// No figure can be drawn of a refusal: that is said, and all else is written.
 #[cfg(feature = "plot")]
 #[test]
@@ -130,13 +183,14 @@ fn an_unknown_plugin_gets_the_nearest_name() {
 #[test]
 fn wrong_arguments_are_bad_input() {
     let folder = folder();
-    let cases: [&[&str]; 7] = [
+    let cases: [&[&str]; 8] = [
         &[],
         &["slove", "good.toml"],
         &["solve"],
         &["solve", "good.toml", "--jsn", "x"],
         &["solve", "good.toml", "--json"],
         &["solve", "good.toml", "--csv", "-"],
+        &["solve", "good.toml", "--curve-csv", "-"],
         &["check", "good.toml", "good.toml"],
     ];
     for arguments in cases {
@@ -159,8 +213,9 @@ fn outputs_must_be_distinct() {
     fs::write(folder.path().join("out.json"), "old").unwrap();
     let absolute = folder.path().join("good.toml");
     let absolute = absolute.to_str().unwrap();
-    let cases: [&[&str]; 5] = [
+    let cases: [&[&str]; 6] = [
         &["--json", "same", "--csv", "same"],
+        &["--curve-csv", "same", "--csv", "same"],
         &["--json", "out.json", "--csv", "sub/../out.json"],
         &["--json", "good.toml"],
         &["--csv", "./sub/../good.toml"],

@@ -29,6 +29,10 @@ fn every_example_converges_and_draws() {
         assert_eq!(solution.status, Status::Converged, "{name}: {:?}", solution.reason);
         #[cfg(feature = "plot")]
         assert!(slipzone::report::svg(&solution).unwrap_or_else(|e| panic!("{name}: {e}")).contains("</svg>"));
+        let Some(curve) = &solution.path else { continue };
+        assert_eq!(curve.status, Status::Converged, "{name}: {:?}", curve.note);
+        #[cfg(feature = "plot")]
+        assert!(slipzone::report::curve_svg(&solution).unwrap_or_else(|e| panic!("{name}: {e}")).contains("</svg>"));
     }
 }
 

@@ -3,7 +3,7 @@
 // A number in a file and the number in memory are the same bits, or something is wrong.
 #![allow(clippy::float_cmp)]
 
-use slipzone::scene::{Load, parse};
+use slipzone::scene::{Load, LoadKind, parse};
 
 const GOOD: &str = "format = 1
 [layer]
@@ -61,6 +61,14 @@ length = \"µm\"
 "
     );
     let mut texts = vec![full];
+    for load in [
+        "path = { force = [1, 0.30000000000000004e1] }",
+        "path = { indentation = [5e-9] }",
+        "until = { force = 0.1 }",
+        "until = { points = 7, indentation = 123456789012345680 }",
+    ] {
+        texts.push(GOOD.replace("force = 1.0", load));
+    }
     // The shortest decimals of numbers near both ends of the range, and some with all digits in use.
     for number in ["1.0000000000000002e-100", "9.999999999999999e99", "0.1", "5e-9", "123456789012345680"] {
         let text = GOOD.replace("force = 1.0", &format!("force = {number}"));
@@ -86,6 +94,24 @@ fn errors_keep_their_place_when_type_comes_last() {
     assert_eq!((error.line, error.column), (5, 23), "{error}");
 }
 
+/// What a path stands for: its loads in order, the last of them the scene's.
+#[test]
+fn loads_of_a_path() {
+    let loads = |text: &str| {
+        let scene = parse("p", &GOOD.replace("force = 1.0", text)).unwrap_or_else(|error| panic!("{error}"));
+        let path = scene.path.expect("a path");
+        assert_eq!(path.last(), scene.load, "{text}");
+        assert_eq!((path.kind(), path.points()), (scene.load.kind(), path.loads().len()), "{text}");
+        (scene.load.kind(), path.loads().map(|load| load.value().get()).collect::<Vec<_>>())
+    };
+    assert_eq!(loads("path = { force = [0.2, 1, 2.5] }"), (LoadKind::Force, vec![0.2, 1.0, 2.5]));
+    assert_eq!(loads("[load.path]\nindentation = [0.1]"), (LoadKind::Indentation, vec![0.1]));
+    assert_eq!(loads("until = { indentation = 1.0, points = 4 }").1, [0.25, 0.5, 0.75, 1.0]);
+    let (kind, equal) = loads("until.force = 6.0");
+    assert_eq!((kind, equal.len(), equal[0], equal[59]), (LoadKind::Force, 60, 0.1, 6.0), "60 steps unless it says");
+    assert_eq!(parse("p", GOOD).unwrap().path, None);
+}
+
 /// A half-width is a load of a cylinder though not of a flat punch.
 #[test]
 fn loads_of_a_cylinder() {
@@ -99,7 +125,15 @@ fn loads_of_a_cylinder() {
 #[test]
 fn one_wrong_character_anywhere() {
     let text = format!("{GOOD}[output]\nx = [-1, 0.5]\n[friction]\ntype = \"goodman\"\ncoefficient = 0.1\n");
-    parse("good", &text).unwrap();
+    let path = text.replace("force = 1.0", "path = { force = [0.5, 1.0] }");
+    let until = text.replace("force = 1.0", "until = { force = 1.0, points = 60 }");
+    for text in [text, path, until] {
+        one_wrong_character(&text);
+    }
+}
+
+fn one_wrong_character(text: &str) {
+    parse("good", text).unwrap();
     let lines = text.lines().count();
     for at in 0..text.len() {
         let slips = ["", "0", "-", "e", ".", "=", "[", "]", "{", "}", "\"", "'", "\\", "\n", "\r", "#", ",", "µ", "\0"];

@@ -1,0 +1,184 @@
+//! Force, depth and sizes of a contact on the way to its last load.
+
+use super::quantity::Quantity;
+use super::refine::Judged;
+use super::solution::{LoadReport, Solution, Status};
+use super::solver::Solver;
+use crate::scene::{Load, LoadKind, LoadPath};
+use serde::Serialize;
+use slipzone_api::{Base, Refusal};
+
+/// A contact under growing loads, the smallest first; lengths and forces in the scene's units.
+///
+/// A load that cannot be solved keeps its own number, all others are `None`, and the `note` names it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Curve {
+    /// The gravest status of a load.
+    pub status: Status,
+    /// How many loads are not converged, and why the first of them is not; `None` when all are.
+    pub note: Option<String>,
+    /// Largest relative error estimated of a number on the curve; `None` where there is none.
+    pub error: Option<f64>,
+    /// Normal force per unit length.
+    pub force: Vec<Option<f64>>,
+    /// Half-width of the contact.
+    pub half_width: Vec<Option<f64>>,
+    /// Depth of the punch; `None` as a whole on a half-plane.
+    pub indentation: Option<Vec<Option<f64>>>,
+    /// Half-width of the stick zone; `None` as a whole without friction.
+    pub stick_half_width: Option<Vec<Option<f64>>>,
+    /// The same over the half-width of the contact; `None` as a whole without friction.
+    pub stick_ratio: Option<Vec<Option<f64>>>,
+}
+
+impl Curve {
+    /// How many loads there are.
+    pub fn points(&self) -> usize {
+        self.force.len()
+    }
+
+    fn of(points: &[Point], loads: &LoadPath, has_depth: bool, has_stick: bool) -> Self {
+        let column = |of: fn(&Point) -> Option<f64>| points.iter().map(of).collect::<Vec<_>>();
+        let status = points.iter().map(|point| point.status).max_by_key(|status| gravity(*status));
+        Self {
+            status: status.unwrap_or(Status::Refused),
+            note: note(points, loads),
+            error: points.iter().filter_map(|point| point.error).reduce(f64::max),
+            force: column(|point| point.load.force),
+            half_width: column(|point| point.load.half_width),
+            indentation: has_depth.then(|| column(|point| point.load.indentation)),
+            stick_half_width: has_stick.then(|| column(|point| point.stick_half_width)),
+            stick_ratio: has_stick.then(|| column(|point| point.stick_ratio)),
+        }
+    }
+}
+
+/// A contact under one of the loads.
+pub(super) struct Point {
+    pub(super) load: LoadReport,
+    pub(super) stick_half_width: Option<f64>,
+    pub(super) stick_ratio: Option<f64>,
+    /// The largest estimated of the numbers above.
+    pub(super) error: Option<f64>,
+    pub(super) status: Status,
+    pub(super) reason: Option<String>,
+}
+
+/// The numbers of a [`Point`].
+const ON_THE_CURVE: [Quantity; 5] =
+    [Quantity::Force, Quantity::HalfWidth, Quantity::Indentation, Quantity::StickHalfWidth, Quantity::StickRatio];
+
+impl Point {
+    /// A contact that was solved; `number` in the scene's units.
+    pub(super) fn found(
+        load: LoadReport,
+        number: impl Fn(Quantity) -> Option<f64>,
+        judged: &Judged,
+        (status, reason): (Status, Option<String>),
+    ) -> Self {
+        let error = ON_THE_CURVE.into_iter().filter_map(|quantity| judged.errors.get(quantity)).reduce(f64::max);
+        let (stick_half_width, stick_ratio) = (number(Quantity::StickHalfWidth), number(Quantity::StickRatio));
+        Self { load, stick_half_width, stick_ratio, error, status, reason }
+    }
+
+    /// A load without a contact.
+    fn refused(load: Load, refusal: &Refusal) -> Self {
+        let of = |kind| (load.kind() == kind).then_some(load.value().get());
+        let load = LoadReport {
+            force: of(LoadKind::Force),
+            half_width: of(LoadKind::HalfWidth),
+            indentation: of(LoadKind::Indentation),
+        };
+        let reason = Some(refusal.to_string());
+        Self { load, stick_half_width: None, stick_ratio: None, error: None, status: Status::Refused, reason }
+    }
+
+    /// The load that a solution is for.
+    fn reported(solution: &Solution) -> Self {
+        let stick = solution.stick.as_ref();
+        let error_of = |quantity: Quantity| solution.error.each.get(quantity.path()).copied();
+        Self {
+            load: solution.load.clone(),
+            stick_half_width: stick.and_then(|stick| stick.half_width),
+            stick_ratio: stick.and_then(|stick| stick.ratio),
+            error: ON_THE_CURVE.into_iter().filter_map(error_of).reduce(f64::max),
+            status: solution.status,
+            reason: solution.reason.clone(),
+        }
+    }
+
+    /// The same, refused where one of its numbers is not finite.
+    fn insisting(self, load: Load) -> Self {
+        let LoadReport { force, half_width, indentation } = &self.load;
+        let numbers = [*force, *half_width, *indentation, self.stick_half_width, self.stick_ratio, self.error];
+        if numbers.into_iter().flatten().all(f64::is_finite) {
+            return self;
+        }
+        let refusal = Refusal::OutOfReach {
+            method: "engine",
+            why: "a number of the curve is not finite".into(),
+            remedy: "check the sizes of the scene's numbers against each other",
+        };
+        Self::refused(load, &refusal)
+    }
+}
+
+/// The curve through all loads; the solver is left pressed by the last of them.
+pub(super) fn curve(solver: &mut Solver, loads: &LoadPath) -> Curve {
+    let points: Vec<Point> = loads.loads().map(|load| point(solver, load)).collect();
+    let scene = solver.scene();
+    Curve::of(&points, loads, scene.layer.base != Base::Infinite, scene.friction.is_some())
+}
+
+/// The curve that ends in a solution: its last point has the solution's own numbers. The solver is left pressed by
+/// some load on the way.
+pub(super) fn curve_to(solver: &mut Solver, loads: &LoadPath, solution: &Solution) -> Curve {
+    let on_the_way = loads.loads().take(loads.points() - 1);
+    let mut points: Vec<Point> = on_the_way.map(|load| point(solver, load)).collect();
+    points.push(Point::reported(solution));
+    let scene = &solution.scene;
+    Curve::of(&points, loads, scene.layer.base != Base::Infinite, scene.friction.is_some())
+}
+
+/// One load, with what earlier ones left behind.
+fn point(solver: &mut Solver, load: Load) -> Point {
+    solver.press(load);
+    match solver.find() {
+        Ok(()) => solver.point().insisting(load),
+        Err(refusal) => Point::refused(load, &refusal),
+    }
+}
+
+/// Which of two statuses a curve takes.
+fn gravity(status: Status) -> u8 {
+    match status {
+        Status::Converged => 0,
+        Status::NotConverged => 1,
+        Status::AssumptionViolated => 2,
+        Status::Refused => 3,
+    }
+}
+
+/// What is to be said against some of the points.
+fn note(points: &[Point], loads: &LoadPath) -> Option<String> {
+    let of = |status| {
+        let mut failed = points.iter().enumerate().filter(move |(_, point)| point.status == status);
+        let (first, point) = failed.next()?;
+        let what = match status {
+            Status::Converged => return None,
+            Status::NotConverged => "not converged",
+            Status::AssumptionViolated => "contradict the model's assumptions",
+            Status::Refused => "have no numbers",
+        };
+        let reason = point.reason.as_deref().unwrap_or("no reason was given");
+        let (key, value) = (loads.kind().key(), loads.load(first).value().get());
+        Some(format!(
+            "{} of {} loads {what}, the first at {key} = {value:?}: {reason}",
+            1 + failed.count(),
+            points.len()
+        ))
+    };
+    let notes: Vec<String> =
+        [Status::Refused, Status::AssumptionViolated, Status::NotConverged].into_iter().filter_map(of).collect();
+    (!notes.is_empty()).then(|| notes.join("; "))
+}

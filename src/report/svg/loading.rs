@@ -1,0 +1,324 @@
+//! Force over indentation and over the sizes of the contact, side by side.
+
+mod axis;
+mod trace;
+
+use super::{ALARM, FigureError, GRID, INK, LEGEND, LETTERS, LINE, SIZE, SUBTITLE};
+use super::{alarm, legend, lines, literal, name_clip, outline, wrapped};
+use crate::engine::{Curve, Solution, Status, first_not_finite};
+use crate::report::labels::{Labels, one_line};
+use crate::report::scene_line::{GREEK, constant_parts};
+use crate::report::svg::curves::Stroke;
+use axis::Axis;
+use kuva::backend::svg::SvgBackend;
+use kuva::plot::{LinePlot, LineStyle};
+use kuva::render::color::Color;
+use kuva::render::layout::{ComputedLayout, Layout};
+use kuva::render::plots::Plot;
+use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
+use trace::Trace;
+
+const DEPTH: Stroke = Stroke { name: "indentation δ", color: "#1f4e8c", width: 2.4, dashes: "none" };
+const CONTACT: Stroke = Stroke { name: "contact b", color: "#1f4e8c", width: 2.4, dashes: "none" };
+const STICK: Stroke = Stroke { name: "stick zone a", color: "#b5401c", width: 2.4, dashes: "8 4" };
+
+/// Height of a panel, px; it is as wide as the figure of the tractions.
+const PANEL: f64 = 420.0;
+/// Points up to which each is marked: a curve through few says where they are.
+const MARKED: usize = 24;
+/// Radius of a mark, px.
+const MARK: f64 = 3.2;
+
+/// The loading curve as an SVG figure (UTF-8): force over indentation, where there is one, and over the half-widths of
+/// contact and stick zone, with the scene in a line under its title. The same solution always gives the same text. Few
+/// loads are marked one by one; a load without numbers leaves a gap.
+pub fn curve_svg(solution: &Solution) -> Result<String, FigureError> {
+    if solution.status == Status::Refused {
+        return Err(FigureError::Refused(solution.reason.clone().unwrap_or_default()));
+    }
+    if let Some(found) = first_not_finite(solution) {
+        return Err(FigureError::NotFinite(found));
+    }
+    let curve = solution.path.as_ref().ok_or(FigureError::NoCurve)?;
+    let labels = Labels::new(&solution.units);
+    let force = Axis::over(&curve.force, "force per length P", &labels.force).ok_or(FigureError::NoCurve)?;
+    let panels = panels(solution, curve, &labels);
+    if panels.is_empty() {
+        return Err(FigureError::NoCurve);
+    }
+
+    let head = head(solution, curve, panels.len());
+    let mut figure = Scene::new(SIZE.0 * panels.len() as f64, head.height + PANEL);
+    for (index, panel) in panels.into_iter().enumerate() {
+        let mut drawn = draw(&panel, &force);
+        name_clip(&mut drawn, &format!("frame{index}"));
+        if index == 0 {
+            (figure.background_color, figure.text_color) = (drawn.background_color.take(), drawn.text_color.take());
+            figure.font_family = drawn.font_family.take();
+        }
+        let transform = Some(format!("translate({},{})", SIZE.0 * index as f64, head.height));
+        figure.add(Primitive::GroupStart { transform, title: None, extra_attrs: None });
+        figure.elements.append(&mut drawn.elements);
+        figure.defs.append(&mut drawn.defs);
+        figure.add(Primitive::GroupEnd);
+    }
+    figure.elements.extend(head.lines);
+    Ok(SvgBackend::new().with_pretty(true).render_scene(&figure))
+}
+
+/// Force over one or two lengths.
+struct Panel {
+    axis: Axis,
+    traces: Vec<Trace>,
+    /// Whether a legend must tell the curves apart.
+    legend: bool,
+}
+
+/// Those of the panels that have something to show.
+fn panels(solution: &Solution, curve: &Curve, labels: &Labels) -> Vec<Panel> {
+    // A shape that cannot be had belongs to no solved contact.
+    let shape = solution.scene.punch.shape().ok();
+    let touched = shape.map(|shape| shape.fixed_half_width().unwrap_or_else(|| shape.face()));
+    let within = touched.filter(|half_width| *half_width == 0.0);
+    let trace = |stroke, column: &Option<Vec<Option<f64>>>, start| {
+        Trace::new(stroke, column.as_deref().unwrap_or_default(), &curve.force, start)
+    };
+    // All share a place under their axis for a legend, so that the frames stand in a line.
+    let legend = curve.stick_half_width.is_some();
+    let depth: Vec<Trace> = trace(DEPTH, &curve.indentation, Some(0.0)).into_iter().collect();
+    let sizes = Trace::new(CONTACT, &curve.half_width, &curve.force, touched).into_iter();
+    let sizes: Vec<Trace> = sizes.chain(trace(STICK, &curve.stick_half_width, within)).collect();
+    let name = if sizes.len() > 1 { "half-width" } else { "contact half-width b" };
+    [(depth, "indentation δ"), (sizes, name)]
+        .into_iter()
+        .filter_map(|(traces, name)| {
+            let axis = Axis::new(traces.iter().map(Trace::widest).reduce(f64::max)?, name, &labels.length)?;
+            Some(Panel { axis, traces, legend })
+        })
+        .collect()
+}
+
+/// A panel by itself.
+fn draw(panel: &Panel, force: &Axis) -> Scene {
+    let layout = Layout::new((0.0, panel.axis.most), (0.0, force.most))
+        .with_width(SIZE.0)
+        .with_height(PANEL)
+        .with_x_axis_min(0.0)
+        .with_x_axis_max(panel.axis.most)
+        .with_y_axis_min(0.0)
+        .with_y_axis_max(force.most)
+        .with_x_tick_step(panel.axis.step)
+        .with_y_tick_step(force.step)
+        .with_x_tick_format(panel.axis.ticks())
+        .with_y_tick_format(force.ticks())
+        .with_box_axes()
+        .with_show_grid(false)
+        .with_font_family("Helvetica, Arial, 'DejaVu Sans', sans-serif")
+        .with_label_size(15)
+        .with_tick_size(LETTERS)
+        .with_body_size(LETTERS)
+        .with_x_label(literal(&panel.axis.label))
+        .with_y_label(literal(&force.label));
+    let below = if panel.legend { LEGEND } else { 0.0 };
+    let plain = ComputedLayout::from_layout(&layout);
+    let layout =
+        layout.with_force_margins_y(plain.margin_top, plain.margin_bottom + below).with_x_label_offset(0.0, -below);
+    let computed = ComputedLayout::from_layout(&layout);
+
+    let mut plots = grid(&panel.axis, force);
+    for trace in &panel.traces {
+        plots.extend(trace.segments(panel.axis.unit, force.unit, [panel.axis.most, force.most]).map(|points| {
+            let stroke = &trace.stroke;
+            let line = LinePlot::new().with_data(points).with_color(stroke.color).with_stroke_width(stroke.width);
+            Plot::Line(line.with_line_style(LineStyle::Custom(stroke.dashes.into())))
+        }));
+    }
+    let mut scene = render_multiple(plots, layout);
+    for trace in &panel.traces {
+        mark(&mut scene, &computed, trace, panel.axis.unit, force.unit);
+    }
+    outline(&mut scene, &computed);
+    if panel.traces.len() > 1 {
+        legend(&mut scene, &computed, panel.traces.iter().map(|trace| &trace.stroke));
+    }
+    scene
+}
+
+/// Lines at the ticks, under the curves.
+fn grid(axis: &Axis, force: &Axis) -> Vec<Plot> {
+    let rule =
+        |ends: [(f64, f64); 2]| Plot::Line(LinePlot::new().with_data(ends).with_color(GRID).with_stroke_width(0.8));
+    let upright = axis.inner_ticks().map(|x| rule([(x, 0.0), (x, force.most)]));
+    upright.chain(force.inner_ticks().map(|y| rule([(0.0, y), (axis.most, y)]))).collect()
+}
+
+/// Marks the points of a curve that has few.
+fn mark(scene: &mut Scene, computed: &ComputedLayout, trace: &Trace, unit: f64, force_unit: f64) {
+    if trace.known() > MARKED {
+        return;
+    }
+    for (x, y) in trace.points().filter(|(x, y)| *x >= 0.0 && *y >= 0.0) {
+        scene.add(Primitive::Circle {
+            cx: computed.map_x(x / unit),
+            cy: computed.map_y(y / force_unit),
+            r: MARK,
+            fill: Color::from("#ffffff"),
+            fill_opacity: None,
+            stroke: Some(Color::from(trace.stroke.color)),
+            stroke_width: Some(1.6),
+        });
+    }
+}
+
+/// Title, scene and what is wrong, over the panels.
+struct Head {
+    lines: Vec<Primitive>,
+    height: f64,
+}
+
+fn head(solution: &Solution, curve: &Curve, panels: usize) -> Head {
+    /// Sizes of letters, px.
+    const TITLE: u32 = 17;
+    const SCENE: u32 = 12;
+    /// Characters of a title that fit over a panel, in the widest of the fonts asked for.
+    const FITTING: usize = 52;
+    let width = SIZE.0 * panels as f64;
+    let title = solution.scene.title.as_deref().map(one_line).filter(|title| !title.is_empty());
+    let title = title.unwrap_or_else(|| "Loading curve".into());
+    let mut head = Head { lines: Vec::new(), height: 14.0 };
+    let mut line = |text: &str, size: u32, color: &str, bold: bool| {
+        head.height += 1.35 * f64::from(size);
+        head.lines.push(Primitive::Text {
+            x: width / 2.0,
+            y: head.height,
+            content: text.into(),
+            size,
+            anchor: TextAnchor::Middle,
+            rotate: None,
+            bold,
+            color: Some(Color::from(color)),
+        });
+    };
+    for text in wrapped(&literal(&title), FITTING * panels, 3) {
+        line(&text, TITLE, INK, false);
+    }
+    let parts = lines(&constant_parts(solution, &GREEK), SUBTITLE * panels);
+    for text in literal(&parts).lines() {
+        line(text, SCENE, INK, false);
+    }
+    for text in alarm(curve.status, curve.note.as_deref()) {
+        line(&text, LETTERS - 2, ALARM, true);
+    }
+    head.height += 0.3 * LINE;
+    head
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::samples;
+
+    /// All text of a figure; fails on what is no XML.
+    fn texts(svg: &str) -> Vec<String> {
+        let document = roxmltree::Document::parse(svg).expect("well-formed XML");
+        document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).map(Into::into).collect()
+    }
+
+    /// The column of a curve that has it.
+    fn column(column: &mut Option<Vec<Option<f64>>>) -> &mut Vec<Option<f64>> {
+        column.as_mut().expect("a column")
+    }
+
+    #[test]
+    fn curves_and_axes_are_named_with_their_units() {
+        let found = texts(&curve_svg(&samples::loading_curve()).expect("a curve"));
+        for name in ["force per length P (N/mm)", "indentation δ (mm)", "half-width (mm)", "contact b", "stick zone a"]
+        {
+            assert!(found.iter().any(|text| text == name), "{name} in {found:?}");
+        }
+        let scene = found.iter().find(|text| text.contains("exponential")).expect("the scene");
+        assert!(scene.starts_with("h = 5 mm, "), "no number of the last load alone: {scene}");
+        let mut solution = samples::loading_curve();
+        let curve = solution.path.as_mut().expect("a curve");
+        (curve.indentation, curve.stick_half_width, curve.stick_ratio) = (None, None, None);
+        let found = texts(&curve_svg(&solution).expect("a curve"));
+        assert!(found.contains(&"contact half-width b (mm)".to_owned()), "{found:?}");
+        assert!(!found.iter().any(|text| text.contains("stick") || text.contains('δ')), "{found:?}");
+    }
+
+    #[test]
+    fn the_same_solution_gives_the_same_figure() {
+        let solution = samples::loading_curve();
+        let figure = curve_svg(&solution).expect("a curve");
+        assert_eq!(curve_svg(&solution).expect("a curve"), figure);
+        for frame in ["frame0", "frame1"] {
+            assert!(figure.contains(&format!("url(#{frame})")), "each panel clips its own curves");
+        }
+    }
+
+    #[test]
+    fn few_points_are_marked_and_many_are_not() {
+        let marks = |points: usize| {
+            let mut solution = samples::loading_curve();
+            let curve = solution.path.as_mut().expect("a curve");
+            curve.force.truncate(points);
+            let figure = curve_svg(&solution).expect("a curve");
+            figure.matches("<circle").count()
+        };
+        assert_eq!((marks(1), marks(24), marks(25)), (3, 72, 0), "three curves");
+    }
+
+    #[test]
+    fn odd_numbers_still_fit_a_figure() {
+        for odd in [None, Some(0.0), Some(-1.0), Some(1e300), Some(1e-300)] {
+            let mut solution = samples::loading_curve();
+            let curve = solution.path.as_mut().expect("a curve");
+            (curve.force[3], curve.half_width[7]) = (odd, odd);
+            column(&mut curve.indentation)[59] = odd;
+            column(&mut curve.stick_half_width).fill(odd);
+            let figure = curve_svg(&solution).expect("a curve");
+            texts(&figure);
+            assert!(!figure.contains("NaN") && !figure.contains("inf"), "{odd:?}: {figure}");
+        }
+    }
+
+    #[test]
+    fn what_failed_is_told() {
+        let mut solution = samples::loading_curve();
+        solution.scene.title = Some("a < b & $1".into());
+        let curve = solution.path.as_mut().expect("a curve");
+        (curve.status, curve.note) = (Status::Refused, Some("1 of 60 loads have no numbers at $2 & up".into()));
+        let found = texts(&curve_svg(&solution).expect("a curve"));
+        for text in ["a < b & $1", "INCOMPLETE: 1 of 60 loads have no numbers at $2 & up"] {
+            assert!(found.iter().any(|found| found == text), "{text} in {found:?}");
+        }
+    }
+
+    #[test]
+    fn without_numbers_there_is_no_figure() {
+        assert!(matches!(curve_svg(&samples::refused()), Err(FigureError::Refused(_))));
+        assert_eq!(curve_svg(&samples::flat_with_friction()), Err(FigureError::NoCurve));
+        let mut solution = samples::loading_curve();
+        solution.path.as_mut().expect("a curve").force.fill(None);
+        assert_eq!(curve_svg(&solution), Err(FigureError::NoCurve));
+        solution.path.as_mut().expect("a curve").force[0] = Some(f64::NAN);
+        assert_eq!(curve_svg(&solution), Err(FigureError::NotFinite("`path.force[0]` is NaN".into())));
+    }
+
+    /// Writes the figures to look at: `SLIPZONE_FIGURES=folder cargo test loading_curves_to_look_at -- --ignored`.
+    #[test]
+    #[ignore = "for the eye"]
+    fn loading_curves_to_look_at() {
+        let folder = std::path::PathBuf::from(std::env::var("SLIPZONE_FIGURES").expect("a folder"));
+        let mut failed = samples::loading_curve();
+        let curve = failed.path.as_mut().expect("a curve");
+        curve.half_width[20..30].fill(None);
+        (curve.status, curve.note) =
+            (Status::Refused, Some("10 of 60 loads have no numbers, the first at force = 0.35: out of reach".into()));
+        let mut long = samples::loading_curve();
+        long.scene.title = Some("A title that does not end before all has been said, ".repeat(4));
+        for (name, solution) in [("curve", samples::loading_curve()), ("curve-failed", failed), ("curve-long", long)] {
+            std::fs::write(folder.join(name).with_extension("svg"), curve_svg(&solution).unwrap()).unwrap();
+        }
+    }
+}
