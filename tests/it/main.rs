@@ -8,6 +8,7 @@ mod command_line;
 mod examples;
 mod friction;
 mod limits;
+mod marching;
 mod properties;
 mod random;
 mod regressions;
