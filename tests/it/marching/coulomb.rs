@@ -63,11 +63,11 @@ impl Shear {
 
     /// The shear when each cell does what its state says.
     fn stuck(&self, bound: &[f64], rest: &[f64], state: &[State]) -> Vec<f64> {
-        let mut q: Vec<f64> = bound.iter().zip(state).map(|(c, s)| if *s == State::Outward { -c } else { *c }).collect();
+        let mut q: Vec<f64> =
+            bound.iter().zip(state).map(|(c, s)| if *s == State::Outward { -c } else { *c }).collect();
         let sticking: Vec<usize> = (0..q.len()).filter(|i| state[*i] == State::Stick).collect();
         sticking.iter().for_each(|i| q[*i] = 0.0);
-        let mut right: Vec<f64> =
-            sticking.iter().map(|i| -rest[*i] - dot(&self.rows[*i][..q.len()], &q)).collect();
+        let mut right: Vec<f64> = sticking.iter().map(|i| -rest[*i] - dot(&self.rows[*i][..q.len()], &q)).collect();
         if sticking.last().is_none_or(|last| last + 1 == sticking.len()) {
             self.factor.solve(&mut right);
         } else {
@@ -76,5 +76,39 @@ impl Shear {
         }
         sticking.iter().zip(right).for_each(|(i, value)| q[*i] = value);
         q
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A surface with the logarithm alone, and a push that changes direction twice.
+    #[test]
+    fn friction_is_obeyed_from_any_guess() {
+        let (cells, width) = (40, 0.025_f64);
+        let weight: Vec<f64> = (0..=2 * cells).map(|d| -width * (width * (d as f64 + 0.3)).ln()).collect();
+        let shear = Shear::new(cells, &weight);
+        let bound: Vec<f64> = (0..cells).map(|i| 0.1 + 0.002 * (i % 7) as f64).collect();
+        let rest: Vec<f64> = (0..cells).map(|i| 0.1 * (0.3 * i as f64).sin()).collect();
+        let answers = [State::Stick, State::Inward, State::Outward].map(|guess| {
+            let mut state = vec![guess; cells];
+            let q = shear.step(&bound, &rest, &mut state);
+            let moved: Vec<f64> = shear.displacement(&q).iter().zip(&rest).map(|(u, rest)| u + rest).collect();
+            for (i, state) in state.iter().enumerate() {
+                // Rounding of the dense system.
+                let obeyed = match state {
+                    State::Stick => moved[i].abs() < 1e-14 && q[i].abs() <= bound[i],
+                    State::Inward => moved[i] <= 0.0 && (q[i] - bound[i]).abs() < 1e-15,
+                    State::Outward => moved[i] >= 0.0 && (q[i] + bound[i]).abs() < 1e-15,
+                };
+                assert!(obeyed, "cell {i}: {state:?}, q = {} of {}, moved {}", q[i], bound[i], moved[i]);
+            }
+            for each in [State::Stick, State::Inward, State::Outward] {
+                assert!(state.contains(&each), "the push is meant to cause all three, {each:?} is missing");
+            }
+            state
+        });
+        assert!(answers[0] == answers[1] && answers[1] == answers[2], "one solution");
     }
 }

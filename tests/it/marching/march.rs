@@ -30,6 +30,11 @@ impl End {
         2.0 * self.p.iter().sum::<f64>() / self.p.len() as f64
     }
 
+    /// The largest shear, but for the middle: under a wedge it is unbounded there and the first steps show.
+    pub(super) fn largest(&self) -> f64 {
+        self.q[self.q.len() / 10..].iter().fold(0.0, |top, q| q.abs().max(top))
+    }
+
     /// The shear at `x`, where a cell must end: a cubic through four cells.
     pub(super) fn shear(&self, x: f64) -> f64 {
         between(&self.q, x)
@@ -66,7 +71,7 @@ pub(super) fn march(surface: &Surface, punch: &Punch, eta: f64, cells: usize, st
         let b = punch.face + (1.0 - punch.face) * step as f64 / steps as f64;
         // Less what rounding adds to a whole number.
         let contact = (b * cells as f64 - 1e-9).ceil() as usize;
-        let masses = Pressure::new(surface, &half_plane, b).masses(&half_plane, 0.5 * width, 2 * contact);
+        let masses = Pressure::new(surface, &half_plane, b).masses(0.5 * width, 2 * contact);
         let pressed = by_pressure(surface, &masses, &coupling, cells);
         p = masses.chunks(2).map(|m| (m[0] + m[1]) / width).collect();
         assert!(p.iter().all(|p| *p > 0.0), "no contact is lost");

@@ -2,63 +2,35 @@
 //!
 //! F. Erdogan, G. D. Gupta, Q. Appl. Math. 29 (1972) 525: Gauss and Chebyshev, density `sqrt(1 - t^2)` times a
 //! polynomial, collocation at the zeros between. With the closed form taken off, what is left is smooth but for the
-//! weak singularities of a graded layer's kernel, an error of the order `n^-2` of the small share that the layer adds.
+//! jump and the logarithm of a graded layer's kernel, which leave an error that goes like the square of the spacing,
+//! cleanly enough to be extrapolated away.
 
 use super::dense::solve;
 use super::surface::{GAUSS, Surface, crowded};
 use slipzone::api::Component;
 use std::f64::consts::PI;
 
-/// Nodes over the whole contact, even.
-const NODES: usize = 96;
+/// Nodes over the whole contact, even numbers.
+const NODES: [usize; 2] = [48, 96];
 
 /// The pressure of one half-width.
-pub(super) struct Pressure {
+pub(super) struct Pressure<'a> {
+    half_plane: &'a dyn Fn(f64, f64) -> f64,
     half_width: f64,
-    /// What the layer adds, over `sqrt(1 - t^2)`, at the nodes `t > 0`.
-    added: Vec<f64>,
+    coarse: Added,
+    fine: Added,
 }
 
-fn node(j: usize) -> f64 {
-    (PI * j as f64 / (NODES + 1) as f64).cos()
-}
-
-impl Pressure {
+impl<'a> Pressure<'a> {
     /// `half_plane(x, b)` is the pressure of the same punch on a half-plane.
-    pub(super) fn new(surface: &Surface, half_plane: &dyn Fn(f64, f64) -> f64, half_width: f64) -> Self {
-        let (b, half) = (half_width, NODES / 2);
-        let points: Vec<f64> = (0..half).map(|i| (PI * (i as f64 + 0.5) / (NODES + 1) as f64).cos()).collect();
-        let nodes: Vec<f64> = (1..=half).map(node).collect();
-        let pairs = points.iter().flat_map(|x| nodes.iter().flat_map(move |t| [b * (x - t), b * (x + t)]));
-        let kernel = surface.kernel(Component::NormalSlope, &pairs.collect::<Vec<_>>());
-        let (mut matrix, mut right) = (vec![0.0; half * half], vec![0.0; half]);
-        for (i, x) in points.iter().enumerate() {
-            for (j, t) in nodes.iter().enumerate() {
-                let weight = (1.0 - t * t) / (NODES + 1) as f64;
-                let at = i * half + j;
-                let layer = b * (kernel[2 * at] + kernel[2 * at + 1]);
-                matrix[at] = weight * (1.0 / (x - t) + 1.0 / (x + t) + layer);
-                right[i] -= weight * layer * half_plane(b * t, b) / (1.0 - t * t).sqrt();
-            }
-        }
-        solve(&mut matrix, &mut right);
-        Self { half_width, added: right }
+    pub(super) fn new(surface: &Surface, half_plane: &'a dyn Fn(f64, f64) -> f64, half_width: f64) -> Self {
+        let [coarse, fine] = NODES.map(|nodes| Added::new(surface, half_plane, half_width, nodes));
+        Self { half_plane, half_width, coarse, fine }
     }
 
-    /// What the layer adds at `x = b s`, `root = sqrt(1 - s^2)`; barycentric.
-    fn added(&self, s: f64, root: f64) -> f64 {
-        let (mut above, mut below) = (0.0, 0.0);
-        for (j, value) in self.added.iter().enumerate() {
-            let t = node_table()[j];
-            let weight = SIGNS[j % 2] * (1.0 - t * t) * t / (s * s - t * t);
-            above += weight * value;
-            below += weight;
-        }
-        root * above / below
-    }
-
-    /// `int p dx` over each of `count` pieces of the given `width` from the middle to the edge.
-    pub(super) fn masses(&self, half_plane: &dyn Fn(f64, f64) -> f64, width: f64, count: usize) -> Vec<f64> {
+    /// `int p dx` over each of `count` pieces of the given `width` from the middle on; the last may end with the
+    /// contact.
+    pub(super) fn masses(&self, width: f64, count: usize) -> Vec<f64> {
         let b = self.half_width;
         // x = b sin: the edge's square root becomes a cosine.
         let angle = |piece: usize| (piece as f64 * width / b).min(1.0).asin();
@@ -67,17 +39,58 @@ impl Pressure {
             let each = GAUSS.iter().map(|(node, weight)| {
                 let (part, weight) = crowded(piece, *node, *weight);
                 let (sin, cos) = (from + part * (to - from)).sin_cos();
-                (to - from) * weight * b * cos * (half_plane(b * sin, b) + self.added(sin, cos))
+                (to - from) * weight * b * cos * self.value(sin, cos)
             });
             each.sum()
         };
         (0..count).map(mass).collect()
     }
+
+    /// At `x = b s`, `root = sqrt(1 - s^2)`.
+    fn value(&self, s: f64, root: f64) -> f64 {
+        let [coarse, fine] = [&self.coarse, &self.fine].map(|added| root * added.value(s));
+        let spacings = (NODES[1] + 1) as f64 / (NODES[0] + 1) as f64;
+        (self.half_plane)(self.half_width * s, self.half_width) + fine + (fine - coarse) / (spacings * spacings - 1.0)
+    }
 }
 
-const SIGNS: [f64; 2] = [1.0, -1.0];
+/// What the layer adds, over `sqrt(1 - t^2)`.
+struct Added {
+    /// Nodes `t > 0`, their barycentric weights (both sides together), and the values there.
+    terms: Vec<[f64; 3]>,
+}
 
-fn node_table() -> &'static [f64] {
-    static TABLE: std::sync::OnceLock<Vec<f64>> = std::sync::OnceLock::new();
-    TABLE.get_or_init(|| (1..=NODES / 2).map(node).collect())
+impl Added {
+    fn new(surface: &Surface, half_plane: &dyn Fn(f64, f64) -> f64, b: f64, nodes: usize) -> Self {
+        let (half, spacing) = (nodes / 2, PI / (nodes + 1) as f64);
+        let points: Vec<f64> = (0..half).map(|i| (spacing * (i as f64 + 0.5)).cos()).collect();
+        let nodes: Vec<f64> = (1..=half).map(|j| (spacing * j as f64).cos()).collect();
+        let pairs = points.iter().flat_map(|x| nodes.iter().flat_map(move |t| [b * (x - t), b * (x + t)]));
+        let kernel = surface.kernel(Component::NormalSlope, &pairs.collect::<Vec<_>>());
+        let (mut matrix, mut values) = (vec![0.0; half * half], vec![0.0; half]);
+        for (i, x) in points.iter().enumerate() {
+            for (j, t) in nodes.iter().enumerate() {
+                let weight = (1.0 - t * t) * spacing / PI;
+                let at = i * half + j;
+                let layer = b * (kernel[2 * at] + kernel[2 * at + 1]);
+                matrix[at] = weight * (1.0 / (x - t) + 1.0 / (x + t) + layer);
+                values[i] -= weight * layer * half_plane(b * t, b) / (1.0 - t * t).sqrt();
+            }
+        }
+        solve(&mut matrix, &mut values);
+        let signs = [1.0, -1.0].into_iter().cycle();
+        let terms = nodes.iter().zip(values).zip(signs).map(|((t, value), sign)| [*t, sign * (1.0 - t * t) * t, value]);
+        Self { terms: terms.collect() }
+    }
+
+    /// By barycentric interpolation.
+    fn value(&self, s: f64) -> f64 {
+        let (mut above, mut below) = (0.0, 0.0);
+        for [t, weight, value] in &self.terms {
+            let share = weight / (s * s - t * t);
+            above += share * value;
+            below += share;
+        }
+        above / below
+    }
 }

@@ -1,10 +1,14 @@
 //! Ten scenes: four punches on layers from thick to thin, soft below and stiff below.
 
-use super::march::Punch;
+use super::march::{End, Punch, march};
+use super::surface::Surface;
 use crate::sketch::Sketch;
 use slipzone::api::reference::rounded_flat::RoundedFlat;
 use slipzone::api::reference::wedge::Wedge;
 use slipzone::scene::Scene;
+
+/// Where tractions are compared.
+pub(super) const POINTS: [f64; 3] = [0.25, 0.5, 0.75];
 
 /// The punches; all lengths in units of the half-width at the end.
 #[derive(Clone, Copy, Debug)]
@@ -25,9 +29,9 @@ impl Shape {
             Self::Cylinder => (0.0, |x, b| ((b - x) * (b + x)).sqrt()),
             Self::Wedge => (0.0, |x, b| Wedge { slope: 1.0, half_width: b, compliance: 1.0 }.pressure(x)),
             Self::Quartic => (0.0, |x, b| 2.0 * (b * b + 2.0 * x * x) * ((b - x) * (b + x)).sqrt()),
-            Self::Rounded => (0.5, |x, b| {
-                RoundedFlat { flat: 0.5, radius: 1.0, half_width: b, compliance: 1.0 }.pressure(x)
-            }),
+            Self::Rounded => {
+                (0.5, |x, b| RoundedFlat { flat: 0.5, radius: 1.0, half_width: b, compliance: 1.0 }.pressure(x))
+            }
         };
         Punch { face, half_plane }
     }
@@ -67,6 +71,11 @@ impl Case {
     /// The scene under a cylinder, whichever its punch.
     pub(super) fn sketch(&self) -> Sketch {
         Sketch { h: self.h, ..Sketch::flat(1.0, self.ratio, self.nu) }.cylinder().rubbing(self.eta)
+    }
+
+    /// Its loading history, on so many cells in so many steps.
+    pub(super) fn march(&self, cells: usize, steps: usize) -> End {
+        march(&Surface::new(&self.sketch()), &self.shape.punch(), self.eta, cells, steps)
     }
 
     /// The scene for the program itself, with more lines to it.
