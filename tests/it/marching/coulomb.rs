@@ -66,7 +66,9 @@ impl Shear {
         let mut q: Vec<f64> =
             bound.iter().zip(state).map(|(c, s)| if *s == State::Outward { -c } else { *c }).collect();
         let sticking: Vec<usize> = (0..q.len()).filter(|i| state[*i] == State::Stick).collect();
-        sticking.iter().for_each(|i| q[*i] = 0.0);
+        for i in &sticking {
+            q[*i] = 0.0;
+        }
         let mut right: Vec<f64> = sticking.iter().map(|i| -rest[*i] - dot(&self.rows[*i][..q.len()], &q)).collect();
         if sticking.last().is_none_or(|last| last + 1 == sticking.len()) {
             self.factor.solve(&mut right);
@@ -74,7 +76,9 @@ impl Shear {
             // Islands: rare, and worth a factor of their own.
             Cholesky::new(sticking.len(), |i, j| self.rows[sticking[i]][sticking[j]]).solve(&mut right);
         }
-        sticking.iter().zip(right).for_each(|(i, value)| q[*i] = value);
+        for (i, value) in sticking.iter().zip(right) {
+            q[*i] = value;
+        }
         q
     }
 }

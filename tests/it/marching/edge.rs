@@ -9,8 +9,8 @@ use super::coulomb::State;
 use super::dense::solve;
 use super::march::End;
 
-/// Part of the contact that the polynomial is fitted to.
-const SPAN: f64 = 0.1;
+/// The polynomial is fitted to this fraction of the contact.
+const SPAN: usize = 10;
 /// Cells next to the edge that are left out: the step shows there.
 const SKIP: usize = 3;
 /// Coefficients of the polynomial.
@@ -21,7 +21,7 @@ pub(super) fn stick_ratio(end: &End, eta: f64) -> f64 {
     let cells = end.state.len();
     let stuck = end.state.iter().take_while(|state| **state == State::Stick).count();
     assert!(end.state[stuck..].iter().all(|state| *state != State::Stick), "one stick zone");
-    let fitted = (SPAN * cells as f64).round() as usize;
+    let fitted = cells / SPAN;
     assert!(SKIP + 2 * TERMS < fitted && fitted < stuck && stuck < cells, "room for a fit: {stuck} of {cells} stick");
     let root = |x: f64| (1.0 - x * x).sqrt();
     let (edge, inner) = (root(stuck as f64 / cells as f64), root((stuck - fitted) as f64 / cells as f64));

@@ -47,9 +47,8 @@ impl End {
 }
 
 fn between(cells: &[f64], x: f64) -> f64 {
-    let at = x * cells.len() as f64;
-    assert!((at - at.round()).abs() < 1e-9, "a cell ends at x = {x}");
-    let i = at.round() as usize;
+    let ends_at = |i: &usize| (*i as f64 - x * cells.len() as f64).abs() < 1e-9;
+    let i = (2..cells.len() - 1).find(ends_at).expect("a cell ends there");
     // Of means over cells, not of values.
     (7.0 * (cells[i] + cells[i - 1]) - cells[i + 1] - cells[i - 2]) / 12.0
 }
@@ -60,18 +59,17 @@ fn between(cells: &[f64], x: f64) -> f64 {
 pub(super) fn march(surface: &Surface, punch: &Punch, eta: f64, cells: usize, steps: usize) -> End {
     let width = 1.0 / cells as f64;
     let a0 = surface.elastic.a0();
-    let half_plane = |x: f64, b: f64| (punch.half_plane)(x, b) / a0;
     let shear = Shear::new(cells, &shear_weights(surface, width, cells));
     let coupling = coupling_weights(surface, width, cells);
-    let contact = (punch.face * cells as f64).round() as usize;
+    let contact = covered(punch.face, cells);
     assert!((contact as f64 * width - punch.face).abs() < 1e-12, "the face ends where a cell does");
     let (mut before, mut state) = (vec![0.0; cells], vec![State::Stick; contact]);
     let (mut q, mut p) = (vec![], vec![]);
     for step in 1..=steps {
         let b = punch.face + (1.0 - punch.face) * step as f64 / steps as f64;
-        // Less what rounding adds to a whole number.
-        let contact = (b * cells as f64 - 1e-9).ceil() as usize;
-        let masses = Pressure::new(surface, &half_plane, b).masses(0.5 * width, 2 * contact);
+        let contact = covered(b, cells);
+        let half_plane = |x: f64| (punch.half_plane)(x, b) / a0;
+        let masses = Pressure::new(surface, &half_plane, punch.face, b).masses(0.5 * width, 2 * contact);
         let pressed = by_pressure(surface, &masses, &coupling, cells);
         p = masses.chunks(2).map(|m| (m[0] + m[1]) / width).collect();
         assert!(p.iter().all(|p| *p > 0.0), "no contact is lost");
@@ -83,6 +81,11 @@ pub(super) fn march(surface: &Surface, punch: &Punch, eta: f64, cells: usize, st
         before = shear.displacement(&q).iter().zip(&pressed).map(|(by_q, by_p)| by_q + by_p).collect();
     }
     End { q, p, state }
+}
+
+/// Cells that a contact covers, all or in part; but for what rounding adds to a whole number.
+fn covered(half_width: f64, cells: usize) -> usize {
+    (0..cells).take_while(|cell| (*cell as f64) < half_width * cells as f64 - 1e-9).count()
 }
 
 /// Displacement of a cell's middle by unit shear on a cell so many cells away: the logarithm exactly.

@@ -36,13 +36,19 @@ impl Surface {
         Self { elastic, kernels: Some((table, thickness.get())) }
     }
 
+    pub(super) fn is_half_plane(&self) -> bool {
+        self.kernels.is_none()
+    }
+
     /// The kernel at each distance, 1/length.
     pub(super) fn kernel(&self, component: Component, distances: &[f64]) -> Vec<f64> {
         let mut values = vec![0.0; distances.len()];
         if let Some((table, thickness)) = &self.kernels {
             let scaled: Vec<f64> = distances.iter().map(|t| t / thickness).collect();
             table.values_into(component, &scaled, &mut values);
-            values.iter_mut().for_each(|k| *k /= thickness);
+            for k in &mut values {
+                *k /= thickness;
+            }
         }
         values
     }
