@@ -9,6 +9,7 @@ mod examples;
 mod friction;
 mod limits;
 mod loading_curve;
+mod marching;
 mod properties;
 mod random;
 mod regressions;

@@ -27,6 +27,11 @@ impl Cylinder {
         PI * self.half_width * self.half_width / (2.0 * self.compliance * self.radius)
     }
 
+    /// `dP/db = pi b/(A0 R)`.
+    pub fn force_rate(self) -> f64 {
+        PI * self.half_width / (self.compliance * self.radius)
+    }
+
     /// `p = b/(A0 R) sqrt(1 - (x/b)^2)`; 0 outside the contact.
     pub fn pressure(self, x: f64) -> f64 {
         let inside = (self.half_width - x) * (self.half_width + x);

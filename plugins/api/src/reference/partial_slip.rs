@@ -86,7 +86,7 @@ fn moduli(quotient: f64) -> (f64, f64) {
 }
 
 /// Arithmetic-geometric mean of 1 and `x` in `[0, 1]`.
-fn mean(x: f64) -> f64 {
+pub(super) fn mean(x: f64) -> f64 {
     let (mut arithmetic, mut geometric) = (1.0, x);
     // Quadratic convergence: at x = 1e-300 it takes twelve turns.
     for _ in 0..20 {
