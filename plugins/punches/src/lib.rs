@@ -1,15 +1,31 @@
 //! Punches: the shape of the rigid body. One file per plugin.
 
 mod cylinder;
+mod examine;
 mod flat;
+mod polynomial;
+mod power;
+mod rounded_flat;
+mod rounded_wedge;
+mod wedge;
 
 pub use cylinder::Cylinder;
 pub use flat::Flat;
+pub use polynomial::{Coefficients, Polynomial};
+pub use power::{Exponent, Power};
+pub use rounded_flat::RoundedFlat;
+pub use rounded_wedge::RoundedWedge;
+pub use wedge::Wedge;
 
 /// Names every module that registers a plugin, so that no linker drops this crate.
 pub fn link() {
     cylinder::link();
     flat::link();
+    polynomial::link();
+    power::link();
+    rounded_flat::link();
+    rounded_wedge::link();
+    wedge::link();
 }
 
 #[cfg(test)]
