@@ -3,6 +3,8 @@
 mod cylinder;
 mod examine;
 mod flat;
+#[cfg(feature = "formula")]
+mod formula;
 mod polynomial;
 mod power;
 mod rounded_flat;
@@ -11,6 +13,8 @@ mod wedge;
 
 pub use cylinder::Cylinder;
 pub use flat::Flat;
+#[cfg(feature = "formula")]
+pub use formula::Formula;
 pub use polynomial::{Coefficients, Polynomial};
 pub use power::{Exponent, Power};
 pub use rounded_flat::RoundedFlat;
@@ -21,6 +25,8 @@ pub use wedge::Wedge;
 pub fn link() {
     cylinder::link();
     flat::link();
+    #[cfg(feature = "formula")]
+    formula::link();
     polynomial::link();
     power::link();
     rounded_flat::link();

@@ -1,7 +1,7 @@
 //! What every grading and every punch promises, tried out at a few points.
 
 use super::ensure;
-use crate::{Grading, ModulusLaw, Positive, PunchProfile, PunchShape};
+use crate::{Grading, ModulusLaw, NoFiles, Positive, PunchProfile, PunchShape};
 
 /// The modulus is finite and positive, and what the law says beside it agrees with it.
 pub(super) fn grading(config: &dyn Grading) -> Result<(), String> {
@@ -46,7 +46,8 @@ fn modulus(law: &dyn ModulusLaw) -> Result<(), String> {
 }
 
 /// The height is even and zero at the tip, and its derivative is the slope.
-pub(super) fn punch(config: &dyn PunchProfile) -> Result<(), String> {
+pub(super) fn punch(mut config: Box<dyn PunchProfile>) -> Result<(), String> {
+    config.read(&NoFiles).map_err(|e| format!("not readable: {e}"))?;
     shape(&*config.shape().map_err(|e| format!("no shape: {e}"))?)
 }
 
