@@ -9,6 +9,7 @@ mod polynomial;
 mod power;
 mod rounded_flat;
 mod rounded_wedge;
+mod table;
 mod wedge;
 
 pub use cylinder::Cylinder;
@@ -19,6 +20,7 @@ pub use polynomial::{Coefficients, Polynomial};
 pub use power::{Exponent, Power};
 pub use rounded_flat::RoundedFlat;
 pub use rounded_wedge::RoundedWedge;
+pub use table::Table;
 pub use wedge::Wedge;
 
 /// Names every module that registers a plugin, so that no linker drops this crate.
@@ -31,6 +33,7 @@ pub fn link() {
     power::link();
     rounded_flat::link();
     rounded_wedge::link();
+    table::link();
     wedge::link();
 }
 
