@@ -54,7 +54,7 @@ impl Scale {
             self.height = self.height.max(height.abs());
             self.slope = self.slope.max(slope.abs());
             if height < -ROUNDING * self.height {
-                return Some((flaw(format!("the punch leaves the surface (height {height:.4})"), x), stretch));
+                return Some((flaw("the punch leaves the surface".into(), x), stretch));
             }
             if slope < before.2 - ROUNDING * self.slope {
                 // What falls before this point has begun to fall at the one before, or short of it.

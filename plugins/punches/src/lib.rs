@@ -38,10 +38,4 @@ pub fn link() {
 }
 
 #[cfg(test)]
-mod tests {
-    #[test]
-    fn plugins_conform() {
-        super::link();
-        slipzone_api::testkit::check_crate(env!("CARGO_PKG_NAME"));
-    }
-}
+mod tests;

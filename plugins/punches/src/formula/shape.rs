@@ -202,7 +202,10 @@ impl PunchShape for Graph {
     }
 
     fn flaw(&self, half_width: f64) -> Option<Flaw> {
-        let found = examine::first_flaw(self, half_width, &self.kinks);
+        let found = match self.gives {
+            Gives::Height => examine::first_flaw(self, half_width, &self.kinks),
+            Gives::Slope => examine::first_flaw(&Rising(self), half_width, &self.kinks),
+        };
         let nearest = found.as_ref().map_or(half_width, |flaw| flaw.x);
         let uneven = self.asymmetry(half_width).filter(|(x, ..)| *x < nearest);
         let uneven = uneven.map(|(x, ..)| Flaw { what: "the punch is not symmetric".into(), x });
@@ -215,5 +218,24 @@ impl PunchShape for Graph {
 
     fn corners(&self) -> &[f64] {
         &self.corners
+    }
+}
+
+/// A punch given by its slope, with a height that has the right sign as long as the slope has not begun to fall: enough
+/// to be looked over, and no integral at each point.
+#[derive(Debug)]
+struct Rising<'g>(&'g Graph);
+
+impl PunchShape for Rising<'_> {
+    fn height(&self, x: f64) -> f64 {
+        x * self.0.slope(x)
+    }
+
+    fn slope(&self, x: f64) -> f64 {
+        self.0.slope(x)
+    }
+
+    fn natural_length(&self) -> f64 {
+        self.0.natural_length
     }
 }
