@@ -1,6 +1,7 @@
 //! Reads a scene from a file or from standard input.
 
 use super::Failure;
+use slipzone::api::{Files, LARGEST_FILE};
 use slipzone::scene::{self, Scene};
 use std::fs::File;
 use std::io::Read;
@@ -14,23 +15,35 @@ pub(super) fn is_dash(path: &Path) -> bool {
 /// Reads and checks a scene.
 pub(super) fn scene(path: &Path) -> Result<Scene, Failure> {
     let name = if is_dash(path) { "<stdin>".into() } else { path.to_string_lossy() };
-    let bytes = if is_dash(path) { limited(std::io::stdin().lock()) } else { file(path) };
+    let most = scene::LARGEST;
+    let bytes = if is_dash(path) { limited(std::io::stdin().lock(), most) } else { file(path, most) };
     let bytes = bytes.map_err(|error| Failure::System(format!("cannot read the scene {name}: {error}")))?;
     let text = scene::text(&name, bytes)?;
-    Ok(scene::parse(&name, &text)?)
+    let folder = if is_dash(path) { None } else { path.parent() };
+    Ok(scene::parse_with(&name, &text, &Folder(folder.unwrap_or(Path::new(""))))?)
 }
 
-fn file(path: &Path) -> std::io::Result<Vec<u8>> {
+/// The folder of a scene, which the files that it names are relative to.
+struct Folder<'a>(&'a Path);
+
+impl Files for Folder<'_> {
+    fn read(&self, name: &str) -> Result<Vec<u8>, String> {
+        let path = self.0.join(name);
+        file(&path, LARGEST_FILE).map_err(|error| format!("{}: {error}", path.display()))
+    }
+}
+
+/// At most one byte more than `most`: enough to tell that the file is too large.
+fn file(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
     // Said here, since systems differ in whether opening or reading a folder fails.
     if path.is_dir() {
         return Err(std::io::Error::other("it is a directory"));
     }
-    limited(File::open(path)?)
+    limited(File::open(path)?, most)
 }
 
-/// At most one byte more than a scene may have: enough to tell that it is too large.
-fn limited(source: impl Read) -> std::io::Result<Vec<u8>> {
+fn limited(source: impl Read, most: usize) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    source.take(scene::LARGEST as u64 + 1).read_to_end(&mut bytes)?;
+    source.take(most as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }

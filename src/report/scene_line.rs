@@ -150,19 +150,39 @@ fn base(base: &Base, labels: &Labels, letters: &Alphabet) -> String {
     }
 }
 
+/// Numbers of a list that fit into a line.
+const FEW: usize = 6;
+
+/// The beginning of a text such as a formula.
+fn clipped(text: &str) -> String {
+    const LONGEST: usize = 60;
+    let short: String = text.chars().take(LONGEST).collect();
+    if short.len() == text.len() { short } else { short + "..." }
+}
+
 /// The punch by its `type` and those of its keys that fit into a line.
 fn punch(punch: &dyn PunchProfile, letters: &Alphabet) -> String {
     let name = format!("{} punch", punch.typetag_name());
     let Ok(Value::Object(table)) = serde_json::to_value(punch) else { return name };
-    let scalar = |(key, value): (&String, &Value)| {
-        let value = match value {
-            Value::Number(number) => letters.number(number.as_f64()?),
-            Value::String(text) if key != "type" => one_line(text),
-            _ => return None,
-        };
-        Some(format!("{} = {value}", key.replace('_', "-")))
+    let shown = |(key, value): (&String, &Value)| match value {
+        // Named parameters go by their own names.
+        Value::Object(parameters) => {
+            let each = |(name, value): (&String, &Value)| Some(format!("{name} = {}", letters.number(value.as_f64()?)));
+            let each: Option<Vec<_>> = parameters.iter().map(each).collect();
+            each.filter(|each| each.len() <= FEW && !each.is_empty()).map(|each| each.join(", "))
+        }
+        Value::Array(values) if values.iter().any(Value::is_array) => Some(format!("{} {key}", values.len())),
+        Value::Array(values) => {
+            let each: Option<Vec<_>> = values.iter().map(|value| Some(letters.number(value.as_f64()?))).collect();
+            each.filter(|each| each.len() <= FEW).map(|each| format!("{key} = [{}]", each.join(", ")))
+        }
+        Value::Number(number) => Some(format!("{} = {}", key.replace('_', "-"), letters.number(number.as_f64()?))),
+        Value::String(text) if key != "type" => {
+            Some(format!("{} = {}", key.replace('_', "-"), clipped(&one_line(text))))
+        }
+        _ => None,
     };
-    let keys: Vec<_> = table.iter().filter_map(scalar).collect();
+    let keys: Vec<_> = table.iter().filter_map(shown).collect();
     if keys.is_empty() { name } else { format!("{name} ({})", keys.join(", ")) }
 }
 
@@ -182,6 +202,37 @@ mod tests {
             scene_parts(&samples::cylinder_without_friction(), &ASCII).join(", "),
             "homogeneous, mu = 1, nu = 0.3, plane strain, half-plane, cylinder punch (radius = 10), frictionless, b = 1"
         );
+    }
+
+    #[test]
+    fn punches_of_many_numbers_stay_in_line() {
+        crate::link_plugins();
+        let line = |text: &str| {
+            let text = format!(
+                "format = 1\npunch = {text}\nload = {{ force = 1.0 }}\n[layer]\nthickness = 1.0\npoisson = 0.3\n\
+                 grading = {{ type = 'homogeneous', modulus = 1.0 }}"
+            );
+            punch(&*crate::scene::parse("line", &text).unwrap_or_else(|e| panic!("{e}")).punch, &ASCII)
+        };
+        assert_eq!(
+            line("{ type = 'polynomial', coefficients = [0.05, 0.001] }"),
+            "polynomial punch (coefficients = [0.05, 0.001])"
+        );
+        let points = "[[0.0, 0.0], [1.0, 0.05], [2.0, 0.2], [3.0, 0.45]]";
+        assert_eq!(
+            line(&format!("{{ type = 'table', points = {points} }}")),
+            "table punch (4 points, x-unit = 1, height-unit = 1)"
+        );
+        #[cfg(feature = "formula")]
+        {
+            assert_eq!(
+                line("{ type = 'formula', height = 'x^2/(2*R)', parameters = { R = 10.0 } }"),
+                "formula punch (height = x^2/(2*R), R = 10)"
+            );
+            let long = format!("x^2{}", " + 0.1*x^4".repeat(20));
+            let shown = line(&format!("{{ type = 'formula', height = '{long}' }}"));
+            assert!(shown.len() < 100 && shown.ends_with("...)"), "{shown}");
+        }
     }
 
     #[test]

@@ -116,14 +116,24 @@ fn thickness(document: &Document, scene: &Scene) -> Result<(), SceneError> {
 /// Loads that mean nothing for this punch or this base.
 fn load(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     // A shape that cannot be built is the engine's to refuse.
-    let fixed = scene.punch.shape().ok().and_then(|shape| shape.fixed_half_width());
     let key = scene.load.kind().key();
     let place = scene.path.as_ref().map_or_else(|| vec!["load", key], |path| vec!["load", path.key(), key]);
+    let shape = scene.punch.shape().ok();
+    let fixed = shape.as_ref().and_then(|shape| shape.fixed_half_width());
+    let face = shape.as_ref().map_or(0.0, |shape| shape.face());
+    let reach = shape.as_ref().and_then(|shape| shape.reach()).unwrap_or(f64::INFINITY);
+    let smallest = scene.path.as_ref().map_or(scene.load, |path| path.load(0)).value().get();
     match scene.load {
         Load::HalfWidth(_) if fixed.is_some() => Err(document
             .error(document.key(&place), "a half-width as load on a punch whose contact is fixed")
             .found("`half_width`, which the punch itself sets")
             .expected("`force` or `indentation`")),
+        Load::HalfWidth(b) if b.get() > reach => Err(document
+            .not_allowed(&place, format!("at most {reach}, where the punch's table ends"))
+            .hint("give the table rows further out, or a smaller load")),
+        Load::HalfWidth(_) if smallest <= face => Err(document
+            .not_allowed(&place, format!("above {face}, the half-width of the punch's flat face"))
+            .hint("the contact is as wide as the face before there is any load")),
         Load::Indentation(_) if scene.layer.base == Base::Infinite => Err(document
             .error(document.key(&place), "an indentation on a solid without a base")
             .found("`indentation`, which is undefined there: it grows without bound with the depth of the datum")

@@ -1,6 +1,7 @@
 //! The text of a scene as a tree that knows where everything stands.
 
 use super::SceneError;
+use slipzone_api::{Fault, Place};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -70,6 +71,42 @@ impl<'a> Document<'a> {
     /// An error about a stretch of the text.
     pub(super) fn error(&self, span: Range<usize>, message: impl Into<String>) -> SceneError {
         SceneError::at(self.name, self.text, span, message)
+    }
+
+    /// What a plugin says against its own table, which stands at `path`, or against a file named there.
+    pub(super) fn fault(&self, path: &[&str], fault: Fault) -> SceneError {
+        let within = fault.path.iter().map(String::as_str);
+        let full: Vec<&str> = path.iter().copied().chain(within).collect();
+        let span = self.best(&full);
+        let mut error = match fault.place {
+            Place::Whole => self.error(span, fault.message),
+            Place::Text(part) => self.error(self.within(&full, part).unwrap_or(span), fault.message),
+            Place::File { name, line, text, span: part } => {
+                let here = self.error(span, "");
+                let error = SceneError::in_file(&name, line, &text, part, fault.message);
+                let hint = format!("the file is named in {}, line {}", here.file, here.line);
+                error.hint(fault.hint.as_ref().map_or_else(|| hint.clone(), |more| format!("{more}; {hint}")))
+            }
+        };
+        if let Some(found) = fault.found {
+            error = error.found(found);
+        }
+        if let Some(expected) = fault.expected {
+            error = error.expected(expected);
+        }
+        match fault.hint {
+            Some(hint) if error.hint.is_none() => error.hint(hint),
+            _ => error,
+        }
+    }
+
+    /// Where a part of a text value stands; `None` where it is written with escapes, so that places differ.
+    fn within(&self, path: &[&str], part: Range<usize>) -> Option<Range<usize>> {
+        let value = self.value(path)?;
+        let (text, span) = (value.get_ref().as_str()?, value.span());
+        let opening = self.text.get(span.clone())?.find(text)?;
+        let is_verbatim = opening <= 4 && part.end <= text.len();
+        is_verbatim.then(|| span.start + opening + part.start..span.start + opening + part.end)
     }
 
     /// A number that is not allowed: what it is, where it stands.

@@ -8,13 +8,13 @@ use std::ops::Range;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}", self.in_words())]
 pub struct SceneError {
-    /// Name of the file, as it was given.
+    /// Name of the file, as it was given; a scene may name others.
     pub file: String,
     /// Line, counted from 1.
     pub line: usize,
     /// Column in characters, counted from 1.
     pub column: usize,
-    /// Bytes of the text that are meant; empty when nothing in the text is.
+    /// Bytes of the scene's text that are meant; empty when nothing in it is, but a line of a file that it names.
     pub span: Range<usize>,
     /// The line (of a very long one, the part around the error); empty when the whole file is meant.
     pub excerpt: String,
@@ -55,6 +55,14 @@ impl SceneError {
             expected: None,
             hint: None,
         }
+    }
+
+    /// An error in a line of a file that the scene names; line 0 is the file as a whole.
+    pub(super) fn in_file(file: &str, line: usize, text: &str, span: Range<usize>, message: String) -> Self {
+        let mut error = Self::at(file, text, span, message);
+        error.line = line.max(1);
+        error.span = 0..0;
+        error
     }
 
     /// An error about the file as a whole.

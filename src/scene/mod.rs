@@ -1,7 +1,7 @@
 //! The scene: what is to be solved, checked.
 //!
-//! [`text()`] makes text of a file's bytes, [`parse`] a [`Scene`] of the text. Both say what is wrong in a
-//! [`SceneError`] that knows the line; neither reads a file.
+//! [`text()`] makes text of a file's bytes, [`parse`] a [`Scene`] of the text, [`parse_with`] one of a text that names
+//! files. All say what is wrong in a [`SceneError`] that knows the line; none opens a file.
 
 // An error ends the reading of a scene: its size costs nothing.
 #![allow(clippy::result_large_err)]
@@ -26,7 +26,8 @@ pub use text::{LARGEST, text, too_large};
 use document::Document;
 use serde::{Deserialize, Serialize};
 use slipzone_api::{
-    Base, Flexibility, Friction, Grading, KernelStrategy, Plane, Poisson, Positive, PunchProfile, Quadrature,
+    Base, Files, Flexibility, Friction, Grading, KernelStrategy, NoFiles, Plane, Poisson, Positive, PunchProfile,
+    Quadrature,
 };
 
 /// The scene that a text describes, every check passed; `name` is what errors call the text.
@@ -43,6 +44,35 @@ use slipzone_api::{
 /// assert_eq!(error.expected.as_deref(), Some("a finite number above 0"));
 /// ```
 pub fn parse(name: &str, text: &str) -> Result<Scene, SceneError> {
+    parse_with(name, text, &NoFiles)
+}
+
+/// As [`parse`], for scenes that name files: those come from `files`, once, and are kept with the scene.
+///
+/// # Errors
+/// The first thing that is wrong, with its line in the scene or in the file.
+///
+/// ```
+/// struct Memory;
+/// impl slipzone::api::Files for Memory {
+///     fn read(&self, name: &str) -> Result<Vec<u8>, String> {
+///         match name {
+///             "profile.csv" => Ok(b"x, height\n0, 0\n1, 0.1\n2, 0.4\n3, 0.9\n4, 1.6\n".to_vec()),
+///             _ => Err("there is no such file".into()),
+///         }
+///     }
+/// }
+/// let text = r#"
+///     format = 1
+///     layer = { thickness = 5.0, poisson = 0.3, grading = { type = "homogeneous", modulus = 1.0 } }
+///     punch = { type = "table", file = "profile.csv" }
+///     load = { half_width = 1.0 }
+/// "#;
+/// assert!(slipzone::scene::parse_with("demo.toml", text, &Memory).is_ok());
+/// let error = slipzone::scene::parse("demo.toml", text).unwrap_err();
+/// assert_eq!((error.line, error.column), (4, 39));
+/// ```
+pub fn parse_with(name: &str, text: &str, files: &dyn Files) -> Result<Scene, SceneError> {
     crate::link_plugins();
     if text.len() > LARGEST {
         return Err(too_large(name));
@@ -50,7 +80,8 @@ pub fn parse(name: &str, text: &str) -> Result<Scene, SceneError> {
     let document = Document::parse(name, text)?;
     decode::format(&document)?;
     load_keys::load(&document)?;
-    let scene = decode::scene(&document)?;
+    let mut scene = decode::scene(&document)?;
+    scene.punch.read(files).map_err(|fault| document.fault(&["punch"], fault))?;
     check::all(&document, &scene)?;
     Ok(scene)
 }

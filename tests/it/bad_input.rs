@@ -184,3 +184,124 @@ fn no_control_character_reaches_the_terminal() {
         assert!(!told.contains(escape) && !told.contains('\u{7}'), "{told:?}");
     }
 }
+
+/// A scene whose punch is the table in `profile.csv`.
+fn with_table(load: &str) -> String {
+    let scene = GOOD.replace("type = \"flat\"\nhalf_width = 1.0", "type = \"table\"\nfile = \"profile.csv\"");
+    let scene = scene.replace("force = 1.0", load);
+    let (before, after) = scene.split_once("[friction]").expect("a scene with friction");
+    let (_, after) = after.split_once("[load]").expect("a scene with a load");
+    format!("{before}[load]{after}")
+}
+
+/// Tables in files: the message shows the line of the file, and where the scene names it.
+#[test]
+fn broken_tables_say_what_is_wrong_and_where() {
+    let rows = "x, height\n0, 0\n1, 0.05\n2, 0.2\n3, 0.45\n4, 0.8\n";
+    let cases: [(&str, Vec<u8>); 12] = [
+        ("nan", rows.replace("0.2", "nan").into()),
+        ("unsorted", rows.replace("2, ", "0.5, ").into()),
+        ("repeated", rows.replace("2, ", "1, ").into()),
+        ("two_rows", "0, 0\n1, 0.05\n".into()),
+        ("words", rows.replace("0.45", "0.45 mm").into()),
+        ("decimal_commas", rows.replace(", ", "; ").replace("0.2", "0,2").into()),
+        ("three_columns", rows.replace("0.2", "0.2, 7").into()),
+        ("long_line", rows.replace("0.2", &"0.2, ".repeat(10_000)).into()),
+        ("empty", Vec::new()),
+        ("latin_1", b"0, 0\n1, 0.05 \xb5m\n".to_vec()),
+        ("utf_16", b"\xff\xfe0\0".to_vec()),
+        ("control", rows.replace("0.2", "\u{1b}[31m").into()),
+    ];
+    for (name, bytes) in cases {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("scene.toml"), with_table("force = 1.0")).unwrap();
+        fs::write(folder.path().join("profile.csv"), bytes).unwrap();
+        let output = solve(folder.path(), "scene.toml", None);
+        assert_eq!(output.status.code(), Some(2), "{name}: {}", told(&output));
+        insta::assert_snapshot!(format!("table_{name}"), told(&output));
+    }
+}
+
+#[test]
+fn tables_that_cannot_be_read() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("scene.toml"), with_table("force = 1.0")).unwrap();
+    fs::create_dir(folder.path().join("profile.csv")).unwrap();
+    let output = solve(folder.path(), "scene.toml", None);
+    assert_eq!(output.status.code(), Some(2));
+    insta::assert_snapshot!("table_directory", told(&output));
+
+    fs::remove_dir(folder.path().join("profile.csv")).unwrap();
+    File::create(folder.path().join("profile.csv")).unwrap().set_len(65 * 1024 * 1024).unwrap();
+    let output = solve(folder.path(), "scene.toml", None);
+    assert_eq!(output.status.code(), Some(2));
+    insta::assert_snapshot!("table_huge", told(&output));
+}
+
+/// The file is sought beside the scene, wherever the program runs.
+#[test]
+fn files_are_relative_to_the_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("sub")).unwrap();
+    fs::write(folder.path().join("sub/scene.toml"), with_table("half_width = 1.0")).unwrap();
+    fs::write(folder.path().join("sub/profile.csv"), "0 0\n1 0.05\n2 0.2\n3 0.45\n4 0.8\n").unwrap();
+    assert_eq!(run(folder.path(), ["check", "sub/scene.toml"]).status.code(), Some(0));
+    let from_stdin = |folder: &Path| feed(folder, &["check", "-"], with_table("half_width = 1.0").as_bytes());
+    assert_eq!(from_stdin(&folder.path().join("sub")).status.code(), Some(0));
+    assert_eq!(from_stdin(folder.path()).status.code(), Some(2));
+}
+
+#[test]
+fn a_million_rows_are_taken_and_one_more_is_not() {
+    use std::fmt::Write;
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("scene.toml"), with_table("half_width = 0.5")).unwrap();
+    let mut rows = String::new();
+    for i in 0..1_000_000 {
+        let x = f64::from(i) * 1e-6;
+        writeln!(rows, "{x:.6} {:.9}", 0.05 * x * x).unwrap();
+    }
+    fs::write(folder.path().join("profile.csv"), &rows).unwrap();
+    assert_eq!(run(folder.path(), ["check", "scene.toml"]).status.code(), Some(0));
+    rows.push_str("1.0 0.05\n");
+    fs::write(folder.path().join("profile.csv"), &rows).unwrap();
+    let output = run(folder.path(), ["check", "scene.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    insta::assert_snapshot!("table_too_many_rows", told(&output));
+}
+
+#[cfg(feature = "formula")]
+mod formulas {
+    use super::*;
+
+    fn with_formula(height: &str, load: &str) -> String {
+        let formula = format!("type = \"formula\"\nheight = \"{height}\"");
+        with_table(load).replace("type = \"table\"\nfile = \"profile.csv\"", &formula)
+    }
+
+    #[test]
+    fn long_and_deep_formulas_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, text) in [
+            ("long", format!("x^2{}", " + 0.1*x^2".repeat(1000))),
+            ("deep", format!("{}x{}", "(".repeat(900), ")".repeat(900))),
+            ("deep_functions", "sin(".repeat(400)),
+        ] {
+            let output = solve(folder.path(), "-", Some(with_formula(&text, "force = 1.0").as_bytes()));
+            assert_eq!(output.status.code(), Some(2), "{name}: {}", told(&output));
+            insta::assert_snapshot!(format!("formula_{name}"), told(&output));
+        }
+    }
+
+    /// Divisions by zero under the contact, roots of negative numbers there: told, with the place, and no panic.
+    #[test]
+    fn what_fails_inside_the_contact_is_told() {
+        let folder = tempfile::tempdir().unwrap();
+        for height in ["x^2/(1 - 4*x^2)", "10 - 10*sqrt(1 - 4*x^2)", "1 - cos(4*x)", "x^2/abs(abs(x) - 0.5)"] {
+            for load in ["half_width = 1.0", "force = 5.0"] {
+                let output = feed(folder.path(), &["solve", "-"], with_formula(height, load).as_bytes());
+                assert!(matches!(output.status.code(), Some(1 | 2)), "{height}, {load}: {}", told(&output));
+            }
+        }
+    }
+}

@@ -168,6 +168,12 @@ fn plugins_are_listed_and_described() {
     }
 }
 
+/// The set of names: a plugin that is lost, or new, is noticed.
+#[test]
+fn the_plugins_by_name() {
+    insta::assert_snapshot!(told(&run(folder().path(), ["plugins"])));
+}
+
 #[test]
 fn a_described_plugin() {
     insta::assert_snapshot!(told(&run(folder().path(), ["plugins", "cylinder"])));

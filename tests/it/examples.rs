@@ -1,8 +1,18 @@
 //! Every scene in `examples/`: it solves, it draws, and those with a reference agree with it.
 
 use serde_json::Value;
+use slipzone::api::Files;
 use slipzone::engine::{Status, solve, solve_all};
-use slipzone::scene::{Scene, parse};
+use slipzone::scene::{Scene, parse_with};
+
+/// The folder of the examples.
+struct Folder;
+
+impl Files for Folder {
+    fn read(&self, name: &str) -> Result<Vec<u8>, String> {
+        std::fs::read(format!("{}/examples/{name}", env!("CARGO_MANIFEST_DIR"))).map_err(|error| error.to_string())
+    }
+}
 
 fn scenes() -> Vec<(String, Scene)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples");
@@ -13,12 +23,12 @@ fn scenes() -> Vec<(String, Scene)> {
         .map(|path| {
             let name = path.file_name().expect("a file").to_string_lossy().into_owned();
             let text = std::fs::read_to_string(&path).expect("readable text");
-            let scene = parse(&name, &text).unwrap_or_else(|e| panic!("{e}"));
+            let scene = parse_with(&name, &text, &Folder).unwrap_or_else(|e| panic!("{e}"));
             (name, scene)
         })
         .collect();
     scenes.sort_by(|one, other| one.0.cmp(&other.0));
-    assert!(scenes.len() >= 15, "Table 1, figures 2 and 6, and the two of the README: {} scenes", scenes.len());
+    assert!(scenes.len() >= 21, "Table 1, figures 2 and 6, and one of each punch: {} scenes", scenes.len());
     scenes
 }
 

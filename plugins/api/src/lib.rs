@@ -15,6 +15,7 @@
 pub mod double_exponential;
 mod elastic;
 pub mod elementary;
+mod files;
 mod flexibility;
 mod friction;
 mod grading;
@@ -29,6 +30,7 @@ mod registry;
 pub mod testkit;
 
 pub use elastic::{Base, Elastic, Plane};
+pub use files::{Fault, Files, LARGEST_FILE, NoFiles, Place};
 pub use flexibility::{Flexibility, LayerModel, LayerResponse, SurfaceFlexibility};
 pub use friction::Friction;
 pub use grading::{Grading, ModulusLaw};

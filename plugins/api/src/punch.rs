@@ -1,11 +1,21 @@
 //! The shape of the rigid punch.
 
-use crate::Refusal;
+use crate::{Fault, Files, Refusal};
 use std::fmt::Debug;
 
 /// Config half of a punch: what a scene says under `[punch]`, lengths in the user's units.
 #[typetag::serde(tag = "type")]
 pub trait PunchProfile: dyn_clone::DynClone + Debug + Send + Sync {
+    /// Fetches the files that the table names, and checks what no single key can show, such as a formula. Called once
+    /// after the table was read; what was fetched is kept for [`Self::shape`] and not written with the table.
+    ///
+    /// # Errors
+    /// The first fault, with its place in the table or in the file.
+    fn read(&mut self, files: &dyn Files) -> Result<(), Fault> {
+        let _ = files;
+        Ok(())
+    }
+
     /// The shape, ready to be evaluated.
     fn shape(&self) -> Result<Box<dyn PunchShape>, Refusal>;
 }

@@ -24,6 +24,14 @@ pub enum Refusal {
         /// What to use instead.
         remedy: String,
     },
+    /// What a scene says of a plugin turns out not to be usable: an unread file, a formula that is none.
+    #[error("{plugin}: {why}")]
+    Unusable {
+        /// Name of the plugin.
+        plugin: &'static str,
+        /// What is wrong and what to do.
+        why: String,
+    },
     /// The scene lies outside what a method can resolve with bounded work.
     #[error("{method}: {why}; {remedy}")]
     OutOfReach {

@@ -49,6 +49,7 @@ fn check_parameter(family: Family, example: &toml::Table, parameter: &crate::Par
         format!("key `{name}` has neither a sample nor a place in the example")
     })?;
     let refusal = |table: &toml::Table| Parsed::new(family, &table.to_string()).err();
+    let decodes = |table: &toml::Table| Parsed::decode(family, &table.to_string()).map(|_| ());
     for &sample in parameter.samples {
         let mut changed = example.clone();
         let value = if sample.fract() == 0.0 && example.get(name).is_none_or(toml::Value::is_integer) {
@@ -64,20 +65,30 @@ fn check_parameter(family: Family, example: &toml::Table, parameter: &crate::Par
     }
     let mut without = example.clone();
     without.remove(name);
-    ensure(!parameter.required || refusal(&without).is_some(), || format!("key `{name}` is not required after all"))?;
-    ensure(parameter.required || refusal(&without).is_none(), || format!("key `{name}` is required after all"))
+    // A formula may do without parameters though the example's does not: what counts is that the table is understood.
+    let is_required = decodes(&without).is_err();
+    ensure(!parameter.required || is_required, || format!("key `{name}` is not required after all"))?;
+    ensure(parameter.required || !is_required, || format!("key `{name}` is required after all"))
 }
 
-/// A table that parsed, survived a round trip, and kept its family's contract.
+/// A table that parsed and survived a round trip.
 struct Parsed {
     /// Its typetag name.
     tag: String,
     /// How it writes itself.
     written: toml::Table,
+    /// Whether it keeps its family's contract.
+    contract: Result<(), String>,
 }
 
 impl Parsed {
+    /// One that keeps its family's contract too.
     fn new(family: Family, text: &str) -> Result<Self, String> {
+        let parsed = Self::decode(family, text)?;
+        parsed.contract.clone().map(|()| parsed)
+    }
+
+    fn decode(family: Family, text: &str) -> Result<Self, String> {
         macro_rules! round_trip {
             ($config:ty) => {{
                 let once: Box<$config> = toml::from_str(text).map_err(|e| e.message().to_owned())?;
@@ -89,31 +100,29 @@ impl Parsed {
                 (once, written)
             }};
         }
-        let (tag, written) = match family {
+        let (tag, written, contract) = match family {
             Family::Grading => {
                 let (config, written) = round_trip!(dyn Grading);
-                contracts::grading(&*config)?;
-                (config.typetag_name(), written)
+                (config.typetag_name(), written, contracts::grading(&*config))
             }
             Family::Punch => {
                 let (config, written) = round_trip!(dyn PunchProfile);
-                contracts::punch(&*config)?;
-                (config.typetag_name(), written)
+                (config.typetag_name(), written, contracts::punch(config.clone()))
             }
             Family::Flexibility => {
                 let (config, written) = round_trip!(dyn Flexibility);
-                (config.typetag_name(), written)
+                (config.typetag_name(), written, Ok(()))
             }
             Family::Kernel => {
                 let (config, written) = round_trip!(dyn KernelStrategy);
-                (config.typetag_name(), written)
+                (config.typetag_name(), written, Ok(()))
             }
             Family::Quadrature => {
                 let (config, written) = round_trip!(dyn Quadrature);
-                (config.typetag_name(), written)
+                (config.typetag_name(), written, Ok(()))
             }
         };
-        Ok(Self { tag: tag.to_owned(), written })
+        Ok(Self { tag: tag.to_owned(), written, contract })
     }
 }
 

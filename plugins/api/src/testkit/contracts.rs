@@ -1,7 +1,7 @@
 //! What every grading and every punch promises, tried out at a few points.
 
 use super::ensure;
-use crate::{Grading, ModulusLaw, Positive, PunchProfile, PunchShape};
+use crate::{Grading, ModulusLaw, NoFiles, Positive, PunchProfile, PunchShape};
 
 /// The modulus is finite and positive, and what the law says beside it agrees with it.
 pub(super) fn grading(config: &dyn Grading) -> Result<(), String> {
@@ -46,20 +46,58 @@ fn modulus(law: &dyn ModulusLaw) -> Result<(), String> {
 }
 
 /// The height is even and zero at the tip, and its derivative is the slope.
-pub(super) fn punch(config: &dyn PunchProfile) -> Result<(), String> {
+pub(super) fn punch(mut config: Box<dyn PunchProfile>) -> Result<(), String> {
+    config.read(&NoFiles).map_err(|e| format!("not readable: {e}"))?;
     shape(&*config.shape().map_err(|e| format!("no shape: {e}"))?)
 }
 
-fn shape(shape: &dyn PunchShape) -> Result<(), String> {
+pub(super) fn shape(shape: &dyn PunchShape) -> Result<(), String> {
     let length = shape.natural_length();
     ensure(length > 0.0 && length < f64::INFINITY, || format!("natural_length() = {length}"))?;
-    let reach = shape.fixed_half_width().unwrap_or(length);
-    ensure(reach > 0.0 && reach < f64::INFINITY, || format!("fixed_half_width() = {reach}"))?;
+    let half_width = shape.fixed_half_width().unwrap_or(length);
+    ensure(half_width > 0.0 && half_width < f64::INFINITY, || format!("fixed_half_width() = {half_width}"))?;
+    let face = shape.face();
+    ensure(face >= 0.0 && face < f64::INFINITY, || format!("face() = {face}"))?;
+    ensure(shape.height(face) == 0.0, || format!("face() = {face}, but height({face}) = {}", shape.height(face)))?;
+    if let Some(reach) = shape.reach() {
+        ensure(reach > 0.0 && reach < f64::INFINITY, || format!("reach() = {reach}"))?;
+        ensure(half_width <= reach, || format!("reach() = {reach}, but natural_length() = {half_width}"))?;
+    }
+    if let Some(noise) = shape.noise() {
+        ensure(noise >= 0.0 && noise < f64::INFINITY, || format!("noise() = {noise}"))?;
+    }
+    kinks(shape)?;
+
     let tip = shape.height(0.0);
     ensure(tip == 0.0, || format!("height(0) = {tip}"))?;
+    along(shape, half_width)?;
+    let level = shape.slope(0.0);
+    ensure(level == 0.0, || format!("slope(0) = {level}"))
+}
 
-    let points = (1..20).map(|i| f64::from(i) / 20.0 * reach);
+/// Kinks ascend from 0, there are not too many of them to split integrals at, and corners are kinks.
+fn kinks(shape: &dyn PunchShape) -> Result<(), String> {
+    const MOST: usize = 64;
+    let (kinks, corners) = (shape.kinks(), shape.corners());
+    ensure(kinks.len() <= MOST, || format!("{} kinks", kinks.len()))?;
+    let from_zero = kinks.iter().all(|x| *x >= 0.0 && x.is_finite());
+    ensure(from_zero && kinks.windows(2).all(|w| w[0] < w[1]), || format!("kinks {kinks:?} do not ascend from 0"))?;
+    ensure(corners.is_sorted(), || format!("corners {corners:?} do not ascend"))?;
+    match corners.iter().find(|corner| !kinks.contains(corner)) {
+        Some(corner) => Err(format!("the corner {corner} is not among the kinks {kinks:?}")),
+        None => Ok(()),
+    }
+}
+
+/// What holds at every point of a contact.
+fn along(shape: &dyn PunchShape, half_width: f64) -> Result<(), String> {
+    let points = (1..20).map(|i| f64::from(i) / 20.0 * half_width);
     let steepest = points.clone().map(|x| shape.slope(x).abs()).fold(0.0, f64::max);
+    let flaw = shape.flaw(half_width);
+    let is_sound = flaw.is_none();
+    if let Some(flaw) = flaw {
+        ensure(flaw.x >= 0.0 && flaw.x <= half_width, || format!("flaw({half_width}) lies at {}", flaw.x))?;
+    }
     let mut before = f64::NEG_INFINITY;
     for x in points {
         let (height, slope) = (shape.height(x), shape.slope(x));
@@ -73,15 +111,16 @@ fn shape(shape: &dyn PunchShape) -> Result<(), String> {
             format!("slope({x}) = {slope}, but slope(-{x}) = {turned}")
         })?;
         // Central differences: the third derivative counts with (step/x)^2 <= 4e-8, rounding with 1e-11.
-        let step = 1e-5 * reach;
+        let step = 1e-5 * half_width;
         if !shape.kinks().iter().any(|kink| (kink - x).abs() <= step) {
             let difference = (shape.height(x + step) - shape.height(x - step)) / (2.0 * step);
             ensure((difference - slope).abs() <= 1e-6 * steepest, || {
                 format!("slope({x}) = {slope}, but height() rises by {difference}")
             })?;
         }
-        ensure(slope >= before || shape.flaw(reach).is_some(), || {
-            format!("flaw({reach}) is none, but the slope falls before {x}")
+        // Slopes of fitted shapes round.
+        ensure(slope >= before - 1e-12 * steepest || !is_sound, || {
+            format!("flaw({half_width}) is none, but the slope falls before {x}")
         })?;
         before = slope;
     }

@@ -1,7 +1,7 @@
 //! The testkit is checked by breaking plugins: every fault it claims to find is committed here once.
 
 use super::check_plugin;
-use crate::{Family, Grading, ModulusLaw, Positive, PunchProfile, PunchShape, Refusal, find, plugins, register};
+use crate::{Family, Flaw, Grading, ModulusLaw, Positive, PunchProfile, PunchShape, Refusal, find, plugins, register};
 use serde::{Deserialize, Serialize};
 
 fn verdict(family: Family, name: &str) -> Result<(), String> {
@@ -239,6 +239,84 @@ fn a_punch_must_keep_its_contract() {
     caught(Family::Punch, "steep", "but height() rises by");
     caught(Family::Punch, "tilted", "but height(-");
     caught(Family::Punch, "hollow", "the slope falls");
+}
+
+/// A parabola that answers the other questions as its fields say.
+#[derive(Clone, Debug, Default)]
+struct Claims {
+    face: f64,
+    reach: Option<f64>,
+    noise: Option<f64>,
+    kinks: Vec<f64>,
+    corners: Vec<f64>,
+    flaw_at: Option<f64>,
+    /// Slope in the middle alone.
+    level: f64,
+    /// No height beyond.
+    ends_at: Option<f64>,
+}
+
+impl PunchShape for Claims {
+    fn height(&self, x: f64) -> f64 {
+        if self.ends_at.is_some_and(|end| x.abs() > end) { f64::NAN } else { 0.5 * x * x }
+    }
+    fn slope(&self, x: f64) -> f64 {
+        if x == 0.0 { self.level } else { x }
+    }
+    fn natural_length(&self) -> f64 {
+        1.0
+    }
+    fn face(&self) -> f64 {
+        self.face
+    }
+    fn reach(&self) -> Option<f64> {
+        self.reach
+    }
+    fn flaw(&self, _half_width: f64) -> Option<Flaw> {
+        self.flaw_at.map(|x| Flaw { what: "so it says".into(), x })
+    }
+    fn kinks(&self) -> &[f64] {
+        &self.kinks
+    }
+    fn corners(&self) -> &[f64] {
+        &self.corners
+    }
+    fn noise(&self) -> Option<f64> {
+        self.noise
+    }
+}
+
+#[test]
+fn what_a_shape_claims_must_hold_together() {
+    let fine =
+        Claims { reach: Some(1.0), noise: Some(0.0), kinks: vec![0.0, 2.0], corners: vec![2.0], ..Claims::default() };
+    assert_eq!(super::contracts::shape(&fine), Ok(()));
+    let ready = |change: fn(&mut Claims)| {
+        let mut claims = fine.clone();
+        change(&mut claims);
+        super::contracts::shape(&claims)
+    };
+    let cases: [(fn(&mut Claims), &str); 13] = [
+        (|c| c.face = -1.0, "face() = -1"),
+        (|c| c.face = f64::NAN, "face() = NaN"),
+        (|c| c.face = 0.5, "but height(0.5) = 0.125"),
+        (|c| c.reach = Some(0.0), "reach() = 0"),
+        (|c| c.reach = Some(0.9), "reach() = 0.9, but natural_length() = 1"),
+        (|c| c.noise = Some(-1e-9), "noise() = -0.000000001"),
+        (|c| c.kinks = vec![2.0, 0.0], "do not ascend from 0"),
+        (|c| c.kinks = vec![-1.0, 2.0], "do not ascend from 0"),
+        (|c| c.kinks = (0..65).map(f64::from).collect(), "65 kinks"),
+        (|c| c.corners = vec![1.0], "the corner 1 is not among the kinks"),
+        (|c| c.flaw_at = Some(1.5), "flaw(1) lies at 1.5"),
+        (|c| c.level = 0.1, "slope(0) = 0.1"),
+        (|c| c.ends_at = Some(0.72), "height NaN"),
+    ];
+    for (change, words) in cases {
+        let found = ready(change).expect_err(words);
+        assert!(found.contains(words), "{words}: {found}");
+    }
+    let twice: fn(&mut Claims) = |c| c.corners = vec![2.0, 0.0];
+    assert!(ready(twice).unwrap_err().contains("corners [2.0, 0.0] do not ascend"));
 }
 
 /// `mu = 1 + growth depth`, with something wrong about it.

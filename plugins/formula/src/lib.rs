@@ -1,0 +1,105 @@
+//! Formulas that users type into scenes: one variable, named parameters, exact derivatives.
+//!
+//! ```
+//! use slipzone_formula::Formula;
+//!
+//! let parameters = [("R".to_owned(), 10.0)].into();
+//! let formula = Formula::parse("height", "x^2/(2*R)", "x", &parameters).unwrap();
+//! assert_eq!((formula.at(4.0).value, formula.at(4.0).slope), (0.8, 0.4));
+//!
+//! let fault = Formula::parse("height", "x^2/(2*r)", "x", &parameters).unwrap_err();
+//! assert_eq!(fault.hint.unwrap(), "did you mean `R`?");
+//! ```
+//!
+//! # Grammar
+//! ```text
+//! sum      = product { ("+" | "-") product }
+//! product  = signed { ("*" | "/") signed }
+//! signed   = ("+" | "-") signed | power
+//! power    = atom [ "^" signed ]                       so -x^2 is -(x^2), and 2^3^2 is 2^(3^2)
+//! atom     = number | name | function "(" sum { "," sum } ")" | "(" sum ")"
+//! ```
+//! Names are the variable, the parameters, `pi` and `e`; the functions are in [`FUNCTIONS`]. Angles are in radians, `ln`
+//! and `log` are natural. A text is at most [`LONGEST`] characters long and nested at most [`DEEPEST`] deep, so that no
+//! text takes long or overflows a stack.
+//!
+//! No library served: those that evaluate fast read `-x^2` as `(-x)^2` or overflow the stack on deep input, and none says
+//! where a formula is not smooth, which the solver has to know.
+
+mod dual;
+mod lexer;
+mod parser;
+mod singular;
+mod tape;
+#[cfg(test)]
+mod tests;
+
+pub use dual::Dual;
+pub use parser::{DEEPEST, LONGEST};
+
+use slipzone_api::Fault;
+use std::collections::BTreeMap;
+use tape::Tape;
+
+/// Every function, with the number of its arguments (at least so many for `min` and `max`).
+pub const FUNCTIONS: [(&str, usize); 21] = [
+    ("abs", 1),
+    ("acos", 1),
+    ("acosh", 1),
+    ("asin", 1),
+    ("asinh", 1),
+    ("atan", 1),
+    ("atanh", 1),
+    ("cbrt", 1),
+    ("cos", 1),
+    ("cosh", 1),
+    ("exp", 1),
+    ("ln", 1),
+    ("log", 1),
+    ("log10", 1),
+    ("max", 2),
+    ("min", 2),
+    ("sin", 1),
+    ("sinh", 1),
+    ("sqrt", 1),
+    ("tan", 1),
+    ("tanh", 1),
+];
+
+/// A formula, ready to be evaluated at any value of its variable.
+#[derive(Clone, Debug)]
+pub struct Formula {
+    tape: Tape,
+}
+
+impl Formula {
+    /// Understands the text of a formula, which stands under a key of a plugin's table.
+    ///
+    /// # Errors
+    /// The first thing that is wrong, with its place in the text: not a formula, an unknown name, a division by a
+    /// constant zero, a variable that does not occur. Of the `parameters`, under the key of that name: a name that is
+    /// taken, a value that is not finite, a parameter that does not occur.
+    pub fn parse(key: &str, text: &str, variable: &str, parameters: &BTreeMap<String, f64>) -> Result<Self, Fault> {
+        let tape = parser::parse(text, variable, parameters).map_err(|mut fault| {
+            if fault.path.is_empty() {
+                fault.path = vec![key.to_owned()];
+            }
+            fault
+        })?;
+        Ok(Self { tape })
+    }
+
+    /// Value and derivative; not a number where there is none.
+    pub fn at(&self, x: f64) -> Dual {
+        self.tape.at(x)
+    }
+
+    /// Where the formula may not be analytic on `[0, infinity)`: an absolute value, a root or a logarithm of zero, a
+    /// division by zero, the place where `min` or `max` changes sides. Ascending, the first `most` of them.
+    ///
+    /// What is further out than `1e3 scale` is not looked for, and of places closer together than `scale/256` some may
+    /// be missed. A place too many does no harm.
+    pub fn singular_points(&self, scale: f64, most: usize) -> Vec<f64> {
+        singular::points(&self.tape, scale, most)
+    }
+}

@@ -1,0 +1,139 @@
+//! Where a formula is not smooth: there, something of which an absolute value, a root, a logarithm or an inverse is
+//! taken is zero.
+
+use crate::dual::Dual;
+use crate::tape::{Function, Step, Tape};
+use std::ops::Range;
+
+/// Steps by which the samples are equally spaced up to four scales, and those per factor of ten beyond and below.
+const STEPS: i32 = 1024;
+const PER_DECADE: i32 = 40;
+
+/// What counts as zero, beside the size nearby.
+const ZERO: f64 = 1e-12;
+
+/// A quantity whose zeros are singular points of the formula.
+struct Suspect {
+    first: Range<usize>,
+    /// Taken away from it.
+    second: Option<Range<usize>>,
+    /// And this too.
+    shift: f64,
+    /// Its cosine in place of itself, for the poles of a tangent.
+    cosine: bool,
+}
+
+impl Suspect {
+    fn at(&self, tape: &Tape, x: f64) -> Dual {
+        let first = tape.part(self.first.clone(), x);
+        let second = self.second.as_ref().map_or(Dual::default(), |second| tape.part(second.clone(), x));
+        let value = first - second - Dual::constant(self.shift);
+        if self.cosine { value.cos() } else { value }
+    }
+}
+
+/// See [`crate::Formula::singular_points`].
+pub(crate) fn points(tape: &Tape, scale: f64, most: usize) -> Vec<f64> {
+    let suspects = suspects(tape);
+    if suspects.is_empty() {
+        return Vec::new();
+    }
+    let mut samples: Vec<f64> = (1..=STEPS).map(|i| f64::from(i) * (4.0 / f64::from(STEPS)) * scale).collect();
+    samples
+        .extend((-9 * PER_DECADE..=3 * PER_DECADE).map(|i| 10_f64.powf(f64::from(i) / f64::from(PER_DECADE)) * scale));
+    samples.sort_unstable_by(f64::total_cmp);
+    samples.dedup();
+    let mut points: Vec<f64> = suspects.iter().flat_map(|suspect| zeros(tape, suspect, scale, &samples)).collect();
+    points.sort_unstable_by(f64::total_cmp);
+    // The same place found in two ways differs by rounding.
+    points.dedup_by(|next, before| *next - *before <= 1e-14 * *next);
+    points.truncate(most);
+    points
+}
+
+/// The quantities to watch.
+fn suspects(tape: &Tape) -> Vec<Suspect> {
+    let mut suspects = Vec::new();
+    for (end, step) in tape.steps().iter().enumerate() {
+        let mut watch = |first: Range<usize>, second: Option<Range<usize>>, shift: f64, cosine: bool| {
+            let varies = |part: &Range<usize>| tape.steps()[part.clone()].contains(&Step::Variable);
+            if varies(&first) || second.as_ref().is_some_and(varies) {
+                suspects.push(Suspect { first, second, shift, cosine });
+            }
+        };
+        match step {
+            Step::Divide => watch(tape.operands(end).1, None, 0.0, false),
+            Step::Min | Step::Max => {
+                let (first, second) = tape.operands(end);
+                watch(first, Some(second), 0.0, false);
+            }
+            Step::Power => {
+                let is_whole = matches!(tape.steps()[end - 1], Step::Number(n) if n >= 0.0 && n.fract() == 0.0);
+                if !is_whole {
+                    watch(tape.operands(end).0, None, 0.0, false);
+                }
+            }
+            Step::Of(function) => match function {
+                Function::Abs | Function::Sqrt | Function::Cbrt | Function::Ln | Function::Log10 => {
+                    watch(tape.operand(end), None, 0.0, false);
+                }
+                Function::Asin | Function::Acos | Function::Atanh => {
+                    watch(tape.operand(end), None, 1.0, false);
+                    watch(tape.operand(end), None, -1.0, false);
+                }
+                Function::Acosh => watch(tape.operand(end), None, 1.0, false),
+                Function::Tan => watch(tape.operand(end), None, 0.0, true),
+                _ => {}
+            },
+            _ => {}
+        }
+    }
+    suspects
+}
+
+/// Zeros of a quantity among ascending samples: where it changes its sign, or touches zero.
+fn zeros(tape: &Tape, suspect: &Suspect, scale: f64, samples: &[f64]) -> Vec<f64> {
+    let at = |x: f64| suspect.at(tape, x);
+    let mut zeros = Vec::new();
+    let tip = at(0.0);
+    // Written so that what is no number counts.
+    let is_apart = tip.value.abs() > ZERO * at(scale).value.abs();
+    if !is_apart {
+        zeros.push(0.0);
+    }
+    let (mut before, mut then) = (0.0, tip);
+    for &x in samples {
+        let now = at(x);
+        if now.value == 0.0 {
+            // On a stretch of zeros there is nothing to find.
+            if then.value != 0.0 {
+                zeros.push(x);
+            }
+        } else if then.value * now.value < 0.0 {
+            zeros.push(bisect(before, x, |x| at(x).value));
+        } else if then.slope * now.slope < 0.0 && then.value * then.slope < 0.0 {
+            let lowest = bisect(before, x, |x| at(x).slope);
+            if at(lowest).value.abs() <= ZERO * then.value.abs().max(now.value.abs()) {
+                zeros.push(lowest);
+            }
+        }
+        (before, then) = (x, now);
+    }
+    zeros
+}
+
+/// Where a function changes its sign, to the last bit.
+fn bisect(mut from: f64, mut to: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let sign = f(from).signum();
+    loop {
+        let middle = from + 0.5 * (to - from);
+        if middle <= from || middle >= to {
+            return if f(from).abs() <= f(to).abs() { from } else { to };
+        }
+        let value = f(middle);
+        if value == 0.0 {
+            return middle;
+        }
+        if value.signum() == sign { from = middle } else { to = middle }
+    }
+}

@@ -1,0 +1,198 @@
+//! Values against the standard library, derivatives against differences, faults against their places.
+
+#![allow(clippy::float_cmp)] // where equality is asserted, it is exact by construction
+
+use crate::{DEEPEST, FUNCTIONS, Formula, LONGEST};
+use proptest::prelude::*;
+use slipzone_api::{Fault, Place};
+use std::collections::BTreeMap;
+
+fn parse(text: &str) -> Result<Formula, Fault> {
+    let occurring = |name: &str| text.split(|c: char| !c.is_alphanumeric()).any(|word| word == name);
+    let parameters = [("R", 10.0), ("a2", 2.0)].into_iter().filter(|(name, _)| occurring(name));
+    Formula::parse("height", text, "x", &parameters.map(|(name, value)| (name.to_owned(), value)).collect())
+}
+
+fn value(text: &str, x: f64) -> f64 {
+    parse(text).unwrap_or_else(|fault| panic!("{text}: {fault}")).at(x).value
+}
+
+#[test]
+fn signs_and_powers_bind_as_on_paper() {
+    for (text, at_three) in [
+        ("x", 3.0),
+        ("-x^2", -9.0),
+        ("(-x)^2", 9.0),
+        ("x^-2", 1.0 / 9.0),
+        ("2^3^x/2^27", 1.0),
+        ("2-3-x", -4.0),
+        ("12/2/x", 2.0),
+        ("2*x^2", 18.0),
+        ("--x", 3.0),
+        ("-+-x", 3.0),
+        ("1-(-x)", 4.0),
+        ("x*-2", -6.0),
+        ("1.5e1*x", 45.0),
+        (".5*x", 1.5),
+        ("5.*x", 15.0),
+        ("2e-1 * x", 0.6),
+        ("x ^ 2 / ( 2 * R )", 0.45),
+        ("max(x, 1, 5, 2)", 5.0),
+        ("min(x, 1, -x)", -3.0),
+        ("a2*x + pi - pi + e - e", 6.0),
+        ("abs(x - 5)^2", 4.0),
+        ("abs(x - 5)^3", 8.0),
+    ] {
+        assert!((value(text, 3.0) - at_three).abs() < 1e-14 * at_three.abs(), "{text} = {}", value(text, 3.0));
+    }
+}
+
+#[test]
+fn every_function_is_there_with_its_derivative() {
+    for (name, arguments) in FUNCTIONS {
+        // acosh needs an argument above 1, its inverse pairs one below.
+        let x = if name == "acosh" { 1.7 } else { 0.4 };
+        let text = if arguments > 1 { format!("{name}(x^2, 0.3*x)") } else { format!("{name}(x)") };
+        let formula = parse(&text).unwrap_or_else(|fault| panic!("{text}: {fault}"));
+        let step = 1e-5;
+        let difference = (formula.at(x + step).value - formula.at(x - step).value) / (2.0 * step);
+        let slope = formula.at(x).slope;
+        // Truncation 1e-10 times the third derivative, rounding 1e-11.
+        assert!((difference - slope).abs() < 1e-8 * (1.0 + slope.abs()), "{text}: {slope}, but {difference}");
+    }
+    assert_eq!(value("log(x)", 3.0), 3_f64.ln());
+    assert_eq!(value("ln(x)", 3.0), 3_f64.ln());
+    assert_eq!(value("log10(x)", 100.0), 2.0);
+}
+
+proptest! {
+    /// The derivative is exact, whatever is composed.
+    #[test]
+    fn derivatives_of_compositions(c in 0.1..3.0_f64, x in 0.05..2.0_f64) {
+        for text in ["sqrt(1+(c*x)^2)-1", "exp(-c*x)*sin(c*x)", "ln(cosh(c*x))", "(1+c*x)^(2+c)", "x^(c*x)", "atan(x)/(1+c*x^4)"] {
+            let formula = Formula::parse("f", text, "x", &[("c".to_owned(), c)].into()).unwrap();
+            let step = 1e-5;
+            let difference = (formula.at(x + step).value - formula.at(x - step).value) / (2.0 * step);
+            let slope = formula.at(x).slope;
+            // The third derivative of these is below 1e4 in size here, of x^(3x) included.
+            prop_assert!((difference - slope).abs() < 1e-5 * (1.0 + slope.abs()), "{}: {} but {}", text, slope, difference);
+        }
+    }
+
+    /// No text makes it panic, and every fault lies in the text.
+    #[test]
+    fn any_text_is_a_formula_or_a_fault(text in "[x0-9a-zR.,+*/^() \u{b2}-]{0,60}") {
+        match Formula::parse("height", &text, "x", &BTreeMap::new()) {
+            Ok(formula) => { formula.at(0.3); formula.singular_points(1.0, 64); }
+            Err(fault) => if let Place::Text(span) = fault.place { prop_assert!(text.get(span).is_some()); },
+        }
+    }
+}
+
+#[test]
+fn faults_are_located_and_helpful() {
+    let cases = [
+        ("x^2/(2*r)", 7..8, "unknown name `r`", Some("did you mean `R`?")),
+        ("sqr(x)", 0..3, "unknown function `sqr`", Some("did you mean `sqrt`?")),
+        ("x*length", 2..8, "unknown name `length`", Some("give it a value: parameters = { length = 1.0 }")),
+        ("2x", 1..2, "no formula", Some("a product is written with `*`, as in 2*x")),
+        ("2(x)", 1..2, "no formula", Some("a product is written with `*`, as in 2*x")),
+        ("0,5*x", 1..2, "no formula", Some("decimals are written with a point, as in 0.5")),
+        ("x**2", 2..3, "no formula", Some("a power is written with `^`, as in x^2")),
+        ("x\u{b2}", 1..3, "means nothing", Some("a power is written with `^`, as in x^2")),
+        ("g = x", 2..3, "means nothing", Some("only the right-hand side is written")),
+        ("(x", 2..2, "no formula", None),
+        ("x)", 1..2, "no formula", None),
+        ("x +", 3..3, "no formula", None),
+        ("", 0..0, "no formula", None),
+        ("sin x", 4..5, "no formula", Some("as in sin(x)")),
+        ("sin(x, 2)", 0..3, "wrong number of arguments", None),
+        ("min(x)", 0..3, "wrong number of arguments", None),
+        ("sin()", 4..5, "no formula", None),
+        ("x(2)", 1..2, "no formula", None),
+        ("x + 1/(2-2)", 5..11, "division by zero", None),
+        ("1.2.3*x", 3..5, "no formula", None),
+        ("1e999*x", 0..5, "not a number", None),
+        ("2 + 3", 0..5, "does not contain `x`", None),
+    ];
+    for (text, span, message, hint) in cases {
+        let fault = Formula::parse("height", text, "x", &[("R".to_owned(), 1.0)].into()).unwrap_err();
+        assert!(fault.message.contains(message), "{text}: {fault}");
+        assert_eq!(fault.place, Place::Text(span), "{text}: {fault}");
+        assert_eq!(fault.hint.as_deref(), hint, "{text}: {fault}");
+        assert_eq!(fault.path, ["height"]);
+    }
+}
+
+#[test]
+fn parameters_are_checked_each_under_its_key() {
+    for (name, value, message) in [
+        ("x", 1.0, "is taken"),
+        ("pi", 1.0, "is taken"),
+        ("sin", 1.0, "is taken"),
+        ("R0", f64::NAN, "is not allowed"),
+        ("R 0", 1.0, "not a name"),
+        ("", 1.0, "not a name"),
+        ("2", 1.0, "not a name"),
+        ("idle", 1.0, "does not occur"),
+    ] {
+        let fault = Formula::parse("height", "x", "x", &[(name.to_owned(), value)].into()).unwrap_err();
+        assert!(fault.message.contains(message), "{name}: {fault}");
+        assert_eq!(fault.path, ["parameters", name]);
+    }
+}
+
+#[test]
+fn length_and_depth_are_bounded() {
+    let nested = |depth: usize| format!("{}x{}", "(".repeat(depth), ")".repeat(depth));
+    assert!(parse(&nested(DEEPEST - 1)).is_ok());
+    for deep in [nested(DEEPEST), "sin(".repeat(450), "2^".repeat(900), "1+(1*(1-(".repeat(200)] {
+        assert!(parse(&deep).unwrap_err().message.contains("too deeply"), "{:.20}", deep);
+    }
+    let pending = |depth: usize| format!("{}x{}", "x+x*x^(".repeat(depth), ")".repeat(depth));
+    assert!(parse(&pending(20)).is_ok());
+    assert!(parse(&pending(24)).unwrap_err().message.contains("too deeply"), "no room on the stack");
+    let long = |terms: usize| vec!["x"; terms].join("+");
+    assert_eq!(value(&long(LONGEST / 2), 1.0), 1000.0);
+    assert!(parse(&long(5000)).unwrap_err().message.contains("too long"));
+    assert_eq!(value(&format!("{}x", "-".repeat(1998)), 1.0), 1.0);
+}
+
+#[test]
+fn singular_points_are_found() {
+    let points = |text: &str| parse(text).unwrap().singular_points(1.0, 64);
+    for smooth in ["x^2", "sqrt(1+x^2)", "exp(-x^2)*cos(x)", "abs(x)^2", "cosh(x)/(1+x^2)", "abs(3)*x^4", "ln(2+x)"] {
+        assert_eq!(points(smooth), [0.0; 0], "{smooth}");
+    }
+    for kinked in ["abs(x)", "abs(x)^3", "x^1.5", "sqrt(x^2)", "sqrt(x)", "max(x, -x)", "x^-1", "x*ln(x)", "cbrt(x)"] {
+        assert_eq!(points(kinked), [0.0], "{kinked}");
+    }
+    for (text, places) in [
+        ("abs(x-1)", vec![1.0]),
+        ("max(0, x-0.3)", vec![0.3]),
+        ("sqrt((x-0.7)^2)", vec![0.7]),
+        ("max(abs(x), 2*abs(x)-1)", vec![0.0, 1.0]),
+        ("1/(x-0.3)", vec![0.3]),
+        ("R - sqrt(R^2-x^2)", vec![10.0]),
+        ("asin(x/2)", vec![2.0]),
+        ("tan(x)*0.5", vec![1.5707963267948966, 4.71238898038469]),
+        ("abs(x^2 - 1e-12)", vec![1e-6]),
+    ] {
+        let found = points(text);
+        let found = &found[..found.len().min(places.len())];
+        assert!(
+            found.len() == places.len() && found.iter().zip(&places).all(|(a, b)| (a - b).abs() <= 4e-16 * b),
+            "{text}: {found:?}"
+        );
+    }
+    assert_eq!(points("abs(sin(100*x))").len(), 64, "the first of many");
+}
+
+#[test]
+fn slopes_at_a_corner_are_the_mean_of_both_sides() {
+    let slope = |text: &str, x: f64| parse(text).unwrap().at(x).slope;
+    assert_eq!(slope("abs(x-1) + 3*x", 1.0), 3.0);
+    assert_eq!(slope("max(x, 3*x-2)", 1.0), 2.0);
+    assert_eq!(slope("min(x, 3*x-2)", 1.0), 2.0);
+    assert!(parse("max(x, ln(-x))").unwrap().at(1.0).value.is_nan(), "what is no number does not get lost");
+}

@@ -1,0 +1,241 @@
+//! The shape that a formula gives, looked over before it is used.
+
+use super::Gives;
+use crate::examine;
+use slipzone_api::{Fault, Flaw, PunchShape, double_exponential};
+use slipzone_formula::Formula;
+
+/// The most places at which integrals are to be split.
+const MOST_KINKS: usize = 64;
+
+/// Powers of two among which the scale of a shape is sought: 1e-51 to 1e51.
+const SCALES: std::ops::RangeInclusive<i32> = -170..=170;
+
+/// A slope at which a punch is no longer thought of as blunt.
+const STEEP: f64 = 0.5;
+
+/// Difference between both sides that is no rounding.
+const ASYMMETRIC: f64 = 1e-9;
+
+/// Points at which both sides are compared.
+const COMPARED: u32 = 64;
+
+/// How far out, in natural lengths, the tip is looked over before there is any load.
+const TIP: f64 = 1e-3;
+
+/// A formula as a shape.
+#[derive(Clone, Debug)]
+pub(super) struct Graph {
+    formula: Formula,
+    gives: Gives,
+    /// The formula's value in the middle, which heights are measured from.
+    tip: f64,
+    natural_length: f64,
+    /// Where the formula is singular, or may be.
+    kinks: Vec<f64>,
+    corners: Vec<f64>,
+}
+
+impl Graph {
+    /// Looks the formula over.
+    ///
+    /// # Errors
+    /// Whatever is wrong with it at and around the tip, hence under any load.
+    pub(super) fn new(formula: Formula, gives: Gives) -> Result<Self, Fault> {
+        let tip = if gives == Gives::Height { formula.at(0.0).value } else { 0.0 };
+        let mut graph = Self { formula, gives, tip, natural_length: 1.0, kinks: Vec::new(), corners: Vec::new() };
+        if !tip.is_finite() {
+            return Err(Fault::new(&[], "the formula has no finite value at x = 0")
+                .found(format!("height(0) = {tip}"))
+                .expected("a height that is finite where the punch touches first"));
+        }
+        graph.natural_length = graph.scale().ok_or_else(|| {
+            Fault::new(&[], "the formula gives no punch")
+                .found("a slope that is nowhere finite and above 0")
+                .expected("a height that grows with x")
+        })?;
+        graph.kinks = graph.formula.singular_points(graph.natural_length, MOST_KINKS);
+        graph.corners = graph.kinks.iter().copied().filter(|&kink| graph.jumps(kink)).collect();
+        if let Some((x, right, left)) = graph.asymmetry(2.0 * graph.natural_length) {
+            return Err(graph.asymmetric(x, right, left));
+        }
+        if let Some(flaw) = graph.flaw(TIP * graph.natural_length) {
+            return Err(Fault::new(&[], format!("{} from its tip on", flaw.what))
+                .found(format!(
+                    "height({0:.4e}) = {1:.4e}, slope({0:.4e}) = {2:.4e}",
+                    flaw.x,
+                    graph.height(flaw.x),
+                    graph.slope(flaw.x)
+                ))
+                .expected("a height that rises from x = 0, the steeper the further out"));
+        }
+        Ok(graph)
+    }
+
+    /// The slope as written, at `x >= 0`, by the derivative where the height is written.
+    fn steepness(&self, x: f64) -> f64 {
+        let at = self.formula.at(x);
+        if self.gives == Gives::Height { at.slope } else { at.value }
+    }
+
+    /// The largest power of two at which the slope is still below half of its largest, and below [`STEEP`]. Any length
+    /// does for a wedge. `None` for what rises nowhere.
+    fn scale(&self) -> Option<f64> {
+        let scales = || SCALES.map(|power| 2_f64.powi(power)).map(|x| (x, self.steepness(x)));
+        let rising = scales().filter(|(_, slope)| slope.is_finite() && *slope > 0.0);
+        let steepest = rising.map(|(_, slope)| slope).fold(0.0, f64::max);
+        if steepest <= 0.0 {
+            // A flaw, if not on this grid of lengths; it is told in its own words.
+            let is_finite = self.steepness(1.0).is_finite();
+            return (is_finite && self.steepness(1.0) != 0.0).then_some(1.0);
+        }
+        let limit = STEEP.min(0.5 * steepest);
+        let mut scales = scales().skip_while(|(_, slope)| !slope.is_finite());
+        let (first, slope) = scales.next()?;
+        if slope >= limit {
+            return Some(if self.steepness(1.0).is_finite() { 1.0 } else { first });
+        }
+        Some(scales.take_while(|(_, slope)| *slope < limit).last().map_or(first, |(x, _)| x))
+    }
+
+    /// Whether the slope has different limits on both sides: the difference stays as both sides close in.
+    fn jumps(&self, kink: f64) -> bool {
+        let length = if kink > 0.0 { kink } else { self.natural_length };
+        let difference = |distance: f64| {
+            let (from, to) = (kink - distance * length, kink + distance * length);
+            // Left of the middle the shape is mirrored, whatever the formula says.
+            let left = if from < 0.0 { -self.steepness(-from) } else { self.steepness(from) };
+            self.steepness(to) - left
+        };
+        let (far, near) = (difference(1e-6), difference(1e-10));
+        // |x|^1.01 would keep nine tenths.
+        far != 0.0 && (near / far) > 0.95 && near.abs() > 1e-9 * self.steepness(self.natural_length).abs()
+    }
+
+    /// The first point up to `x` at which the formula as written differs from its mirror image, and both values.
+    fn asymmetry(&self, x: f64) -> Option<(f64, f64, f64)> {
+        let sign = if self.gives == Gives::Height { 1.0 } else { -1.0 };
+        (1..=COMPARED).map(|i| f64::from(i) / f64::from(COMPARED) * x).find_map(|x| {
+            let (right, left) = (self.formula.at(x).value, self.formula.at(-x).value);
+            let allowed = ASYMMETRIC * right.abs().max(left.abs());
+            // Written so that a left side without a value counts; a right side without one is no matter of symmetry.
+            let is_symmetric = right.is_nan() || right == sign * left || (right - sign * left).abs() <= allowed;
+            (!is_symmetric).then_some((x, right, left))
+        })
+    }
+
+    fn asymmetric(&self, x: f64, right: f64, left: f64) -> Fault {
+        let key = self.gives.key();
+        let (rule, hint) = match self.gives {
+            Gives::Height => {
+                ("the same height on both sides", "write `abs(x)` for `x` where the sign matters, as in abs(x)^3")
+            }
+            Gives::Slope => {
+                ("opposite slopes on both sides", "write `x*abs(x)` for `x^2`: a slope changes its sign with x")
+            }
+        };
+        Fault::new(&[], format!("the punch is not symmetric at x = {x}"))
+            .found(format!("{key}({x}) = {right}, but {key}(-{x}) = {left}"))
+            .expected(rule)
+            .hint(hint)
+    }
+
+    /// The height of a punch that is given by its slope, at `x > 0`.
+    fn integral(&self, x: f64) -> f64 {
+        let mut sum = 0.0;
+        let mut from = 0.0;
+        for to in self.kinks.iter().copied().filter(|&kink| kink > 0.0 && kink < x).chain([x]) {
+            sum += self.panel(from, to, 0);
+            from = to;
+        }
+        sum
+    }
+
+    /// One panel of it, cut in two until two grids agree; at its ends the slope may have a singularity that can be
+    /// integrated.
+    fn panel(&self, from: f64, to: f64, depth: u32) -> f64 {
+        const DEPTH: u32 = 10;
+        let by = |nodes: usize| -> f64 {
+            let nodes = double_exponential::nodes(to - from, nodes);
+            nodes.iter().map(|node| node.weight * self.steepness(from + node.from_lower)).sum()
+        };
+        if !(to - from > 0.0 && to < f64::INFINITY) {
+            return f64::NAN;
+        }
+        let (coarse, fine) = (by(24), by(48));
+        // The finer grid's error is about the square of the coarser one's.
+        let differ = (coarse - fine).abs() > 1e-11 * fine.abs();
+        if !differ || depth == DEPTH {
+            return fine;
+        }
+        let middle = from + 0.5 * (to - from);
+        self.panel(from, middle, depth + 1) + self.panel(middle, to, depth + 1)
+    }
+}
+
+impl PunchShape for Graph {
+    fn height(&self, x: f64) -> f64 {
+        match self.gives {
+            _ if x == 0.0 => 0.0,
+            Gives::Height => self.formula.at(x.abs()).value - self.tip,
+            Gives::Slope => self.integral(x.abs()),
+        }
+    }
+
+    fn slope(&self, x: f64) -> f64 {
+        if x == 0.0 {
+            return 0.0;
+        }
+        let outward = self.steepness(x.abs());
+        let outward = if outward.is_nan() && self.kinks.contains(&x.abs()) {
+            // |x - 1|/(x - 1) has no value at 1, but one on each side.
+            let near = 1e-12 * x.abs();
+            0.5 * (self.steepness(x.abs() - near) + self.steepness(x.abs() + near))
+        } else {
+            outward
+        };
+        if x < 0.0 { -outward } else { outward }
+    }
+
+    fn natural_length(&self) -> f64 {
+        self.natural_length
+    }
+
+    fn flaw(&self, half_width: f64) -> Option<Flaw> {
+        let found = match self.gives {
+            Gives::Height => examine::first_flaw(self, half_width, &self.kinks),
+            Gives::Slope => examine::first_flaw(&Rising(self), half_width, &self.kinks),
+        };
+        let nearest = found.as_ref().map_or(half_width, |flaw| flaw.x);
+        let uneven = self.asymmetry(half_width).filter(|(x, ..)| *x < nearest);
+        let uneven = uneven.map(|(x, ..)| Flaw { what: "the punch is not symmetric".into(), x });
+        uneven.or(found)
+    }
+
+    fn kinks(&self) -> &[f64] {
+        &self.kinks
+    }
+
+    fn corners(&self) -> &[f64] {
+        &self.corners
+    }
+}
+
+/// A punch given by its slope, with a height that has the right sign as long as the slope has not begun to fall: enough
+/// to be looked over, and no integral at each point.
+#[derive(Debug)]
+struct Rising<'g>(&'g Graph);
+
+impl PunchShape for Rising<'_> {
+    fn height(&self, x: f64) -> f64 {
+        x * self.0.slope(x)
+    }
+
+    fn slope(&self, x: f64) -> f64 {
+        self.0.slope(x)
+    }
+
+    fn natural_length(&self) -> f64 {
+        self.0.natural_length
+    }
+}

@@ -1,0 +1,125 @@
+//! A punch given by measured or computed heights.
+
+mod fit;
+mod rows;
+mod scatter;
+#[cfg(test)]
+mod tests;
+
+use fit::Profile;
+use serde::{Deserialize, Serialize};
+use slipzone_api::{Fault, Files, Positive, PunchProfile, PunchShape, Refusal};
+
+/// Heights at points `x`, smoothed by the convex spline that comes closest to them.
+///
+/// `g(x)` is a cubic spline in `|x|` with `g''` continuous and never negative, so that the slope is continuous and never
+/// falls; fitted by least squares. Of 1, 2, 4, 8, 16 and 32 pieces, each with as many points as the others, it has the
+/// number with the smallest `N ln(S/N) + p ln N` (G. Schwarz, Ann. Stat. 6 (1978) 461), `S` the sum of squares left over
+/// from `N` points and `p` the number of coefficients; and a corner in the middle where that gains ten times as much as
+/// a coefficient has to. Time: linear in `N`.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(try_from = "Written", into = "Written")]
+pub struct Table {
+    source: Source,
+    x_unit: Positive,
+    height_unit: Positive,
+    /// What was made of the points, once they are there.
+    profile: Option<Profile>,
+}
+
+/// Where the points come from.
+#[derive(Clone, Debug)]
+enum Source {
+    File(String),
+    Points(Vec<[f64; 2]>),
+}
+
+/// The keys of the table in a scene.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    file: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    points: Option<Vec<[f64; 2]>>,
+    #[serde(default = "one")]
+    x_unit: Positive,
+    #[serde(default = "one")]
+    height_unit: Positive,
+}
+
+fn one() -> Positive {
+    Positive::new(1.0).expect("a positive constant")
+}
+
+impl TryFrom<Written> for Table {
+    type Error = String;
+
+    fn try_from(Written { file, points, x_unit, height_unit }: Written) -> Result<Self, String> {
+        let source = match (file, points) {
+            (Some(file), None) => Source::File(file),
+            (None, Some(points)) => Source::Points(points),
+            (Some(_), Some(_)) => return Err("expected one of `file` and `points`, found both".into()),
+            (None, None) => return Err("expected `file` or `points` (rows of x and height), found neither".into()),
+        };
+        Ok(Self { source, x_unit, height_unit, profile: None })
+    }
+}
+
+impl From<Table> for Written {
+    fn from(table: Table) -> Self {
+        let (file, points) = match table.source {
+            Source::File(file) => (Some(file), None),
+            Source::Points(points) => (None, Some(points)),
+        };
+        Self { file, points, x_unit: table.x_unit, height_unit: table.height_unit }
+    }
+}
+
+slipzone_api::register!(Punch, "table", "measured or computed heights, smoothed by the nearest convex spline",
+    example: "type = \"table\"\npoints = [[0.0, 0.0], [1.0, 0.05], [2.0, 0.2], [3.0, 0.45], [4.0, 0.8]]",
+    parameters: [
+        ("points", "[[x, height], ...], x ascending, at least 4 rows (x_unit, height_unit); `file`, the name of a file with such rows, may stand in its place", true, []),
+        ("x_unit", "unit of x (length); default 1", false, [0.001, 1.0, 1000.0]),
+        ("height_unit", "unit of the heights (length); default 1", false, [0.001, 1.0, 1000.0]),
+    ],
+    source: "docs/plugins.md");
+
+impl Table {
+    /// The punch of points `[x, height]`, both in the scene's unit of length.
+    pub fn points(points: Vec<[f64; 2]>) -> Self {
+        Self { source: Source::Points(points), x_unit: one(), height_unit: one(), profile: None }
+    }
+
+    /// The points understood and fitted.
+    fn understood(&self, files: &dyn Files) -> Result<Profile, Fault> {
+        let (rows, key) = match &self.source {
+            Source::Points(points) => (rows::of_points(points)?, "points"),
+            Source::File(name) => (rows::of_file(name, files)?, "file"),
+        };
+        Profile::fit(rows, self.x_unit.get(), self.height_unit.get()).map_err(|fault| match &self.source {
+            Source::Points(_) => Fault { path: vec![key.into()], ..fault },
+            Source::File(name) => Fault { path: vec![key.into()], ..fault }.at(rows::whole(name)),
+        })
+    }
+}
+
+#[typetag::serde(name = "table")]
+impl PunchProfile for Table {
+    fn read(&mut self, files: &dyn Files) -> Result<(), Fault> {
+        self.profile = Some(self.understood(files)?);
+        Ok(())
+    }
+
+    fn shape(&self) -> Result<Box<dyn PunchShape>, Refusal> {
+        if let Some(profile) = &self.profile {
+            return Ok(Box::new(profile.clone()));
+        }
+        let profile = self.understood(&slipzone_api::NoFiles);
+        let profile = profile.map_err(|fault| Refusal::Unusable { plugin: "table", why: fault.to_string() })?;
+        Ok(Box::new(profile))
+    }
+}
+
+/// See [`crate::link`].
+pub(crate) fn link() {}

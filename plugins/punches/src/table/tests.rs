@@ -1,0 +1,277 @@
+use super::*;
+use proptest::prelude::*;
+use slipzone_api::Place;
+use std::time::Instant;
+
+/// One file, whatever its name.
+struct One(Vec<u8>);
+
+impl Files for One {
+    fn read(&self, _name: &str) -> Result<Vec<u8>, String> {
+        Ok(self.0.clone())
+    }
+}
+
+fn file() -> Table {
+    Table { source: Source::File("profile.csv".into()), ..Table::points(Vec::new()) }
+}
+
+fn of_text(text: &str) -> Result<Profile, Fault> {
+    file().understood(&One(text.into()))
+}
+
+fn of_points(points: impl IntoIterator<Item = [f64; 2]>) -> Profile {
+    let table = Table::points(points.into_iter().collect());
+    table.understood(&slipzone_api::NoFiles).unwrap_or_else(|fault| panic!("{fault}"))
+}
+
+fn sampled(from: f64, to: f64, count: u32, mut height: impl FnMut(f64) -> f64) -> Vec<[f64; 2]> {
+    (0..count).map(|i| from + (to - from) * (f64::from(i) / f64::from(count - 1))).map(|x| [x, height(x)]).collect()
+}
+
+/// Repeatable scatter of about unit root mean square: sums of uniform numbers of a linear congruential generator.
+fn scatter() -> impl FnMut() -> f64 {
+    let mut state = 1_u64;
+    move || {
+        let mut uniform = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+        };
+        (0..12).map(|_| uniform()).sum()
+    }
+}
+
+fn worst_slope(shape: &dyn PunchShape, to: f64, slope: impl Fn(f64) -> f64) -> f64 {
+    (1..=200).map(|i| f64::from(i) / 200.0 * to).map(|x| (shape.slope(x) - slope(x)).abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn a_clean_parabola_comes_back() {
+    for points in [
+        sampled(0.0, 4.0, 4, |x| 0.05 * x * x),
+        sampled(0.0, 4.0, 50, |x| 3.0 + 0.05 * x * x),
+        sampled(-4.0, 4.0, 51, |x| 0.05 * x * x),
+        sampled(-4.0, 0.0, 51, |x| 0.05 * x * x),
+        sampled(0.0, 4.0, 5000, |x| 0.05 * x * x),
+    ] {
+        let profile = of_points(points);
+        let worst = worst_slope(&profile, 4.0, |x| 0.1 * x);
+        // Heights of 3.8 round to 4e-16; the slope of a parabola through them to some times that.
+        assert!(worst < 1e-12, "{worst:e}");
+        assert!(profile.noise().unwrap() < 1e-14);
+        assert_eq!((profile.kinks(), profile.flaw(4.0), profile.reach()), (&[][..], None, Some(4.0)));
+    }
+}
+
+/// Clean shapes that are no cubic. Slopes of cubic splines are off by `h^3 g''''/24`: with knots h = 1/8 apart and
+/// `g''''` up to 3, some 2e-4 at worst.
+#[test]
+fn clean_smooth_shapes_come_close() {
+    type Shape = (fn(f64) -> f64, fn(f64) -> f64);
+    let shapes: [Shape; 3] = [
+        (|x| 10.0 - (100.0 - x * x).sqrt(), |x| x / (100.0 - x * x).sqrt()),
+        (|x| (1.0 + x * x).sqrt() - 1.0, |x| x / (1.0 + x * x).sqrt()),
+        (|x| 0.01 * x.powi(4), |x| 0.04 * x.powi(3)),
+    ];
+    for (height, slope) in shapes {
+        let profile = of_points(sampled(0.0, 4.0, 400, height));
+        let worst = worst_slope(&profile, 4.0, slope);
+        assert!(worst < 1e-4, "{worst:e}");
+        assert_eq!(profile.flaw(4.0), None);
+    }
+}
+
+#[test]
+fn noise_is_smoothed_out_and_reported() {
+    for noise in [1e-6, 1e-4, 1e-2] {
+        let mut scatter = scatter();
+        let points = sampled(-4.0, 4.0, 4001, |x| 0.05 * x * x + noise * scatter());
+        let profile = of_points(points);
+        let found = profile.noise().unwrap();
+        assert!((found / noise - 1.0).abs() < 0.05, "{found:e} for {noise:e}");
+        // Differences of neighbours would scatter by 700 noise.
+        let worst = worst_slope(&profile, 4.0, |x| 0.1 * x);
+        assert!(worst < noise, "{worst:e} for {noise:e}");
+        assert_eq!(profile.flaw(4.0), None, "{noise}");
+        assert!(profile.corners().is_empty());
+    }
+}
+
+#[test]
+fn a_wedge_keeps_its_corner() {
+    let profile = of_points(sampled(0.0, 4.0, 50, |x| 0.1 * x));
+    assert_eq!((profile.kinks(), profile.corners()), (&[0.0][..], &[0.0][..]));
+    assert!(worst_slope(&profile, 4.0, |_| 0.1) < 1e-12);
+    let mut scatter = scatter();
+    let profile = of_points(sampled(-4.0, 4.0, 1000, |x| 0.1 * x.abs() + 1e-4 * scatter()));
+    assert_eq!(profile.corners(), [0.0]);
+    assert!(worst_slope(&profile, 4.0, |_| 0.1) < 1e-3);
+}
+
+#[test]
+fn what_is_neither_convex_nor_symmetric_is_named() {
+    for noise in [0.0, 1e-4] {
+        let mut scatter = scatter();
+        let mut rough = |height: f64| height + noise * scatter();
+        let wave = of_points(sampled(0.0, 3.0, 300, |x| rough(1.0 - x.cos())));
+        let flaw = wave.flaw(3.0).unwrap();
+        assert!(flaw.what.contains("not convex") && (1.5..3.0).contains(&flaw.x), "{flaw:?}");
+
+        let dip = of_points(sampled(0.0, 3.0, 300, |x| rough((x - 0.5).powi(2))));
+        let flaw = dip.flaw(3.0).unwrap();
+        assert!(flaw.what.contains("not convex") && flaw.x < 0.1, "{flaw:?}");
+        assert_eq!(dip.flaw(0.0), dip.flaw(3.0).filter(|flaw| flaw.x <= 0.0));
+
+        let askew = of_points(sampled(-3.0, 3.0, 300, |x| rough(x * x + if x > 2.0 { 0.01 } else { 0.0 })));
+        let flaw = askew.flaw(3.0).unwrap();
+        assert!(flaw.what.contains("not symmetric") && (1.9..2.3).contains(&flaw.x), "{noise}: {flaw:?}");
+        assert_eq!(askew.flaw(1.0), None);
+
+        let off = of_points(sampled(-3.0, 3.0, 300, |x| rough((x - 0.01).powi(2))));
+        assert!(off.flaw(3.0).unwrap().what.contains("not symmetric"), "{noise}");
+    }
+    let sparse = of_points(sampled(0.0, 3.0, 21, |x| 1.0 - x.cos()));
+    assert!(sparse.flaw(3.0).unwrap().what.contains("not convex"));
+}
+
+#[test]
+fn beyond_the_table_there_is_nothing() {
+    let profile = of_points(sampled(0.0, 4.0, 50, |x| 0.05 * x * x));
+    for x in [4.000_001, -5.0, 1e300, f64::INFINITY, f64::NAN] {
+        assert!(profile.height(x).is_nan() && profile.slope(x).is_nan());
+    }
+    assert!(profile.slope(4.0).is_finite() && profile.height(-4.0).is_finite());
+    assert_eq!(profile.flaw(4.1).map(|flaw| flaw.x), Some(4.0));
+}
+
+#[test]
+fn units_scale() {
+    let mut table = Table::points(sampled(0.0, 4.0, 50, |x| 0.05 * x * x));
+    table.x_unit = Positive::new(1e-3).unwrap();
+    table.height_unit = Positive::new(1e-6).unwrap();
+    let shape = table.shape().unwrap();
+    assert!((shape.height(2e-3) / 0.2e-6 - 1.0).abs() < 1e-12);
+    assert!((shape.slope(2e-3) / 0.2e-3 - 1.0).abs() < 1e-12);
+    assert_eq!(shape.reach(), Some(4e-3));
+}
+
+#[test]
+fn files_are_read_as_programs_write_them() {
+    let rows = "0 0\n1 0.05\n2 0.2\n3 0.45\n4 0.8\n";
+    let reference = of_text(rows).unwrap();
+    for text in [
+        rows.replace(' ', ","),
+        rows.replace(' ', ", "),
+        rows.replace(' ', ";"),
+        rows.replace(' ', "\t"),
+        rows.replace(' ', " ; "),
+        rows.replace(' ', "   "),
+        rows.replace('\n', "\r\n"),
+        format!("x height\n{rows}"),
+        format!("# measured in May\n\n\"x\"; \"height\"\n{}", rows.replace(' ', ";")),
+        rows.replace("0.2\n", "0.2 # here\n\n\n"),
+        format!("\u{feff}{rows}"),
+        rows.replace("0.2", "2e-1").replace("3 ", "+3.0 "),
+        rows.replace("1 0.05", "\"1\" \"0.05\""),
+        rows.trim_end().to_owned(),
+    ] {
+        let profile = of_text(&text).unwrap_or_else(|fault| panic!("{fault}\n{text}"));
+        assert!((profile.slope(2.5) - reference.slope(2.5)).abs() < 1e-15, "{text}");
+    }
+}
+
+#[test]
+fn faults_in_a_file_are_located() {
+    let rows = "x, height\n0, 0\n1, 0.05\n2, 0.2\n3, 0.45\n4, 0.8\n";
+    let cases = [
+        (rows.replace("0.2", "nan"), 4, "height that is not allowed", "`NaN`"),
+        (rows.replace("0.2", "inf"), 4, "height that is not allowed", "`inf`"),
+        (rows.replace("0.2", "1e200"), 4, "height that is not allowed", "1000"),
+        (rows.replace("2, ", "1, "), 4, "x that was there before", "1 after 1"),
+        (rows.replace("2, ", "0.5, "), 4, "x that does not ascend", "0.5 after 1"),
+        (rows.replace("0.2", "two"), 4, "not a number", "`two`"),
+        (rows.replace("0.2", ""), 4, "not a number", "``"),
+        (rows.replace("0.2", "0.2, 3"), 4, "not a row of two columns", "3 columns"),
+        (rows.replace("2, 0.2", "2"), 4, "not a row of two columns", "1 column"),
+        (rows.replace(", ", "; ").replace("0.2", "0,2"), 4, "not a number", "`0,2`"),
+        (format!("{rows}x, height\n"), 7, "not a number", "`x`"),
+        ("x, height\n0, 0\n1, 1\n".into(), 0, "too few rows", "2 rows"),
+        ("x, height\n".into(), 0, "no rows", "0 rows"),
+        (String::new(), 0, "no rows", "0 rows"),
+        ("-2, 4\n-1, 1\n1, 1\n2, 4\n".into(), 0, "too few rows", "4 rows, 2 of them apart"),
+        ("2, 1\n3, 2\n4, 4\n5, 6\n".into(), 0, "no row near the middle", "x from 2 to 5"),
+        ("0, 1\n3, 1\n4, 1\n5, 1\n".into(), 0, "all heights are the same", "1 everywhere"),
+    ];
+    for (text, at, message, found) in cases {
+        let fault = of_text(&text).expect_err(message);
+        assert!(fault.message.contains(message), "{message}: {fault}");
+        assert!(fault.found.as_ref().is_some_and(|words| words.contains(found)), "{message}: {fault}");
+        let Place::File { line, name, text, span } = &fault.place else { panic!("{fault}") };
+        assert_eq!((*line, name.as_str()), (at, "profile.csv"), "{fault}");
+        assert!(text.get(span.clone()).is_some());
+        assert_eq!(fault.path, ["file"]);
+    }
+    let fault = file().understood(&One(b"0 0\n1 \xe9\n".to_vec())).unwrap_err();
+    assert!(matches!(fault.place, Place::File { line: 2, .. }), "{fault}");
+    let fault = file().understood(&One(b"\xff\xfe0\0".to_vec())).unwrap_err();
+    assert!(fault.found.unwrap().contains("UTF-16"));
+    let fault = file().understood(&One(vec![b' '; slipzone_api::LARGEST_FILE + 1])).unwrap_err();
+    assert!(fault.message.contains("too large"));
+    assert!(file().understood(&slipzone_api::NoFiles).unwrap_err().message.contains("cannot read"));
+    assert!(file().shape().unwrap_err().to_string().contains("cannot read"));
+}
+
+#[test]
+fn faults_in_points_are_located() {
+    let fault = |points: &[[f64; 2]]| Table::points(points.to_vec()).understood(&slipzone_api::NoFiles).unwrap_err();
+    assert_eq!(fault(&[[0.0, 0.0], [1.0, f64::NAN]]).path, ["points", "1", "1"]);
+    assert_eq!(fault(&[[0.0, 0.0], [1.0, 1.0], [1.0, 2.0]]).path, ["points", "2", "0"]);
+    assert_eq!(fault(&[[0.0, 0.0], [1.0, 1.0]]).path, ["points"]);
+    assert_eq!(fault(&[]).path, ["points"]);
+}
+
+/// A million rows are read and fitted while one waits; one more is refused.
+#[test]
+fn a_million_rows() {
+    use std::fmt::Write;
+    let mut scatter = scatter();
+    let mut text = String::new();
+    for i in 0..1_000_000 {
+        let x = f64::from(i) * 1e-6;
+        writeln!(text, "{x:.6},{:.9}", 0.05 * x * x + 1e-6 * scatter()).unwrap();
+    }
+    let begin = Instant::now();
+    let profile = of_text(&text).unwrap();
+    let took = begin.elapsed();
+    assert!(took.as_secs_f64() < 5.0, "{took:?}; 0.5 s on a machine with nothing else to do");
+    assert!(worst_slope(&profile, 1.0, |x| 0.1 * x) < 1e-6);
+    assert_eq!(profile.flaw(0.999_999), None);
+    text.push_str("2,0.2\n");
+    let fault = of_text(&text).unwrap_err();
+    assert_eq!(fault.message, "too many rows");
+    assert!(matches!(fault.place, Place::File { line: 1_000_001, .. }));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// Whatever the points are, the shape is convex, starts at 0, and its slope is its height's derivative.
+    #[test]
+    fn any_points_give_a_convex_shape(heights in prop::collection::vec(-1.0..1.0_f64, 4..80), power in 0.3..3.0_f64) {
+        let count = heights.len() as f64;
+        let rows = heights.iter().zip(0_u32..).map(|(height, i)| [(f64::from(i) / count).powf(power), *height]);
+        let profile = of_points(rows);
+        let reach = profile.reach().unwrap();
+        prop_assert_eq!(profile.height(0.0), 0.0);
+        let steepest = profile.slope(reach);
+        let mut before = 0.0;
+        for i in 1..=500 {
+            let x = f64::from(i) / 500.0 * reach;
+            let slope = profile.slope(x);
+            prop_assert!(slope >= before - 1e-9 * steepest, "{} after {} at {}", slope, before, x);
+            before = slope;
+        }
+        prop_assert!(profile.kinks().len() <= 33);
+        prop_assert!(profile.noise().unwrap() <= 2.0);
+    }
+}
