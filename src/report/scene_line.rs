@@ -176,6 +176,8 @@ fn punch(punch: &dyn PunchProfile, letters: &Alphabet) -> String {
             let each: Option<Vec<_>> = values.iter().map(|value| Some(letters.number(value.as_f64()?))).collect();
             each.filter(|each| each.len() <= FEW).map(|each| format!("{key} = [{}]", each.join(", ")))
         }
+        // A unit of 1 goes without saying.
+        Value::Number(number) if key.ends_with("_unit") && number.as_f64() == Some(1.0) => None,
         Value::Number(number) => Some(format!("{} = {}", key.replace('_', "-"), letters.number(number.as_f64()?))),
         Value::String(text) if key != "type" => {
             Some(format!("{} = {}", key.replace('_', "-"), clipped(&one_line(text))))
@@ -219,10 +221,7 @@ mod tests {
             "polynomial punch (coefficients = [0.05, 0.001])"
         );
         let points = "[[0.0, 0.0], [1.0, 0.05], [2.0, 0.2], [3.0, 0.45]]";
-        assert_eq!(
-            line(&format!("{{ type = 'table', points = {points} }}")),
-            "table punch (4 points, x-unit = 1, height-unit = 1)"
-        );
+        assert_eq!(line(&format!("{{ type = 'table', points = {points} }}")), "table punch (4 points)");
         #[cfg(feature = "formula")]
         {
             assert_eq!(

@@ -300,7 +300,10 @@ mod formulas {
         for height in ["x^2/(1 - 4*x^2)", "10 - 10*sqrt(1 - 4*x^2)", "1 - cos(4*x)", "x^2/abs(abs(x) - 0.5)"] {
             for load in ["half_width = 1.0", "force = 5.0"] {
                 let output = feed(folder.path(), &["solve", "-"], with_formula(height, load).as_bytes());
-                assert!(matches!(output.status.code(), Some(1 | 2)), "{height}, {load}: {}", told(&output));
+                // A force may be borne before the contact gets there.
+                let may_converge = load.starts_with("force") && output.status.code() == Some(0);
+                let is_told = matches!(output.status.code(), Some(1 | 2));
+                assert!(is_told || may_converge, "{height}, {load}: {}", told(&output));
             }
         }
     }

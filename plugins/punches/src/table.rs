@@ -41,11 +41,31 @@ struct Written {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     file: Option<String>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    points: Option<Vec<[f64; 2]>>,
+    points: Option<Vec<Row>>,
     #[serde(default = "one")]
     x_unit: Positive,
     #[serde(default = "one")]
     height_unit: Positive,
+}
+
+/// Two numbers and no more: a plain array would let a third one pass unread.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[serde(try_from = "Vec<f64>", into = "[f64; 2]")]
+struct Row([f64; 2]);
+
+impl TryFrom<Vec<f64>> for Row {
+    type Error = String;
+
+    fn try_from(row: Vec<f64>) -> Result<Self, String> {
+        let count = row.len();
+        row.try_into().map(Row).map_err(|_| format!("expected a row of two numbers, x and height, found {count}"))
+    }
+}
+
+impl From<Row> for [f64; 2] {
+    fn from(Row(row): Row) -> Self {
+        row
+    }
 }
 
 fn one() -> Positive {
@@ -58,7 +78,7 @@ impl TryFrom<Written> for Table {
     fn try_from(Written { file, points, x_unit, height_unit }: Written) -> Result<Self, String> {
         let source = match (file, points) {
             (Some(file), None) => Source::File(file),
-            (None, Some(points)) => Source::Points(points),
+            (None, Some(points)) => Source::Points(points.into_iter().map(Into::into).collect()),
             (Some(_), Some(_)) => return Err("expected one of `file` and `points`, found both".into()),
             (None, None) => return Err("expected `file` or `points` (rows of x and height), found neither".into()),
         };
@@ -70,7 +90,7 @@ impl From<Table> for Written {
     fn from(table: Table) -> Self {
         let (file, points) = match table.source {
             Source::File(file) => (Some(file), None),
-            Source::Points(points) => (None, Some(points)),
+            Source::Points(points) => (None, Some(points.into_iter().map(Row).collect())),
         };
         Self { file, points, x_unit: table.x_unit, height_unit: table.height_unit }
     }
