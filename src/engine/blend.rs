@@ -1,7 +1,8 @@
 //! Functions of a contact's half-width, known at a few half-widths.
 //!
-//! Seen from a contact that is narrow beside a graded layer, what a flat punch answers is a series in `b` and `b log b`:
-//! polynomials alone converge slowly, one logarithm beside them costs nothing and saves half of the points. Measured on
+//! Seen from a contact that is narrow beside a graded layer, what a flat punch answers is a series in `b` and `log b`, the
+//! logarithm first with `b` (stick zone) or `b^2` (pressure): polynomials alone converge slowly, one logarithm beside
+//! them costs nothing and saves half of the points. Measured on
 //! the stick ratio of a graded layer five times as thick as the contact is wide: 4e-7 by 18 polynomials in `(b/B)^(1/2)`,
 //! 9e-9 in `(b/B)^(1/3)`, 4e-9 by 17 in `b/B` and the logarithm. More logarithms are nearly alike and lose the digits.
 
@@ -9,10 +10,16 @@ use super::dense::Dense;
 use slipzone_api::Refusal;
 use std::f64::consts::FRAC_PI_4;
 
+/// Polynomials tell `s^k log s` to about `n^-(2 k + 1)` by themselves. Where that is below this, the logarithm is too much
+/// like them to stand beside them.
+const ALIKE: f64 = 1e-8;
+
 /// Half-widths at which functions are known, and how they are told in between.
 #[derive(Clone, Debug)]
 pub(crate) struct Blend {
     widest: f64,
+    /// Power of `b` beside the logarithm.
+    order: i32,
     /// Descending.
     half_widths: Vec<f64>,
     /// `inverse[k * n + m]`: how much of the function `m` a value at the point `k` is.
@@ -20,18 +27,19 @@ pub(crate) struct Blend {
 }
 
 impl Blend {
-    /// So many half-widths up to a widest, crowding at both ends like Chebyshev points.
-    pub(crate) fn new(widest: f64, n: usize) -> Result<Self, Refusal> {
+    /// So many half-widths up to a widest, crowding at both ends like Chebyshev points; for functions whose first
+    /// logarithm goes with that power.
+    pub(crate) fn new(widest: f64, n: usize, order: i32) -> Result<Self, Refusal> {
         let angle = |k: usize| (2 * k + 1) as f64 * FRAC_PI_4 / n as f64;
         let at: Vec<f64> = (0..n).map(|k| angle(k).cos().powi(2)).collect();
         let mut system = Dense::new(n, n);
         for (row, s) in system.rows.chunks_exact_mut(n).zip(&at) {
-            row.iter_mut().zip(functions(*s, n)).for_each(|(entry, function)| *entry = function);
+            row.iter_mut().zip(functions(*s, n, order)).for_each(|(entry, function)| *entry = function);
         }
         // Unit values at one point after another.
         system.columns.iter_mut().step_by(n + 1).for_each(|one| *one = 1.0);
         system.solve(n)?;
-        Ok(Self { widest, half_widths: at.iter().map(|s| widest * s).collect(), inverse: system.columns })
+        Ok(Self { widest, order, half_widths: at.iter().map(|s| widest * s).collect(), inverse: system.columns })
     }
 
     /// The widest.
@@ -49,23 +57,27 @@ impl Blend {
         let n = self.half_widths.len();
         shares.clear();
         shares.resize(n, 0.0);
-        for (function, column) in functions(half_width / self.widest, n).zip(0..) {
+        for (function, column) in functions(half_width / self.widest, n, self.order).zip(0..) {
             let of_function = self.inverse[column..].iter().step_by(n);
             shares.iter_mut().zip(of_function).for_each(|(share, inverse)| *share += inverse * function);
         }
     }
 }
 
-/// Chebyshev polynomials on `[0, 1]`, then `s log s`.
-fn functions(s: f64, n: usize) -> impl Iterator<Item = f64> {
+/// Chebyshev polynomials on `[0, 1]`, the last of them `s^order log s` unless there are many.
+fn functions(s: f64, n: usize, order: i32) -> impl Iterator<Item = f64> {
     let x = 2.0 * s - 1.0;
     let mut pair = (1.0, x);
-    let polynomials = (0..n - 1).map(move |_| {
+    let has_logarithm = (n as f64).powi(-2 * order - 1) > ALIKE;
+    (0..n).map(move |m| {
         let this = pair.0;
         pair = (pair.1, 2.0 * x * pair.1 - pair.0);
-        this
-    });
-    polynomials.chain([if s > 0.0 { s * s.ln() } else { 0.0 }])
+        match (m + 1 == n && has_logarithm, s > 0.0) {
+            (false, _) => this,
+            (true, false) => 0.0,
+            (true, true) => s.powi(order) * s.ln(),
+        }
+    })
 }
 
 #[cfg(test)]
@@ -73,7 +85,7 @@ mod tests {
     use super::*;
 
     fn error(f: impl Fn(f64) -> f64, count: usize) -> f64 {
-        let blend = Blend::new(3.0, count).unwrap();
+        let blend = Blend::new(3.0, count, 1).unwrap();
         let values: Vec<f64> = blend.half_widths().iter().map(|b| f(*b)).collect();
         let mut shares = Vec::new();
         let at = |b: f64| {

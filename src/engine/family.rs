@@ -26,7 +26,9 @@ const CHECKED: usize = 4;
 pub(crate) struct Family {
     friction: Option<f64>,
     accuracy: f64,
+    /// For what the pressure tells, and for what the shear tells.
     blend: Blend,
+    of_shear: Blend,
     /// Pressures, times the half-width.
     pressure: Table,
     /// Odd densities `W` with `int W(r)/(x - r) dr/pi + ... = -1`: a punch of slope `g'` carries `int W g' dx/A0`.
@@ -156,7 +158,8 @@ impl Family {
         let mut family = Self {
             friction: flat.friction,
             accuracy: task.wanted.accuracy,
-            blend: Blend::new(widest, count)?,
+            blend: Blend::new(widest, count, 2)?,
+            of_shear: Blend::new(widest, count, 1)?,
             pressure: Table::default(),
             tilt: Table::default(),
             depth: Vec::new(),
@@ -318,7 +321,7 @@ impl Family {
 
     /// The stick zone to be expected under a member.
     fn rubbing_at(&mut self, b: f64, checked: bool) -> Option<Rubbing> {
-        self.blend.shares_into(b, &mut self.room.shares);
+        self.of_shear.shares_into(b, &mut self.room.shares);
         let rubbed = self.rubbed.as_ref()?;
         let blend = |numbers: &[f64]| self.room.shares.iter().zip(numbers).map(|(share, number)| share * number).sum();
         let root = Root {
@@ -334,7 +337,7 @@ impl Family {
     pub(crate) fn zone(&self, b: f64) -> StickZone {
         let rubbed = self.rubbed.as_ref().expect("a family with friction");
         let mut shares = Vec::new();
-        self.blend.shares_into(b, &mut shares);
+        self.of_shear.shares_into(b, &mut shares);
         StickZone::from_log(shares.iter().zip(&rubbed.lambda).map(|(share, number)| share * number).sum(), b)
     }
 
@@ -366,10 +369,6 @@ impl Family {
     /// Pressure of a member at points within it.
     pub(crate) fn pressure_into(&mut self, b: f64, at: &[Station], out: &mut [f64]) {
         self.blend.shares_into(b, &mut self.room.shares);
-        self.pressures(b, at, out);
-    }
-
-    fn pressures(&mut self, b: f64, at: &[Station], out: &mut [f64]) {
         self.pressure.blend_into(&self.room.shares, &mut self.room.pressure);
         self.stage.normal.values_of(b, &self.room.pressure, at, out);
         out.iter_mut().for_each(|p| *p /= b);
@@ -377,7 +376,7 @@ impl Family {
 
     /// What the shear of a member lacks to that of full sliding, `eta p - q`, at a point within its stick zone.
     pub(crate) fn lack(&mut self, b: f64, x: f64) -> f64 {
-        self.blend.shares_into(b, &mut self.room.shares);
+        self.of_shear.shares_into(b, &mut self.room.shares);
         let rubbed = self.rubbed.as_ref().expect("a family with friction");
         let blend = |numbers: &[f64]| self.room.shares.iter().zip(numbers).map(|(share, number)| share * number).sum();
         let zone = StickZone::from_log(blend(&rubbed.lambda), b);
@@ -390,7 +389,7 @@ impl Family {
         let shear = self.stage.shear.as_mut().expect("friction has shear");
         let q = shear.value_of(zone, unknowns, *at_edge, Station { x, gap }) / b;
         let mut p = [0.0];
-        self.pressures(b, &[Station { x, gap: gap + zone.slip_width }], &mut p);
+        self.pressure_into(b, &[Station { x, gap: gap + zone.slip_width }], &mut p);
         self.signed_friction() * p[0] - q
     }
 }
