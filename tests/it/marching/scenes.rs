@@ -73,9 +73,14 @@ impl Case {
         Self { shape, h: Some(h), ratio, nu, eta }
     }
 
+    /// The scene under a flat punch of the same half-width.
+    pub(super) fn flat(&self) -> Sketch {
+        Sketch { h: self.h, ..Sketch::flat(1.0, self.ratio, self.nu) }.rubbing(self.eta)
+    }
+
     /// The scene under a cylinder, whichever its punch.
     pub(super) fn sketch(&self) -> Sketch {
-        Sketch { h: self.h, ..Sketch::flat(1.0, self.ratio, self.nu) }.cylinder().rubbing(self.eta)
+        self.flat().cylinder()
     }
 
     /// Its loading history, on so many cells in so many steps.

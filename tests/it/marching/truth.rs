@@ -4,7 +4,6 @@
 use super::edge::stick_ratio;
 use super::scenes::{Case, FACE, POINTS, Shape, TEN};
 use super::surface::Surface;
-use crate::sketch::Sketch;
 use serde_json::Value;
 use slipzone::api::reference::cylinder::Cylinder;
 use slipzone::api::reference::goodman_shear::Goodman;
@@ -97,9 +96,8 @@ fn of_the_second_order_in_steps_and_cells() {
 /// width and not on the profile nor on what came before.
 #[test]
 fn the_stick_zone_is_that_of_a_flat_punch() {
-    for case in [TEN[3], TEN[5], TEN[7]] {
-        let flat = Sketch { h: case.h, ..Sketch::flat(1.0, case.ratio, case.nu) }.rubbing(case.eta).solve();
-        let exact = flat.stick.and_then(|stick| stick.ratio).expect("a ratio");
+    for case in [TEN[5], TEN[7]] {
+        let exact = case.flat().solve().stick.and_then(|stick| stick.ratio).expect("a ratio");
         let error = stick_ratio(&case.march(384, 768), case.eta) - exact;
         println!("{case:?}: a/b {exact}, {error:.1e} off");
         // A cell is 2.6e-3 wide; measured on half-planes: 6e-5.
