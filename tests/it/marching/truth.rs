@@ -55,8 +55,8 @@ fn every_punch_on_a_half_plane() {
         let ratio = stick_ratio(&end, 0.3) - exact.law.stick().ratio;
         let worst = errors.iter().fold(0.0, |worst: f64, error| worst.max(error.abs()));
         println!("{shape:?}: q {worst:.1e} a/b {ratio:.1e}");
-        // Measured: 4e-6, and 2e-5 of a/b = 0.744; a cell is 2.6e-3 wide.
-        assert!(worst < 2e-5, "{shape:?}: {errors:?}");
+        // Measured: 4e-6 of q, 2e-5 of a/b = 0.744; a cell is 2.6e-3 wide.
+        assert!(worst < 1e-5, "{shape:?}: {errors:?}");
         assert!(ratio.abs() < 5e-5, "{shape:?}: a/b is {ratio:.1e} off");
     }
 }
@@ -71,8 +71,8 @@ fn a_graded_layer_under_a_cylinder() {
         let exact = reference["q"][i].as_f64().expect("a number");
         let error = (end.shear(x) - exact) / end.largest();
         println!("q({x}) = {}: {error:.1e}", end.shear(x));
-        // As on the half-plane; the reference has seven digits.
-        assert!(error.abs() < 2e-5, "q = {} against {exact} at x = {x}", end.shear(x));
+        // Measured: 3e-6. The reference has seven digits.
+        assert!(error.abs() < 1e-5, "q = {} against {exact} at x = {x}", end.shear(x));
     }
     let ratio = stick_ratio(&end, case.eta) - reference["stick"].as_f64().expect("a number");
     assert!(ratio.abs() < 5e-5, "a/b is {ratio:.1e} off");
