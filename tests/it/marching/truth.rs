@@ -1,6 +1,7 @@
 //! What the march is worth: against closed forms on the half-plane, another program's numbers on a layer, and its own
 //! pressure against the frictionless engine.
 
+use super::coulomb::State;
 use super::edge::stick_ratio;
 use super::scenes::{Case, FACE, POINTS, Shape, TEN};
 use super::surface::Surface;
@@ -133,5 +134,22 @@ fn the_pressure_is_that_of_the_frictionless_engine() {
             let error = end.pressure(x) / pressure.expect("inside") - 1.0;
             assert!(error.abs() < 1e-6, "{case:?}: p({x}) is {error:.1e} off");
         }
+    }
+}
+
+/// Nobody tells the march which way the surface slides. While the contact is small beside the layer all of it sticks,
+/// or slides inwards; what is left of that at the end is a stick zone that has been passed over and grown again.
+#[test]
+fn layers_that_squeeze_outwards() {
+    for (h, nu, eta) in [(0.5, 0.45, 0.1), (1.0, 0.49, 0.3)] {
+        let case = Case { shape: Shape::Cylinder, h: Some(h), ratio: 1.0, nu, eta };
+        let exact = case.flat().solve().stick.and_then(|stick| stick.ratio).expect("a ratio");
+        let end = case.march(192, 384);
+        let stuck = end.state.iter().take_while(|state| **state == State::Stick).count();
+        assert!(end.state[stuck..].iter().all(|state| *state == State::Outward), "nu = {nu}: {:?}", end.state);
+        let error = (stuck as f64 / 192.0 - exact) * 192.0;
+        println!("h = {h}, nu = {nu}: {stuck} cells stick, {error:.2} more than under a flat punch");
+        assert!(error.abs() < 1.0, "nu = {nu}: {stuck} of 192 cells stick, a/b = {exact}: more than a cell apart");
+        assert!(end.shear(0.75) < 0.0, "against the sliding");
     }
 }
