@@ -10,6 +10,8 @@ use std::f64::consts::PI;
 pub(super) struct Punch {
     /// Half-width of its flat face.
     pub(super) face: f64,
+    /// Its pressure on a half-plane of compliance 1 is `tip ln(1/|x|)` in the middle.
+    pub(super) tip: f64,
     /// Its pressure on a half-plane of compliance `A0 = 1`, from `x` and the half-width.
     pub(super) half_plane: fn(f64, f64) -> f64,
 }
@@ -69,7 +71,8 @@ pub(super) fn march(surface: &Surface, punch: &Punch, eta: f64, cells: usize, st
         let b = punch.face + (1.0 - punch.face) * step as f64 / steps as f64;
         let contact = covered(b, cells);
         let half_plane = |x: f64| (punch.half_plane)(x, b) / a0;
-        let masses = Pressure::new(surface, &half_plane, punch.face, b).masses(0.5 * width, 2 * contact);
+        let masses =
+            Pressure::new(surface, &half_plane, [punch.face, punch.tip / a0], b).masses(0.5 * width, 2 * contact);
         let pressed = by_pressure(surface, &masses, &coupling, cells);
         p = masses.chunks(2).map(|m| (m[0] + m[1]) / width).collect();
         assert!(p.iter().all(|p| *p > 0.0), "no contact is lost");

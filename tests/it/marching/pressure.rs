@@ -17,17 +17,25 @@ const NODES: [usize; 2] = [48, 96];
 
 /// The pressure of one half-width.
 pub(super) struct Pressure<'a> {
-    half_plane: &'a dyn Fn(f64) -> f64,
+    known: Known<'a>,
     half_width: f64,
     coarse: Added,
     fine: Added,
 }
 
 impl<'a> Pressure<'a> {
-    /// `half_plane(x)` is the pressure of the same punch on a half-plane, smooth but for `kink` and the middle.
-    pub(super) fn new(surface: &Surface, half_plane: &'a dyn Fn(f64) -> f64, kink: f64, half_width: f64) -> Self {
-        let [coarse, fine] = NODES.map(|nodes| Added::new(surface, half_plane, kink, half_width, nodes));
-        Self { half_plane, half_width, coarse, fine }
+    /// `half_plane(x)` is the pressure of the same punch on a half-plane, smooth but for `kink` and the middle, where it
+    /// is `tip ln(1/|x|)`.
+    pub(super) fn new(
+        surface: &Surface,
+        half_plane: &'a dyn Fn(f64) -> f64,
+        [kink, tip]: [f64; 2],
+        half_width: f64,
+    ) -> Self {
+        let bend = tip * half_width * surface.kernel(Component::NormalSlope, &[1e-9])[0];
+        let known = Known { half_plane, kink, bend };
+        let [coarse, fine] = NODES.map(|nodes| Added::new(surface, &known, half_width, nodes));
+        Self { known, half_width, coarse, fine }
     }
 
     /// `int p dx` over each of `count` pieces of the given `width` from the middle on; the last may end with the
@@ -52,18 +60,39 @@ impl<'a> Pressure<'a> {
     fn value(&self, s: f64, root: f64) -> f64 {
         let [coarse, fine] = [&self.coarse, &self.fine].map(|added| root * added.value(s));
         let spacings = (NODES[1] + 1) as f64 / (NODES[0] + 1) as f64;
-        (self.half_plane)(self.half_width * s) + fine + (fine - coarse) / (spacings * spacings - 1.0)
+        self.known.value(self.half_width * s, s, root) + fine + (fine - coarse) / (spacings * spacings - 1.0)
     }
 }
 
-/// What the layer adds, over `sqrt(1 - t^2)`.
+/// What is known of the pressure beforehand.
+struct Known<'a> {
+    half_plane: &'a dyn Fn(f64) -> f64,
+    kink: f64,
+    /// The kernel's jump answers the logarithm under a wedge's tip with a bend: `bend |t| sqrt(1 - t^2)`.
+    bend: f64,
+}
+
+impl Known<'_> {
+    /// At `x = b s`, `root = sqrt(1 - s^2)`.
+    fn value(&self, x: f64, s: f64, root: f64) -> f64 {
+        (self.half_plane)(x) + self.bend * s.abs() * root
+    }
+
+    /// `(1/pi) PV int` of the bend over `s - t`: `(2 s/pi) (1 - r artanh r)`, `r = sqrt(1 - s^2)`.
+    fn slope_of_bend(&self, s: f64) -> f64 {
+        let root = (1.0 - s * s).sqrt();
+        self.bend * 2.0 * s / PI * (1.0 - root * root.atanh())
+    }
+}
+
+/// What else the layer adds, over `sqrt(1 - t^2)`.
 struct Added {
     /// Nodes `t > 0`, their barycentric weights (both sides together), and the values there.
     terms: Vec<[f64; 3]>,
 }
 
 impl Added {
-    fn new(surface: &Surface, half_plane: &dyn Fn(f64) -> f64, kink: f64, b: f64, nodes: usize) -> Self {
+    fn new(surface: &Surface, known: &Known, b: f64, nodes: usize) -> Self {
         let (half, spacing) = (nodes / 2, PI / (nodes + 1) as f64);
         let points: Vec<f64> = (0..half).map(|i| (spacing * (i as f64 + 0.5)).cos()).collect();
         let nodes: Vec<f64> = (1..=half).map(|j| (spacing * j as f64).cos()).collect();
@@ -80,7 +109,7 @@ impl Added {
                 let layer = b * (kernel[2 * at] + kernel[2 * at + 1]);
                 matrix[at] = weight * (1.0 / (x - t) + 1.0 / (x + t) + layer);
             }
-            values[i] = -potential(surface, half_plane, [kink, b * x, b]);
+            values[i] = -potential(surface, known, b * x, b) - known.slope_of_bend(*x);
         }
         solve(&mut matrix, &mut values);
         let signs = [1.0, -1.0].into_iter().cycle();
@@ -101,7 +130,8 @@ impl Added {
 }
 
 /// `(1/pi) int p k_vv(x - r) dr` over the whole contact, from the cuts of its half: the kink, `x` and the end.
-fn potential(surface: &Surface, half_plane: &dyn Fn(f64) -> f64, [kink, x, b]: [f64; 3]) -> f64 {
+fn potential(surface: &Surface, known: &Known, x: f64, b: f64) -> f64 {
+    let kink = known.kink;
     let cuts = if kink < x { [0.0, kink, x, b] } else { [0.0, x, kink, b] };
     let pieces = cuts.windows(2).filter(|piece| piece[0] < piece[1]);
     // Nine digits of each piece, logarithms and square roots at its ends.
@@ -116,6 +146,7 @@ fn potential(surface: &Surface, half_plane: &dyn Fn(f64) -> f64, [kink, x, b]: [
         .collect();
     let distances: Vec<f64> = sources.iter().flat_map(|[r, _]| [x - r, x + r]).collect();
     let kernel = surface.kernel(Component::NormalSlope, &distances);
-    let terms = sources.iter().zip(kernel.chunks(2)).map(|([r, weight], k)| weight * half_plane(*r) * (k[0] + k[1]));
+    let value = |r: f64| known.value(r, r / b, ((b - r) * (b + r)).sqrt() / b);
+    let terms = sources.iter().zip(kernel.chunks(2)).map(|([r, weight], k)| weight * value(*r) * (k[0] + k[1]));
     terms.sum::<f64>() / PI
 }

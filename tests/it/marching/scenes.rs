@@ -6,9 +6,13 @@ use crate::sketch::Sketch;
 use slipzone::api::reference::rounded_flat::RoundedFlat;
 use slipzone::api::reference::wedge::Wedge;
 use slipzone::scene::Scene;
+use std::f64::consts::PI;
 
 /// Where tractions are compared.
 pub(super) const POINTS: [f64; 3] = [0.25, 0.5, 0.75];
+
+/// Half-width of the rounded punch's face: a whole number of cells, and none of the points.
+pub(super) const FACE: f64 = 0.375;
 
 /// The punches; all lengths in units of the half-width at the end.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +23,7 @@ pub(super) enum Shape {
     Wedge,
     /// `x^4`.
     Quartic,
-    /// Flat up to 1/2, then of radius 1.
+    /// Flat up to 3/8, then of radius 1.
     Rounded,
 }
 
@@ -30,10 +34,11 @@ impl Shape {
             Self::Wedge => (0.0, |x, b| Wedge { slope: 1.0, half_width: b, compliance: 1.0 }.pressure(x)),
             Self::Quartic => (0.0, |x, b| 2.0 * (b * b + 2.0 * x * x) * ((b - x) * (b + x)).sqrt()),
             Self::Rounded => {
-                (0.5, |x, b| RoundedFlat { flat: 0.5, radius: 1.0, half_width: b, compliance: 1.0 }.pressure(x))
+                (FACE, |x, b| RoundedFlat { flat: FACE, radius: 1.0, half_width: b, compliance: 1.0 }.pressure(x))
             }
         };
-        Punch { face, half_plane }
+        let tip = if matches!(self, Self::Wedge) { 2.0 / PI } else { 0.0 };
+        Punch { face, tip, half_plane }
     }
 
     /// As a scene writes it.
@@ -42,7 +47,7 @@ impl Shape {
             Self::Cylinder => "type = \"cylinder\"\nradius = 1.0",
             Self::Wedge => "type = \"wedge\"\nslope = 1.0",
             Self::Quartic => "type = \"power\"\ncoefficient = 1.0\nexponent = 4.0",
-            Self::Rounded => "type = \"rounded-flat\"\nhalf_width = 0.5\nradius = 1.0",
+            Self::Rounded => "type = \"rounded-flat\"\nhalf_width = 0.375\nradius = 1.0",
         }
     }
 }
@@ -68,9 +73,14 @@ impl Case {
         Self { shape, h: Some(h), ratio, nu, eta }
     }
 
+    /// The scene under a flat punch of the same half-width.
+    pub(super) fn flat(&self) -> Sketch {
+        Sketch { h: self.h, ..Sketch::flat(1.0, self.ratio, self.nu) }.rubbing(self.eta)
+    }
+
     /// The scene under a cylinder, whichever its punch.
     pub(super) fn sketch(&self) -> Sketch {
-        Sketch { h: self.h, ..Sketch::flat(1.0, self.ratio, self.nu) }.cylinder().rubbing(self.eta)
+        self.flat().cylinder()
     }
 
     /// Its loading history, on so many cells in so many steps.

@@ -41,17 +41,19 @@ fn ten_scenes() {
     }
 }
 
-/// The march against itself: what it says, and by how much that changes with cells and steps.
+/// The march against itself: what it says, by how much that changes with cells and steps, and the stick zone of a
+/// flat punch on the same layer.
 #[test]
 #[ignore = "prints the ten scenes, a few minutes"]
 fn table() {
     for case in &TEN {
-        println!("{case:?}");
-        for (cells, steps) in [(192, 768), (384, 768), (768, 768), (384, 1536)] {
+        let stick = case.flat().solve().stick.and_then(|stick| stick.ratio).expect("a ratio");
+        println!("{case:?}: flat a/b {stick:.6}");
+        for (cells, steps) in [(192, 768), (384, 768), (384, 1536), (768, 1536)] {
             let end = case.march(cells, steps);
             let (q, p) = (POINTS.map(|x| end.shear(x)), POINTS.map(|x| end.pressure(x)));
-            let ratio = stick_ratio(&end, case.eta);
-            println!("  {cells}/{steps}: a/b {ratio:.6} q {q:.7?} p {p:.7?} P {:.7}", end.force());
+            let (ratio, force) = (stick_ratio(&end, case.eta), end.force());
+            println!("  {cells}/{steps}: a/b {ratio:.6} q {q:.7?} p {p:.7?} P {force:.7} top {:.4}", end.largest());
         }
     }
 }

@@ -63,7 +63,7 @@ mod tests {
         }
     }
 
-    /// `R_J(0, 1, 1, p) = 3 pi/(2 (1 + sqrt p) sqrt p)`, DLMF 19.20.6 and 19.20.8.
+    /// `R_J(0, 1, 1, p) = 3 pi/(2 (1 + sqrt p) sqrt p)`, DLMF 19.20.8.
     #[test]
     fn it_is_elementary_on_a_circle() {
         for decade in 0..=250 {
