@@ -44,8 +44,10 @@ struct Piece {
 
 /// How the force is written.
 enum Force {
-    /// From a point: `g(b') rho/A0`, `rho` a series in `(b'/to)^(1/2)`. It has the order of the shape from the start.
-    OfHeight(Series),
+    /// From a point: `rho` times the height, which is `kappa b' g'(b')`; both series in `(b'/to)^(1/2)`. So the force has
+    /// the order of the shape from the start. A height that a formula gives may have lost all digits there, a slope has
+    /// not.
+    OfHeight { rho: Series, kappa: Series },
     /// From anywhere else: a series in `((b' - from)/(to - from))^(1/2)`.
     Plain(Series),
 }
@@ -72,20 +74,33 @@ impl Stack {
         let mut count = COEFFICIENTS.0;
         loop {
             let points = Points::new(count);
-            let force = if from > 0.0 {
+            let (force, tail) = if from > 0.0 {
                 let at = |s: &f64| self.force_by_tilt(problem, family, from + (to - from) * s * s);
                 let values: Vec<f64> = points.at.iter().map(at).collect();
-                Force::Plain(points.through(&values))
+                let series = points.through(&values);
+                let tail = series.tail();
+                (Force::Plain(series), tail)
             } else {
-                let at = |s: &f64| {
+                let (mut rhos, mut kappas) = (Vec::with_capacity(count), Vec::with_capacity(count));
+                for s in &points.at {
                     let b = to * s.powi(POWER);
-                    self.force_by_tilt(problem, family, b) / problem.height(b)
-                };
-                let values: Vec<f64> = points.at.iter().map(at).collect();
-                Force::OfHeight(points.through(&values))
+                    let force = self.force_by_tilt(problem, family, b);
+                    let slope = problem.slope(b);
+                    let mean: f64 = self.grid.iter().map(|x| x.weight * problem.slope(b * x.from_lower)).sum();
+                    // Slopes too small for a number: as if they went on as they are farther out.
+                    let (rho, kappa) = if slope == 0.0 {
+                        (*rhos.last().unwrap_or(&0.0), *kappas.last().unwrap_or(&1.0))
+                    } else {
+                        (force / (b * mean), mean / slope)
+                    };
+                    rhos.push(rho);
+                    kappas.push(kappa);
+                }
+                let (rho, kappa) = (points.through(&rhos), points.through(&kappas));
+                let tail = rho.tail().max(kappa.tail());
+                (Force::OfHeight { rho, kappa }, tail)
             };
-            let (Force::OfHeight(series) | Force::Plain(series)) = &force;
-            if series.tail() < digits || 2 * count > COEFFICIENTS.1 || series.tail().is_nan() {
+            if tail < digits || 2 * count > COEFFICIENTS.1 || tail.is_nan() {
                 return Piece { from, to, force };
             }
             count *= 2;
@@ -225,10 +240,11 @@ impl Piece {
         let width = self.to - self.from;
         let s = (from_lower / width).sqrt();
         match &self.force {
-            Force::OfHeight(series) => {
-                let (rho, slope) = series.value_and_slope(s);
-                let height = problem.height(b);
-                (height * rho, problem.slope(b) * rho + height * slope * s / (2.0 * b))
+            Force::OfHeight { rho, kappa } => {
+                let (rho, rise) = rho.value_and_slope(s);
+                let slope = problem.slope(b);
+                let height = kappa.value_and_slope(s).0 * b * slope;
+                (height * rho, slope * rho + height * rise * s / (2.0 * b))
             }
             Force::Plain(series) => {
                 let (force, slope) = series.value_and_slope(s);

@@ -26,7 +26,6 @@ fn compare(case: &Case, cells: usize, steps: usize) {
 }
 
 #[test]
-#[ignore = "needs the history engine"]
 fn three_scenes() {
     for case in [TEN[1], TEN[6], TEN[9]] {
         compare(&case, 384, 768);
