@@ -92,6 +92,8 @@ pub(crate) struct Traces {
     pub(crate) pressure: [f64; Self::AT.len()],
     /// Where a stick zone was found; at its end as well.
     pub(crate) shear: Option<[f64; Self::AT.len() + 1]>,
+    /// Whether the shear is stacked, and wanted as well as the stick zone.
+    pub(crate) is_stacked: bool,
 }
 
 impl Traces {

@@ -18,12 +18,17 @@ const COEFFICIENTS: (usize, usize) = (12, 96);
 /// Power of the variable in which the force over the first piece is a series.
 const POWER: i32 = 2;
 
+/// Grids for integrals over the half-width, and how far in `ln b'` the first of them reaches.
+const GRIDS: usize = 4;
+const WAY: f64 = 3.0;
+
 /// The force under one punch over all half-widths of a family, and what is stacked with it.
 pub(crate) struct Stack {
     pieces: Vec<Piece>,
     /// Where the shape is not analytic, within the contact, both ends of it included.
     breaks: Vec<f64>,
-    grid: Vec<Node>,
+    /// Of unit length; each has so many times the nodes of the first.
+    grids: [Vec<Node>; GRIDS],
     room: Room,
 }
 
@@ -60,8 +65,8 @@ impl Stack {
         let mut breaks = vec![face];
         breaks.extend(problem.kinks().filter(|kink| *kink > face && *kink < widest));
         breaks.push(widest);
-        let grid = double_exponential::nodes(1.0, nodes);
-        let mut stack = Self { pieces: Vec::new(), breaks, grid, room: Room::default() };
+        let grids = std::array::from_fn(|i| double_exponential::nodes(1.0, (i + 1) * nodes));
+        let mut stack = Self { pieces: Vec::new(), breaks, grids, room: Room::default() };
         for i in 1..stack.breaks.len() {
             let (from, to) = (stack.breaks[i - 1], stack.breaks[i]);
             let piece = stack.piece(problem, family, from, to, digits);
@@ -86,7 +91,7 @@ impl Stack {
                     let b = to * s.powi(POWER);
                     let force = self.force_by_tilt(problem, family, b);
                     let slope = problem.slope(b);
-                    let mean: f64 = self.grid.iter().map(|x| x.weight * problem.slope(b * x.from_lower)).sum();
+                    let mean: f64 = self.grids[0].iter().map(|x| x.weight * problem.slope(b * x.from_lower)).sum();
                     // Slopes too small for a number: as if they went on as they are farther out.
                     let (rho, kappa) = if slope == 0.0 {
                         (*rhos.last().unwrap_or(&0.0), *kappas.last().unwrap_or(&1.0))
@@ -121,7 +126,7 @@ impl Stack {
         let ends: Vec<f64> = start.chain(self.breaks.iter().copied().filter(|x| *x < b)).chain([b]).collect();
         for ends in ends.windows(2) {
             let length = ends[1] - ends[0];
-            for node in &self.grid {
+            for node in &self.grids[0] {
                 let x = ends[0] + length * node.from_lower;
                 let gap = length * node.to_upper + (b - ends[1]);
                 at.push(Station { x, gap });
@@ -174,6 +179,12 @@ impl Stack {
         root.ok().map(|root| root.root())
     }
 
+    /// The grid for a way so long.
+    fn grid(&self, way: f64) -> &[Node] {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most GRIDS
+        &self.grids[((way / WAY) as usize).min(GRIDS - 1)]
+    }
+
     /// `int F(b', b' - from) dP(b')` from `from` to `b`.
     fn stacked(&self, problem: &Problem, from: f64, b: f64, mut f: impl FnMut(f64, f64) -> f64) -> f64 {
         let mut sum = 0.0;
@@ -184,7 +195,7 @@ impl Stack {
             }
             // In proportion, where that is a long way: what is stacked varies with `x/b'`.
             let way = if lower > 0.0 { (upper / lower).ln() } else { 0.0 };
-            for node in &self.grid {
+            for node in self.grid(way) {
                 let (beyond, weight) = if way > 0.0 {
                     let beyond = lower * (way * node.from_lower).exp_m1();
                     (beyond, way * node.weight * (lower + beyond))

@@ -49,17 +49,19 @@ pub(crate) struct Outcome {
     pub(crate) size: Option<Size>,
     /// The pressure at [`Traces::AT`] over its mean.
     pressure: [f64; Traces::AT.len()],
+    /// Whether the contact grew.
+    is_stacked: bool,
 }
 
 impl Outcome {
-    /// The pressure is that at [`Traces::AT`], over its mean.
+    /// Of a contact that grew; the pressure is that at [`Traces::AT`], over its mean.
     pub(crate) fn new(
         numbers: Numbers,
         rubbing: Option<Rubbing>,
         size: Option<Size>,
         pressure: [f64; Traces::AT.len()],
     ) -> Self {
-        Self { numbers, rubbing, size, pressure }
+        Self { numbers, rubbing, size, pressure, is_stacked: true }
     }
 
     /// An outcome of which only the stick zone is known.
@@ -70,7 +72,7 @@ impl Outcome {
     /// What it tells of the next resolution.
     pub(crate) fn seen(&self) -> Seen {
         let shear = self.rubbing.as_ref().and_then(|rubbing| rubbing.shear);
-        Seen { numbers: self.numbers, traces: Traces { pressure: self.pressure, shear } }
+        Seen { numbers: self.numbers, traces: Traces { pressure: self.pressure, shear, is_stacked: self.is_stacked } }
     }
 }
 
@@ -158,7 +160,7 @@ impl Stage {
         let mean = self.normal.mean();
         let mut pressure = [0.0; Traces::AT.len()];
         self.normal.values_into(&Traces::stations(self.normal.half_width), &mut pressure);
-        Ok(Outcome { numbers, rubbing, size, pressure: pressure.map(|p| p / mean) })
+        Ok(Outcome { numbers, rubbing, size, pressure: pressure.map(|p| p / mean), is_stacked: false })
     }
 
     /// Pressure at points strictly inside the contact solved last.
