@@ -2,7 +2,7 @@
 
 use super::document::Document;
 use super::{Load, Scene, SceneError};
-use slipzone_api::{Base, Friction};
+use slipzone_api::{Base, Friction, PunchShape};
 use toml::de::DeValue;
 
 type Check = fn(&Document, &Scene) -> Result<(), SceneError>;
@@ -130,12 +130,23 @@ fn load(document: &Document, scene: &Scene) -> Result<(), SceneError> {
         Load::HalfWidth(b) if b.get() <= face => Err(document
             .not_allowed(&["load", "half_width"], format!("above {face}, the half-width of the punch's flat face"))
             .hint("the contact is as wide as the face before there is any load")),
+        Load::HalfWidth(b) if let Some(x) = shape.as_ref().and_then(|shape| without_height(&**shape, b.get())) => {
+            Err(document
+                .not_allowed(&["load", "half_width"], "a contact within which the punch has a height everywhere")
+                .hint(format!("at x = {x} it has none: a division by zero, or a root of a negative number?")))
+        }
         Load::Indentation(_) if scene.layer.base == Base::Infinite => Err(document
             .error(document.key(&["load", "indentation"]), "an indentation on a solid without a base")
             .found("`indentation`, which is undefined there: it grows without bound with the depth of the datum")
             .expected(if fixed.is_some() { "`force`" } else { "`force` or `half_width`" })),
         _ => Ok(()),
     }
+}
+
+/// A point under a contact of that half-width at which the punch is not defined, of those where that is likely.
+fn without_height(shape: &dyn PunchShape, half_width: f64) -> Option<f64> {
+    let inside = shape.kinks().iter().copied().filter(|kink| *kink < half_width);
+    inside.chain([half_width]).find(|&x| !shape.height(x).is_finite())
 }
 
 fn friction(document: &Document, scene: &Scene) -> Result<(), SceneError> {

@@ -296,7 +296,8 @@ fn what_a_shape_claims_must_hold_together() {
         change(&mut claims);
         super::contracts::shape(&claims)
     };
-    let cases: [(fn(&mut Claims), &str); 13] = [
+    type Change = fn(&mut Claims);
+    let cases: [(Change, &str); 13] = [
         (|c| c.face = -1.0, "face() = -1"),
         (|c| c.face = f64::NAN, "face() = NaN"),
         (|c| c.face = 0.5, "but height(0.5) = 0.125"),

@@ -62,10 +62,10 @@ impl Graph {
         if let Some(flaw) = graph.flaw(TIP * graph.natural_length) {
             return Err(Fault::new(&[], format!("{} from its tip on", flaw.what))
                 .found(format!(
-                    "height({0:.4e}) = {1:.4e}, slope({0:.4e}) = {2:.4e}",
-                    flaw.x,
-                    graph.height(flaw.x),
-                    graph.slope(flaw.x)
+                    "height({0}) = {1}, slope({0}) = {2}",
+                    short(flaw.x),
+                    short(graph.height(flaw.x)),
+                    short(graph.slope(flaw.x))
                 ))
                 .expected("a height that rises from x = 0, the steeper the further out"));
         }
@@ -119,7 +119,9 @@ impl Graph {
             let (right, left) = (self.formula.at(x).value, self.formula.at(-x).value);
             let allowed = ASYMMETRIC * right.abs().max(left.abs());
             // Written so that a left side without a value counts; a right side without one is no matter of symmetry.
-            let is_symmetric = right.is_nan() || right == sign * left || (right - sign * left).abs() <= allowed;
+            // Infinite on both sides is symmetric too.
+            let alike = right.to_bits() == (sign * left).to_bits();
+            let is_symmetric = right.is_nan() || alike || (right - sign * left).abs() <= allowed;
             (!is_symmetric).then_some((x, right, left))
         })
     }
@@ -134,8 +136,8 @@ impl Graph {
                 ("opposite slopes on both sides", "write `x*abs(x)` for `x^2`: a slope changes its sign with x")
             }
         };
-        Fault::new(&[], format!("the punch is not symmetric at x = {x}"))
-            .found(format!("{key}({x}) = {right}, but {key}(-{x}) = {left}"))
+        Fault::new(&[], format!("the punch is not symmetric at x = {}", short(x)))
+            .found(format!("{key}({0}) = {1}, but {key}(-{0}) = {2}", short(x), short(right), short(left)))
             .expected(rule)
             .hint(hint)
     }
@@ -171,6 +173,13 @@ impl Graph {
         let middle = from + 0.5 * (to - from);
         self.panel(from, middle, depth + 1) + self.panel(middle, to, depth + 1)
     }
+}
+
+/// A number for people, with five digits at most.
+fn short(value: f64) -> String {
+    let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
+    let is_plain = rounded == 0.0 || (1e-4..1e6).contains(&rounded.abs()) || !rounded.is_finite();
+    if is_plain { rounded.to_string() } else { format!("{rounded:e}") }
 }
 
 impl PunchShape for Graph {
