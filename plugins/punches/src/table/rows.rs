@@ -96,13 +96,13 @@ fn push(rows: &mut Rows, row: [f64; 2]) -> Result<(), Wrong> {
             return Err(Wrong { column: Some(column), message, found: format!("`{value}`"), expected });
         }
     }
-    if let Some([before, _]) = rows.last() {
-        if row[0] <= *before {
-            let is_less = row[0] < *before;
-            let message = if is_less { "an x that does not ascend" } else { "an x that was there before" };
-            let (found, expected) = (format!("{} after {before}", row[0]), format!("an x above {before}"));
-            return Err(Wrong { column: Some(0), message, found, expected });
-        }
+    if let Some([before, _]) = rows.last()
+        && row[0] <= *before
+    {
+        let is_less = row[0] < *before;
+        let message = if is_less { "an x that does not ascend" } else { "an x that was there before" };
+        let (found, expected) = (format!("{} after {before}", row[0]), format!("an x above {before}"));
+        return Err(Wrong { column: Some(0), message, found, expected });
     }
     if rows.len() == MOST {
         let (found, expected) = (format!("row {}", MOST + 1), format!("at most {MOST} rows"));

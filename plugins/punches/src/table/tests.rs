@@ -1,3 +1,5 @@
+#![allow(clippy::float_cmp)] // where equality is asserted, it is exact by construction
+
 use super::*;
 use proptest::prelude::*;
 use slipzone_api::Place;
