@@ -34,6 +34,8 @@ pub(super) struct Graph {
     /// Where the formula is singular, or may be.
     kinks: Vec<f64>,
     corners: Vec<f64>,
+    /// Up to which kink the height is exactly 0.
+    face: f64,
 }
 
 impl Graph {
@@ -43,7 +45,8 @@ impl Graph {
     /// Whatever is wrong with it at and around the tip, hence under any load.
     pub(super) fn new(formula: Formula, gives: Gives) -> Result<Self, Fault> {
         let tip = if gives == Gives::Height { formula.at(0.0).value } else { 0.0 };
-        let mut graph = Self { formula, gives, tip, natural_length: 1.0, kinks: Vec::new(), corners: Vec::new() };
+        let mut graph =
+            Self { formula, gives, tip, natural_length: 1.0, kinks: Vec::new(), corners: Vec::new(), face: 0.0 };
         if !tip.is_finite() {
             return Err(Fault::new(&[], "the formula has no finite value at x = 0")
                 .found(format!("height(0) = {tip}"))
@@ -56,6 +59,7 @@ impl Graph {
         })?;
         graph.kinks = graph.formula.singular_points(graph.natural_length, MOST_KINKS);
         graph.corners = graph.kinks.iter().copied().filter(|&kink| graph.jumps(kink)).collect();
+        graph.face = graph.level();
         if let Some((x, right, left)) = graph.asymmetry(2.0 * graph.natural_length) {
             return Err(graph.asymmetric(x, right, left));
         }
@@ -96,6 +100,18 @@ impl Graph {
             return Some(if self.steepness(1.0).is_finite() { 1.0 } else { first });
         }
         Some(scales.take_while(|(_, slope)| *slope < limit).last().map_or(first, |(x, _)| x))
+    }
+
+    /// The last of the kinks up to which the formula is level, as under `max(0, abs(x) - 1)^2`.
+    fn level(&self) -> f64 {
+        let mut face = 0.0;
+        for &kink in self.kinks.iter().filter(|kink| **kink > 0.0) {
+            if self.steepness(face + 0.5 * (kink - face)) != 0.0 || self.height(kink) != 0.0 {
+                break;
+            }
+            face = kink;
+        }
+        face
     }
 
     /// Whether the slope has different limits on both sides: the difference stays as both sides close in.
@@ -219,6 +235,10 @@ impl PunchShape for Graph {
         let uneven = self.asymmetry(half_width).filter(|(x, ..)| *x < nearest);
         let uneven = uneven.map(|(x, ..)| Flaw { what: "the punch is not symmetric".into(), x });
         uneven.or(found)
+    }
+
+    fn face(&self) -> f64 {
+        self.face
     }
 
     fn kinks(&self) -> &[f64] {

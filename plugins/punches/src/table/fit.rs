@@ -404,6 +404,11 @@ impl PunchShape for Profile {
         Some(self.reach)
     }
 
+    fn face(&self) -> f64 {
+        let is_level = |piece: &&Piece| piece.slope == 0.0 && piece.bend == 0.0 && piece.growth == 0.0;
+        self.pieces.iter().find(|piece| !is_level(piece)).map_or(0.0, |piece| piece.from)
+    }
+
     fn flaw(&self, half_width: f64) -> Option<Flaw> {
         let flaw = self.flaws.first().filter(|flaw| flaw.x <= half_width).cloned();
         let end = (half_width > self.reach).then(|| Flaw { what: "the table ends".into(), x: self.reach });

@@ -111,6 +111,16 @@ fn a_wedge_keeps_its_corner() {
 }
 
 #[test]
+fn a_flat_face_is_found() {
+    let profile = of_points(sampled(-4.0, 4.0, 401, |x| 0.1 * (x.abs() - 2.0).max(0.0).powi(2)));
+    let face = profile.face();
+    // To within the pieces, four of them per unit.
+    assert!((1.5..=2.0).contains(&face), "{face}");
+    assert_eq!((profile.height(face), profile.slope(face)), (0.0, 0.0));
+    assert_eq!(of_points(sampled(0.0, 4.0, 50, |x| 0.05 * x * x)).face(), 0.0);
+}
+
+#[test]
 fn what_is_neither_convex_nor_symmetric_is_named() {
     for noise in [0.0, 1e-4] {
         let mut scatter = scatter();
