@@ -2,7 +2,7 @@
 
 use super::error_estimate::{ROUNDING, Seen, extrapolated, judged_by_twin};
 use super::layer::{Layer, Wanted};
-use super::problem::Problem;
+use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
 use super::stage::{Outcome, Stage, Task, Verdict};
 use crate::plan::Methods;
@@ -106,6 +106,30 @@ impl Ladder {
             judged.errors.set(given, 0.0);
         }
         Ok(judged)
+    }
+
+    /// Sizes of a contact on its way to a load that was refined already, each with an estimate of its error; `None` where
+    /// no stack tells them.
+    pub(super) fn on_the_way(
+        &mut self,
+        layer: &mut Layer,
+        problem: &Problem,
+        judged: &Judged,
+        tolerance: f64,
+        loads: &[LoadInLayerUnits],
+    ) -> Option<Vec<(Numbers, f64)>> {
+        let (How::Sequence { .. }, Some(coarse)) = (judged.how, judged.stage.checked_sub(1)) else { return None };
+        let half_width = judged.outcome.numbers.get(Quantity::HalfWidth)?;
+        let mut told = |index: usize| {
+            let task = Self::task(problem, tolerance, u32::try_from(index).ok()?);
+            self.stages[index].growing.as_mut()?.on_the_way(layer, task, half_width, loads)
+        };
+        let (coarse, fine) = (told(coarse)?, told(judged.stage)?);
+        let (_, error) = judged.errors.worst()?;
+        // What the last step of refinement changed, and what is left of that: at the last load it is known.
+        let changed: Vec<f64> = coarse.iter().zip(&fine).map(|(coarse, fine)| fine.change_from(coarse)).collect();
+        let left = (error / changed.last()?).clamp(1.0 / 32.0, 1.0);
+        Some(fine.into_iter().zip(changed).map(|(numbers, changed)| (numbers, error.max(left * changed))).collect())
     }
 
     /// Takes finer steps until the estimate meets the tolerance.

@@ -28,7 +28,7 @@ pub(crate) struct Stage {
     pub(crate) normal: Normal,
     /// Under a flat punch with friction.
     pub(crate) shear: Option<Shear>,
-    /// Of a contact that is solved as a stack of flat punches.
+    /// Of a contact that grows with the load.
     pub(crate) growing: Option<Growing>,
     slip_check: SlipCheck,
     /// The friction curve, and the half-width that it belongs to: it depends on no load.
@@ -121,7 +121,8 @@ impl Stage {
     pub(crate) fn new(problem: &Problem, quadrature: Box<dyn Quadrature>) -> Result<Self, Refusal> {
         let edge = if problem.fixed_half_width().is_some() { Edge::Sharp } else { Edge::Smooth };
         let normal = Normal::new(quadrature.as_ref(), edge)?;
-        let growing = problem.is_stacked().then(|| Growing::new(problem, quadrature.clone()));
+        let grows = problem.fixed_half_width().is_none();
+        let growing = grows.then(|| Growing::new(problem, quadrature.clone()));
         let shear = match (problem.friction, &growing) {
             (Some(_), None) => Some(Shear::new(quadrature)?),
             _ => None,
@@ -138,7 +139,7 @@ impl Stage {
         family: Option<&mut Family>,
     ) -> Result<Outcome, Refusal> {
         let problem = task.problem;
-        if let Some(growing) = &mut self.growing {
+        if let Some(growing) = self.growing.as_mut().filter(|growing| growing.is_solver) {
             return growing.solve(layer, task, &mut self.normal, coarse, family);
         }
         let size = if let Some(half_width) = problem.fixed_half_width() {
@@ -165,7 +166,7 @@ impl Stage {
 
     /// Pressure at points strictly inside the contact solved last.
     pub(crate) fn pressure_into(&mut self, problem: &Problem, at: &[Station], out: &mut [f64]) {
-        match &mut self.growing {
+        match self.growing.as_mut().filter(|growing| growing.is_solver) {
             Some(growing) => growing.pressure_into(problem, &self.normal, at, out),
             None => self.normal.values_into(at, out),
         }
@@ -173,7 +174,7 @@ impl Stage {
 
     /// Shear at such points, where the pressures are `pressure`; `None` where there is none to tell.
     pub(crate) fn shear(&mut self, problem: &Problem, at: &[Station], pressure: &[f64]) -> Option<Vec<f64>> {
-        match &mut self.growing {
+        match self.growing.as_mut().filter(|growing| growing.is_solver) {
             Some(growing) => growing.shear(problem, at, pressure),
             None => self.shear.as_ref().map(|shear| shear.values(at, pressure)),
         }
@@ -181,7 +182,7 @@ impl Stage {
 
     /// Friction coefficient of the shear, negative where the slip is outward.
     pub(crate) fn signed_friction(&self) -> Option<f64> {
-        match &self.growing {
+        match self.growing.as_ref().filter(|growing| growing.is_solver) {
             Some(growing) => growing.signed_friction(),
             None => self.shear.as_ref().map(|shear| shear.friction),
         }
@@ -381,7 +382,7 @@ impl Stage {
     /// Leaves the shear of the stick zone reported in `shear`, and checks it. Returns whether another zone than
     /// before is reported.
     pub(crate) fn settle(&mut self, layer: &mut Layer, task: Task, outcome: &mut Outcome) -> Result<bool, Refusal> {
-        if let Some(growing) = &mut self.growing {
+        if let Some(growing) = self.growing.as_mut().filter(|growing| growing.is_solver) {
             growing.settle(layer, task, outcome)?;
             return Ok(false);
         }
