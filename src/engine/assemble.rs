@@ -55,7 +55,8 @@ pub(super) fn solution(
         ..Solution::refused(scene, plan, String::new())
     };
     if let Some(noise) = problem.noise() {
-        let rest = format!("the punch's heights scatter by {noise:.1e} (root mean square) around the smooth shape taken");
+        let rest =
+            format!("the punch's heights scatter by {noise:.1e} (root mean square) around the smooth shape taken");
         solution.assumptions.push(rest);
     }
     match first_not_finite(&solution) {

@@ -1,6 +1,7 @@
 //! Refines a scene until its error estimate meets the tolerance.
 
 use super::error_estimate::{ROUNDING, Seen, extrapolated, judged_by_twin};
+use super::family::Family;
 use super::layer::{Layer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
@@ -31,6 +32,8 @@ const STALLED: usize = 3;
 #[derive(Default)]
 pub(super) struct Ladder {
     stages: Vec<Stage>,
+    /// Flat punches of the layer that another punch left behind, by resolution.
+    inherited: Vec<Option<Family>>,
 }
 
 /// How sure a solved contact is, and how that is known.
@@ -54,6 +57,16 @@ pub(super) enum How {
 }
 
 impl Ladder {
+    /// A ladder for another punch on a layer whose flat punches are known.
+    pub(super) fn inheriting(families: Vec<Option<Family>>) -> Self {
+        Self { stages: Vec::new(), inherited: families }
+    }
+
+    /// The flat punches that it leaves behind.
+    pub(super) fn into_families(self) -> Vec<Option<Family>> {
+        self.stages.into_iter().map(|stage| stage.growing?.family).collect()
+    }
+
     /// The stage that a solved contact lives in.
     pub(super) fn stage(&mut self, index: usize) -> &mut Stage {
         &mut self.stages[index]
@@ -217,7 +230,11 @@ impl Ladder {
         while self.stages.len() <= index {
             let missing = u32::try_from(index - self.stages.len()).expect("a few steps");
             let quadrature = methods.quadrature.refined(quadrature_level - missing);
-            self.stages.push(Stage::new(problem, quadrature)?);
+            let mut stage = Stage::new(problem, quadrature)?;
+            if let (Some(growing), Some(family)) = (&mut stage.growing, self.inherited.get_mut(self.stages.len())) {
+                growing.family = family.take();
+            }
+            self.stages.push(stage);
         }
         let task = Self::task(problem, tolerance, kernel_level);
         let (before, here) = self.stages.split_at_mut(index);

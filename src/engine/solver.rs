@@ -60,7 +60,7 @@ impl Solver {
 
     /// Prepares another scene of the same layer, with all that is known of the layer already; refuses a scene
     /// of another layer, or one that asks for other methods.
-    pub fn on(layer: Layer, scene: &Scene) -> Result<Self, Refusal> {
+    pub fn on(mut layer: Layer, scene: &Scene) -> Result<Self, Refusal> {
         let chosen = choose(scene);
         let problem = Problem::new(&chosen.scene)?;
         if !layer.is_of(&chosen.scene) {
@@ -69,13 +69,15 @@ impl Solver {
                 remedy: "prepare it by itself: `Solver::new`".into(),
             });
         }
-        Ok(Self { chosen, problem, layer, ladder: Ladder::default(), judged: None })
+        let ladder = Ladder::inheriting(layer.families_for(&chosen.scene));
+        Ok(Self { chosen, problem, layer, ladder, judged: None })
     }
 
     /// The layer, to be used under another punch.
     #[must_use]
     pub fn into_layer(self) -> Layer {
-        self.layer.describing(&self.chosen.scene)
+        let scene = &self.chosen.scene;
+        self.layer.describing(scene).keeping(scene, self.ladder.into_families())
     }
 
     /// Takes another load; of a path, that one alone.
@@ -164,7 +166,8 @@ impl Solver {
         let scaled: Vec<_> = loads.iter().map(scaled).collect();
         let found = ladder.on_the_way(layer, problem, judged, tolerance, &scaled)?;
         let point = |(load, (numbers, error)): (&Load, (Numbers, f64))| {
-            let judgement = if error <= tolerance { (Status::Converged, None) } else { (Status::NotConverged, reason.clone()) };
+            let judgement =
+                if error <= tolerance { (Status::Converged, None) } else { (Status::NotConverged, reason.clone()) };
             assemble::point(*load, problem, &numbers, Some(error), judgement)
         };
         Some(loads.iter().zip(found).map(point).collect())

@@ -138,12 +138,12 @@ fn load(document: &Document, scene: &Scene) -> Result<(), SceneError> {
         Load::HalfWidth(_) if smallest <= face => Err(document
             .not_allowed(&place, format!("above {face}, the half-width of the punch's flat face"))
             .hint("the contact is as wide as the face before there is any load")),
-        Load::HalfWidth(_) if hole.is_some() => Err(document
-            .not_allowed(&place, "a contact within which the punch has a height everywhere")
-            .hint(format!(
+        Load::HalfWidth(_) if hole.is_some() => {
+            Err(document.not_allowed(&place, "a contact within which the punch has a height everywhere").hint(format!(
                 "at x = {} it has none: a division by zero, or a root of a negative number?",
                 hole.unwrap_or_default()
-            ))),
+            )))
+        }
         Load::Indentation(_) if scene.layer.base == Base::Infinite => Err(document
             .error(document.key(&place), "an indentation on a solid without a base")
             .found("`indentation`, which is undefined there: it grows without bound with the depth of the datum")

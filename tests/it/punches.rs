@@ -18,7 +18,8 @@ const ETA: f64 = 0.3;
 const X: [f64; 6] = [0.03, 0.2, 0.45, 0.7, 0.93, 0.999];
 
 fn solved(punch: &str, friction: bool) -> Solution {
-    let friction = if friction { format!("friction = {{ type = \"goodman\", coefficient = {ETA} }}") } else { String::new() };
+    let friction =
+        if friction { format!("friction = {{ type = \"goodman\", coefficient = {ETA} }}") } else { String::new() };
     let text = format!(
         "format = 1\n{friction}\n[layer]\npoisson = {POISSON}\nbase = {{ type = \"infinite\" }}\n\
          grading = {{ type = \"homogeneous\", modulus = 1.0 }}\n[punch]\n{punch}\n[load]\nhalf_width = 1.0\n\
