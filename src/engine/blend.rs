@@ -7,12 +7,17 @@
 //! 9e-9 in `(b/B)^(1/3)`, 4e-9 by 17 in `b/B` and the logarithm. More logarithms are nearly alike and lose the digits.
 
 use super::dense::Dense;
+use arrayvec::ArrayVec;
+use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Refusal;
 use std::f64::consts::FRAC_PI_4;
 
 /// Polynomials tell `s^k log s` to about `n^-(2 k + 1)` by themselves. Where that is below this, the logarithm is too much
 /// like them to stand beside them.
 const ALIKE: f64 = 1e-8;
+
+/// Most half-widths.
+const MOST: usize = 512;
 
 /// Half-widths at which functions are known, and how they are told in between.
 #[derive(Clone, Debug)]
@@ -22,7 +27,7 @@ pub(crate) struct Blend {
     order: i32,
     /// Descending.
     half_widths: Vec<f64>,
-    /// `inverse[k * n + m]`: how much of the function `m` a value at the point `k` is.
+    /// `inverse[m * n + k]`: how much of the function `m` a value at the point `k` is.
     inverse: Vec<f64>,
 }
 
@@ -30,6 +35,7 @@ impl Blend {
     /// So many half-widths up to a widest, crowding at both ends like Chebyshev points; for functions whose first
     /// logarithm goes with that power.
     pub(crate) fn new(widest: f64, n: usize, order: i32) -> Result<Self, Refusal> {
+        let n = n.min(MOST);
         let angle = |k: usize| (2 * k + 1) as f64 * FRAC_PI_4 / n as f64;
         let at: Vec<f64> = (0..n).map(|k| angle(k).cos().powi(2)).collect();
         let mut system = Dense::new(n, n);
@@ -39,7 +45,8 @@ impl Blend {
         // Unit values at one point after another.
         system.columns.iter_mut().step_by(n + 1).for_each(|one| *one = 1.0);
         system.solve(n)?;
-        Ok(Self { widest, order, half_widths: at.iter().map(|s| widest * s).collect(), inverse: system.columns })
+        let inverse = (0..n * n).map(|i| system.columns[i % n * n + i / n]).collect();
+        Ok(Self { widest, order, half_widths: at.iter().map(|s| widest * s).collect(), inverse })
     }
 
     /// The widest.
@@ -57,9 +64,37 @@ impl Blend {
         let n = self.half_widths.len();
         shares.clear();
         shares.resize(n, 0.0);
-        for (function, column) in functions(half_width / self.widest, n, self.order).zip(0..) {
-            let of_function = self.inverse[column..].iter().step_by(n);
-            shares.iter_mut().zip(of_function).for_each(|(share, inverse)| *share += inverse * function);
+        let factors: ArrayVec<f64, MOST> = functions(half_width / self.widest, n, self.order).collect();
+        add_rows(&factors, &self.inverse, shares);
+    }
+}
+
+/// The sum of the rows of a table, each so many times, added to what there is.
+pub(crate) fn add_rows(factors: &[f64], rows: &[f64], to: &mut [f64]) {
+    Arch::new().dispatch(AddRows { factors, rows, to });
+}
+
+struct AddRows<'a> {
+    factors: &'a [f64],
+    rows: &'a [f64],
+    to: &'a mut [f64],
+}
+
+impl WithSimd for AddRows<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        for (factor, row) in self.factors.iter().zip(self.rows.chunks_exact(self.to.len())) {
+            let (row, row_rest) = S::as_simd_f64s(row);
+            let (to, to_rest) = S::as_mut_simd_f64s(self.to);
+            let wide = simd.splat_f64s(*factor);
+            for (to, row) in to.iter_mut().zip(row) {
+                *to = simd.mul_add_e_f64s(wide, *row, *to);
+            }
+            for (to, row) in to_rest.iter_mut().zip(row_rest) {
+                *to += factor * row;
+            }
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! All that a flat punch answers varies smoothly with its half-width; it is solved at a few and told in between.
 
-use super::blend::Blend;
+use super::blend::{Blend, add_rows};
 use super::dense::Dense;
 use super::layer::{Layer, Wanted};
 use super::problem::Problem;
@@ -18,7 +18,7 @@ const POINTS: (f64, f64, f64) = (5.0, 0.6, 0.5);
 /// Doubt of a slope that a coarser resolution tells; see [`super::root::Near`].
 const SLOPE_DOUBT: f64 = 0.005;
 /// Error of the members' stick zones over the tolerance.
-const REFINED: f64 = 0.01;
+const REFINED: f64 = 0.1;
 /// Of so many points one is checked against the conditions of friction.
 const CHECKED: usize = 4;
 
@@ -57,6 +57,16 @@ struct Rubbed {
     checked: bool,
 }
 
+impl Rubbed {
+    /// The stick zone to be expected next, from the last two.
+    fn continued(&self, half_widths: &[f64], b: f64) -> Option<Rubbing> {
+        let ([.., b2, b1], [.., l2, l1]) = (half_widths, self.lambda.as_slice()) else { return None };
+        let lambda = l1 + (l1 - l2) / (b1 - b2) * (b - b1);
+        let root = Root { lambda, branch: self.branch, slope: *self.slope.last()?, doubt: f64::INFINITY };
+        Some(Rubbing::expected(root, b, true))
+    }
+}
+
 /// A few numbers at each point of a family.
 #[derive(Default)]
 struct Table {
@@ -75,9 +85,7 @@ impl Table {
     fn blend_into(&self, shares: &[f64], out: &mut Vec<f64>) {
         out.clear();
         out.resize(self.width, 0.0);
-        for (share, row) in shares.iter().zip(self.numbers.chunks_exact(self.width)) {
-            out.iter_mut().zip(row).for_each(|(out, number)| *out += share * number);
-        }
+        add_rows(shares, &self.numbers, out);
     }
 }
 
@@ -199,7 +207,7 @@ impl Family {
         self.tilt = Table::default();
         self.depth.clear();
         let half_widths = self.blend.half_widths().to_vec();
-        let mut before = None;
+        let mut before: Option<Rubbing> = None;
         if self.friction.is_some() && coarse.as_ref().is_none_or(|coarse| coarse.rubbed.is_none()) {
             // The contact itself, by a search of its own: the others follow.
             let flat = member(task.problem, contact, true);
@@ -208,7 +216,7 @@ impl Family {
             if found.reported().is_none() {
                 return Err(Unfit::Friction(contact, Box::new(found.clone())));
             }
-            before = Some(outcome);
+            before = outcome.rubbing;
         }
         let count = half_widths.len();
         let mut rubbed = Rubbed {
@@ -218,46 +226,78 @@ impl Family {
             shear: Table::default(),
             checked: true,
         };
-        let known = coarse.as_ref().is_some_and(|coarse| coarse.is_checked());
+        // What a coarser resolution found to hold is not checked again; without one, nothing is known well enough.
+        let (is_first, known) = (coarse.is_none(), coarse.as_ref().is_some_and(|coarse| coarse.is_checked()));
+        rubbed.checked = !is_first || self.friction.is_none();
         for (k, b) in half_widths.iter().copied().enumerate() {
             let flat = member(task.problem, b, self.friction.is_some());
             let task = Task { problem: &flat, ..task };
-            let asked = !known && k % CHECKED == 0;
-            let predicted = coarse.as_mut().and_then(|coarse| coarse.rubbing_at(b, !asked));
-            let start = predicted.map(Outcome::of_rubbing).or(before);
-            let outcome = self.stage.solve(layer, task, start.as_ref(), None)?;
+            let asked = !is_first && !known && k % CHECKED == 0;
+            let start = match coarse.as_mut().and_then(|coarse| coarse.rubbing_at(b, !asked)) {
+                Some(predicted) => Some(predicted),
+                None => rubbed.continued(&half_widths[..k], b).or(before.take()),
+            };
+            let root = if self.friction.is_some() {
+                match self.solve_member(layer, task, b, start, asked)? {
+                    Ok((root, checked)) => {
+                        rubbed.checked &= checked || !asked;
+                        Some(root)
+                    }
+                    Err(found) => return Err(Unfit::Friction(b, found)),
+                }
+            } else {
+                self.stage.press(layer, task, b)?;
+                None
+            };
             let normal = &self.stage.normal;
             self.pressure.push(normal.unknowns().iter().map(|p| p * b));
             self.tilted(layer, b)?;
             let depth = self.stage.normal.depth(layer, &flat);
             self.depth.push(depth.map_or(0.0, |depth| depth / flat.elastic.a0() + b.ln() / PI));
-            if let Some(found) = &outcome.rubbing {
-                let Some(root) = found.reported() else {
-                    return Err(Unfit::Friction(b, Box::new(found.clone())));
-                };
-                if k == 0 {
-                    rubbed.branch = root.branch;
-                } else if rubbed.branch.to_bits() != root.branch.to_bits() {
-                    let turned = "the direction of slip turns while the contact grows".into();
-                    return Err(Unfit::Friction(b, Box::new(found.clone().failing(turned))));
-                }
-                let root = self.stage.refined_root(layer, task, root, REFINED * task.tolerance)?;
-                let shear = self.stage.shear.as_mut().expect("friction has shear");
-                let grid = shear.grid();
-                if k > 0 && grid > shear.insisted() {
-                    shear.insist_on(grid);
-                    return Ok(false);
-                }
-                shear.insist_on(grid);
-                rubbed.lambda.push(root.lambda);
-                rubbed.slope.push(root.slope);
-                rubbed.shear.push(shear.unknowns().iter().copied().chain([shear.at_edge]).map(|q| q * b));
-                rubbed.checked &= !asked || found.is_checked();
+            let Some(root) = root else { continue };
+            if k == 0 {
+                rubbed.branch = root.branch;
+            } else if rubbed.branch.to_bits() != root.branch.to_bits() {
+                let turned = "the direction of slip turns while the contact grows".into();
+                return Err(Unfit::Friction(b, Box::new(Rubbing::expected(root, b, false).failing(turned))));
             }
-            before = Some(outcome);
+            let shear = self.stage.shear.as_mut().expect("friction has shear");
+            let grid = shear.grid();
+            if k > 0 && grid > shear.insisted() {
+                shear.insist_on(grid);
+                return Ok(false);
+            }
+            shear.insist_on(grid);
+            rubbed.lambda.push(root.lambda);
+            rubbed.slope.push(root.slope);
+            rubbed.shear.push(shear.unknowns().iter().copied().chain([shear.at_edge]).map(|q| q * b));
         }
         self.rubbed = self.friction.map(|_| rubbed);
         Ok(true)
+    }
+
+    /// Solves one member under friction from a guess of its stick zone, and leaves its pressure and shear in the stage: its
+    /// root, and whether the conditions of friction were found to hold; or else what is to be said of it.
+    fn solve_member(
+        &mut self,
+        layer: &mut Layer,
+        task: Task,
+        b: f64,
+        start: Option<Rubbing>,
+        asked: bool,
+    ) -> Result<Result<(Root, bool), Box<Rubbing>>, Refusal> {
+        let error = REFINED * task.tolerance;
+        if let Some(guess) = start.as_ref().and_then(Rubbing::reported).filter(|_| !asked)
+            && let Some(root) = self.stage.follow(layer, task, b, guess, error)?
+        {
+            return Ok(Ok((root, false)));
+        }
+        let start = start.map(Outcome::of_rubbing);
+        let outcome = self.stage.solve(layer, task, start.as_ref(), None)?;
+        let found = outcome.rubbing.expect("a stick zone, or why there is none");
+        let Some(root) = found.reported() else { return Ok(Err(Box::new(found))) };
+        let root = self.stage.follow(layer, task, b, root, error)?.unwrap_or(root);
+        Ok(Ok((root, found.is_checked())))
     }
 
     /// Checks the conditions of friction under some of the members up to a half-width; what the first that fails one
@@ -285,9 +325,16 @@ impl Family {
 
     /// The widest half-width up to `b` beyond which the stick zone shrinks while the contact grows, by more than rounding.
     pub(crate) fn shrinks(&self, b: f64, rounding: f64) -> Option<f64> {
-        let half_width = |i: usize| b * (i as f64 / 64.0).powi(2);
-        let at = |i: usize| self.zone(half_width(i)).half_width;
-        (1..64).rev().find(|i| at(*i + 1) < at(*i) * (1.0 - rounding)).map(half_width)
+        let zones = self.half_widths().iter().zip(&self.rubbed.as_ref()?.lambda);
+        let zones: Vec<(f64, f64)> =
+            zones.map(|(b, lambda)| (*b, StickZone::from_log(*lambda, *b).half_width)).collect();
+        let pair = zones.windows(2).find(|pair| pair[1].0 < b && pair[0].1 < pair[1].1 * (1.0 - rounding))?;
+        Some(pair[1].0)
+    }
+
+    /// Half-widths of the members solved, descending.
+    fn half_widths(&self) -> &[f64] {
+        self.blend.half_widths()
     }
 
     /// The stick zone of a contact of that half-width.
@@ -334,11 +381,11 @@ impl Family {
     }
 
     /// The stick zone of a member.
-    pub(crate) fn zone(&self, b: f64) -> StickZone {
+    pub(crate) fn zone(&mut self, b: f64) -> StickZone {
         let rubbed = self.rubbed.as_ref().expect("a family with friction");
-        let mut shares = Vec::new();
-        self.of_shear.shares_into(b, &mut shares);
-        StickZone::from_log(shares.iter().zip(&rubbed.lambda).map(|(share, number)| share * number).sum(), b)
+        self.of_shear.shares_into(b, &mut self.room.shares);
+        let lambda = self.room.shares.iter().zip(&rubbed.lambda).map(|(share, number)| share * number).sum();
+        StickZone::from_log(lambda, b)
     }
 
     /// Friction coefficient, negative where the slip is outward.

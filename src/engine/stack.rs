@@ -224,9 +224,9 @@ impl Stack {
     }
 
     /// Half-width at which the stick zone ended at a point; that of the face where it was never so narrow.
-    fn stuck_since(&self, family: &Family, b: f64, x: f64) -> f64 {
+    fn stuck_since(&self, family: &mut Family, b: f64, x: f64) -> f64 {
         let face = self.breaks[0];
-        let beyond = |half_width: f64| family.zone(half_width).half_width - x;
+        let mut beyond = |half_width: f64| family.zone(half_width).half_width - x;
         if face > 0.0 && beyond(face) >= 0.0 {
             return face;
         }

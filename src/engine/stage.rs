@@ -41,7 +41,7 @@ pub(crate) struct Stage {
 }
 
 /// What one resolution found.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Outcome {
     /// The numbers reported, in layer units.
     pub(crate) numbers: Numbers,
@@ -357,26 +357,47 @@ impl Stage {
         Ok(())
     }
 
-    /// A root once more, to within an error; its shear is left in `shear`.
-    pub(crate) fn refined_root(&mut self, layer: &Layer, task: Task, root: Root, error: f64) -> Result<Root, Refusal> {
-        const STEPS: usize = 4;
-        let target = root.branch * task.problem.friction.unwrap_or(0.0);
+    /// The pressure under a flat punch.
+    pub(crate) fn press(&mut self, layer: &mut Layer, task: Task, half_width: f64) -> Result<(), Refusal> {
+        layer.tabulate(Wanted { half_width, ..task.wanted })?;
+        self.normal.press_sharp(layer, task.problem, half_width)
+    }
+
+    /// The stick zone under a flat punch from a guess, to within an error; its shear is left in `shear`. `None` where the
+    /// guess was not near.
+    pub(crate) fn follow(
+        &mut self,
+        layer: &mut Layer,
+        task: Task,
+        half_width: f64,
+        guess: Root,
+        error: f64,
+    ) -> Result<Option<Root>, Refusal> {
+        const STEPS: usize = 6;
+        const WIDEST: f64 = 0.3;
+        self.press(layer, task, half_width)?;
+        self.refresh(layer);
+        let target = guess.branch * task.problem.friction.unwrap_or(0.0);
         let mut curve = self.curve(layer, task);
-        let Root { mut lambda, mut slope, .. } = root;
+        let (widest, Root { mut lambda, mut slope, .. }) = (curve.widest(), guess);
         let mut value = curve.at(lambda)?;
         for _ in 0..STEPS {
             let step = (target - value) / slope;
             if step.abs() < error {
-                lambda += step;
-                break;
+                return Ok(Some(Root { lambda: lambda + step, slope, ..guess }));
+            }
+            if step.is_nan() || step.abs() > WIDEST || lambda + step > widest {
+                return Ok(None);
             }
             let next = curve.at(lambda + step)?;
-            if (step.abs() > f64::EPSILON.sqrt()) && (next - value) / step * slope > 0.0 {
-                slope = (next - value) / step;
+            let measured = (next - value) / step;
+            // Differences of rounding have no slope; one of another sign is no neighbour's.
+            if step.abs() > f64::EPSILON.sqrt() && measured * slope > 0.0 {
+                slope = measured;
             }
             (lambda, value) = (lambda + step, next);
         }
-        Ok(Root { lambda, slope, ..root })
+        Ok(None)
     }
 
     /// Leaves the shear of the stick zone reported in `shear`, and checks it. Returns whether another zone than
