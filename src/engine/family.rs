@@ -418,7 +418,9 @@ impl Family {
         self.blend.shares_into(b, &mut self.room.shares);
         self.pressure.blend_into(&self.room.shares, &mut self.room.pressure);
         self.stage.normal.values_of(b, &self.room.pressure, at, out);
-        out.iter_mut().for_each(|p| *p /= b);
+        for p in out {
+            *p /= b;
+        }
     }
 
     /// What the shear of a member lacks to that of full sliding, `eta p - q`, at a point within its stick zone.

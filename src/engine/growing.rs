@@ -9,6 +9,7 @@ use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity, Traces};
 use super::stack::Stack;
 use super::stage::{Outcome, Rubbing, Task, Verdict, normal_numbers, peak};
+use super::traction_curve::{TractionCurve, WORTH};
 use slipzone_api::{Quadrature, Refusal, Station};
 
 /// By how much a family is wider than the contact expected: beside a size known from a coarser resolution, and beside a
@@ -31,6 +32,8 @@ pub(crate) struct Growing {
     quadrature: Box<dyn Quadrature>,
     pub(crate) family: Option<Family>,
     stack: Option<Stack>,
+    /// Error wanted.
+    tolerance: f64,
     /// Half-width of the present contact.
     half_width: f64,
     force: f64,
@@ -48,6 +51,7 @@ impl Growing {
             quadrature,
             family: None,
             stack: None,
+            tolerance: 1.0,
             half_width: 0.0,
             force: 0.0,
             is_solver: problem.is_stacked(),
@@ -84,15 +88,12 @@ impl Growing {
         let room = room.min(problem.reach() / size.half_width).max(1.0);
         self.provide(layer, task, size.half_width, room, coarse_family)?;
         let size = if self.is_kinked { self.widen(layer, task, size)? } else { size };
-        self.half_width = size.half_width;
+        (self.half_width, self.tolerance) = (size.half_width, task.tolerance);
 
         let mut numbers =
             if self.is_kinked { self.stacked_numbers(layer, problem) } else { normal_numbers(layer, problem, normal) };
         self.force = numbers.get(Quantity::Force).expect("every contact has one");
-        let rubbing = match problem.friction {
-            Some(_) => Some(self.rub(problem, normal)),
-            None => None,
-        };
+        let rubbing = problem.friction.map(|_| self.rub(problem, normal));
         if let Some(rubbing) = &rubbing {
             rubbing.report(&mut numbers);
         }
@@ -293,8 +294,13 @@ impl Growing {
             return normal.values_into(at, out);
         }
         let (Some(family), Some(stack)) = (&mut self.family, &self.stack) else { unreachable!("provided before") };
-        for (at, out) in at.iter().zip(out) {
-            *out = stack.pressure(problem, family, self.half_width, at.x);
+        let b = self.half_width;
+        let mut pressure = |x: f64| stack.pressure(problem, family, b, x);
+        if at.len() > WORTH && problem.corners().all(|corner| corner >= b) {
+            let curve = TractionCurve::new(&stack.pressure_ends(b), self.tolerance, pressure);
+            out.iter_mut().zip(at).for_each(|(out, at)| *out = curve.value(at.x.abs()));
+        } else {
+            out.iter_mut().zip(at).for_each(|(out, at)| *out = pressure(at.x));
         }
     }
 
@@ -305,14 +311,21 @@ impl Growing {
         }
         let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return None };
         problem.friction?;
-        let zone = family.zone(self.half_width);
-        let friction = family.signed_friction();
+        let (b, zone, friction) = (self.half_width, family.zone(self.half_width), family.signed_friction());
+        let curve = (at.len() > WORTH).then(|| {
+            let ends = stack.shear_ends(family, b);
+            TractionCurve::new(&ends, self.tolerance, |x| stack.lack(problem, family, b, x))
+        });
+        let mut lack = |x: f64| match &curve {
+            Some(curve) => curve.value(x),
+            None => stack.lack(problem, family, b, x),
+        };
         let one = |(at, p): (&Station, &f64)| {
             let x = at.x.abs();
             if x == 0.0 {
                 return 0.0;
             }
-            let lack = if x < zone.half_width { stack.lack(problem, family, self.half_width, x) } else { 0.0 };
+            let lack = if x < zone.half_width { lack(x) } else { 0.0 };
             (friction * p - lack) * 1.0_f64.copysign(at.x)
         };
         Some(at.iter().zip(pressure).map(one).collect())

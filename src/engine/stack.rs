@@ -18,17 +18,21 @@ const COEFFICIENTS: (usize, usize) = (12, 96);
 /// Power of the variable in which the force over the first piece is a series.
 const POWER: i32 = 2;
 
-/// Grids for integrals over the half-width, and how far in `ln b'` the first of them reaches.
-const GRIDS: usize = 4;
-const WAY: f64 = 3.0;
+/// Sets of nodes for integrals over the half-width, and by how much in `ln b'` each reaches farther than the one before.
+const WAYS: (usize, f64) = (6, 1.5);
+/// Power of the variable of Gauss and Legendre that is the part of the way: square roots at its beginning become powers,
+/// and a logarithm beside one goes with the sixth.
+const GATHERED: i32 = 4;
 
 /// The force under one punch over all half-widths of a family, and what is stacked with it.
 pub(crate) struct Stack {
     pieces: Vec<Piece>,
     /// Where the shape is not analytic, within the contact, both ends of it included.
     breaks: Vec<f64>,
-    /// Of unit length; each has so many times the nodes of the first.
-    grids: [Vec<Node>; GRIDS],
+    /// Of unit length, for integrals over the shape.
+    grid: Vec<Node>,
+    /// For integrals over the half-width: parts of the way and their weights, more of them for longer ways.
+    ways: [Vec<[f64; 2]>; WAYS.0],
     room: Room,
 }
 
@@ -65,8 +69,9 @@ impl Stack {
         let mut breaks = vec![face];
         breaks.extend(problem.kinks().filter(|kink| *kink > face && *kink < widest));
         breaks.push(widest);
-        let grids = std::array::from_fn(|i| double_exponential::nodes(1.0, (i + 1) * nodes));
-        let mut stack = Self { pieces: Vec::new(), breaks, grids, room: Room::default() };
+        let grid = double_exponential::nodes(1.0, nodes);
+        let ways = std::array::from_fn(|i| way(nodes * (2 + i) / 3));
+        let mut stack = Self { pieces: Vec::new(), breaks, grid, ways, room: Room::default() };
         for i in 1..stack.breaks.len() {
             let (from, to) = (stack.breaks[i - 1], stack.breaks[i]);
             let piece = stack.piece(problem, family, from, to, digits);
@@ -91,7 +96,7 @@ impl Stack {
                     let b = to * s.powi(POWER);
                     let force = self.force_by_tilt(problem, family, b);
                     let slope = problem.slope(b);
-                    let mean: f64 = self.grids[0].iter().map(|x| x.weight * problem.slope(b * x.from_lower)).sum();
+                    let mean: f64 = self.grid.iter().map(|x| x.weight * problem.slope(b * x.from_lower)).sum();
                     // Slopes too small for a number: as if they went on as they are farther out.
                     let (rho, kappa) = if slope == 0.0 {
                         (*rhos.last().unwrap_or(&0.0), *kappas.last().unwrap_or(&1.0))
@@ -119,14 +124,13 @@ impl Stack {
         member: &mut dyn FnMut(&[Station], &mut [f64]),
         of_shape: impl Fn(f64) -> f64,
     ) -> f64 {
+        let ends = self.pressure_ends(b);
         let Room { at, weights, values } = &mut self.room;
         at.clear();
         weights.clear();
-        let start = [0.0].into_iter().filter(|_| self.breaks[0] > 0.0);
-        let ends: Vec<f64> = start.chain(self.breaks.iter().copied().filter(|x| *x < b)).chain([b]).collect();
         for ends in ends.windows(2) {
             let length = ends[1] - ends[0];
-            for node in &self.grids[0] {
+            for node in &self.grid {
                 let x = ends[0] + length * node.from_lower;
                 let gap = length * node.to_upper + (b - ends[1]);
                 at.push(Station { x, gap });
@@ -179,12 +183,6 @@ impl Stack {
         root.ok().map(|root| root.root())
     }
 
-    /// The grid for a way so long.
-    fn grid(&self, way: f64) -> &[Node] {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most GRIDS
-        &self.grids[((way / WAY) as usize).min(GRIDS - 1)]
-    }
-
     /// `int F(b', b' - from) dP(b')` from `from` to `b`.
     fn stacked(&self, problem: &Problem, from: f64, b: f64, mut f: impl FnMut(f64, f64) -> f64) -> f64 {
         let mut sum = 0.0;
@@ -193,19 +191,23 @@ impl Stack {
             if lower >= upper {
                 continue;
             }
-            // In proportion, where that is a long way: what is stacked varies with `x/b'`.
-            let way = if lower > 0.0 { (upper / lower).ln() } else { 0.0 };
-            for node in self.grid(way) {
-                let (beyond, weight) = if way > 0.0 {
-                    let beyond = lower * (way * node.from_lower).exp_m1();
-                    (beyond, way * node.weight * (lower + beyond))
-                } else {
-                    ((upper - lower) * node.from_lower, (upper - lower) * node.weight)
-                };
+            // In proportion: what is stacked varies with `x/b'`. From a point there are no proportions.
+            let proportion = if lower > 0.0 { (upper / lower).ln() } else { 0.0 };
+            let mut add = |beyond: f64, weight: f64| {
                 let member = lower + beyond;
                 let to_piece = (lower - piece.from) + beyond;
                 let (_, rate) = piece.force_and_rate(problem, member, to_piece);
                 sum += weight * rate * f(member, (lower - from) + beyond);
+            };
+            if lower > 0.0 {
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most WAYS.0
+                let way = &self.ways[((proportion / WAYS.1) as usize).min(WAYS.0 - 1)];
+                for [part, weight] in way {
+                    let beyond = lower * (proportion * part).exp_m1();
+                    add(beyond, proportion * weight * (lower + beyond));
+                }
+            } else {
+                self.grid.iter().for_each(|node| add(upper * node.from_lower, upper * node.weight));
             }
         }
         sum
@@ -237,12 +239,35 @@ impl Stack {
             .map_or(b, |root| root.root())
     }
 
+    /// Where the pressure of a contact is not analytic, its middle and its edge included.
+    pub(crate) fn pressure_ends(&self, b: f64) -> Vec<f64> {
+        let start = [0.0].into_iter().filter(|_| self.breaks[0] > 0.0);
+        start.chain(self.breaks.iter().copied().filter(|x| *x < b)).chain([b]).collect()
+    }
+
+    /// Where the shear of a stick zone is not: where the zone ended when the contact's edge met a break.
+    pub(crate) fn shear_ends(&self, family: &mut Family, b: f64) -> Vec<f64> {
+        let met = self.breaks.iter().filter(|x| **x > 0.0 && **x < b).map(|x| family.zone(*x).half_width);
+        let met: Vec<f64> = met.collect();
+        [0.0].into_iter().chain(met).chain([family.zone(b).half_width]).collect()
+    }
+
     /// What the shear at a point of the stick zone lacks to that of full sliding.
     pub(crate) fn lack(&self, problem: &Problem, family: &mut Family, b: f64, x: f64) -> f64 {
         let x = x.abs();
         let since = self.stuck_since(family, b, x);
         self.stacked(problem, since, b, |member, _| family.lack(member, x))
     }
+}
+
+/// Parts of a way and their weights (Gauss and Legendre).
+fn way(nodes: usize) -> Vec<[f64; 2]> {
+    let rule = bilby::GaussLegendre::new(nodes).expect("nodes").rule().clone();
+    let each = rule.nodes.iter().zip(&rule.weights).map(|(node, weight)| {
+        let at = 0.5 * (1.0 + node);
+        [at.powi(GATHERED), 0.5 * weight * f64::from(GATHERED) * at.powi(GATHERED - 1)]
+    });
+    each.collect()
 }
 
 impl Piece {
