@@ -11,6 +11,7 @@ use super::stick_search::Root;
 use super::stick_zone::StickZone;
 use slipzone_api::{Component, Density, Edge, Parity, PunchShape, Quadrature, Refusal, Rule, Span, Station};
 use std::f64::consts::PI;
+use std::ops::Range;
 
 /// Points: at least, and more per unknown of the pressure; so many times more for each doubling of the widest half-width
 /// beyond the layer's length.
@@ -283,9 +284,9 @@ impl Family {
         Ok(None)
     }
 
-    /// The widest half-width up to `b` beyond which the stick zone shrinks while the contact grows, by more than rounding.
-    pub(crate) fn shrinks(&self, b: f64, rounding: f64) -> Option<f64> {
-        let half_width = |i: usize| b * (i as f64 / 64.0).powi(2);
+    /// The widest of the half-widths that a contact grows through beyond which the stick zone shrinks, by more than rounding.
+    pub(crate) fn shrinks(&self, through: Range<f64>, rounding: f64) -> Option<f64> {
+        let half_width = |i: usize| through.start + (through.end - through.start) * (i as f64 / 64.0).powi(2);
         let at = |i: usize| self.zone(half_width(i)).half_width;
         (1..64).rev().find(|i| at(*i + 1) < at(*i) * (1.0 - rounding)).map(half_width)
     }

@@ -205,3 +205,11 @@ fn the_pressure_under_a_sharp_tip_is_unbounded() {
         assert!(solution.profile.shear.is_none_or(|shear| shear[0] == Some(0.0)));
     }
 }
+
+/// Where in its growth a contact first defies the search moves with the resolution: all 14 were solved, for half a minute.
+#[test]
+fn a_history_that_cannot_be_told_is_not_refined_for_ever() {
+    let solution = Sketch::flat(4.4, 1.0, 0.5).cylinder().rubbing(0.1).with("[solver]\ntolerance = 1e-4").solve();
+    assert_eq!(solution.status, Status::AssumptionViolated, "{:?}", solution.reason);
+    assert!(solution.plan.unknowns < 60, "{} unknowns", solution.plan.unknowns);
+}
