@@ -13,6 +13,7 @@
 
 mod assembly;
 mod flexibility;
+mod growing;
 mod kernel;
 mod layer;
 mod methods;
@@ -43,6 +44,7 @@ fn main() {
     published::benchmarks(&mut criterion);
     reuse::benchmarks(&mut criterion);
     thin::benchmarks(&mut criterion);
+    growing::benchmarks(&mut criterion);
     criterion.final_summary();
 }
 

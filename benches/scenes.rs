@@ -79,6 +79,12 @@ pub(crate) fn thin(width_over_thickness: f64) -> Scene {
     scene("thin", &text)
 }
 
+/// A cylinder and a wedge with friction on the same layer, their contacts as wide as the flat punch.
+pub(crate) fn growing() -> [Scene; 2] {
+    let of = |punch: &str| format!("format = 1\n{LAYER}{punch}{FRICTION}[load]\nhalf_width = 1.0\n");
+    [scene("cylinder", &of(CYLINDER)), scene("wedge", &of("[punch]\ntype = \"wedge\"\nslope = 0.1\n"))]
+}
+
 fn scene(name: &str, text: &str) -> Scene {
     parse(name, text).unwrap_or_else(|e| panic!("{e}"))
 }

@@ -32,10 +32,7 @@ mod tests {
             for (line, text) in scenes {
                 let scene = crate::scene::parse(name, &text).unwrap_or_else(|e| panic!("{name}:{line}: {e}"));
                 let solution = crate::engine::solve(&scene);
-                // The pressure under a kink converges slowly; its numbers come with their errors all the same.
-                let has_kinks = scene.punch.shape().is_ok_and(|shape| !shape.kinks().is_empty());
-                let is_slow = has_kinks && solution.status == Status::NotConverged;
-                assert!(solution.status == Status::Converged || is_slow, "{name}:{line}: {:?}", solution.reason);
+                assert_eq!(solution.status, Status::Converged, "{name}:{line}: {:?}", solution.reason);
             }
         }
     }

@@ -3,7 +3,7 @@
 use super::finite::first_not_finite;
 use super::loading_curve::Point;
 use super::problem::Problem;
-use super::quantity::Quantity;
+use super::quantity::{Numbers, Quantity};
 use super::refine::{How, Judged};
 use super::solution::{
     EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Slip, Solution, Status, StickReport,
@@ -26,8 +26,8 @@ pub(super) fn solution(
     let (length, stress) = (problem.length, problem.stress);
     let number = |quantity, unit: f64| judged.outcome.numbers.get(quantity).map(|value| value * unit);
     let b = judged.outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
-    let load = load(scene.load, problem, judged);
-    let solution = Solution {
+    let load = load(scene.load, problem, &judged.outcome.numbers);
+    let mut solution = Solution {
         status,
         reason,
         pressure: PressureReport {
@@ -54,6 +54,11 @@ pub(super) fn solution(
         profile: profile(scene, problem, stage, b),
         ..Solution::refused(scene, plan, String::new())
     };
+    if let Some(noise) = problem.noise() {
+        let rest =
+            format!("the punch's heights scatter by {noise:.1e} (root mean square) around the smooth shape taken");
+        solution.assumptions.push(rest);
+    }
     match first_not_finite(&solution) {
         None => Ok(solution),
         Some(number) => Err(Refusal::OutOfReach {
@@ -65,9 +70,9 @@ pub(super) fn solution(
 }
 
 /// Load and what it does.
-fn load(load: Load, problem: &Problem, judged: &Judged) -> LoadReport {
+fn load(load: Load, problem: &Problem, numbers: &Numbers) -> LoadReport {
     let (length, stress) = (problem.length, problem.stress);
-    let number = |quantity, unit: f64| judged.outcome.numbers.get(quantity).map(|value| value * unit);
+    let number = |quantity, unit: f64| numbers.get(quantity).map(|value| value * unit);
     // What the scene gives is reported as given, not after its way through the layer's units.
     let given = |kind| (load.kind() == kind).then_some(load.value().get());
     LoadReport {
@@ -77,13 +82,19 @@ fn load(load: Load, problem: &Problem, judged: &Judged) -> LoadReport {
     }
 }
 
-/// A solved contact as a point of a loading curve.
-pub(super) fn point(given: Load, problem: &Problem, judged: &Judged, judgement: (Status, Option<String>)) -> Point {
+/// A solved contact as a point of a loading curve; `error` is the largest of its numbers.
+pub(super) fn point(
+    given: Load,
+    problem: &Problem,
+    numbers: &Numbers,
+    error: Option<f64>,
+    judgement: (Status, Option<String>),
+) -> Point {
     let number = |quantity| {
         let unit = if quantity == Quantity::StickRatio { 1.0 } else { problem.length };
-        judged.outcome.numbers.get(quantity).map(|value| value * unit)
+        numbers.get(quantity).map(|value| value * unit)
     };
-    Point::found(load(given, problem, judged), number, judged, judgement)
+    Point::found(load(given, problem, numbers), number, error, judgement)
 }
 
 /// How the errors were estimated, in words.

@@ -89,7 +89,8 @@ pub(crate) fn press(
     }
     let start = known.map_or_else(|| first_size(problem, target, by_force), |size| size.half_width);
     let position = POSITION * tolerance;
-    let (log_b, slope) = search(start.ln(), if known.is_some() { 0.01 } else { LN_2 }, position, &mut excess)?;
+    let first_step = if known.is_some() { 0.01 } else { LN_2 };
+    let (log_b, slope) = search((start.ln(), problem.reach().ln()), first_step, position, &mut excess)?;
     let missed = excess(log_b)?.abs();
     let slope = if SLOPES.contains(&slope) { slope } else { f64::NAN };
     Ok(Size { half_width: log_b.exp(), slope, missed })
@@ -127,14 +128,14 @@ fn roomy(half_width: f64) -> f64 {
     half_width.log2().ceil().exp2().max(half_width)
 }
 
-/// The root from a start that may be far off, and the slope there.
+/// The root from a start that may be far off and below a limit, and the slope there.
 fn search(
-    start: f64,
+    (start, limit): (f64, f64),
     step: f64,
     position: f64,
     excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
 ) -> Result<(f64, f64), Refusal> {
-    let (lower, upper) = bracket(excess, start, step)?;
+    let (lower, upper) = bracket(excess, start.min(limit), limit, step)?;
     let mut last = [(lower, 0.0); 2];
     let position = position.max(4.0 * f64::EPSILON * lower.abs().max(1.0));
     let found = Toms748Root::new(lower, upper).with_absolute_position_tolerance(position).solve(|log_b| {
@@ -158,13 +159,17 @@ fn search(
 fn bracket(
     excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
     start: f64,
+    limit: f64,
     mut step: f64,
 ) -> Result<(f64, f64), Refusal> {
     let from = excess(start)?;
     let direction = if from > 0.0 { -1.0 } else { 1.0 };
     let (mut here, mut growth) = (start, 2.0);
     for _ in 0..MOST_STEPS {
-        let next = here + direction * step;
+        let next = (here + direction * step).min(limit);
+        if next <= here && direction > 0.0 {
+            return Err(outgrown());
+        }
         match excess(next) {
             Ok(excess) if excess * direction >= 0.0 => return Ok((here.min(next), here.max(next))),
             Ok(_) => {
@@ -198,6 +203,15 @@ fn first_size(problem: &Problem, target: f64, by_force: bool) -> f64 {
         b *= 2.0;
     }
     if problem.has_base() { b.min(WIDEST_START) } else { b }
+}
+
+/// The load asks for more of the shape than there is.
+pub(crate) fn outgrown() -> Refusal {
+    Refusal::OutOfReach {
+        method: "contact size",
+        why: "under this load the contact would outgrow the punch, whose shape is known no further out".into(),
+        remedy: "take a smaller load, or give the shape further out",
+    }
 }
 
 pub(crate) fn no_size(why: String) -> Refusal {

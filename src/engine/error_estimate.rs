@@ -19,6 +19,8 @@ const SLOWER: f64 = 0.25;
 /// Shares of the largest of all differences that a number's own is not believed to be below, among those of the pressure
 /// and of the shear. A stick zone is known far better than the shear beside its ends.
 const SHARES: [f64; 2] = [0.5, 1e-4];
+/// That of the shear where it is stacked: it is asked for as well as the zone.
+const STACKED_SHARE: f64 = 0.5;
 /// Factor on what the differences give.
 const SAFETY: f64 = 2.0;
 /// No number is claimed to be better than this: rounding of a dense solve of a few hundred unknowns.
@@ -53,7 +55,8 @@ pub(crate) fn extrapolated(history: &[Seen]) -> Option<Numbers> {
     for (quantity, d2) in late.numbers.iter() {
         let d1 = early.numbers.get(quantity).unwrap_or(1.0);
         let (of_all, least) = if quantity.is_of_shear() {
-            (of_shear, SHARES[1] * late.of_shear.max(late.of_pressure))
+            let share = if third.traces.is_stacked { STACKED_SHARE } else { SHARES[1] };
+            (of_shear, share * late.of_shear.max(late.of_pressure))
         } else {
             (of_pressure, SHARES[0] * late.of_pressure)
         };

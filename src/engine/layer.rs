@@ -1,5 +1,6 @@
 //! A layer prepared: its flexibility, and its kernels over the lengths asked for so far.
 
+use super::family::Family;
 use super::problem::Problem;
 use crate::plan::{Methods, choose};
 use crate::scene::Scene;
@@ -18,6 +19,8 @@ pub struct Layer {
     flexibility_evaluations: usize,
     /// The layer and the methods as a scene would write them.
     described: String,
+    /// Its flat punches by resolution, and the quadrature they were solved with.
+    families: (String, Vec<Option<Family>>),
 }
 
 /// Kernels over a range of lengths.
@@ -50,6 +53,7 @@ impl Layer {
             tables: None,
             flexibility_evaluations: 0,
             described: String::new(),
+            families: (String::new(), Vec::new()),
         })
     }
 
@@ -62,6 +66,16 @@ impl Layer {
     /// Takes note of the scene whose layer this is.
     pub(super) fn describing(self, scene: &Scene) -> Self {
         Self { described: description(scene), ..self }
+    }
+
+    /// Keeps the flat punches that were solved on the way.
+    pub(super) fn keeping(self, scene: &Scene, families: Vec<Option<Family>>) -> Self {
+        Self { families: (quadrature(scene), families), ..self }
+    }
+
+    /// The flat punches kept, where a scene is solved like them.
+    pub(super) fn families_for(&mut self, scene: &Scene) -> Vec<Option<Family>> {
+        if self.families.0 == quadrature(scene) { std::mem::take(&mut self.families.1) } else { Vec::new() }
     }
 
     /// Whether a scene is about this layer, to be solved by the same flexibility and kernels.
@@ -140,4 +154,9 @@ fn spread(half_width: f64) -> f64 {
 fn description(scene: &Scene) -> String {
     let solver = &scene.solver;
     serde_json::to_string(&(&scene.layer, &solver.flexibility, &solver.kernel)).expect("a scene is plain data")
+}
+
+/// How a scene's equations are discretised.
+fn quadrature(scene: &Scene) -> String {
+    serde_json::to_string(&scene.solver.quadrature).expect("a scene is plain data")
 }

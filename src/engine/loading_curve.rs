@@ -1,7 +1,6 @@
 //! Force, depth and sizes of a contact on the way to its last load.
 
-use super::quantity::Quantity;
-use super::refine::Judged;
+use super::quantity::{Numbers, Quantity};
 use super::solution::{LoadReport, Solution, Status};
 use super::solver::Solver;
 use crate::scene::{Load, LoadKind, LoadPath};
@@ -69,14 +68,18 @@ const ON_THE_CURVE: [Quantity; 5] =
     [Quantity::Force, Quantity::HalfWidth, Quantity::Indentation, Quantity::StickHalfWidth, Quantity::StickRatio];
 
 impl Point {
+    /// The largest error of the numbers of a point.
+    pub(super) fn error(errors: &Numbers) -> Option<f64> {
+        ON_THE_CURVE.into_iter().filter_map(|quantity| errors.get(quantity)).reduce(f64::max)
+    }
+
     /// A contact that was solved; `number` in the scene's units.
     pub(super) fn found(
         load: LoadReport,
         number: impl Fn(Quantity) -> Option<f64>,
-        judged: &Judged,
+        error: Option<f64>,
         (status, reason): (Status, Option<String>),
     ) -> Self {
-        let error = ON_THE_CURVE.into_iter().filter_map(|quantity| judged.errors.get(quantity)).reduce(f64::max);
         let (stick_half_width, stick_ratio) = (number(Quantity::StickHalfWidth), number(Quantity::StickRatio));
         Self { load, stick_half_width, stick_ratio, error, status, reason }
     }
@@ -125,19 +128,30 @@ impl Point {
 
 /// The curve through all loads; the solver is left pressed by the last of them.
 pub(super) fn curve(solver: &mut Solver, loads: &LoadPath) -> Curve {
-    let points: Vec<Point> = loads.loads().map(|load| point(solver, load)).collect();
+    let last = point(solver, loads.last());
+    let mut points = on_the_way(solver, loads);
+    points.push(last);
+    solver.press(loads.last());
     let scene = solver.scene();
     Curve::of(&points, loads, scene.layer.base != Base::Infinite, scene.friction.is_some())
 }
 
-/// The curve that ends in a solution: its last point has the solution's own numbers. The solver is left pressed by
-/// some load on the way.
+/// The curve that ends in a solution, found last: its last point has the solution's own numbers. The solver is left
+/// pressed by some load on the way.
 pub(super) fn curve_to(solver: &mut Solver, loads: &LoadPath, solution: &Solution) -> Curve {
-    let on_the_way = loads.loads().take(loads.points() - 1);
-    let mut points: Vec<Point> = on_the_way.map(|load| point(solver, load)).collect();
+    let mut points = on_the_way(solver, loads);
     points.push(Point::reported(solution));
     let scene = &solution.scene;
     Curve::of(&points, loads, scene.layer.base != Base::Infinite, scene.friction.is_some())
+}
+
+/// All points but the last, whose load was found before: by the stack of flat punches that found it, or one by one.
+fn on_the_way(solver: &mut Solver, loads: &LoadPath) -> Vec<Point> {
+    let earlier: Vec<Load> = loads.loads().take(loads.points() - 1).collect();
+    match solver.points_on_the_way(&earlier) {
+        Some(points) => earlier.iter().zip(points).map(|(load, point)| point.insisting(*load)).collect(),
+        None => earlier.iter().map(|load| point(solver, *load)).collect(),
+    }
 }
 
 /// One load, with what earlier ones left behind.

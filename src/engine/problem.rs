@@ -33,7 +33,7 @@ pub(crate) enum LoadInLayerUnits {
 
 impl LoadInLayerUnits {
     /// Scales a load by the scene's length and stress of one layer unit.
-    fn new(load: Load, length: f64, stress: f64) -> Self {
+    pub(crate) fn new(load: Load, length: f64, stress: f64) -> Self {
         match load {
             Load::Force(force) => Self::Force(force.get() / stress / length),
             Load::HalfWidth(b) => Self::HalfWidth(b.get() / length),
@@ -106,6 +106,16 @@ impl Problem {
         self.shape.face() / self.length
     }
 
+    /// Where the shape ends, in layer units; infinite where it does not.
+    pub(crate) fn reach(&self) -> f64 {
+        self.shape.reach().map_or(f64::INFINITY, |reach| reach / self.length)
+    }
+
+    /// Scatter of the heights that the shape was made of, in the scene's unit of length.
+    pub(crate) fn noise(&self) -> Option<f64> {
+        self.shape.noise()
+    }
+
     /// Where the shape is not analytic, in layer units.
     pub(crate) fn kinks(&self) -> impl Iterator<Item = f64> {
         self.shape.kinks().iter().map(|kink| kink / self.length)
@@ -114,6 +124,14 @@ impl Problem {
     /// Where the pressure is unbounded inside the contact, in layer units.
     pub(crate) fn corners(&self) -> impl Iterator<Item = f64> {
         self.shape.corners().iter().map(|corner| corner / self.length)
+    }
+
+    /// [`Self::flaw`] of the contact where the load gives its half-width.
+    pub(crate) fn flaw_under_load(&self) -> Option<String> {
+        match self.load {
+            LoadInLayerUnits::HalfWidth(half_width) => self.flaw(half_width),
+            LoadInLayerUnits::Force(_) | LoadInLayerUnits::Indentation(_) => None,
+        }
     }
 
     /// Takes another load.

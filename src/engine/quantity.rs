@@ -74,6 +74,12 @@ impl Numbers {
         Self(self.0.map(|number| number.map(|number| number + share)))
     }
 
+    /// The largest relative change from others to these.
+    pub(crate) fn change_from(&self, others: &Self) -> f64 {
+        let change = |(quantity, value): (Quantity, f64)| Some((others.get(quantity)? / value - 1.0).abs());
+        self.iter().filter_map(change).fold(0.0, f64::max)
+    }
+
     /// Those that there are.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (Quantity, f64)> + '_ {
         Quantity::ALL.into_iter().filter_map(|quantity| Some((quantity, self.get(quantity)?)))
@@ -92,6 +98,8 @@ pub(crate) struct Traces {
     pub(crate) pressure: [f64; Self::AT.len()],
     /// Where a stick zone was found; at its end as well.
     pub(crate) shear: Option<[f64; Self::AT.len() + 1]>,
+    /// Whether the shear is stacked, and wanted as well as the stick zone.
+    pub(crate) is_stacked: bool,
 }
 
 impl Traces {

@@ -1,8 +1,9 @@
 //! Refines a scene until its error estimate meets the tolerance.
 
 use super::error_estimate::{ROUNDING, Seen, extrapolated, judged_by_twin};
+use super::family::Family;
 use super::layer::{Layer, Wanted};
-use super::problem::Problem;
+use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
 use super::stage::{Outcome, Stage, Task, Verdict};
 use crate::plan::Methods;
@@ -33,6 +34,8 @@ const STALLED: usize = 3;
 #[derive(Default)]
 pub(super) struct Ladder {
     stages: Vec<Stage>,
+    /// Flat punches of the layer that another punch left behind, by resolution.
+    inherited: Vec<Option<Family>>,
 }
 
 /// How sure a solved contact is, and how that is known.
@@ -56,6 +59,16 @@ pub(super) enum How {
 }
 
 impl Ladder {
+    /// A ladder for another punch on a layer whose flat punches are known.
+    pub(super) fn inheriting(families: Vec<Option<Family>>) -> Self {
+        Self { stages: Vec::new(), inherited: families }
+    }
+
+    /// The flat punches that it leaves behind.
+    pub(super) fn into_families(self) -> Vec<Option<Family>> {
+        self.stages.into_iter().map(|stage| stage.growing?.family).collect()
+    }
+
     /// The stage that a solved contact lives in.
     pub(super) fn stage(&mut self, index: usize) -> &mut Stage {
         &mut self.stages[index]
@@ -108,6 +121,30 @@ impl Ladder {
             judged.errors.set(given, 0.0);
         }
         Ok(judged)
+    }
+
+    /// Sizes of a contact on its way to a load that was refined already, each with an estimate of its error; `None` where
+    /// no stack tells them.
+    pub(super) fn on_the_way(
+        &mut self,
+        layer: &mut Layer,
+        problem: &Problem,
+        judged: &Judged,
+        tolerance: f64,
+        loads: &[LoadInLayerUnits],
+    ) -> Option<Vec<(Numbers, f64)>> {
+        let (How::Sequence { .. }, Some(coarse)) = (judged.how, judged.stage.checked_sub(1)) else { return None };
+        let half_width = judged.outcome.numbers.get(Quantity::HalfWidth)?;
+        let mut told = |index: usize| {
+            let task = Self::task(problem, tolerance, u32::try_from(index).ok()?);
+            self.stages[index].growing.as_mut()?.on_the_way(layer, task, half_width, loads)
+        };
+        let (coarse, fine) = (told(coarse)?, told(judged.stage)?);
+        let (_, error) = judged.errors.worst()?;
+        // What the last step of refinement changed, and what is left of that: at the last load it is known.
+        let changed: Vec<f64> = coarse.iter().zip(&fine).map(|(coarse, fine)| fine.change_from(coarse)).collect();
+        let left = (error / changed.last()?).clamp(1.0 / 32.0, 1.0);
+        Some(fine.into_iter().zip(changed).map(|(numbers, changed)| (numbers, error.max(left * changed))).collect())
     }
 
     /// Takes finer steps until the estimate meets the tolerance.
@@ -195,7 +232,11 @@ impl Ladder {
         while self.stages.len() <= index {
             let missing = u32::try_from(index - self.stages.len()).expect("a few steps");
             let quadrature = methods.quadrature.refined(quadrature_level - missing);
-            self.stages.push(Stage::new(problem, quadrature)?);
+            let mut stage = Stage::new(problem, quadrature)?;
+            if let (Some(growing), Some(family)) = (&mut stage.growing, self.inherited.get_mut(self.stages.len())) {
+                growing.family = family.take();
+            }
+            self.stages.push(stage);
         }
         let task = Self::task(problem, tolerance, kernel_level);
         let (before, here) = self.stages.split_at_mut(index);

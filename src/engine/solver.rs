@@ -3,9 +3,10 @@
 use super::assemble;
 use super::layer::Layer;
 use super::loading_curve::{self, Curve, Point};
-use super::problem::Problem;
+use super::problem::{LoadInLayerUnits, Problem};
+use super::quantity::Numbers;
 use super::refine::{Judged, Ladder};
-use super::solution::Solution;
+use super::solution::{Solution, Status};
 use super::verdict::verdict;
 use crate::plan::{Chosen, Plan, choose};
 use crate::scene::{Load, LoadPath, Scene};
@@ -59,7 +60,7 @@ impl Solver {
 
     /// Prepares another scene of the same layer, with all that is known of the layer already; refuses a scene
     /// of another layer, or one that asks for other methods.
-    pub fn on(layer: Layer, scene: &Scene) -> Result<Self, Refusal> {
+    pub fn on(mut layer: Layer, scene: &Scene) -> Result<Self, Refusal> {
         let chosen = choose(scene);
         let problem = Problem::new(&chosen.scene)?;
         if !layer.is_of(&chosen.scene) {
@@ -68,13 +69,15 @@ impl Solver {
                 remedy: "prepare it by itself: `Solver::new`".into(),
             });
         }
-        Ok(Self { chosen, problem, layer, ladder: Ladder::default(), judged: None })
+        let ladder = Ladder::inheriting(layer.families_for(&chosen.scene));
+        Ok(Self { chosen, problem, layer, ladder, judged: None })
     }
 
     /// The layer, to be used under another punch.
     #[must_use]
     pub fn into_layer(self) -> Layer {
-        self.layer.describing(&self.chosen.scene)
+        let scene = &self.chosen.scene;
+        self.layer.describing(scene).keeping(scene, self.ladder.into_families())
     }
 
     /// Takes another load; of a path, that one alone.
@@ -111,7 +114,9 @@ impl Solver {
         let mut solution = match found.and_then(|()| self.report()) {
             Ok(solution) => solution,
             Err(refusal) => {
-                return Solution::refused(&self.chosen.scene, self.chosen.plan.clone(), refusal.to_string());
+                // Of a shape that is not defined all over the contact there may be no more to tell than that.
+                let reason = self.problem.flaw_under_load().unwrap_or_else(|| refusal.to_string());
+                return Solution::refused(&self.chosen.scene, self.chosen.plan.clone(), reason);
             }
         };
         if let Some(path) = self.chosen.scene.path.clone() {
@@ -148,12 +153,33 @@ impl Solver {
         &self.chosen.scene
     }
 
+    /// Points of a loading curve that ends in the load found last; `None` where each has to be solved by itself.
+    pub(super) fn points_on_the_way(&mut self, loads: &[Load]) -> Option<Vec<Point>> {
+        let tolerance = self.chosen.scene.solver.tolerance.get();
+        let Self { problem, layer, ladder, judged, .. } = self;
+        let judged = judged.as_ref()?;
+        let (status, reason) = verdict(problem, ladder.stage(judged.stage), judged, tolerance);
+        if status == Status::AssumptionViolated {
+            return None;
+        }
+        let scaled = |load: &Load| LoadInLayerUnits::new(*load, problem.length, problem.stress);
+        let scaled: Vec<_> = loads.iter().map(scaled).collect();
+        let found = ladder.on_the_way(layer, problem, judged, tolerance, &scaled)?;
+        let point = |(load, (numbers, error)): (&Load, (Numbers, f64))| {
+            let judgement =
+                if error <= tolerance { (Status::Converged, None) } else { (Status::NotConverged, reason.clone()) };
+            assemble::point(*load, problem, &numbers, Some(error), judgement)
+        };
+        Some(loads.iter().zip(found).map(point).collect())
+    }
+
     /// What was found, as a point of a loading curve.
     pub(super) fn point(&mut self) -> Point {
         let Some(judged) = &self.judged else { unreachable!("found before") };
         let tolerance = self.chosen.scene.solver.tolerance.get();
         let judgement = verdict(&self.problem, self.ladder.stage(judged.stage), judged, tolerance);
-        assemble::point(self.chosen.scene.load, &self.problem, judged, judgement)
+        let error = Point::error(&judged.errors);
+        assemble::point(self.chosen.scene.load, &self.problem, &judged.outcome.numbers, error, judgement)
     }
 
     /// The report of what was found.

@@ -22,12 +22,17 @@ const LONGEST: f64 = 6.0;
 /// Points closer to the middle than that, over the half-width, are taken to be there: `cosh` has an end.
 const CLOSEST: f64 = 1e-290;
 
+/// Grids for integrals over the half-width, and how far in `ln b'` the first of them reaches.
+const GRIDS: usize = 4;
+const WAY: f64 = 3.0;
+
 /// The force under one punch over all half-widths of a family, and what is stacked with it.
 pub(crate) struct Stack {
     pieces: Vec<Piece>,
     /// Where the shape is not analytic, within the contact, both ends of it included.
     breaks: Vec<f64>,
-    grid: Vec<Node>,
+    /// Of unit length; each has so many times the nodes of the first.
+    grids: [Vec<Node>; GRIDS],
     room: Room,
 }
 
@@ -64,8 +69,8 @@ impl Stack {
         let mut breaks = vec![face];
         breaks.extend(problem.kinks().filter(|kink| *kink > face && *kink < widest));
         breaks.push(widest);
-        let grid = double_exponential::nodes(1.0, nodes);
-        let mut stack = Self { pieces: Vec::new(), breaks, grid, room: Room::default() };
+        let grids = std::array::from_fn(|i| double_exponential::nodes(1.0, (i + 1) * nodes));
+        let mut stack = Self { pieces: Vec::new(), breaks, grids, room: Room::default() };
         for i in 1..stack.breaks.len() {
             let (from, to) = (stack.breaks[i - 1], stack.breaks[i]);
             let piece = stack.piece(problem, family, from, to, digits);
@@ -90,7 +95,7 @@ impl Stack {
                     let b = to * s.powi(POWER);
                     let force = self.force_by_tilt(problem, family, b);
                     let slope = problem.slope(b);
-                    let mean: f64 = self.grid.iter().map(|x| x.weight * problem.slope(b * x.from_lower)).sum();
+                    let mean: f64 = self.grids[0].iter().map(|x| x.weight * problem.slope(b * x.from_lower)).sum();
                     // Slopes too small for a number: as if they went on as they are farther out.
                     let (rho, kappa) = if slope == 0.0 {
                         (*rhos.last().unwrap_or(&0.0), *kappas.last().unwrap_or(&1.0))
@@ -124,10 +129,19 @@ impl Stack {
         let start = [0.0].into_iter().filter(|_| self.breaks[0] > 0.0);
         let ends: Vec<f64> = start.chain(self.breaks.iter().copied().filter(|x| *x < b)).chain([b]).collect();
         for ends in ends.windows(2) {
-            // By the angle from the edge, `x = b cos(angle)`: a kink close to the edge then has no singularity beside it.
+            let length = ends[1] - ends[0];
+            if ends[1] >= b {
+                for node in &self.grids[0] {
+                    at.push(Station { x: ends[0] + length * node.from_lower, gap: length * node.to_upper });
+                    weights.push(length * node.weight);
+                }
+                continue;
+            }
+            // Up to a kink, which may be close to the edge, by the angle from there: in `x = b cos(angle)` the edge is no
+            // singularity.
             let [far, near] = [ends[0], ends[1]].map(|x| 2.0 * ((b - x) / (2.0 * b)).sqrt().asin());
             let length = far - near;
-            for node in &self.grid {
+            for node in &self.grids[0] {
                 let angle = near + length * node.from_lower;
                 let x = ends[0] + 2.0 * b * (0.5 * (angle + far)).sin() * (0.5 * length * node.to_upper).sin();
                 let gap = 2.0 * b * (0.5 * angle).sin().powi(2);
@@ -181,6 +195,12 @@ impl Stack {
         root.ok().map(|root| root.root())
     }
 
+    /// The grid for a way so long.
+    fn grid(&self, way: f64) -> &[Node] {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most GRIDS
+        &self.grids[((way / WAY) as usize).min(GRIDS - 1)]
+    }
+
     /// `int F(b', b' - x) dP(b')` from `from` to `b`, with `x <= from`.
     fn stacked(&self, problem: &Problem, x: f64, from: f64, b: f64, mut f: impl FnMut(f64, f64) -> f64) -> f64 {
         let mut sum = 0.0;
@@ -198,7 +218,7 @@ impl Stack {
             }
             // In proportion, where that is a long way.
             let way = if lower > 0.0 { (upper / lower).ln() } else { 0.0 };
-            for node in &self.grid {
+            for node in self.grid(way) {
                 let (beyond, weight) = if way > 0.0 {
                     let beyond = lower * (way * node.from_lower).exp_m1();
                     (beyond, way * node.weight * (lower + beyond))
@@ -222,7 +242,7 @@ impl Stack {
         let mut sum = 0.0;
         let mut part = 0.0;
         while part < parts {
-            for node in &self.grid {
+            for node in self.grid(length) {
                 let passed = length * (part + node.from_lower);
                 let t = start + passed;
                 let beyond = 2.0 * x * (start + 0.5 * passed).sinh() * (0.5 * passed).sinh();

@@ -28,7 +28,7 @@ pub(crate) struct Stage {
     pub(crate) normal: Normal,
     /// Under a flat punch with friction.
     pub(crate) shear: Option<Shear>,
-    /// Of a contact that is solved as a stack of flat punches.
+    /// Of a contact that grows with the load.
     pub(crate) growing: Option<Growing>,
     slip_check: SlipCheck,
     /// The friction curve, and the half-width that it belongs to: it depends on no load.
@@ -49,17 +49,19 @@ pub(crate) struct Outcome {
     pub(crate) size: Option<Size>,
     /// The pressure at [`Traces::AT`] over its mean.
     pressure: [f64; Traces::AT.len()],
+    /// Whether the contact grew.
+    is_stacked: bool,
 }
 
 impl Outcome {
-    /// The pressure is that at [`Traces::AT`], over its mean.
+    /// Of a contact that grew; the pressure is that at [`Traces::AT`], over its mean.
     pub(crate) fn new(
         numbers: Numbers,
         rubbing: Option<Rubbing>,
         size: Option<Size>,
         pressure: [f64; Traces::AT.len()],
     ) -> Self {
-        Self { numbers, rubbing, size, pressure }
+        Self { numbers, rubbing, size, pressure, is_stacked: true }
     }
 
     /// An outcome of which only the stick zone is known.
@@ -70,7 +72,7 @@ impl Outcome {
     /// What it tells of the next resolution.
     pub(crate) fn seen(&self) -> Seen {
         let shear = self.rubbing.as_ref().and_then(|rubbing| rubbing.shear);
-        Seen { numbers: self.numbers, traces: Traces { pressure: self.pressure, shear } }
+        Seen { numbers: self.numbers, traces: Traces { pressure: self.pressure, shear, is_stacked: self.is_stacked } }
     }
 }
 
@@ -119,7 +121,8 @@ impl Stage {
     pub(crate) fn new(problem: &Problem, quadrature: Box<dyn Quadrature>) -> Result<Self, Refusal> {
         let edge = if problem.fixed_half_width().is_some() { Edge::Sharp } else { Edge::Smooth };
         let normal = Normal::new(quadrature.as_ref(), edge)?;
-        let growing = problem.is_stacked().then(|| Growing::new(problem, quadrature.clone()));
+        let grows = problem.fixed_half_width().is_none();
+        let growing = grows.then(|| Growing::new(problem, quadrature.clone()));
         let shear = match (problem.friction, &growing) {
             (Some(_), None) => Some(Shear::new(quadrature)?),
             _ => None,
@@ -136,7 +139,7 @@ impl Stage {
         family: Option<&mut Family>,
     ) -> Result<Outcome, Refusal> {
         let problem = task.problem;
-        if let Some(growing) = &mut self.growing {
+        if let Some(growing) = self.growing.as_mut().filter(|growing| growing.is_solver) {
             return growing.solve(layer, task, &mut self.normal, coarse, family);
         }
         let size = if let Some(half_width) = problem.fixed_half_width() {
@@ -158,12 +161,12 @@ impl Stage {
         let mean = self.normal.mean();
         let mut pressure = [0.0; Traces::AT.len()];
         self.normal.values_into(&Traces::stations(self.normal.half_width), &mut pressure);
-        Ok(Outcome { numbers, rubbing, size, pressure: pressure.map(|p| p / mean) })
+        Ok(Outcome { numbers, rubbing, size, pressure: pressure.map(|p| p / mean), is_stacked: false })
     }
 
     /// Pressure at points strictly inside the contact solved last.
     pub(crate) fn pressure_into(&mut self, problem: &Problem, at: &[Station], out: &mut [f64]) {
-        match &mut self.growing {
+        match self.growing.as_mut().filter(|growing| growing.is_solver) {
             Some(growing) => growing.pressure_into(problem, &self.normal, at, out),
             None => self.normal.values_into(at, out),
         }
@@ -171,7 +174,7 @@ impl Stage {
 
     /// Shear at such points, where the pressures are `pressure`; `None` where there is none to tell.
     pub(crate) fn shear(&mut self, problem: &Problem, at: &[Station], pressure: &[f64]) -> Option<Vec<f64>> {
-        match &mut self.growing {
+        match self.growing.as_mut().filter(|growing| growing.is_solver) {
             Some(growing) => growing.shear(problem, at, pressure),
             None => self.shear.as_ref().map(|shear| shear.values(at, pressure)),
         }
@@ -179,7 +182,7 @@ impl Stage {
 
     /// Friction coefficient of the shear, negative where the slip is outward.
     pub(crate) fn signed_friction(&self) -> Option<f64> {
-        match &self.growing {
+        match self.growing.as_ref().filter(|growing| growing.is_solver) {
             Some(growing) => growing.signed_friction(),
             None => self.shear.as_ref().map(|shear| shear.friction),
         }
@@ -384,7 +387,7 @@ impl Stage {
     /// Leaves the shear of the stick zone reported in `shear`, and checks it. Returns whether another zone than
     /// before is reported.
     pub(crate) fn settle(&mut self, layer: &mut Layer, task: Task, outcome: &mut Outcome) -> Result<bool, Refusal> {
-        if let Some(growing) = &mut self.growing {
+        if let Some(growing) = self.growing.as_mut().filter(|growing| growing.is_solver) {
             growing.settle(layer, task, outcome)?;
             return Ok(false);
         }

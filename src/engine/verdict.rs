@@ -25,6 +25,9 @@ pub(super) fn verdict(
 
 /// The gravest thing to be said against the result.
 fn objection(problem: &Problem, stage: &mut Stage, judged: &Judged, tolerance: f64) -> Option<(Status, String)> {
+    if let Some(why) = problem.flaw(judged.outcome.numbers.get(Quantity::HalfWidth)?) {
+        return Some((Status::AssumptionViolated, why));
+    }
     let (worst, error) = judged.errors.worst()?;
     let inexact = || {
         let why = if error < ROUNDED { "; double precision allows no more" } else { "" };
@@ -42,9 +45,6 @@ fn objection(problem: &Problem, stage: &mut Stage, judged: &Judged, tolerance: f
             "the pressure is negative, {p:.4} times the mean at |x| = {x:.4} b: the punch lifts off there, and contact \
              with gaps is not modelled"
         );
-        return Some((Status::AssumptionViolated, why));
-    }
-    if let Some(why) = problem.flaw(judged.outcome.numbers.get(Quantity::HalfWidth)?) {
         return Some((Status::AssumptionViolated, why));
     }
     let of_stick = judged.outcome.rubbing.as_ref().and_then(of_stick);

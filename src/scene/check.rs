@@ -2,7 +2,7 @@
 
 use super::document::{Document, dotted};
 use super::{Load, Scene, SceneError};
-use slipzone_api::{Base, Friction};
+use slipzone_api::{Base, Friction, PunchShape};
 use toml::Spanned;
 use toml::de::DeValue;
 
@@ -123,6 +123,10 @@ fn load(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     let face = shape.as_ref().map_or(0.0, |shape| shape.face());
     let reach = shape.as_ref().and_then(|shape| shape.reach()).unwrap_or(f64::INFINITY);
     let smallest = scene.path.as_ref().map_or(scene.load, |path| path.load(0)).value().get();
+    let hole = match (&shape, scene.load) {
+        (Some(shape), Load::HalfWidth(b)) => without_height(&**shape, b.get()),
+        _ => None,
+    };
     match scene.load {
         Load::HalfWidth(_) if fixed.is_some() => Err(document
             .error(document.key(&place), "a half-width as load on a punch whose contact is fixed")
@@ -134,12 +138,24 @@ fn load(document: &Document, scene: &Scene) -> Result<(), SceneError> {
         Load::HalfWidth(_) if smallest <= face => Err(document
             .not_allowed(&place, format!("above {face}, the half-width of the punch's flat face"))
             .hint("the contact is as wide as the face before there is any load")),
+        Load::HalfWidth(_) if hole.is_some() => {
+            Err(document.not_allowed(&place, "a contact within which the punch has a height everywhere").hint(format!(
+                "at x = {} it has none: a division by zero, or a root of a negative number?",
+                hole.unwrap_or_default()
+            )))
+        }
         Load::Indentation(_) if scene.layer.base == Base::Infinite => Err(document
             .error(document.key(&place), "an indentation on a solid without a base")
             .found("`indentation`, which is undefined there: it grows without bound with the depth of the datum")
             .expected(if fixed.is_some() { "`force`" } else { "`force` or `half_width`" })),
         _ => Ok(()),
     }
+}
+
+/// A point under a contact of that half-width at which the punch is not defined, of those where that is likely.
+fn without_height(shape: &dyn PunchShape, half_width: f64) -> Option<f64> {
+    let inside = shape.kinks().iter().copied().filter(|kink| *kink < half_width);
+    inside.chain([half_width]).find(|&x| !shape.height(x).is_finite())
 }
 
 fn friction(document: &Document, scene: &Scene) -> Result<(), SceneError> {

@@ -70,7 +70,7 @@ pub fn parse(name: &str, text: &str) -> Result<Scene, SceneError> {
 /// "#;
 /// assert!(slipzone::scene::parse_with("demo.toml", text, &Memory).is_ok());
 /// let error = slipzone::scene::parse("demo.toml", text).unwrap_err();
-/// assert_eq!((error.line, error.column), (4, 39));
+/// assert_eq!((error.line, error.column), (4, 38));
 /// ```
 pub fn parse_with(name: &str, text: &str, files: &dyn Files) -> Result<Scene, SceneError> {
     crate::link_plugins();

@@ -11,6 +11,7 @@ mod limits;
 mod loading_curve;
 mod marching;
 mod properties;
+mod punches;
 mod random;
 mod regressions;
 #[cfg(feature = "cli")]

@@ -1,3 +1,92 @@
-//! Growing contacts under every punch, against closed forms.
+//! Growing contacts on a half-plane, against closed forms: what a stack of flat punches adds to flat punches that are
+//! right already.
 
-use slipzone::api::reference::{Compliance, cylinder, goodman_shear, power, rounded_flat, wedge};
+use slipzone::api::reference::cylinder::Cylinder;
+use slipzone::api::reference::goodman_shear::Goodman;
+use slipzone::api::reference::power::Power;
+use slipzone::api::reference::rounded_flat::RoundedFlat;
+use slipzone::api::reference::wedge::Wedge;
+use slipzone::engine::{Solution, Status, solve};
+use slipzone::scene;
+
+const POISSON: f64 = 0.3;
+/// Unit modulus, plane strain.
+const COMPLIANCE: f64 = 1.0 - POISSON;
+const BETA: f64 = (1.0 - 2.0 * POISSON) / (2.0 - 2.0 * POISSON);
+const ETA: f64 = 0.3;
+/// Points of the contact, none of them on a kink.
+const X: [f64; 6] = [0.03, 0.2, 0.45, 0.7, 0.93, 0.999];
+
+fn solved(punch: &str, friction: bool) -> Solution {
+    let friction =
+        if friction { format!("friction = {{ type = \"goodman\", coefficient = {ETA} }}") } else { String::new() };
+    let text = format!(
+        "format = 1\n{friction}\n[layer]\npoisson = {POISSON}\nbase = {{ type = \"infinite\" }}\n\
+         grading = {{ type = \"homogeneous\", modulus = 1.0 }}\n[punch]\n{punch}\n[load]\nhalf_width = 1.0\n\
+         [solver]\ntolerance = 1e-10\n[output]\nx = {X:?}\n"
+    );
+    let solution = solve(&scene::parse(punch, &text).expect("a good scene"));
+    assert_eq!(solution.status, Status::Converged, "{punch}: {:?}", solution.reason);
+    solution
+}
+
+/// Compares the force, and the pressure over its largest.
+fn compare(punch: &str, force: f64, pressure: impl Fn(f64) -> f64) {
+    let solution = solved(punch, false);
+    let error = solution.load.force.expect("a number") / force - 1.0;
+    assert!(error.abs() < 1e-10, "{punch}: the force is off by {error:e}");
+    let exact = X.map(pressure);
+    let largest = exact.iter().fold(0.0_f64, |most, p| most.max(*p));
+    for ((x, p), exact) in X.into_iter().zip(&solution.profile.pressure).zip(exact) {
+        let error = (p.expect("inside") - exact) / largest;
+        assert!(error.abs() < 1e-10, "{punch}: p({x}) is off by {error:e}");
+    }
+}
+
+#[test]
+fn pressures_of_the_field() {
+    let (half_width, compliance) = (1.0, COMPLIANCE);
+    let wedge = Wedge { slope: 0.05, half_width, compliance };
+    compare("type = \"wedge\"\nslope = 0.05", wedge.force(), |x| wedge.pressure(x));
+    for exponent in [1.2, 1.5, 2.0, 3.0, 4.0, 7.5] {
+        let power = Power { coefficient: 0.05, exponent, half_width, compliance };
+        let punch = format!("type = \"power\"\ncoefficient = 0.05\nexponent = {exponent}");
+        compare(&punch, power.force(), |x| power.pressure(x));
+    }
+    let rounded = RoundedFlat { flat: 0.375, radius: 5.0, half_width, compliance };
+    let punch = "type = \"rounded-flat\"\nhalf_width = 0.375\nradius = 5.0";
+    compare(punch, rounded.force(), |x| rounded.pressure(x));
+    let cylinder = Cylinder { radius: 10.0, half_width, compliance };
+    compare("type = \"cylinder\"\nradius = 10.0", cylinder.force(), |x| cylinder.pressure(x));
+}
+
+/// The stick zone of each is that of the flat punch; the shear, over its largest, that of the stack integrated in closed
+/// form.
+#[test]
+fn shears_of_the_field() {
+    let goodman = Goodman { eta: ETA, beta: BETA };
+    let (half_width, compliance) = (1.0, COMPLIANCE);
+    let compare = |punch: &str, kinks: &[f64], rate: &dyn Fn(f64) -> f64| {
+        let solution = solved(punch, true);
+        let ratio = solution.stick.as_ref().and_then(|stick| stick.ratio).expect("a stick zone");
+        let error = ratio / goodman.stick().ratio - 1.0;
+        assert!(error.abs() < 1e-10, "{punch}: a/b is off by {error:e}");
+        let shear = solution.profile.shear.as_ref().expect("friction");
+        let exact = X.map(|x| goodman.grown(rate, kinks, half_width, x));
+        let largest = exact.iter().fold(0.0_f64, |most, q| most.max(q.abs()));
+        for ((x, q), exact) in X.into_iter().zip(shear).zip(exact) {
+            let error = (q.expect("inside") - exact) / largest;
+            assert!(error.abs() < 1e-10, "{punch}: q({x}) is off by {error:e}");
+        }
+    };
+    compare("type = \"cylinder\"\nradius = 10.0", &[], &|b| {
+        Cylinder { radius: 10.0, half_width: b, compliance }.force_rate()
+    });
+    compare("type = \"wedge\"\nslope = 0.05", &[], &|b| Wedge { slope: 0.05, half_width: b, compliance }.force_rate());
+    compare("type = \"power\"\ncoefficient = 0.05\nexponent = 2.7", &[], &|b| {
+        Power { coefficient: 0.05, exponent: 2.7, half_width: b, compliance }.force_rate()
+    });
+    compare("type = \"rounded-flat\"\nhalf_width = 0.375\nradius = 5.0", &[0.375], &|b| {
+        RoundedFlat { flat: 0.375, radius: 5.0, half_width: b, compliance }.force_rate()
+    });
+}

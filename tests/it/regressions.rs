@@ -213,3 +213,27 @@ fn a_history_that_cannot_be_told_is_not_refined_for_ever() {
     assert_eq!(solution.status, Status::AssumptionViolated, "{:?}", solution.reason);
     assert!(solution.plan.unknowns < 60, "{} unknowns", solution.plan.unknowns);
 }
+
+/// Beside its face a rounded punch had no node of the guess, and the load was refused.
+#[test]
+fn a_load_that_hardly_exceeds_the_face_is_borne() {
+    let scene = |load: &str| {
+        let text = format!(
+            "format = 1\nlayer = {{ thickness = 4.6, poisson = 0.3, \
+             grading = {{ type = \"exponential\", surface = 1.0, base = 0.233 }} }}\n\
+             punch = {{ type = \"rounded-flat\", half_width = 0.999, radius = 1.3 }}\n\
+             friction = {{ type = \"goodman\", coefficient = 0.3 }}\nload = {{ {load} }}"
+        );
+        slipzone::engine::solve(&slipzone::scene::parse("face", &text).unwrap())
+    };
+    for wide in [1.0, 0.999_001] {
+        let by_width = scene(&format!("half_width = {wide:?}"));
+        assert_eq!(by_width.status, Status::Converged, "{:?}", by_width.reason);
+        let (force, depth) = (by_width.load.force.unwrap(), by_width.load.indentation.unwrap());
+        for load in [format!("force = {force:?}"), format!("indentation = {depth:?}")] {
+            let found = scene(&load);
+            assert_eq!(found.status, Status::Converged, "{load}: {:?}", found.reason);
+            assert!((found.load.half_width.unwrap() / wide - 1.0).abs() < 1e-8, "{load}");
+        }
+    }
+}

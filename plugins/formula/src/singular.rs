@@ -124,7 +124,7 @@ fn zeros(tape: &Tape, suspect: &Suspect, scale: f64, samples: &[f64]) -> Vec<f64
 
 /// Where a function changes its sign, to the last bit.
 fn bisect(mut from: f64, mut to: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let sign = f(from).signum();
+    let is_negative = f(from) < 0.0;
     loop {
         let middle = from + 0.5 * (to - from);
         if middle <= from || middle >= to {
@@ -134,6 +134,6 @@ fn bisect(mut from: f64, mut to: f64, f: impl Fn(f64) -> f64) -> f64 {
         if value == 0.0 {
             return middle;
         }
-        if value.signum() == sign { from = middle } else { to = middle }
+        if (value < 0.0) == is_negative { from = middle } else { to = middle }
     }
 }

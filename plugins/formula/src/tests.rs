@@ -6,6 +6,7 @@ use crate::{DEEPEST, FUNCTIONS, Formula, LONGEST};
 use proptest::prelude::*;
 use slipzone_api::{Fault, Place};
 use std::collections::BTreeMap;
+use std::f64::consts::FRAC_PI_2;
 
 fn parse(text: &str) -> Result<Formula, Fault> {
     let occurring = |name: &str| text.split(|c: char| !c.is_alphanumeric()).any(|word| word == name);
@@ -147,7 +148,7 @@ fn length_and_depth_are_bounded() {
     let nested = |depth: usize| format!("{}x{}", "(".repeat(depth), ")".repeat(depth));
     assert!(parse(&nested(DEEPEST - 1)).is_ok());
     for deep in [nested(DEEPEST), "sin(".repeat(450), "2^".repeat(900), "1+(1*(1-(".repeat(200)] {
-        assert!(parse(&deep).unwrap_err().message.contains("too deeply"), "{:.20}", deep);
+        assert!(parse(&deep).unwrap_err().message.contains("too deeply"), "{deep:.20}");
     }
     let pending = |depth: usize| format!("{}x{}", "x+x*x^(".repeat(depth), ")".repeat(depth));
     assert!(parse(&pending(20)).is_ok());
@@ -175,7 +176,7 @@ fn singular_points_are_found() {
         ("1/(x-0.3)", vec![0.3]),
         ("R - sqrt(R^2-x^2)", vec![10.0]),
         ("asin(x/2)", vec![2.0]),
-        ("tan(x)*0.5", vec![1.5707963267948966, 4.71238898038469]),
+        ("tan(x)*0.5", vec![FRAC_PI_2, 3.0 * FRAC_PI_2]),
         ("abs(x^2 - 1e-12)", vec![1e-6]),
     ] {
         let found = points(text);

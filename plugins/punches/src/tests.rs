@@ -63,10 +63,12 @@ proptest! {
     fn loads_on_a_half_plane(a in 0.1..10.0_f64, c in 0.1..10.0_f64, b in 0.1..10.0_f64) {
         let pi = std::f64::consts::PI;
         let near = |got: f64, want: f64| (got / want - 1.0).abs() < 1e-12; // some 200 terms of one sign
-        prop_assert!(near(load(&*shape(&Wedge { slope: positive(a) }), b), 2.0 * b * a));
+        let wedge = load(&*shape(&Wedge { slope: positive(a) }), b);
+        prop_assert!(near(wedge, 2.0 * b * a));
         let coefficients = Coefficients::try_from(vec![a, c, 0.3]).unwrap();
         let polynomial = pi * (a * b.powi(2) + 1.5 * c * b.powi(4) + 1.875 * 0.3 * b.powi(6));
-        prop_assert!(near(load(&*shape(&Polynomial { coefficients }), b), polynomial));
+        let sum = load(&*shape(&Polynomial { coefficients }), b);
+        prop_assert!(near(sum, polynomial));
         let power = |m: f64| shape(&Power { coefficient: positive(a), exponent: Exponent::new(m).unwrap() });
         // B(2, 1/2) = 4/3, B(5/2, 1/2) = 3 pi/8.
         prop_assert!(near(load(&*power(3.0), b), 3.0 * a * b.powi(3) * 4.0 / 3.0));
@@ -75,11 +77,13 @@ proptest! {
         let face = 0.9 * b * a / 10.0;
         let u: f64 = face / b;
         let rounded = b * b * (u.acos() - u * (1.0 - u * u).sqrt()) / c;
-        prop_assert!(near(load(&*shape(&RoundedFlat { half_width: positive(face), radius: positive(c) }), b), rounded));
+        let flat = load(&*shape(&RoundedFlat { half_width: positive(face), radius: positive(c) }), b);
+        prop_assert!(near(flat, rounded));
         // A rounded wedge is a cylinder up to its flanks, and a wedge far beyond.
         let tip = RoundedWedge { slope: positive(1.1 * b / c), radius: positive(c) };
-        prop_assert!(near(load(&*shape(&tip), b), load(&*shape(&Cylinder { radius: positive(c) }), b)));
+        let cylinder = load(&*shape(&Cylinder { radius: positive(c) }), b);
+        prop_assert!(near(load(&*shape(&tip), b), cylinder));
         let tip = RoundedWedge { slope: positive(a), radius: positive(1e-7 * b / a) };
-        prop_assert!(near(load(&*shape(&tip), b), load(&*shape(&Wedge { slope: positive(a) }), b)));
+        prop_assert!(near(load(&*shape(&tip), b), wedge));
     }
 }

@@ -21,7 +21,8 @@ fn compare(case: &Case, cells: usize, steps: usize) {
         let errors = [(end.shear(x) - q) / end.largest(), end.pressure(x) / p - 1.0];
         println!("    x = {x}: q {q} against {}, {:.1e}; p {:.1e}", end.shear(x), errors[0], errors[1]);
         assert!(errors[0].abs() < 1e-4, "{case:?}: q = {q} against {} at x = {x}", end.shear(x));
-        assert!(errors[1].abs() < 2e-6, "{case:?}: p = {p} against {} at x = {x}", end.pressure(x));
+        // The march's own: with 384 nodes in place of 96 the rounded flat's comes to within 6e-8.
+        assert!(errors[1].abs() < 5e-6, "{case:?}: p = {p} against {} at x = {x}", end.pressure(x));
     }
 }
 
@@ -33,7 +34,7 @@ fn three_scenes() {
 }
 
 #[test]
-#[ignore = "needs the history engine; a minute"]
+#[ignore = "a minute"]
 fn ten_scenes() {
     for case in &TEN {
         compare(case, 768, 1536);

@@ -57,14 +57,14 @@ pub(super) fn shape(shape: &dyn PunchShape) -> Result<(), String> {
     let half_width = shape.fixed_half_width().unwrap_or(length);
     ensure(half_width > 0.0 && half_width < f64::INFINITY, || format!("fixed_half_width() = {half_width}"))?;
     let face = shape.face();
-    ensure(face >= 0.0 && face < f64::INFINITY, || format!("face() = {face}"))?;
+    ensure((0.0..f64::INFINITY).contains(&face), || format!("face() = {face}"))?;
     ensure(shape.height(face) == 0.0, || format!("face() = {face}, but height({face}) = {}", shape.height(face)))?;
     if let Some(reach) = shape.reach() {
         ensure(reach > 0.0 && reach < f64::INFINITY, || format!("reach() = {reach}"))?;
         ensure(half_width <= reach, || format!("reach() = {reach}, but natural_length() = {half_width}"))?;
     }
     if let Some(noise) = shape.noise() {
-        ensure(noise >= 0.0 && noise < f64::INFINITY, || format!("noise() = {noise}"))?;
+        ensure((0.0..f64::INFINITY).contains(&noise), || format!("noise() = {noise}"))?;
     }
     kinks(shape)?;
 

@@ -288,6 +288,7 @@ impl PunchShape for Claims {
 
 #[test]
 fn what_a_shape_claims_must_hold_together() {
+    type Change = fn(&mut Claims);
     let fine =
         Claims { reach: Some(1.0), noise: Some(0.0), kinks: vec![0.0, 2.0], corners: vec![2.0], ..Claims::default() };
     assert_eq!(super::contracts::shape(&fine), Ok(()));
@@ -296,7 +297,7 @@ fn what_a_shape_claims_must_hold_together() {
         change(&mut claims);
         super::contracts::shape(&claims)
     };
-    let cases: [(fn(&mut Claims), &str); 13] = [
+    let cases: [(Change, &str); 13] = [
         (|c| c.face = -1.0, "face() = -1"),
         (|c| c.face = f64::NAN, "face() = NaN"),
         (|c| c.face = 0.5, "but height(0.5) = 0.125"),

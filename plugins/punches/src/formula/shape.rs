@@ -34,6 +34,8 @@ pub(super) struct Graph {
     /// Where the formula is singular, or may be.
     kinks: Vec<f64>,
     corners: Vec<f64>,
+    /// Up to which kink the height is exactly 0.
+    face: f64,
 }
 
 impl Graph {
@@ -43,7 +45,8 @@ impl Graph {
     /// Whatever is wrong with it at and around the tip, hence under any load.
     pub(super) fn new(formula: Formula, gives: Gives) -> Result<Self, Fault> {
         let tip = if gives == Gives::Height { formula.at(0.0).value } else { 0.0 };
-        let mut graph = Self { formula, gives, tip, natural_length: 1.0, kinks: Vec::new(), corners: Vec::new() };
+        let mut graph =
+            Self { formula, gives, tip, natural_length: 1.0, kinks: Vec::new(), corners: Vec::new(), face: 0.0 };
         if !tip.is_finite() {
             return Err(Fault::new(&[], "the formula has no finite value at x = 0")
                 .found(format!("height(0) = {tip}"))
@@ -56,16 +59,17 @@ impl Graph {
         })?;
         graph.kinks = graph.formula.singular_points(graph.natural_length, MOST_KINKS);
         graph.corners = graph.kinks.iter().copied().filter(|&kink| graph.jumps(kink)).collect();
+        graph.face = graph.level();
         if let Some((x, right, left)) = graph.asymmetry(2.0 * graph.natural_length) {
             return Err(graph.asymmetric(x, right, left));
         }
         if let Some(flaw) = graph.flaw(TIP * graph.natural_length) {
             return Err(Fault::new(&[], format!("{} from its tip on", flaw.what))
                 .found(format!(
-                    "height({0:.4e}) = {1:.4e}, slope({0:.4e}) = {2:.4e}",
-                    flaw.x,
-                    graph.height(flaw.x),
-                    graph.slope(flaw.x)
+                    "height({0}) = {1}, slope({0}) = {2}",
+                    short(flaw.x),
+                    short(graph.height(flaw.x)),
+                    short(graph.slope(flaw.x))
                 ))
                 .expected("a height that rises from x = 0, the steeper the further out"));
         }
@@ -98,6 +102,18 @@ impl Graph {
         Some(scales.take_while(|(_, slope)| *slope < limit).last().map_or(first, |(x, _)| x))
     }
 
+    /// The last of the kinks up to which the formula is level, as under `max(0, abs(x) - 1)^2`.
+    fn level(&self) -> f64 {
+        let mut face = 0.0;
+        for &kink in self.kinks.iter().filter(|kink| **kink > 0.0) {
+            if self.steepness(face + 0.5 * (kink - face)) != 0.0 || self.height(kink) != 0.0 {
+                break;
+            }
+            face = kink;
+        }
+        face
+    }
+
     /// Whether the slope has different limits on both sides: the difference stays as both sides close in.
     fn jumps(&self, kink: f64) -> bool {
         let length = if kink > 0.0 { kink } else { self.natural_length };
@@ -119,7 +135,9 @@ impl Graph {
             let (right, left) = (self.formula.at(x).value, self.formula.at(-x).value);
             let allowed = ASYMMETRIC * right.abs().max(left.abs());
             // Written so that a left side without a value counts; a right side without one is no matter of symmetry.
-            let is_symmetric = right.is_nan() || right == sign * left || (right - sign * left).abs() <= allowed;
+            // Infinite on both sides is symmetric too.
+            let alike = right.to_bits() == (sign * left).to_bits();
+            let is_symmetric = right.is_nan() || alike || (right - sign * left).abs() <= allowed;
             (!is_symmetric).then_some((x, right, left))
         })
     }
@@ -134,8 +152,8 @@ impl Graph {
                 ("opposite slopes on both sides", "write `x*abs(x)` for `x^2`: a slope changes its sign with x")
             }
         };
-        Fault::new(&[], format!("the punch is not symmetric at x = {x}"))
-            .found(format!("{key}({x}) = {right}, but {key}(-{x}) = {left}"))
+        Fault::new(&[], format!("the punch is not symmetric at x = {}", short(x)))
+            .found(format!("{key}({0}) = {1}, but {key}(-{0}) = {2}", short(x), short(right), short(left)))
             .expected(rule)
             .hint(hint)
     }
@@ -171,6 +189,13 @@ impl Graph {
         let middle = from + 0.5 * (to - from);
         self.panel(from, middle, depth + 1) + self.panel(middle, to, depth + 1)
     }
+}
+
+/// A number for people, with five digits at most.
+fn short(value: f64) -> String {
+    let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
+    let is_plain = rounded == 0.0 || (1e-4..1e6).contains(&rounded.abs()) || !rounded.is_finite();
+    if is_plain { rounded.to_string() } else { format!("{rounded:e}") }
 }
 
 impl PunchShape for Graph {
@@ -210,6 +235,10 @@ impl PunchShape for Graph {
         let uneven = self.asymmetry(half_width).filter(|(x, ..)| *x < nearest);
         let uneven = uneven.map(|(x, ..)| Flaw { what: "the punch is not symmetric".into(), x });
         uneven.or(found)
+    }
+
+    fn face(&self) -> f64 {
+        self.face
     }
 
     fn kinks(&self) -> &[f64] {

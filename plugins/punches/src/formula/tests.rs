@@ -37,6 +37,7 @@ fn a_formula_may_be_what_another_punch_is() {
             assert!((shape.slope(x) - reference.slope(x)).abs() < 1e-15, "{shape:?} at {x}");
         }
         assert_eq!(shape.kinks(), kinks, "{shape:?}");
+        assert_eq!(shape.face(), reference.face(), "{shape:?}");
         assert_eq!(shape.corners(), [0.0; 0]);
         assert_eq!(shape.flaw(2.0), None);
     }

@@ -244,10 +244,8 @@ impl Asked {
                 continue;
             }
             let (cosine, sine) = (self.triangle[k][k] / length, row[k] / length);
-            for j in k..4 {
-                let upper = self.triangle[k][j];
-                self.triangle[k][j] = cosine * upper + sine * row[j];
-                row[j] = cosine * row[j] - sine * upper;
+            for (upper, lower) in self.triangle[k].iter_mut().zip(&mut row).skip(k) {
+                (*upper, *lower) = (cosine * *upper + sine * *lower, cosine * *lower - sine * *upper);
             }
             let upper = self.target[k];
             self.target[k] = cosine * upper + sine * value;
@@ -404,6 +402,11 @@ impl PunchShape for Profile {
 
     fn reach(&self) -> Option<f64> {
         Some(self.reach)
+    }
+
+    fn face(&self) -> f64 {
+        let is_level = |piece: &&Piece| piece.slope == 0.0 && piece.bend == 0.0 && piece.growth == 0.0;
+        self.pieces.iter().find(|piece| !is_level(piece)).map_or(0.0, |piece| piece.from)
     }
 
     fn flaw(&self, half_width: f64) -> Option<Flaw> {

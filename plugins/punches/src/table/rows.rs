@@ -96,18 +96,13 @@ fn push(rows: &mut Rows, row: [f64; 2]) -> Result<(), Wrong> {
             return Err(Wrong { column: Some(column), message, found: format!("`{value}`"), expected });
         }
     }
-    if let Some([before, _]) = rows.last() {
-        let message = if row[0] == *before {
-            "an x that was there before"
-        } else if row[0] < *before {
-            "an x that does not ascend"
-        } else {
-            ""
-        };
-        if !message.is_empty() {
-            let (found, expected) = (format!("{} after {before}", row[0]), format!("an x above {before}"));
-            return Err(Wrong { column: Some(0), message, found, expected });
-        }
+    if let Some([before, _]) = rows.last()
+        && row[0] <= *before
+    {
+        let is_less = row[0] < *before;
+        let message = if is_less { "an x that does not ascend" } else { "an x that was there before" };
+        let (found, expected) = (format!("{} after {before}", row[0]), format!("an x above {before}"));
+        return Err(Wrong { column: Some(0), message, found, expected });
     }
     if rows.len() == MOST {
         let (found, expected) = (format!("row {}", MOST + 1), format!("at most {MOST} rows"));
@@ -131,13 +126,12 @@ fn text<'b>(name: &str, bytes: &'b [u8]) -> Result<&'b str, Fault> {
         return Err(fault.hint("save the file as \"UTF-8\" (not \"Unicode\")"));
     }
     std::str::from_utf8(bytes).map_err(|error| {
-        let before = &bytes[..error.valid_up_to()];
-        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        let start = before.iter().rposition(|&byte| byte == b'\n').map_or(0, |newline| newline + 1);
-        let start_of_line = String::from_utf8_lossy(&before[start..]);
+        let before = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
+        let line = 1 + before.matches('\n').count();
+        let start_of_line = before.rsplit('\n').next().unwrap_or_default();
         let end = start_of_line.len();
         let found = format!("the byte 0x{:02X}, which starts no character of UTF-8", bytes[error.valid_up_to()]);
-        let place = clipped(name, line, &start_of_line, end..end);
+        let place = clipped(name, line, start_of_line, end..end);
         fault("the file is not text").at(place).found(found).expected("rows of x and height, in UTF-8")
     })
 }

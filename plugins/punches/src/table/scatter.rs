@@ -88,7 +88,7 @@ fn uneven(points: &[Point], residuals: &[f64], noise: f64) -> Option<f64> {
         let is_uneven = rights > 0.0
             && lefts > 0.0
             && (right / rights - left / lefts).abs() > CERTAIN * noise * (1.0 / rights + 1.0 / lefts).sqrt();
-        is_uneven.then(|| points[(block.start + block.end) / 2].x)
+        is_uneven.then(|| points[usize::midpoint(block.start, block.end)].x)
     })
 }
 

@@ -1,3 +1,5 @@
+#![allow(clippy::float_cmp)] // where equality is asserted, it is exact by construction
+
 use super::*;
 use proptest::prelude::*;
 use slipzone_api::Place;
@@ -106,6 +108,16 @@ fn a_wedge_keeps_its_corner() {
     let profile = of_points(sampled(-4.0, 4.0, 1000, |x| 0.1 * x.abs() + 1e-4 * scatter()));
     assert_eq!(profile.corners(), [0.0]);
     assert!(worst_slope(&profile, 4.0, |_| 0.1) < 1e-3);
+}
+
+#[test]
+fn a_flat_face_is_found() {
+    let profile = of_points(sampled(-4.0, 4.0, 401, |x| 0.1 * (x.abs() - 2.0).max(0.0).powi(2)));
+    let face = profile.face();
+    // To within the pieces, four of them per unit.
+    assert!((1.5..=2.0).contains(&face), "{face}");
+    assert_eq!((profile.height(face), profile.slope(face)), (0.0, 0.0));
+    assert_eq!(of_points(sampled(0.0, 4.0, 50, |x| 0.05 * x * x)).face(), 0.0);
 }
 
 #[test]
