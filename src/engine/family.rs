@@ -11,6 +11,7 @@ use super::stick_search::Root;
 use super::stick_zone::StickZone;
 use slipzone_api::{Component, Density, Edge, Parity, PunchShape, Quadrature, Refusal, Rule, Span, Station};
 use std::f64::consts::PI;
+use std::ops::Range;
 
 /// Points: at least, and more per unknown of the pressure; so many times more for each doubling of the widest half-width
 /// beyond the layer's length.
@@ -323,18 +324,13 @@ impl Family {
         Ok(None)
     }
 
-    /// The widest half-width up to `b` beyond which the stick zone shrinks while the contact grows, by more than rounding.
-    pub(crate) fn shrinks(&self, b: f64, rounding: f64) -> Option<f64> {
-        let zones = self.half_widths().iter().zip(&self.rubbed.as_ref()?.lambda);
+    /// The widest of the half-widths that a contact grows through beyond which the stick zone shrinks, by more than rounding.
+    pub(crate) fn shrinks(&self, through: Range<f64>, rounding: f64) -> Option<f64> {
+        let zones = self.blend.half_widths().iter().zip(&self.rubbed.as_ref()?.lambda);
         let zones: Vec<(f64, f64)> =
             zones.map(|(b, lambda)| (*b, StickZone::from_log(*lambda, *b).half_width)).collect();
-        let pair = zones.windows(2).find(|pair| pair[1].0 < b && pair[0].1 < pair[1].1 * (1.0 - rounding))?;
-        Some(pair[1].0)
-    }
-
-    /// Half-widths of the members solved, descending.
-    fn half_widths(&self) -> &[f64] {
-        self.blend.half_widths()
+        let shrinks = |pair: &&[(f64, f64)]| through.contains(&pair[1].0) && pair[0].1 < pair[1].1 * (1.0 - rounding);
+        zones.windows(2).find(shrinks).map(|pair| pair[1].0)
     }
 
     /// The stick zone of a contact of that half-width.

@@ -75,7 +75,11 @@ impl Growing {
             match (problem.load, known) {
                 (LoadInLayerUnits::HalfWidth(half_width), _) => Size::exactly(half_width),
                 (_, Some(size)) => size,
-                (_, None) => contact_size::press(layer, problem, normal, task.wanted, GUESSED, None)?,
+                (_, None) => match contact_size::press(layer, problem, normal, task.wanted, GUESSED, None) {
+                    // A contact hardly wider than the face has no node beyond it.
+                    Err(Refusal::OutOfReach { .. }) if problem.face() > 0.0 => Size::exactly(problem.face()),
+                    found => found?,
+                },
             }
         } else {
             contact_size::press(layer, problem, normal, task.wanted, task.tolerance, known)?
@@ -214,15 +218,23 @@ impl Growing {
                     let what = during(problem, *at, what);
                     rubbing.failing(what)
                 }
-                Verdict::Holds | Verdict::NoShear => rubbing,
-                _ if *at >= b => rubbing,
-                _ => rubbing.failing(during(problem, *at, "no stick zone belongs to this friction coefficient")),
+                _ if *at >= b || !self.is_broken() => rubbing,
+                verdict => {
+                    let what = match verdict {
+                        Verdict::TooNarrow => "the stick zone is narrower than any looked for",
+                        Verdict::TooWide => "the surface sticks as close to the contact's edge as can be told",
+                        Verdict::NoShear => "no shear arises, but later",
+                        _ => "no stick zone belongs to this friction coefficient",
+                    };
+                    let what = during(problem, *at, what);
+                    rubbing.failing(what)
+                }
             };
         }
         let family = self.family.as_mut().expect("provided before");
         let zone = family.zone(b);
         let mut rubbing = family.rubbing(b).expect("a family with friction");
-        if let Some(at) = family.shrinks(b, STEADY) {
+        if let Some(at) = family.shrinks(problem.face()..b, STEADY) {
             rubbing = rubbing.failing(during(problem, at, "the stick zone shrinks"));
         }
         let mut trace = [0.0; Traces::AT.len() + 1];
@@ -251,7 +263,7 @@ impl Growing {
         self.provide(layer, task, half_width, 1.0, None).ok()?;
         let problem = task.problem;
         let (Some(family), Some(stack), None) = (&mut self.family, &mut self.stack, &self.broken) else { return None };
-        if problem.friction.is_some() && family.shrinks(half_width, STEADY).is_some() {
+        if problem.friction.is_some() && family.shrinks(problem.face()..half_width, STEADY).is_some() {
             return None;
         }
         let mut point = |load: &LoadInLayerUnits| {
@@ -306,7 +318,7 @@ impl Growing {
 
     /// Shear at points strictly inside the contact, where the pressures are `pressure`; `None` where it cannot be told.
     pub(crate) fn shear(&mut self, problem: &Problem, at: &[Station], pressure: &[f64]) -> Option<Vec<f64>> {
-        if let Some((_, Rubbing { verdict: Verdict::NoShear, .. })) = &self.broken {
+        if self.broken.is_some() && !self.is_broken() {
             return Some(vec![0.0; at.len()]);
         }
         let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return None };
@@ -334,6 +346,13 @@ impl Growing {
     /// Friction coefficient of the shear, negative where the slip is outward; `None` where there is none to tell.
     pub(crate) fn signed_friction(&self) -> Option<f64> {
         self.family.as_ref().filter(|_| self.broken.is_none()).map(Family::signed_friction)
+    }
+
+    /// Whether friction cannot be told of the contact as it grew.
+    pub(crate) fn is_broken(&self) -> bool {
+        // None under a contact of much that width is none under this one.
+        let shears = |at: f64, rubbing: &Rubbing| rubbing.verdict != Verdict::NoShear || ROOM.1 * at < self.half_width;
+        self.broken.as_ref().is_some_and(|(at, rubbing)| shears(*at, rubbing))
     }
 
     /// Matrices factorised so far.

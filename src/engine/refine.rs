@@ -19,6 +19,8 @@ const LEFT_OUT: [f64; 2] = [1e-7, 1e-9];
 const BOUND_LEVEL: usize = 4;
 /// Extra steps of what the scene left open beside a method that it fixed: of the other method.
 const BESIDE_PINNED: u32 = 3;
+/// A pressure that is known to within this shows as well as any where friction cannot be told while a contact grows.
+const SHOWN: f64 = 1e-3;
 /// Steps that may be refused before the first that is solved.
 const SKIPPED: usize = 7;
 /// What a step of refinement leaves of what it changed, on a loading curve; a tenth to a fortieth is seen.
@@ -185,7 +187,7 @@ impl Ladder {
                 stalled = if now < ROUNDED && now > 0.5 * before { stalled + 1 } else { 0 };
                 done = met || stalled >= STALLED;
             }
-            done = done || self.is_hopeless(problem, step, first, &outcome);
+            done = done || self.is_hopeless(problem, step, first, &outcome) || self.is_broken(step, first, &errors);
             if done || step + first == FINEST {
                 let task = Self::task(problem, tolerance, level);
                 let changed = self.stages[step].settle(layer, task, &mut outcome)?;
@@ -256,6 +258,17 @@ impl Ladder {
     fn is_hopeless(&mut self, problem: &Problem, step: usize, first: usize, outcome: &Outcome) -> bool {
         step + first >= BOUND_LEVEL && bound_of_stick(outcome).is_some()
             || step + first == BOUND_LEVEL && self.stages[step].tension(problem, outcome).is_some()
+    }
+
+    /// Whether friction cannot be told of a contact as it grew, at this step and at the one before. Where in its growth
+    /// that is moves with the members solved: no refinement settles it.
+    fn is_broken(&self, step: usize, first: usize, errors: &Numbers) -> bool {
+        let mut of_pressure = errors.iter().filter(|(quantity, _)| !quantity.is_of_shear()).peekable();
+        step > 0
+            && step + first >= BOUND_LEVEL
+            && self.stages[step - 1..=step].iter().all(Stage::is_broken)
+            && of_pressure.peek().is_some()
+            && of_pressure.all(|(_, error)| error < SHOWN)
     }
 }
 

@@ -17,6 +17,10 @@ use slipzone_api::double_exponential::{self, Node};
 const COEFFICIENTS: (usize, usize) = (12, 96);
 /// Power of the variable in which the force over the first piece is a series.
 const POWER: i32 = 2;
+/// The longest way in `t` of `b' = x cosh(t)` that one grid integrates over.
+const LONGEST: f64 = 6.0;
+/// Points closer to the middle than that, over the half-width, are taken to be there: `cosh` has an end.
+const CLOSEST: f64 = 1e-290;
 
 /// Sets of nodes for integrals over the half-width, and by how much in `ln b'` each reaches farther than the one before.
 const WAYS: (usize, f64) = (6, 1.5);
@@ -130,11 +134,23 @@ impl Stack {
         weights.clear();
         for ends in ends.windows(2) {
             let length = ends[1] - ends[0];
+            if ends[1] >= b {
+                for node in &self.grid {
+                    at.push(Station { x: ends[0] + length * node.from_lower, gap: length * node.to_upper });
+                    weights.push(length * node.weight);
+                }
+                continue;
+            }
+            // Up to a kink, which may be close to the edge, by the angle from there: in `x = b cos(angle)` the edge is no
+            // singularity.
+            let [far, near] = [ends[0], ends[1]].map(|x| 2.0 * ((b - x) / (2.0 * b)).sqrt().asin());
+            let length = far - near;
             for node in &self.grid {
-                let x = ends[0] + length * node.from_lower;
-                let gap = length * node.to_upper + (b - ends[1]);
+                let angle = near + length * node.from_lower;
+                let x = ends[0] + 2.0 * b * (0.5 * (angle + far)).sin() * (0.5 * length * node.to_upper).sin();
+                let gap = 2.0 * b * (0.5 * angle).sin().powi(2);
                 at.push(Station { x, gap });
-                weights.push(length * node.weight);
+                weights.push(length * node.weight * b * angle.sin());
             }
         }
         values.resize(at.len(), 0.0);
@@ -183,43 +199,74 @@ impl Stack {
         root.ok().map(|root| root.root())
     }
 
-    /// `int F(b', b' - from) dP(b')` from `from` to `b`.
-    fn stacked(&self, problem: &Problem, from: f64, b: f64, mut f: impl FnMut(f64, f64) -> f64) -> f64 {
+    /// `int F(b', b' - x) dP(b')` from `from` to `b`, with `x <= from`.
+    fn stacked(&self, problem: &Problem, x: f64, from: f64, b: f64, mut f: impl FnMut(f64, f64) -> f64) -> f64 {
         let mut sum = 0.0;
         for piece in &self.pieces {
             let (lower, upper) = (piece.from.max(from), piece.to.min(b));
             if lower >= upper {
                 continue;
             }
-            // In proportion: what is stacked varies with `x/b'`. From a point there are no proportions.
-            let proportion = if lower > 0.0 { (upper / lower).ln() } else { 0.0 };
-            let mut add = |beyond: f64, weight: f64| {
-                let member = lower + beyond;
-                let to_piece = (lower - piece.from) + beyond;
-                let (_, rate) = piece.force_and_rate(problem, member, to_piece);
-                sum += weight * rate * f(member, (lower - from) + beyond);
-            };
-            if lower > 0.0 {
-                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most WAYS.0
-                let way = &self.ways[((proportion / WAYS.1) as usize).min(WAYS.0 - 1)];
-                for [part, weight] in way {
-                    let beyond = lower * (proportion * part).exp_m1();
-                    add(beyond, proportion * weight * (lower + beyond));
+            let to_piece = lower - piece.from;
+            let rate = |member: f64, beyond: f64| piece.force_and_rate(problem, member, to_piece + beyond).1;
+            if x > 0.0 {
+                sum +=
+                    self.stacked_beyond(x, (lower, upper), |member, gap, beyond| rate(member, beyond) * f(member, gap));
+            } else if lower > 0.0 {
+                // In proportion.
+                let way = (upper / lower).ln();
+                for [part, weight] in self.way(way) {
+                    let beyond = lower * (way * part).exp_m1();
+                    let member = lower + beyond;
+                    sum += way * weight * member * rate(member, beyond) * f(member, member);
                 }
             } else {
-                self.grid.iter().for_each(|node| add(upper * node.from_lower, upper * node.weight));
+                for node in &self.grid {
+                    let member = upper * node.from_lower;
+                    sum += upper * node.weight * rate(member, member) * f(member, member);
+                }
             }
         }
         sum
     }
 
+    /// `int F(b', b' - x, b' - lower) db'` between two half-widths beyond `x > 0`, by `t` with `b' = x cosh(t)`: what is
+    /// stacked has its singularity, of the order `(b' - x)^(-1/2)`, at `t = 0`, and varies with `x/b'`.
+    fn stacked_beyond(&self, x: f64, (lower, upper): (f64, f64), mut f: impl FnMut(f64, f64, f64) -> f64) -> f64 {
+        let parameter = |member: f64| 2.0 * ((member - x).max(0.0) / (2.0 * x)).sqrt().asinh();
+        let (start, end) = (parameter(lower), parameter(upper));
+        let parts = ((end - start) / LONGEST).ceil().max(1.0);
+        let length = (end - start) / parts;
+        let mut sum = 0.0;
+        let mut part = 0.0;
+        while part < parts {
+            for [along, weight] in self.way(length) {
+                let passed = length * (part + along);
+                let t = start + passed;
+                let beyond = 2.0 * x * (start + 0.5 * passed).sinh() * (0.5 * passed).sinh();
+                let gap = 2.0 * x * (0.5 * t).sinh().powi(2);
+                sum += length * weight * x * t.sinh() * f(lower + beyond, gap, beyond);
+            }
+            part += 1.0;
+        }
+        sum
+    }
+
+    /// The nodes for a way so long.
+    fn way(&self, length: f64) -> &[[f64; 2]] {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most WAYS.0
+        &self.ways[((length / WAYS.1) as usize).min(WAYS.0 - 1)]
+    }
+
     /// Pressure at a point of a contact.
     pub(crate) fn pressure(&self, problem: &Problem, family: &mut Family, b: f64, x: f64) -> f64 {
         let x = x.abs();
-        let from = x.max(self.breaks[0]);
+        if problem.corners().any(|corner| corner.to_bits() == x.to_bits()) {
+            return f64::INFINITY;
+        }
+        let x = apart(x, b);
         let mut p = [0.0];
-        self.stacked(problem, from, b, |member, beyond| {
-            let gap = (from - x) + beyond;
+        self.stacked(problem, x, x.max(self.breaks[0]), b, |member, gap| {
             family.pressure_into(member, &[Station { x, gap }], &mut p);
             p[0]
         })
@@ -254,9 +301,9 @@ impl Stack {
 
     /// What the shear at a point of the stick zone lacks to that of full sliding.
     pub(crate) fn lack(&self, problem: &Problem, family: &mut Family, b: f64, x: f64) -> f64 {
-        let x = x.abs();
+        let x = apart(x.abs(), b);
         let since = self.stuck_since(family, b, x);
-        self.stacked(problem, since, b, |member, _| family.lack(member, x))
+        self.stacked(problem, x, since, b, |member, _| family.lack(member, x))
     }
 }
 
@@ -268,6 +315,11 @@ fn way(nodes: usize) -> Vec<[f64; 2]> {
         [at.powi(GATHERED), 0.5 * weight * f64::from(GATHERED) * at.powi(GATHERED - 1)]
     });
     each.collect()
+}
+
+/// A point in the middle, or far enough from it to be told apart.
+fn apart(x: f64, b: f64) -> f64 {
+    if x > 0.0 { x.max(CLOSEST * b) } else { 0.0 }
 }
 
 impl Piece {

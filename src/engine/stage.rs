@@ -194,6 +194,11 @@ impl Stage {
         checks::tension(b, mean, |at, out| self.pressure_into(problem, at, out))
     }
 
+    /// Whether friction cannot be told of a contact as it grew.
+    pub(crate) fn is_broken(&self) -> bool {
+        self.growing.as_ref().is_some_and(Growing::is_broken)
+    }
+
     /// Unknowns of the pressure.
     pub(crate) fn unknowns(&self) -> usize {
         self.normal.size()
