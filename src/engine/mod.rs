@@ -28,6 +28,7 @@ mod stage;
 mod stick;
 mod stick_search;
 mod stick_zone;
+mod strain;
 mod verdict;
 
 pub use crate::plan::Plan;

@@ -140,6 +140,9 @@ pub struct Profile {
     pub pressure: Vec<Option<f64>>,
     /// Shear traction on the surface along +x; absent without friction.
     pub shear: Option<Vec<Option<f64>>>,
+    /// Strain `du/dx` left on the surface in the stick zone, where the scene asks for it; `None` outside of that zone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strain: Option<Vec<Option<f64>>>,
 }
 
 impl Solution {

@@ -169,6 +169,6 @@ impl Solver {
             factorisations,
             ..self.chosen.plan.clone()
         };
-        assemble::solution(&self.chosen.scene, plan, &self.problem, stage, judged, status, reason)
+        assemble::solution(&self.chosen.scene, plan, &self.layer, &self.problem, stage, judged, status, reason)
     }
 }

@@ -177,6 +177,15 @@ impl Stage {
         }
     }
 
+    /// The strain left on the surface at points `x >= 0` of the stick zone; `None` where there is none to tell.
+    pub(crate) fn strain(&mut self, layer: &Layer, problem: &Problem, at: &[f64]) -> Option<Vec<Option<f64>>> {
+        match &mut self.growing {
+            Some(growing) => growing.strain(layer, problem, &self.normal, at),
+            // What sticks to a flat punch has never slipped.
+            None => self.shear.as_ref().map(|_| vec![Some(0.0); at.len()]),
+        }
+    }
+
     /// Friction coefficient of the shear, negative where the slip is outward.
     pub(crate) fn signed_friction(&self) -> Option<f64> {
         match &self.growing {

@@ -18,3 +18,4 @@ mod reuse;
 mod run;
 mod scene;
 mod sketch;
+mod strain;
