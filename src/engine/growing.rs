@@ -307,10 +307,11 @@ impl Growing {
         })?;
         let (a0, beta) = (problem.elastic.a0(), problem.elastic.beta());
         let one = |x: &f64| {
-            if *x < never_slipped {
+            let bounded = problem.corners().all(|corner| corner.to_bits() != x.to_bits());
+            // What touched first was not strained yet when it stuck.
+            if *x < never_slipped || *x == 0.0 && bounded {
                 return Some(0.0);
             }
-            let bounded = problem.corners().all(|corner| corner.to_bits() != x.to_bits());
             bounded.then(|| a0 * strain.at(layer, beta, *x))
         };
         Some(at.iter().map(one).collect())
