@@ -54,6 +54,7 @@ pub(super) fn solution(
             ratio: number(Quantity::StickRatio, 1.0),
             one_minus_ratio: number(Quantity::OneMinusRatio, 1.0),
             slip: slip(stage, judged),
+            strain_rate: number(Quantity::StrainRate, 1.0 / length),
         }),
         load,
         error: ErrorReport {

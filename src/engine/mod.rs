@@ -14,6 +14,7 @@ mod family;
 mod finite;
 mod growing;
 mod layer;
+mod linear_strain;
 mod loading_curve;
 mod normal;
 mod problem;

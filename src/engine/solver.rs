@@ -85,13 +85,16 @@ impl Solver {
         self.judged = None;
     }
 
-    /// Takes another friction coefficient.
+    /// Takes another friction coefficient; the strain in the stick zone stays what the scene says of it.
     ///
     /// # Panics
     /// When the scene was prepared without friction: there are no kernels for it.
     pub fn rub(&mut self, friction: Friction) {
         assert!(self.problem.friction.is_some(), "the scene was prepared without friction");
-        self.chosen.scene.friction = Some(friction);
+        let Friction::Goodman { coefficient, .. } = friction;
+        if let Some(Friction::Goodman { coefficient: present, .. }) = &mut self.chosen.scene.friction {
+            *present = coefficient;
+        }
         self.problem.rub(friction);
         self.judged = None;
     }

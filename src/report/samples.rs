@@ -54,6 +54,7 @@ pub(crate) fn flat(a: f64, eta: f64, slip: Slip, points: u32) -> Solution {
             ratio: Some(a),
             one_minus_ratio: Some(1.0 - a),
             slip: Some(slip),
+            strain_rate: None,
         }),
         error: ErrorReport {
             estimate: Some(1e-6),

@@ -63,6 +63,52 @@ fn it_stays_while_the_load_goes_on() {
     }
 }
 
+/// The strain that Chen and Chen (2013) assume is the true one on a homogeneous half-plane, and nearly on thick layers.
+#[test]
+fn a_strain_taken_to_be_linear_is_right_on_a_half_plane() {
+    let linear = |sketch: &Sketch| {
+        let text = sketch.text().replace("coefficient =", "strain = \"linear\"\ncoefficient =");
+        slipzone::engine::solve(&scene::parse("linear.toml", &text).expect("a scene"))
+    };
+    slipzone::link_plugins();
+    for (nu, eta) in [(0.3, 0.2374), (0.3, 0.5), (0.2, 0.12)] {
+        let solution = linear(&Sketch::half_plane(nu).cylinder().rubbing(eta));
+        println!("{:?} {:?} {:?}", solution.status, solution.reason, solution.stick);
+        let beta = (1.0 - 2.0 * nu) / (2.0 - 2.0 * nu);
+        let law = Goodman { eta, beta };
+        let stick = solution.stick.as_ref().expect("friction");
+        let ratio = stick.ratio.expect("a zone") / law.stick().ratio - 1.0;
+        let rate = stick.strain_rate.expect("a rate") / law.frozen_strain() - 1.0;
+        println!("nu {nu} eta {eta}: a/b off by {ratio:.1e}, C by {rate:.1e}; {:?}", solution.error.each);
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+        // The place of an extremum loses more digits than its height.
+        assert!(ratio.abs() < 3e-8 && rate.abs() < 3e-9, "nu = {nu}, eta = {eta}: {ratio:.1e}, {rate:.1e}");
+        assert!(solution.assumptions.iter().any(|line| line.contains("strain C|x| in the stick zone (CC13 eq. 63)")));
+    }
+    // On layers it is not the true one, but the shear still has no edge where slip begins: eta p - q ~ (a - x)^(3/2), in
+    // steps of 4 by a factor of 8.
+    for (h, ratio) in [(20.0, 8.0), (2.0, 8.0), (2.0, 0.125), (0.5, 8.0)] {
+        let sketch = Sketch::flat(h, ratio, 0.3).cylinder().rubbing(0.3).with("[solver]\ntolerance = 1e-6");
+        let (taken, grown) = (linear(&sketch), sketch.solve());
+        assert_eq!(taken.status, Status::Converged, "h = {h}, mu1/mu3 = {ratio}: {:?}", taken.reason);
+        let of = |solution: &Solution| solution.stick.as_ref().and_then(|stick| stick.ratio).expect("a zone");
+        let apart = of(&taken) / of(&grown) - 1.0;
+        assert!(apart.abs() > 1e-3, "h = {h}: {apart:.1e} apart");
+        let x = [0.016, 0.004, 0.001].map(|gap| of(&taken) * (1.0 - gap));
+        let near = linear(&sketch.with(&format!("[output]\nx = {x:?}\nstrain = true")));
+        let (p, q) = (near.profile.pressure.iter().flatten(), near.profile.shear.iter().flatten().flatten());
+        let lack: Vec<f64> = p.zip(q).map(|(p, q)| 0.3 * p - q.abs()).collect();
+        let factors = [lack[0] / lack[1], lack[1] / lack[2]];
+        println!("h {h} ratio {ratio}: {} {apart:.1e}, factors {factors:?}", of(&taken));
+        assert!((factors[1] - 8.0).abs() < 0.3, "h = {h}, mu1/mu3 = {ratio}: {factors:?}");
+        let strain = near.profile.strain.expect("asked for")[0].expect("inside");
+        let expected = taken.stick.expect("friction").strain_rate.expect("a rate") * x[0];
+        assert!((strain / expected - 1.0).abs() < 1e-12, "{strain} against C|x| = {expected}");
+    }
+    let flat = linear(&Sketch::flat(5.0, 8.0, 0.3).rubbing(0.3));
+    assert_eq!(flat.status, Status::Refused, "there is no history to be replaced");
+}
+
 /// Under a face that touched from the start the surface has never slipped within its first stick zone.
 #[test]
 fn nothing_is_left_where_nothing_slipped() {
