@@ -23,8 +23,7 @@ pub(super) fn solution(
     problem: &Problem,
     stage: &mut Stage,
     judged: &Judged,
-    status: Status,
-    reason: Option<String>,
+    (status, reason): (Status, Option<String>),
 ) -> Result<Solution, Refusal> {
     let (length, stress) = (problem.length, problem.stress);
     let number = |quantity, unit: f64| judged.outcome.numbers.get(quantity).map(|value| value * unit);

@@ -165,13 +165,13 @@ impl Solver {
         let tolerance = self.chosen.scene.solver.tolerance.get();
         let factorisations = self.ladder.factorisations();
         let stage = self.ladder.stage(judged.stage);
-        let (status, reason) = verdict(&self.problem, stage, judged, tolerance);
+        let judgement = verdict(&self.problem, stage, judged, tolerance);
         let plan = Plan {
             unknowns: stage.unknowns(),
             flexibility_evaluations: self.layer.flexibility_evaluations(),
             factorisations,
             ..self.chosen.plan.clone()
         };
-        assemble::solution(&self.chosen.scene, plan, &self.layer, &self.problem, stage, judged, status, reason)
+        assemble::solution(&self.chosen.scene, plan, &self.layer, &self.problem, stage, judged, judgement)
     }
 }

@@ -37,6 +37,7 @@ pub enum FrozenStrain {
 
 impl FrozenStrain {
     /// Whether it is what a scene means that says nothing.
+    #[allow(clippy::trivially_copy_pass_by_ref)] // asked for by serde
     fn is_default(&self) -> bool {
         *self == Self::default()
     }
