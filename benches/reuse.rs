@@ -30,7 +30,7 @@ pub(crate) fn benchmarks(criterion: &mut Criterion) {
         if scene.friction.is_some() {
             let mut coefficients = [positive(0.2), positive(0.25)].into_iter().cycle();
             measure(&mut group, &format!("{name}/friction"), nothing, || {
-                known.rub(Friction::Goodman { coefficient: coefficients.next().expect("endless") });
+                known.rub(Friction::goodman(coefficients.next().expect("endless")));
                 known.find().is_ok()
             });
         }

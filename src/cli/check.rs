@@ -28,7 +28,7 @@ fn summary(scene: &Scene) -> String {
     };
     let friction = match scene.friction {
         None => "frictionless".into(),
-        Some(Friction::Goodman { coefficient }) => format!("Goodman friction {}", coefficient.get()),
+        Some(Friction::Goodman { coefficient, .. }) => format!("Goodman friction {}", coefficient.get()),
     };
     let load = match scene.load {
         Load::Force(force) => format!("force {}", force.get()),

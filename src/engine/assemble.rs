@@ -1,6 +1,7 @@
 //! A solved contact in the scene's units.
 
 use super::finite::first_not_finite;
+use super::layer::Layer;
 use super::loading_curve::Point;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
@@ -9,6 +10,7 @@ use super::solution::{
     EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Slip, Solution, Status, StickReport,
 };
 use super::stage::{Stage, Verdict};
+use super::stick_zone::StickZone;
 use crate::plan::Plan;
 use crate::scene::{Load, LoadKind, Scene};
 use slipzone_api::{Refusal, Station};
@@ -17,16 +19,23 @@ use slipzone_api::{Refusal, Station};
 pub(super) fn solution(
     scene: &Scene,
     plan: Plan,
+    layer: &Layer,
     problem: &Problem,
     stage: &mut Stage,
     judged: &Judged,
-    status: Status,
-    reason: Option<String>,
+    (status, reason): (Status, Option<String>),
 ) -> Result<Solution, Refusal> {
     let (length, stress) = (problem.length, problem.stress);
     let number = |quantity, unit: f64| judged.outcome.numbers.get(quantity).map(|value| value * unit);
     let b = judged.outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
     let load = load(scene.load, problem, &judged.outcome.numbers);
+    let mut profile = profile(scene, problem, stage, b);
+    if scene.output.strain {
+        profile.strain = judged.outcome.rubbing.as_ref().and_then(|rubbing| {
+            let relative = profile.x.iter().map(|x| x / (length * b));
+            strain(relative, problem, layer, stage, rubbing.zone)
+        });
+    }
     let mut solution = Solution {
         status,
         reason,
@@ -44,6 +53,7 @@ pub(super) fn solution(
             ratio: number(Quantity::StickRatio, 1.0),
             one_minus_ratio: number(Quantity::OneMinusRatio, 1.0),
             slip: slip(stage, judged),
+            strain_rate: number(Quantity::StrainRate, 1.0 / length),
         }),
         load,
         error: ErrorReport {
@@ -51,7 +61,7 @@ pub(super) fn solution(
             each: judged.errors.iter().map(|(quantity, error)| (quantity.path().to_owned(), error)).collect(),
             how: how(judged.how),
         },
-        profile: profile(scene, problem, stage, b),
+        profile,
         ..Solution::refused(scene, plan, String::new())
     };
     if let Some(noise) = problem.noise() {
@@ -131,6 +141,7 @@ fn profile(scene: &Scene, problem: &Problem, stage: &mut Stage, b: f64) -> Profi
         x: with_mirror(&half.x, left, |x| -x),
         pressure: with_mirror(&half.pressure, left, |p| p),
         shear: half.shear.map(|shear| with_mirror(&shear, left, |q| q.map(|q| -q))),
+        strain: None,
     }
 }
 
@@ -156,5 +167,32 @@ fn tractions(relative: &[f64], problem: &Problem, stage: &mut Stage, b: f64) -> 
         stations.iter().map(|station| value(if station.gap > 0.0 { values.next() } else { None })).collect()
     };
     let shear = stage.shear(problem, &inside, &pressure).map(&spread);
-    Profile { x: relative.iter().map(|x| x * b * problem.length).collect(), pressure: spread(pressure), shear }
+    Profile {
+        x: relative.iter().map(|x| x * b * problem.length).collect(),
+        pressure: spread(pressure),
+        shear,
+        strain: None,
+    }
+}
+
+/// The strain left in the stick zone at points in units of the half-width: the same on either side.
+fn strain(
+    relative: impl Iterator<Item = f64>,
+    problem: &Problem,
+    layer: &Layer,
+    stage: &mut Stage,
+    zone: StickZone,
+) -> Option<Vec<Option<f64>>> {
+    let b = zone.contact();
+    let at: Vec<f64> = relative.map(|x| x.abs() * b).collect();
+    let mut sticking: Vec<f64> = at.iter().copied().filter(|x| *x < zone.half_width).collect();
+    // Each distance once, though it comes on both sides.
+    sticking.sort_by(f64::total_cmp);
+    sticking.dedup_by(|one, other| one.to_bits() == other.to_bits());
+    let strain = stage.strain(layer, problem, &sticking)?;
+    let one = |x: f64| {
+        let found = sticking.binary_search_by(|other| other.total_cmp(&x)).ok()?;
+        strain[found].filter(|strain| strain.is_finite())
+    };
+    Some(at.into_iter().map(one).collect())
 }

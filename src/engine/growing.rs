@@ -9,6 +9,7 @@ use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity, Traces};
 use super::stack::Stack;
 use super::stage::{Outcome, Rubbing, Task, Verdict, normal_numbers, peak};
+use super::strain::Strain;
 use super::traction_curve::{TractionCurve, WORTH};
 use slipzone_api::{Quadrature, Refusal, Station};
 
@@ -26,6 +27,9 @@ const SERIES_SHARE: f64 = 1e-2;
 const NODES: (f64, f64, f64) = (6.0, 1.8, 0.125);
 /// The stick zone may shrink by rounding, relative.
 const STEADY: f64 = 1e-9;
+
+/// Points of the contact closer than that, relative to its half-width, are one: nothing is to be told in between.
+const NO_PIECE: f64 = 1e-11;
 
 /// One resolution of a growing contact.
 pub(crate) struct Growing {
@@ -341,6 +345,49 @@ impl Growing {
             (friction * p - lack) * 1.0_f64.copysign(at.x)
         };
         Some(at.iter().zip(pressure).map(one).collect())
+    }
+
+    /// The strain left on the surface at points of the stick zone, `x >= 0`; `None` where it cannot be told, and at points
+    /// under which the pressure is unbounded.
+    pub(crate) fn strain(
+        &mut self,
+        layer: &Layer,
+        problem: &Problem,
+        normal: &Normal,
+        at: &[f64],
+    ) -> Option<Vec<Option<f64>>> {
+        if let Some((_, Rubbing { verdict: Verdict::NoShear, .. })) = &self.broken {
+            return Some(vec![Some(0.0); at.len()]);
+        }
+        let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return None };
+        let b = self.half_width;
+        let zone = family.zone(b);
+        let kinks: Vec<f64> = stack.breaks().iter().copied().filter(|kink| *kink > 0.0 && *kink < b).collect();
+        // Under the face the surface has stuck from the start.
+        let face = problem.face();
+        let never_slipped = if face > 0.0 && face < b { family.zone(face).half_width } else { 0.0 };
+        let mut breaks: Vec<f64> = kinks.iter().map(|kink| family.zone(*kink).half_width).collect();
+        breaks.extend(kinks.into_iter().chain([0.0, zone.half_width]));
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup_by(|next, before| *next - *before < NO_PIECE * b);
+        breaks.retain(|end| *end < b * (1.0 - NO_PIECE));
+        breaks.push(b);
+        let mut strain = Strain::new(&breaks, zone.crowding(), layer.length(), |at| {
+            let mut pressure = vec![0.0; at.len()];
+            self.pressure_into(problem, normal, at, &mut pressure);
+            let shear = self.shear(problem, at, &pressure)?;
+            Some([pressure, shear])
+        })?;
+        let (a0, beta) = (problem.elastic.a0(), problem.elastic.beta());
+        let one = |x: &f64| {
+            let bounded = problem.corners().all(|corner| corner.to_bits() != x.to_bits());
+            // What touched first was not strained yet when it stuck.
+            if *x < never_slipped || *x == 0.0 && bounded {
+                return Some(0.0);
+            }
+            bounded.then(|| a0 * strain.at(layer, beta, *x))
+        };
+        Some(at.iter().map(one).collect())
     }
 
     /// Friction coefficient of the shear, negative where the slip is outward; `None` where there is none to tell.

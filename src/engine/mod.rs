@@ -14,6 +14,7 @@ mod family;
 mod finite;
 mod growing;
 mod layer;
+mod linear_strain;
 mod loading_curve;
 mod normal;
 mod problem;
@@ -28,6 +29,7 @@ mod stage;
 mod stick;
 mod stick_search;
 mod stick_zone;
+mod strain;
 mod traction_curve;
 mod verdict;
 

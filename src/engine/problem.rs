@@ -2,7 +2,7 @@
 
 use super::quantity::Quantity;
 use crate::scene::{Load, Scene};
-use slipzone_api::{Base, Elastic, Friction, LayerModel, Positive, PunchShape, Refusal};
+use slipzone_api::{Base, Elastic, Friction, FrozenStrain, LayerModel, Positive, PunchShape, Refusal};
 use std::sync::Arc;
 
 /// What the engine solves.
@@ -21,6 +21,8 @@ pub(crate) struct Problem {
     pub(crate) load: LoadInLayerUnits,
     /// Coulomb's coefficient; `None` when frictionless.
     pub(crate) friction: Option<f64>,
+    /// Whether the strain in the stick zone is taken to be `C|x|`, whatever the contact's history.
+    pub(crate) is_linear: bool,
 }
 
 /// The load: force in `mu1 h`, lengths in `h`.
@@ -44,7 +46,7 @@ impl LoadInLayerUnits {
 
 /// Coulomb's coefficient.
 fn coefficient(friction: Friction) -> f64 {
-    let Friction::Goodman { coefficient } = friction;
+    let Friction::Goodman { coefficient, .. } = friction;
     coefficient.get()
 }
 
@@ -60,6 +62,16 @@ impl Problem {
         let stress = law.surface_modulus();
         let load = LoadInLayerUnits::new(scene.load, length, stress);
         let friction = scene.friction.map(coefficient);
+        let is_linear = matches!(scene.friction, Some(Friction::Goodman { strain: FrozenStrain::Linear, .. }));
+        if is_linear && (shape.fixed_half_width().is_some() || shape.face() > 0.0 || !shape.kinks().is_empty()) {
+            return Err(Refusal::NotBuilt {
+                what: "a strain C|x| in the stick zone under a punch that has corners, a face or kinks".into(),
+                remedy:
+                    "leave out `strain = \"linear\"`: it is there to be compared with, under punches that touch in \
+                         one point and are smooth elsewhere"
+                        .into(),
+            });
+        }
         let elastic = Elastic::new(layer.plane, layer.poisson);
         Ok(Self {
             layer: Arc::new(LayerModel { law, elastic, base: layer.base }),
@@ -69,6 +81,7 @@ impl Problem {
             stress,
             load,
             friction,
+            is_linear,
         })
     }
 
@@ -82,6 +95,7 @@ impl Problem {
             stress: self.stress,
             load: LoadInLayerUnits::Force(1.0),
             friction: self.friction,
+            is_linear: false,
         }
     }
 
@@ -93,7 +107,7 @@ impl Problem {
     /// Whether the contact is solved as a stack of flat punches: where it grows, and remembers how it grew or must not be
     /// taken for smooth.
     pub(crate) fn is_stacked(&self) -> bool {
-        self.fixed_half_width().is_none() && (self.friction.is_some() || self.is_kinked())
+        self.fixed_half_width().is_none() && (self.friction.is_some() && !self.is_linear || self.is_kinked())
     }
 
     /// Whether the shape is not analytic all over the contact.

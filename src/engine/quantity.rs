@@ -16,10 +16,11 @@ pub(crate) enum Quantity {
     StickHalfWidth,
     StickRatio,
     OneMinusRatio,
+    StrainRate,
 }
 
 impl Quantity {
-    pub(crate) const ALL: [Self; 11] = [
+    pub(crate) const ALL: [Self; 12] = [
         Self::Force,
         Self::HalfWidth,
         Self::Indentation,
@@ -31,11 +32,12 @@ impl Quantity {
         Self::StickHalfWidth,
         Self::StickRatio,
         Self::OneMinusRatio,
+        Self::StrainRate,
     ];
 
     /// Whether it tells of the shear, and not of the pressure alone.
     pub(crate) fn is_of_shear(self) -> bool {
-        matches!(self, Self::StickHalfWidth | Self::StickRatio | Self::OneMinusRatio)
+        matches!(self, Self::StickHalfWidth | Self::StickRatio | Self::OneMinusRatio | Self::StrainRate)
     }
 
     /// Its path in the result.
@@ -52,6 +54,7 @@ impl Quantity {
             Self::StickHalfWidth => "stick.half_width",
             Self::StickRatio => "stick.ratio",
             Self::OneMinusRatio => "stick.one_minus_ratio",
+            Self::StrainRate => "stick.strain_rate",
         }
     }
 }

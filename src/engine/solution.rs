@@ -4,7 +4,7 @@ use super::loading_curve::Curve;
 use crate::plan::Plan;
 use crate::scene::{Scene, Units};
 use serde::Serialize;
-use slipzone_api::{Base, Friction, Plane};
+use slipzone_api::{Base, Friction, FrozenStrain, Plane};
 use std::collections::BTreeMap;
 
 /// How a solve ended.
@@ -118,6 +118,9 @@ pub struct StickReport {
     pub one_minus_ratio: Option<f64>,
     /// Direction of slip.
     pub slip: Option<Slip>,
+    /// `C`, where the strain in the stick zone is taken to be `C|x|`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strain_rate: Option<f64>,
 }
 
 /// Error estimates, relative.
@@ -140,6 +143,9 @@ pub struct Profile {
     pub pressure: Vec<Option<f64>>,
     /// Shear traction on the surface along +x; absent without friction.
     pub shear: Option<Vec<Option<f64>>>,
+    /// Strain `du/dx` left on the surface in the stick zone, where the scene asks for it; `None` outside of that zone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strain: Option<Vec<Option<f64>>>,
 }
 
 impl Solution {
@@ -178,7 +184,11 @@ fn assumptions(scene: &Scene) -> Vec<String> {
         Base::Infinite => "no base: the solid goes on for ever; the indentation is undefined",
     };
     let friction = match scene.friction {
-        Some(Friction::Goodman { .. }) => {
+        Some(Friction::Goodman { strain: FrozenStrain::Linear, .. }) => {
+            "Goodman: q does not change p; one stick zone, slip in one direction on either side; strain C|x| in the stick \
+             zone (CC13 eq. 63), whatever the history"
+        }
+        Some(Friction::Goodman { strain: FrozenStrain::History, .. }) => {
             "Goodman: q does not change p; one stick zone, slip in one direction on either side; force grown from zero"
         }
         None => "no friction",

@@ -88,13 +88,16 @@ impl Solver {
         self.judged = None;
     }
 
-    /// Takes another friction coefficient.
+    /// Takes another friction coefficient; the strain in the stick zone stays what the scene says of it.
     ///
     /// # Panics
     /// When the scene was prepared without friction: there are no kernels for it.
     pub fn rub(&mut self, friction: Friction) {
         assert!(self.problem.friction.is_some(), "the scene was prepared without friction");
-        self.chosen.scene.friction = Some(friction);
+        let Friction::Goodman { coefficient, .. } = friction;
+        if let Some(Friction::Goodman { coefficient: present, .. }) = &mut self.chosen.scene.friction {
+            *present = coefficient;
+        }
         self.problem.rub(friction);
         self.judged = None;
     }
@@ -188,13 +191,13 @@ impl Solver {
         let tolerance = self.chosen.scene.solver.tolerance.get();
         let factorisations = self.ladder.factorisations();
         let stage = self.ladder.stage(judged.stage);
-        let (status, reason) = verdict(&self.problem, stage, judged, tolerance);
+        let judgement = verdict(&self.problem, stage, judged, tolerance);
         let plan = Plan {
             unknowns: stage.unknowns(),
             flexibility_evaluations: self.layer.flexibility_evaluations(),
             factorisations,
             ..self.chosen.plan.clone()
         };
-        assemble::solution(&self.chosen.scene, plan, &self.problem, stage, judged, status, reason)
+        assemble::solution(&self.chosen.scene, plan, &self.layer, &self.problem, stage, judged, judgement)
     }
 }

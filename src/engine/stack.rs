@@ -165,6 +165,11 @@ impl Stack {
         self.over_contact(b, &mut |at, out| family.tilt_into(b, at, out), |x| problem.slope(x)) / a0
     }
 
+    /// Where the shape is not analytic, up to the widest contact.
+    pub(crate) fn breaks(&self) -> &[f64] {
+        &self.breaks
+    }
+
     /// The force at a half-width.
     pub(crate) fn force(&self, problem: &Problem, b: f64) -> f64 {
         let last = self.pieces.last().expect("one piece at least");

@@ -6,6 +6,7 @@ use super::error_estimate::Seen;
 use super::family::Family;
 use super::growing::Growing;
 use super::layer::{Layer, Wanted};
+use super::linear_strain::RateCurve;
 use super::normal::Normal;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity, Traces};
@@ -152,11 +153,18 @@ impl Stage {
         };
         let mut numbers = normal_numbers(layer, problem, &mut self.normal);
         let rubbing = match problem.friction {
+            Some(eta) if problem.is_linear => {
+                Some(self.rub_linearly(layer, task, eta, coarse.and_then(|c| c.rubbing.as_ref()))?)
+            }
             Some(eta) => Some(self.rub(layer, task, eta, coarse.and_then(|c| c.rubbing.as_ref()))?),
             None => None,
         };
         if let Some(rubbing) = &rubbing {
             rubbing.report(&mut numbers);
+        }
+        if problem.is_linear && rubbing.as_ref().is_some_and(|rubbing| rubbing.verdict == Verdict::Holds) {
+            let rate = self.shear.as_ref().map_or(0.0, |shear| shear.strain_rate);
+            numbers.set(Quantity::StrainRate, problem.elastic.a0() * rate);
         }
         let mean = self.normal.mean();
         let mut pressure = [0.0; Traces::AT.len()];
@@ -177,6 +185,18 @@ impl Stage {
         match self.growing.as_mut().filter(|growing| growing.is_solver) {
             Some(growing) => growing.shear(problem, at, pressure),
             None => self.shear.as_ref().map(|shear| shear.values(at, pressure)),
+        }
+    }
+
+    /// The strain left on the surface at points `x >= 0` of the stick zone; `None` where there is none to tell.
+    pub(crate) fn strain(&mut self, layer: &Layer, problem: &Problem, at: &[f64]) -> Option<Vec<Option<f64>>> {
+        match &mut self.growing {
+            Some(growing) => growing.strain(layer, problem, &self.normal, at),
+            // What sticks to a flat punch has never slipped.
+            None => self.shear.as_ref().map(|shear| {
+                let rate = problem.elastic.a0() * shear.strain_rate;
+                at.iter().map(|x| Some(rate * x)).collect()
+            }),
         }
     }
 
@@ -237,6 +257,45 @@ impl Stage {
         }
         self.rubbed = Some((b, eta, rubbing.clone()));
         Ok(rubbing)
+    }
+
+    /// Finds the stick zone in which the strain is `C|x|`: near that of a coarser resolution, or by a search.
+    fn rub_linearly(
+        &mut self,
+        layer: &Layer,
+        task: Task,
+        eta: f64,
+        coarse: Option<&Rubbing>,
+    ) -> Result<Rubbing, Refusal> {
+        self.refresh(layer);
+        let b = self.normal.half_width;
+        let known = coarse.and_then(Rubbing::reported);
+        let shear = self.shear.as_mut().expect("room for the shear was made with friction");
+        let mut failure = None;
+        for branch in [1.0, -1.0] {
+            if known.is_some_and(|root| root.branch.to_bits() != f64::to_bits(branch)) {
+                continue;
+            }
+            let (beta, friction) = (task.problem.elastic.beta(), branch * eta);
+            let mut curve = RateCurve { layer, normal: &mut self.normal, shear, beta, friction };
+            for lambda in curve.extrema(known.map(|root| root.lambda))? {
+                curve.at(lambda)?;
+                let root = Root { lambda, branch, slope: f64::NAN, doubt: f64::NAN };
+                let rubbing = Rubbing::expected(root, b, true);
+                let mut trace = [0.0; Traces::AT.len() + 1];
+                let [inside @ .., end] = &mut trace;
+                curve.shear.in_stick_into(&Traces::stations(curve.shear.zone.half_width), inside);
+                *end = curve.shear.at_edge;
+                let mean = curve.normal.mean();
+                let rubbing = rubbing.traced(trace.map(|q| q / mean));
+                let Some((x, load)) = checks::overload(curve.normal, curve.shear) else { return Ok(rubbing) };
+                let what = format!("|q| reaches {load:.3} eta p at x = {x:.4} b inside the stick zone");
+                failure = failure.or(Some(rubbing.failing(what)));
+            }
+        }
+        let nothing = Root { lambda: FrictionCurve::narrowest(), branch: 1.0, slope: f64::NAN, doubt: f64::NAN };
+        let lost = || Rubbing { verdict: Verdict::None, ..Rubbing::expected(nothing, b, true) };
+        Ok(failure.unwrap_or_else(lost))
     }
 
     /// Takes the shear's trace, and checks the conditions of friction as soon as the zone is known: resolutions that
@@ -411,6 +470,9 @@ impl Stage {
         if let Some(growing) = self.growing.as_mut().filter(|growing| growing.is_solver) {
             growing.settle(layer, task, outcome)?;
             return Ok(false);
+        }
+        if task.problem.is_linear {
+            return Ok(false); // each is checked when it is found
         }
         let (Some(rubbing), Some(eta)) = (&mut outcome.rubbing, task.problem.friction) else { return Ok(false) };
         self.refresh(layer);

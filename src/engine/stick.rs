@@ -3,6 +3,7 @@
 
 use super::dense::Dense;
 use super::layer::Layer;
+use super::linear_strain;
 use super::normal::Normal;
 use super::slip_grid::SlipGrid;
 use super::stick_zone::StickZone;
@@ -28,6 +29,8 @@ pub(crate) struct Shear {
     pub(crate) at_edge: f64,
     /// Whether it is as it was solved for the zone, and not adapted to another friction coefficient since.
     pub(crate) is_solved: bool,
+    /// `C/A0` of the strain `C|x|` in the stick zone; 0 where nothing is left there.
+    pub(crate) strain_rate: f64,
     quadrature: Box<dyn Quadrature>,
     /// By steps of the quadrature's ladder beyond its own resolution.
     grids: Vec<StickGrid>,
@@ -85,6 +88,7 @@ impl Shear {
             friction: 0.0,
             at_edge: 0.0,
             is_solved: false,
+            strain_rate: 0.0,
             quadrature,
             grids: vec![coarsest],
             used: 0,
@@ -122,10 +126,62 @@ impl Shear {
         beta: f64,
         zone: StickZone,
     ) -> Result<f64, Refusal> {
+        self.see(layer, normal, zone);
+        let grid = &mut self.grids[self.used];
+        let rule = &grid.rule;
+        let n = rule.unknowns();
+        let p_edge = self.slip.pressure_at_stick_edge();
+        let scale = rule.row_scale();
+        let (rows, right) = (&mut grid.system.rows, &mut grid.system.columns);
+        for (i, row) in rows.chunks_exact_mut(n + 1).take(grid.by_slip.len()).enumerate() {
+            let scale = scale.map_or(1.0, |scale| scale[i]);
+            row[..n].copy_from_slice(&grid.operator[i * n..(i + 1) * n]);
+            row[n] = p_edge * grid.carrier[i] + scale * grid.by_slip[i];
+            right[i] = scale * (grid.coupled[i] - beta * grid.pressure[i]);
+        }
+        let friction = self.close()?;
+        (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, friction, friction * p_edge, true);
+        self.strain_rate = 0.0;
+        Ok(friction)
+    }
+
+    /// Solves the tangential equation for one stick zone in which the strain is `C|x|`, with `C/A0` as one more unknown,
+    /// and returns it; the friction coefficient is given.
+    ///
+    /// What `|x|` makes of the shear on a half-plane is known and taken out of it, see [`linear_strain::carrier`].
+    pub(crate) fn solve_strained(
+        &mut self,
+        layer: &Layer,
+        normal: &mut Normal,
+        beta: f64,
+        friction: f64,
+        zone: StickZone,
+    ) -> Result<f64, Refusal> {
+        self.see(layer, normal, zone);
+        let grid = &mut self.grids[self.used];
+        let rule = &grid.rule;
+        let n = rule.unknowns();
+        let p_edge = self.slip.pressure_at_stick_edge();
+        let scale = rule.row_scale();
+        let strained = linear_strain::equation(layer, zone.half_width, rule.collocation());
+        let (rows, right) = (&mut grid.system.rows, &mut grid.system.columns);
+        for (i, row) in rows.chunks_exact_mut(n + 1).take(grid.by_slip.len()).enumerate() {
+            let scale = scale.map_or(1.0, |scale| scale[i]);
+            row[..n].copy_from_slice(&grid.operator[i * n..(i + 1) * n]);
+            row[n] = scale * strained[i];
+            let by_slip = p_edge * grid.carrier[i] + scale * grid.by_slip[i];
+            right[i] = scale * (grid.coupled[i] - beta * grid.pressure[i]) - friction * by_slip;
+        }
+        self.strain_rate = self.close()?;
+        (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, friction, friction * p_edge, true);
+        Ok(self.strain_rate)
+    }
+
+    /// The terms of the tangential equation in one stick zone.
+    fn see(&mut self, layer: &Layer, normal: &mut Normal, zone: StickZone) {
         self.used = self.resolution(zone);
         let grid = &mut self.grids[self.used];
         let rule = &mut grid.rule;
-        let n = rule.unknowns();
         rule.stretch(zone.half_width);
         let kernel = layer.kernel(Component::ShearStrain);
         rule.operator_into(kernel, &mut grid.operator);
@@ -137,17 +193,14 @@ impl Shear {
         normal.potential_into(layer, Component::Coupling, &self.coupling, &grid.stations, &mut grid.coupled);
         normal.values_into(&grid.stations, &mut grid.pressure);
         self.slip.potential_into(layer, normal, zone, rule.collocation(), &mut grid.by_slip);
+    }
 
-        let p_edge = self.slip.pressure_at_stick_edge();
-        let scale = rule.row_scale();
+    /// Solves the system whose rows are written, adds the last one, and returns the unknown beside the shear's.
+    fn close(&mut self) -> Result<f64, Refusal> {
+        let grid = &mut self.grids[self.used];
+        let n = grid.rule.unknowns();
         let (rows, right) = (&mut grid.system.rows, &mut grid.system.columns);
-        for (i, row) in rows.chunks_exact_mut(n + 1).take(grid.by_slip.len()).enumerate() {
-            let scale = scale.map_or(1.0, |scale| scale[i]);
-            row[..n].copy_from_slice(&grid.operator[i * n..(i + 1) * n]);
-            row[n] = p_edge * grid.carrier[i] + scale * grid.by_slip[i];
-            right[i] = scale * (grid.coupled[i] - beta * grid.pressure[i]);
-        }
-        if let Some(condition) = rule.edge_condition() {
+        if let Some(condition) = grid.rule.edge_condition() {
             let row = &mut rows[n * (n + 1)..];
             row[..n].copy_from_slice(condition);
             row[n] = 0.0;
@@ -155,11 +208,10 @@ impl Shear {
         }
         grid.system.solve(1)?;
         self.solutions += 1;
-        let (friction, unknowns) = grid.system.column(0).split_last().expect("one unknown more than q has");
+        let (other, unknowns) = grid.system.column(0).split_last().expect("one unknown more than q has");
         self.unknowns.clear();
         self.unknowns.extend_from_slice(unknowns);
-        (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, *friction, friction * p_edge, true);
-        Ok(*friction)
+        Ok(*other)
     }
 
     /// The grid fine enough for a zone, made when first asked for.
@@ -214,6 +266,11 @@ impl Shear {
     pub(crate) fn in_stick_into(&self, at: &[Station], out: &mut [f64]) {
         let density = Density { unknowns: &self.unknowns, carrier: self.at_edge };
         self.grids[self.used].rule.values_into(density, at, out);
+        if self.strain_rate != 0.0 {
+            for (out, at) in out.iter_mut().zip(at) {
+                *out += self.strain_rate * linear_strain::carrier(self.zone.half_width, *at);
+            }
+        }
     }
 
     /// The unknowns of the shear in the stick zone.

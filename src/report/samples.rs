@@ -54,6 +54,7 @@ pub(crate) fn flat(a: f64, eta: f64, slip: Slip, points: u32) -> Solution {
             ratio: Some(a),
             one_minus_ratio: Some(1.0 - a),
             slip: Some(slip),
+            strain_rate: None,
         }),
         error: ErrorReport {
             estimate: Some(1e-6),
@@ -73,6 +74,7 @@ pub(crate) fn flat(a: f64, eta: f64, slip: Slip, points: u32) -> Solution {
         profile: Profile {
             pressure: x.iter().map(|x| pressure(*x)).collect(),
             shear: Some(x.iter().map(|x| shear(*x)).collect()),
+            strain: None,
             x,
         },
         assumptions: vec!["plane strain".into(), "Goodman: q does not change p".into()],
@@ -107,6 +109,7 @@ pub(crate) fn cylinder_without_friction() -> Solution {
         profile: Profile {
             pressure: x.iter().map(|x| Some(2.0 / PI * (1.0 - x * x).sqrt())).collect(),
             shear: None,
+            strain: None,
             x,
         },
         ..Solution::refused(&scene, Plan::default(), String::new())

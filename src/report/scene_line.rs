@@ -73,7 +73,9 @@ fn parts_but_load(solution: &Solution, half_width: Option<f64>, letters: &Alphab
     parts.push(punch(&*scene.punch, letters));
     parts.push(match &scene.friction {
         None => "frictionless".into(),
-        Some(Friction::Goodman { coefficient }) => format!("{} = {}", letters.eta, letters.number(coefficient.get())),
+        Some(Friction::Goodman { coefficient, .. }) => {
+            format!("{} = {}", letters.eta, letters.number(coefficient.get()))
+        }
     });
     parts
 }

@@ -441,7 +441,7 @@ mod tests {
             (vec![0.5, 0.5, 0.5], vec![Some(1.0), None, Some(1.0)]),
             (vec![-1.0, 0.0, 1.0], vec![None, Some(1e-300), None]),
         ] {
-            solution.profile = crate::engine::Profile { shear: Some(pressure.clone()), x, pressure };
+            solution.profile = crate::engine::Profile { shear: Some(pressure.clone()), x, pressure, strain: None };
             let figure = svg(&solution).unwrap();
             texts(&figure);
             assert!(!figure.contains("NaN") && !figure.contains("inf"), "{:?}: {figure}", solution.profile);
@@ -469,7 +469,8 @@ mod tests {
             matches!(svg(&samples::refused()), Err(FigureError::Refused(reason)) if reason.contains("exponential"))
         );
         let mut solution = samples::cylinder_without_friction();
-        solution.profile = crate::engine::Profile { x: vec![0.0], pressure: vec![Some(1.0)], shear: None };
+        solution.profile =
+            crate::engine::Profile { x: vec![0.0], pressure: vec![Some(1.0)], shear: None, strain: None };
         assert_eq!(svg(&solution), Err(FigureError::NoProfile(1)));
         solution.pressure.mean = None;
         assert_eq!(svg(&solution), Err(FigureError::NoScale));

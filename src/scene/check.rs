@@ -160,7 +160,7 @@ fn without_height(shape: &dyn PunchShape, half_width: f64) -> Option<f64> {
 
 fn friction(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     match scene.friction {
-        Some(Friction::Goodman { coefficient }) if coefficient.get() > 1e3 => Err(document
+        Some(Friction::Goodman { coefficient, .. }) if coefficient.get() > 1e3 => Err(document
             .not_allowed(&["friction", "coefficient"], "a number above 0 and up to 1e3")
             .hint("common coefficients lie between 0.05 and 1.5")),
         _ => Ok(()),

@@ -180,15 +180,17 @@ pub struct Output {
     pub points: usize,
     /// The samples themselves in units of the half-width, in place of `points`.
     pub x: Option<Vec<f64>>,
+    /// Whether the strain left in the stick zone is written, too.
+    pub strain: bool,
 }
 
 impl Default for Output {
     fn default() -> Self {
-        Self { points: 201, x: None }
+        Self { points: 201, x: None, strain: false }
     }
 }
 
-/// The keys of `[output]`: one of two.
+/// The keys of `[output]`: one of the first two.
 #[derive(Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct OutputTable {
@@ -196,22 +198,24 @@ struct OutputTable {
     points: Option<usize>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     x: Option<Vec<f64>>,
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    strain: bool,
 }
 
 impl TryFrom<OutputTable> for Output {
     type Error = &'static str;
 
-    fn try_from(OutputTable { points, x }: OutputTable) -> Result<Self, Self::Error> {
+    fn try_from(OutputTable { points, x, strain }: OutputTable) -> Result<Self, Self::Error> {
         if points.is_some() && x.is_some() {
             return Err("expected one of `points` and `x`, found both");
         }
-        Ok(Self { points: points.unwrap_or(Self::default().points), x })
+        Ok(Self { points: points.unwrap_or(Self::default().points), x, strain })
     }
 }
 
 impl From<Output> for OutputTable {
-    fn from(Output { points, x }: Output) -> Self {
-        Self { points: x.is_none().then_some(points), x }
+    fn from(Output { points, x, strain }: Output) -> Self {
+        Self { points: x.is_none().then_some(points), x, strain }
     }
 }
 

@@ -6,7 +6,7 @@
 
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
-use slipzone_api::{Base, Friction, Poisson, Positive};
+use slipzone_api::{Base, Friction, FrozenStrain, Poisson, Positive};
 use std::fmt;
 
 /// Reads `layer.base`.
@@ -42,6 +42,8 @@ struct HalfPlane {
 #[serde(deny_unknown_fields)]
 struct Goodman {
     coefficient: Positive,
+    #[serde(default)]
+    strain: FrozenStrain,
 }
 
 struct BaseTable;
@@ -81,7 +83,8 @@ impl<'de> Visitor<'de> for FrictionTable {
         let tag = tag(&mut map)?;
         let rest = MapAccessDeserializer::new(map);
         match tag.as_str() {
-            "goodman" => Goodman::deserialize(rest).map(|Goodman { coefficient }| Friction::Goodman { coefficient }),
+            "goodman" => Goodman::deserialize(rest)
+                .map(|Goodman { coefficient, strain }| Friction::Goodman { coefficient, strain }),
             _ => Err(A::Error::unknown_variant(&tag, &["goodman"])),
         }
     }
@@ -113,7 +116,7 @@ mod tests {
         }
         let positive = Positive::new(0.25).unwrap();
         let poisson = Poisson::new(0.3).unwrap();
-        let friction = Some(Friction::Goodman { coefficient: positive });
+        let friction = Some(Friction::Goodman { coefficient: positive, strain: FrozenStrain::Linear });
         let bases = [Base::Rigid, Base::Frictionless, Base::HalfPlane { shear: positive, poisson }, Base::Infinite];
         for base in bases {
             // A reminder to extend the list: this match is checked for completeness.

@@ -19,3 +19,4 @@ mod reuse;
 mod run;
 mod scene;
 mod sketch;
+mod strain;

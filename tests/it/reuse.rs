@@ -43,7 +43,7 @@ fn another_friction_coefficient_uses_the_curve_that_is_known() {
     let sketch = Sketch::flat(5.0, 0.125, 0.3);
     let mut solver = Solver::new(&sketch.clone().rubbing(0.3).scene()).expect("a bonded layer");
     let first = solver.solve().plan.factorisations;
-    solver.rub(Friction::Goodman { coefficient: positive(0.1) });
+    solver.rub(Friction::goodman(positive(0.1)));
     let second = solver.solve();
     let further = second.plan.factorisations - first;
     // The scan takes ten systems at least.

@@ -11,5 +11,34 @@ pub enum Friction {
     Goodman {
         /// Coulomb's coefficient `eta`.
         coefficient: Positive,
+        /// What strain a growing contact leaves in its stick zone.
+        #[serde(default, skip_serializing_if = "FrozenStrain::is_default")]
+        strain: FrozenStrain,
     },
+}
+
+impl Friction {
+    /// Goodman's law with that coefficient, under a contact that remembers how it grew.
+    pub fn goodman(coefficient: Positive) -> Self {
+        Self::Goodman { coefficient, strain: FrozenStrain::default() }
+    }
+}
+
+/// Where the strain `u'(x)` comes from that is frozen in the stick zone of a contact that grows with the load.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FrozenStrain {
+    /// From how the contact grew: what the surface was strained by when it stuck.
+    #[default]
+    History,
+    /// Taken to be `C|x|`, as Chen and Chen (2013, eq. 63) do: exact for a cylinder on a homogeneous half-plane.
+    Linear,
+}
+
+impl FrozenStrain {
+    /// Whether it is what a scene means that says nothing.
+    #[allow(clippy::trivially_copy_pass_by_ref)] // asked for by serde
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
 }

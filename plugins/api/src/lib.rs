@@ -32,7 +32,7 @@ pub mod testkit;
 pub use elastic::{Base, Elastic, Plane};
 pub use files::{Fault, Files, LARGEST_FILE, NoFiles, Place};
 pub use flexibility::{Flexibility, LayerModel, LayerResponse, SurfaceFlexibility};
-pub use friction::Friction;
+pub use friction::{Friction, FrozenStrain};
 pub use grading::{Grading, ModulusLaw};
 pub use kernel::{Component, KernelRequest, KernelStrategy, KernelTable, Parts, PartsMut, PartsVec};
 pub use number::{NotAllowed, Poisson, Positive};

@@ -61,7 +61,7 @@ impl Curves {
             return Err(FigureError::NoProfile(pressure.len()));
         }
         let shear = profile.shear.as_deref().map(|values| to_the_edges(&scaled(values))).unwrap_or_default();
-        let eta = solution.scene.friction.as_ref().map(|Friction::Goodman { coefficient }| coefficient.get());
+        let eta = solution.scene.friction.as_ref().map(|Friction::Goodman { coefficient, .. }| coefficient.get());
         Ok(Self { pressure, shear, eta, unbounded })
     }
 

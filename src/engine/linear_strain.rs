@@ -1,0 +1,141 @@
+//! A strain `u' = C|x|` in the stick zone, as in Chen and Chen (2013, eq. 63): to be compared with what a contact's history
+//! leaves there.
+//!
+//! For each stick zone one `C` belongs to a shear that is bounded at the zone's end. The paper leaves open which zone it
+//! is. The shear must meet `eta p` like `(a - x)^(3/2)`, its rate being finite: the derivative of the shear over `a`, at a
+//! constant contact, must not be singular at `a`. That derivative is odd, vanishes in the slip zone and strains the stick
+//! zone by `-dC/da |x|`, which alone would need a singular end: so it vanishes and **`dC/da = 0`**.
+
+use super::layer::Layer;
+use super::normal::Normal;
+use super::stick::Shear;
+use super::stick_zone::StickZone;
+use slipzone_api::double_exponential;
+use slipzone_api::{Component, Refusal, Station};
+use std::f64::consts::PI;
+
+/// Nodes on either side of the integrals over the carrier, and per length of the kernel.
+const NODES: (f64, f64) = (24.0, 8.0);
+/// `lambda = ln(a/(b - a))` looked at: from, to, and the steps in between.
+const SCAN: (f64, f64, f64) = (-8.0, 10.0, 0.75);
+/// Step of the differences that tell `dC/d lambda`. Their error goes with its fourth power: with 0.02 the stick ratio on a
+/// half-plane was off by 1e-8, to the last one of these digits as theory has it. Rounding of `C` is magnified a hundred
+/// times.
+const STEP: f64 = 0.01;
+/// First bracket around the extremum of a coarser resolution, and how often it is doubled.
+const BRACKET: (f64, u32) = (0.01, 6);
+/// Position tolerance.
+const POSITION: f64 = 1e-10;
+
+/// The shear that `|x|` alone makes: `z` with `(1/pi) PV int z(r)/(x - r) dr = -(|x| - 2 a/pi)` within `(-a, a)`,
+/// `z = (x/pi) ln((a - w)/(a + w))`, `w = sqrt(a^2 - x^2)`. The constant is what makes it bounded.
+pub(crate) fn carrier(a: f64, at: Station) -> f64 {
+    let x = at.x.abs();
+    if x == 0.0 {
+        return 0.0;
+    }
+    let w = (at.gap * (2.0 * a - at.gap)).max(0.0).sqrt();
+    let logarithm = if at.gap < 0.5 * a { (-(at.gap + w) / (a + w)).ln_1p() } else { (x / (a + w)).ln() };
+    2.0 * at.x / PI * logarithm
+}
+
+/// What stands beside `C/A0` in the tangential equation at each point: the constant that the carrier leaves, and the
+/// layer's `(1/pi) int z(r) k_uu(x - r) dr`.
+pub(crate) fn equation(layer: &Layer, a: f64, at: &[Station]) -> Vec<f64> {
+    let constant = 2.0 * a / PI;
+    if layer.is_plain() {
+        return vec![constant; at.len()];
+    }
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
+    let grid = double_exponential::nodes(1.0, NODES.0.max(NODES.1 * a / layer.length()).ceil() as usize);
+    let (mut distances, mut weights, mut kernel) = (Vec::new(), Vec::new(), vec![0.0; 4 * grid.len()]);
+    let one = |at: &Station| {
+        distances.clear();
+        weights.clear();
+        for node in &grid {
+            let (below, above) = (at.x * node.to_upper, at.gap * node.from_lower);
+            let inner = Station { x: at.x * node.from_lower, gap: at.gap + below };
+            let outer = Station { x: at.x + above, gap: at.gap * node.to_upper };
+            distances.extend([below, at.x + inner.x, -above, at.x + outer.x]);
+            weights.extend([at.x * node.weight * carrier(a, inner), at.gap * node.weight * carrier(a, outer)]);
+        }
+        layer.kernel_values(Component::ShearStrain, &distances, &mut kernel);
+        let sum: f64 = weights.iter().zip(kernel.chunks_exact(2)).map(|(weight, k)| weight * (k[0] - k[1])).sum();
+        constant + sum / PI
+    };
+    at.iter().map(one).collect()
+}
+
+/// `C/A0` as a function of `lambda`, at one resolution.
+pub(crate) struct RateCurve<'a> {
+    pub(crate) layer: &'a Layer,
+    pub(crate) normal: &'a mut Normal,
+    pub(crate) shear: &'a mut Shear,
+    pub(crate) beta: f64,
+    /// Negative where the slip is outward.
+    pub(crate) friction: f64,
+}
+
+impl RateCurve<'_> {
+    /// At one stick zone, the shear of which is left.
+    pub(crate) fn at(&mut self, lambda: f64) -> Result<f64, Refusal> {
+        let zone = StickZone::from_log(lambda, self.normal.half_width);
+        self.shear.solve_strained(self.layer, self.normal, self.beta, self.friction, zone)
+    }
+
+    /// `dC/d lambda` over `A0`.
+    fn slope(&mut self, lambda: f64) -> Result<f64, Refusal> {
+        // All on one grid, that of the widest: between grids there are steps.
+        self.shear.insist_on(0);
+        let last = self.at(lambda + 2.0 * STEP)?;
+        self.shear.insist_on(self.shear.grid());
+        let (after, before, first) = (self.at(lambda + STEP)?, self.at(lambda - STEP)?, self.at(lambda - 2.0 * STEP)?);
+        Ok((8.0 * (after - before) - (last - first)) / (12.0 * STEP))
+    }
+
+    /// Where `C` is extremal: near a place known, or anywhere.
+    pub(crate) fn extrema(&mut self, known: Option<f64>) -> Result<Vec<f64>, Refusal> {
+        if let Some(known) = known {
+            for doubled in 0..BRACKET.1 {
+                let half = BRACKET.0 * f64::from(1 << doubled);
+                let ends = [known - half, known + half];
+                let slopes = [self.slope(ends[0])?, self.slope(ends[1])?];
+                if slopes[0] * slopes[1] <= 0.0 {
+                    return Ok(vec![self.between(ends, slopes)?]);
+                }
+            }
+        }
+        let (mut found, mut before) = (Vec::new(), None);
+        let mut lambda = SCAN.0;
+        while lambda <= SCAN.1 {
+            let slope = self.slope(lambda)?;
+            if let Some((at, was)) = before.filter(|(_, was)| slope * was <= 0.0) {
+                found.push(self.between([at, lambda], [was, slope])?);
+            }
+            before = Some((lambda, slope));
+            lambda += SCAN.2;
+        }
+        Ok(found)
+    }
+
+    /// The root between two places, by false position (the Illinois rule).
+    fn between(&mut self, mut ends: [f64; 2], mut slopes: [f64; 2]) -> Result<f64, Refusal> {
+        const MOST_STEPS: usize = 60;
+        let mut last = f64::NAN;
+        for _ in 0..MOST_STEPS {
+            let root = (ends[0] * slopes[1] - ends[1] * slopes[0]) / (slopes[1] - slopes[0]);
+            if (root - last).abs() < POSITION || slopes[0].to_bits() == slopes[1].to_bits() {
+                break;
+            }
+            last = root;
+            let slope = self.slope(root)?;
+            if slope * slopes[1] <= 0.0 {
+                (ends[0], slopes[0]) = (ends[1], slopes[1]);
+            } else {
+                slopes[0] *= 0.5;
+            }
+            (ends[1], slopes[1]) = (root, slope);
+        }
+        Ok(last)
+    }
+}

@@ -1,0 +1,133 @@
+//! The strain left in the stick zone of a contact that grew under friction.
+
+use crate::sketch::Sketch;
+use slipzone::api::reference::goodman_shear::Goodman;
+use slipzone::engine::{Solution, Status};
+use slipzone::scene;
+
+/// Points of the stick zone and the strain there, `x > 0`.
+fn strains(solution: &Solution) -> Vec<(f64, f64)> {
+    let profile = &solution.profile;
+    let strain = profile.strain.as_ref().expect("asked for");
+    profile.x.iter().zip(strain).filter(|(x, _)| **x > 0.0).filter_map(|(x, s)| Some((*x, (*s)?))).collect()
+}
+
+const ASKED: &str = "[output]\npoints = 81\nstrain = true";
+
+/// `u' = C|x|`, in closed form.
+#[test]
+fn a_cylinder_on_a_half_plane_follows_the_closed_form() {
+    for (nu, eta) in [(0.3, 0.2374), (0.3, 0.5), (0.2, 0.12)] {
+        let solution = Sketch::half_plane(nu).cylinder().rubbing(eta).with(ASKED).solve();
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+        let beta = (1.0 - 2.0 * nu) / (2.0 - 2.0 * nu);
+        let law = Goodman { eta, beta };
+        let (a, rate) = (solution.stick.as_ref().unwrap().half_width.unwrap(), law.frozen_strain());
+        let strains = strains(&solution);
+        assert!(!strains.is_empty() && strains.iter().all(|(x, _)| *x < a), "inside the stick zone alone");
+        let worst = strains.iter().map(|(x, s)| (s - rate * x).abs() / (rate * a).abs()).fold(0.0, f64::max);
+        println!("nu {nu} eta {eta}: a = {a}, error {worst:.1e} of the strain at a");
+        // The scene's tolerance is 1e-8 of the tractions; a principal value makes a few of them.
+        assert!(worst < 3e-8, "nu = {nu}, eta = {eta}: {worst:.1e}");
+        assert_eq!(solution.profile.strain.as_ref().expect("asked for")[40], Some(0.0), "in the middle");
+    }
+}
+
+/// What is frozen stays: the strain is the same function of `x` whatever the load that it is seen under.
+#[test]
+fn it_stays_while_the_load_goes_on() {
+    let punches = ["type = \"cylinder\"\nradius = 1.0", "type = \"power\"\nexponent = 3.0\ncoefficient = 0.2"];
+    for (h, ratio, punch) in [(5.0, 8.0, 0), (1.0, 8.0, 0), (1.0, 0.125, 0), (1.0, 1.0, 1), (2.0, 8.0, 1)] {
+        let at = |b: f64| {
+            let x: Vec<f64> = (1..16).map(|i| 0.02 * f64::from(i) / b).collect();
+            let text = Sketch::flat(h, ratio, 0.3)
+                .cylinder()
+                .rubbing(0.3)
+                .loaded(&format!("half_width = {b}"))
+                .with(&format!("[output]\nx = {x:?}\nstrain = true"))
+                .text();
+            let scene = scene::parse("frozen.toml", &text.replace(punches[0], punches[punch])).expect("a scene");
+            slipzone::engine::solve(&scene)
+        };
+        slipzone::link_plugins();
+        let (less, more) = (at(0.6), at(1.0));
+        assert_eq!((less.status, more.status), (Status::Converged, Status::Converged), "{:?}", less.reason);
+        // A0 eta p, which the strain is made of.
+        let scale = 0.7 * 0.3 * less.pressure.mean.expect("a load");
+        let (less, more) = (strains(&less), strains(&more));
+        assert!(less.len() > 5 && more.len() >= less.len(), "{} and {} points", less.len(), more.len());
+        let apart = less.iter().zip(&more).map(|(l, m)| (l.1 - m.1).abs() / scale).fold(0.0, f64::max);
+        println!("h {h} ratio {ratio} {punch}: {apart:.1e} apart; {:?}", less.last());
+        // Two solutions, each to the tolerance of 1e-8, and a principal value that makes a few of them.
+        assert!(apart < 1e-7, "h = {h}, mu1/mu3 = {ratio}: {apart:.1e} apart");
+    }
+}
+
+/// The strain that Chen and Chen (2013) assume is the true one on a homogeneous half-plane, and nearly on thick layers.
+#[test]
+fn a_strain_taken_to_be_linear_is_right_on_a_half_plane() {
+    let linear = |sketch: &Sketch| {
+        let text = sketch.text().replace("coefficient =", "strain = \"linear\"\ncoefficient =");
+        slipzone::engine::solve(&scene::parse("linear.toml", &text).expect("a scene"))
+    };
+    slipzone::link_plugins();
+    for (nu, eta) in [(0.3, 0.2374), (0.3, 0.5), (0.2, 0.12)] {
+        let solution = linear(&Sketch::half_plane(nu).cylinder().rubbing(eta));
+        println!("{:?} {:?} {:?}", solution.status, solution.reason, solution.stick);
+        let beta = (1.0 - 2.0 * nu) / (2.0 - 2.0 * nu);
+        let law = Goodman { eta, beta };
+        let stick = solution.stick.as_ref().expect("friction");
+        let ratio = stick.ratio.expect("a zone") / law.stick().ratio - 1.0;
+        let rate = stick.strain_rate.expect("a rate") / law.frozen_strain() - 1.0;
+        println!("nu {nu} eta {eta}: a/b off by {ratio:.1e}, C by {rate:.1e}; {:?}", solution.error.each);
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+        // The place of an extremum loses more digits than its height.
+        assert!(ratio.abs() < 3e-8 && rate.abs() < 3e-9, "nu = {nu}, eta = {eta}: {ratio:.1e}, {rate:.1e}");
+        assert!(solution.assumptions.iter().any(|line| line.contains("strain C|x| in the stick zone (CC13 eq. 63)")));
+    }
+    // On layers it is not the true one, but the shear still has no edge where slip begins: eta p - q ~ (a - x)^(3/2), in
+    // steps of 4 by a factor of 8.
+    for (h, ratio) in [(20.0, 8.0), (2.0, 8.0), (2.0, 0.125), (0.5, 8.0)] {
+        let sketch = Sketch::flat(h, ratio, 0.3).cylinder().rubbing(0.3).with("[solver]\ntolerance = 1e-6");
+        let (taken, grown) = (linear(&sketch), sketch.solve());
+        assert_eq!(taken.status, Status::Converged, "h = {h}, mu1/mu3 = {ratio}: {:?}", taken.reason);
+        let of = |solution: &Solution| solution.stick.as_ref().and_then(|stick| stick.ratio).expect("a zone");
+        let apart = of(&taken) / of(&grown) - 1.0;
+        assert!(apart.abs() > 1e-3, "h = {h}: {apart:.1e} apart");
+        // In units of the slip zone, which the pressure beside it varies over.
+        let x = [0.016, 0.004, 0.001].map(|gap| of(&taken) - gap * (1.0 - of(&taken)));
+        let near = linear(&sketch.with(&format!("[output]\nx = {x:?}\nstrain = true")));
+        let (p, q) = (near.profile.pressure.iter().flatten(), near.profile.shear.iter().flatten().flatten());
+        let lack: Vec<f64> = p.zip(q).map(|(p, q)| 0.3 * p - q.abs()).collect();
+        let factors = [lack[0] / lack[1], lack[1] / lack[2]];
+        println!("h {h} ratio {ratio}: {} {apart:.1e}, factors {factors:?}", of(&taken));
+        assert!((factors[1] - 8.0).abs() < 0.3, "h = {h}, mu1/mu3 = {ratio}: {factors:?}");
+        let strain = near.profile.strain.expect("asked for")[0].expect("inside");
+        let expected = taken.stick.expect("friction").strain_rate.expect("a rate") * x[0];
+        assert!((strain / expected - 1.0).abs() < 1e-12, "{strain} against C|x| = {expected}");
+    }
+    let flat = linear(&Sketch::flat(5.0, 8.0, 0.3).rubbing(0.3));
+    assert_eq!(flat.status, Status::Refused, "there is no history to be replaced");
+}
+
+/// Under a face that touched from the start the surface has never slipped within its first stick zone.
+#[test]
+fn nothing_is_left_where_nothing_slipped() {
+    let text = Sketch::flat(5.0, 8.0, 0.3).cylinder().rubbing(0.3).with(ASKED).text();
+    let text = text.replace("type = \"cylinder\"", "type = \"rounded-flat\"\nhalf_width = 0.5");
+    slipzone::link_plugins();
+    let solution = slipzone::engine::solve(&scene::parse("face.toml", &text).expect("a scene"));
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+    let strains = strains(&solution);
+    let outer = strains.last().expect("a stick zone").1;
+    println!("{strains:?}");
+    assert!(outer < 0.0 && strains[0].1 == 0.0, "{strains:?}");
+
+    let flat = Sketch::flat(5.0, 8.0, 0.3).rubbing(0.3).with(ASKED).solve();
+    let strain = flat.profile.strain.expect("asked for");
+    assert!(strain[40] == Some(0.0) && strain[0].is_none() && strain[80].is_none(), "{strain:?}");
+    let asked_for_nothing = Sketch::flat(5.0, 8.0, 0.3).rubbing(0.3).solve();
+    assert_eq!(asked_for_nothing.profile.strain, None);
+    let frictionless = Sketch::flat(5.0, 8.0, 0.3).with(ASKED).solve();
+    assert_eq!(frictionless.profile.strain, None);
+}
