@@ -250,7 +250,7 @@ impl Growing {
         end[0] *= friction;
         let mut pressure = [0.0; Traces::AT.len()];
         self.pressure_into(problem, normal, &stations, &mut pressure);
-        inside.copy_from_slice(&self.shear(problem, &stations, &pressure).expect("a family with friction"));
+        inside.copy_from_slice(&self.shear(problem, &stations, &pressure, false).expect("a family with friction"));
         let mean = self.force / (2.0 * b);
         rubbing.traced(trace.map(|q| q / mean))
     }
@@ -320,15 +320,22 @@ impl Growing {
         }
     }
 
-    /// Shear at points strictly inside the contact, where the pressures are `pressure`; `None` where it cannot be told.
-    pub(crate) fn shear(&mut self, problem: &Problem, at: &[Station], pressure: &[f64]) -> Option<Vec<f64>> {
+    /// Shear at points strictly inside the contact, where the pressures are `pressure`; `None` where there is none.
+    /// Many may be `told` from a few.
+    pub(crate) fn shear(
+        &mut self,
+        problem: &Problem,
+        at: &[Station],
+        pressure: &[f64],
+        told: bool,
+    ) -> Option<Vec<f64>> {
         if self.broken.is_some() && !self.is_broken() {
             return Some(vec![0.0; at.len()]);
         }
         let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return None };
         problem.friction?;
         let (b, zone, friction) = (self.half_width, family.zone(self.half_width), family.signed_friction());
-        let curve = (at.len() > WORTH).then(|| {
+        let curve = (told && at.len() > WORTH).then(|| {
             let ends = stack.shear_ends(family, b);
             TractionCurve::new(&ends, self.tolerance, |x| stack.lack(problem, family, b, x))
         });
@@ -375,7 +382,7 @@ impl Growing {
         let mut strain = Strain::new(&breaks, zone.crowding(), layer.length(), |at| {
             let mut pressure = vec![0.0; at.len()];
             self.pressure_into(problem, normal, at, &mut pressure);
-            let shear = self.shear(problem, at, &pressure)?;
+            let shear = self.shear(problem, at, &pressure, false)?;
             Some([pressure, shear])
         })?;
         let (a0, beta) = (problem.elastic.a0(), problem.elastic.beta());

@@ -25,6 +25,8 @@ const SHOWN: f64 = 1e-3;
 const SKIPPED: usize = 7;
 /// What a step of refinement leaves of what it changed, on a loading curve; a tenth to a fortieth is seen.
 const LEFT: f64 = 0.1;
+/// Steps that a loading curve may take beyond those of its last load.
+const MORE: usize = 3;
 /// Share of the tolerance that the kernels may use up.
 const KERNEL_SHARE: f64 = 0.2;
 /// Errors that stop shrinking below this are those of rounding.
@@ -131,20 +133,36 @@ impl Ladder {
         &mut self,
         layer: &mut Layer,
         problem: &Problem,
+        methods: &Methods,
         judged: &Judged,
         tolerance: f64,
         loads: &[LoadInLayerUnits],
     ) -> Option<Vec<(Numbers, f64)>> {
-        let (How::Sequence { .. }, Some(coarse)) = (judged.how, judged.stage.checked_sub(1)) else { return None };
+        let (How::Sequence { .. }, Some(before)) = (judged.how, judged.stage.checked_sub(1)) else { return None };
         let half_width = judged.outcome.numbers.get(Quantity::HalfWidth)?;
-        let mut told = |index: usize| {
-            let task = Self::task(problem, tolerance, u32::try_from(index).ok()?);
-            self.stages[index].growing.as_mut()?.on_the_way(layer, task, half_width, loads)
-        };
-        let (coarse, fine) = (told(coarse)?, told(judged.stage)?);
         let (_, error) = judged.errors.worst()?;
+        let mut told = |index: usize| {
+            let level = u32::try_from(index).ok()?;
+            self.make(problem, methods, (index, level)).ok()?;
+            self.stages[index].growing.as_mut()?.on_the_way(
+                layer,
+                Self::task(problem, tolerance, level),
+                half_width,
+                loads,
+            )
+        };
         let left = |coarse: &Numbers, fine: &Numbers| error.max(LEFT * fine.change_from(coarse));
-        Some(coarse.iter().zip(fine).map(|(coarse, fine)| (fine, left(coarse, &fine))).collect())
+        // The flat punches may take a step more than their stack did.
+        let mut coarse = told(before)?;
+        for index in judged.stage..=(judged.stage + MORE).min(FINEST) {
+            let fine = told(index)?;
+            let errors: Vec<f64> = coarse.iter().zip(&fine).map(|(coarse, fine)| left(coarse, fine)).collect();
+            if index == judged.stage + MORE || errors.iter().all(|error| *error <= tolerance) {
+                return Some(fine.into_iter().zip(errors).collect());
+            }
+            coarse = fine;
+        }
+        None
     }
 
     /// Takes finer steps until the estimate meets the tolerance.
@@ -229,6 +247,20 @@ impl Ladder {
         (index, kernel_level, quadrature_level): (usize, u32, u32),
         coarse: Option<&Outcome>,
     ) -> Result<Outcome, Refusal> {
+        self.make(problem, methods, (index, quadrature_level))?;
+        let task = Self::task(problem, tolerance, kernel_level);
+        let (before, here) = self.stages.split_at_mut(index);
+        let family = before.last_mut().and_then(|stage| stage.growing.as_mut()?.family.as_mut());
+        here[0].solve(layer, task, coarse, family)
+    }
+
+    /// Makes the stages up to one of that level.
+    fn make(
+        &mut self,
+        problem: &Problem,
+        methods: &Methods,
+        (index, quadrature_level): (usize, u32),
+    ) -> Result<(), Refusal> {
         while self.stages.len() <= index {
             let missing = u32::try_from(index - self.stages.len()).expect("a few steps");
             let quadrature = methods.quadrature.refined(quadrature_level - missing);
@@ -238,10 +270,7 @@ impl Ladder {
             }
             self.stages.push(stage);
         }
-        let task = Self::task(problem, tolerance, kernel_level);
-        let (before, here) = self.stages.split_at_mut(index);
-        let family = before.last_mut().and_then(|stage| stage.growing.as_mut()?.family.as_mut());
-        here[0].solve(layer, task, coarse, family)
+        Ok(())
     }
 
     fn task(problem: &Problem, tolerance: f64, level: u32) -> Task<'_> {

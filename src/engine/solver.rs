@@ -159,7 +159,7 @@ impl Solver {
     /// Points of a loading curve that ends in the load found last; `None` where each has to be solved by itself.
     pub(super) fn points_on_the_way(&mut self, loads: &[Load]) -> Option<Vec<Point>> {
         let tolerance = self.chosen.scene.solver.tolerance.get();
-        let Self { problem, layer, ladder, judged, .. } = self;
+        let Self { chosen, problem, layer, ladder, judged } = self;
         let judged = judged.as_ref()?;
         let (status, reason) = verdict(problem, ladder.stage(judged.stage), judged, tolerance);
         if status == Status::AssumptionViolated {
@@ -167,7 +167,7 @@ impl Solver {
         }
         let scaled = |load: &Load| LoadInLayerUnits::new(*load, problem.length, problem.stress);
         let scaled: Vec<_> = loads.iter().map(scaled).collect();
-        let found = ladder.on_the_way(layer, problem, judged, tolerance, &scaled)?;
+        let found = ladder.on_the_way(layer, problem, &chosen.methods, judged, tolerance, &scaled)?;
         let point = |(load, (numbers, error)): (&Load, (Numbers, f64))| {
             let judgement =
                 if error <= tolerance { (Status::Converged, None) } else { (Status::NotConverged, reason.clone()) };

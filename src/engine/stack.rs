@@ -35,8 +35,10 @@ pub(crate) struct Stack {
     breaks: Vec<f64>,
     /// Of unit length, for integrals over the shape.
     grid: Vec<Node>,
-    /// For integrals over the half-width: parts of the way and their weights, more of them for longer ways.
+    /// For integrals over the half-width: parts of the way and their weights, more of them for longer ways. Of the shear,
+    /// and of a pressure, beside which there may be a kink.
     ways: [Vec<[f64; 2]>; WAYS.0],
+    crowded_ways: [Vec<[f64; 2]>; WAYS.0],
     room: Room,
 }
 
@@ -74,8 +76,9 @@ impl Stack {
         breaks.extend(problem.kinks().filter(|kink| *kink > face && *kink < widest));
         breaks.push(widest);
         let grid = double_exponential::nodes(1.0, nodes);
-        let ways = std::array::from_fn(|i| way(nodes * (2 + i) / 3));
-        let mut stack = Self { pieces: Vec::new(), breaks, grid, ways, room: Room::default() };
+        let ways = std::array::from_fn(|i| way(nodes * (3 + i) / 3));
+        let crowded_ways = std::array::from_fn(|i| crowded_way(nodes * (2 + i) / 2));
+        let mut stack = Self { pieces: Vec::new(), breaks, grid, ways, crowded_ways, room: Room::default() };
         for i in 1..stack.breaks.len() {
             let (from, to) = (stack.breaks[i - 1], stack.breaks[i]);
             let piece = stack.piece(problem, family, from, to, digits);
@@ -205,7 +208,14 @@ impl Stack {
     }
 
     /// `int F(b', b' - x) dP(b')` from `from` to `b`, with `x <= from`.
-    fn stacked(&self, problem: &Problem, x: f64, from: f64, b: f64, mut f: impl FnMut(f64, f64) -> f64) -> f64 {
+    fn stacked(
+        &self,
+        problem: &Problem,
+        ways: &[Vec<[f64; 2]>],
+        x: f64,
+        (from, b): (f64, f64),
+        mut f: impl FnMut(f64, f64) -> f64,
+    ) -> f64 {
         let mut sum = 0.0;
         for piece in &self.pieces {
             let (lower, upper) = (piece.from.max(from), piece.to.min(b));
@@ -215,12 +225,13 @@ impl Stack {
             let to_piece = lower - piece.from;
             let rate = |member: f64, beyond: f64| piece.force_and_rate(problem, member, to_piece + beyond).1;
             if x > 0.0 {
-                sum +=
-                    self.stacked_beyond(x, (lower, upper), |member, gap, beyond| rate(member, beyond) * f(member, gap));
+                sum += stacked_beyond(ways, x, (lower, upper), |member, gap, beyond| {
+                    rate(member, beyond) * f(member, gap)
+                });
             } else if lower > 0.0 {
                 // In proportion.
                 let way = (upper / lower).ln();
-                for [part, weight] in self.way(way) {
+                for [part, weight] in for_length(ways, way) {
                     let beyond = lower * (way * part).exp_m1();
                     let member = lower + beyond;
                     sum += way * weight * member * rate(member, beyond) * f(member, member);
@@ -235,34 +246,6 @@ impl Stack {
         sum
     }
 
-    /// `int F(b', b' - x, b' - lower) db'` between two half-widths beyond `x > 0`, by `t` with `b' = x cosh(t)`: what is
-    /// stacked has its singularity, of the order `(b' - x)^(-1/2)`, at `t = 0`, and varies with `x/b'`.
-    fn stacked_beyond(&self, x: f64, (lower, upper): (f64, f64), mut f: impl FnMut(f64, f64, f64) -> f64) -> f64 {
-        let parameter = |member: f64| 2.0 * ((member - x).max(0.0) / (2.0 * x)).sqrt().asinh();
-        let (start, end) = (parameter(lower), parameter(upper));
-        let parts = ((end - start) / LONGEST).ceil().max(1.0);
-        let length = (end - start) / parts;
-        let mut sum = 0.0;
-        let mut part = 0.0;
-        while part < parts {
-            for [along, weight] in self.way(length) {
-                let passed = length * (part + along);
-                let t = start + passed;
-                let beyond = 2.0 * x * (start + 0.5 * passed).sinh() * (0.5 * passed).sinh();
-                let gap = 2.0 * x * (0.5 * t).sinh().powi(2);
-                sum += length * weight * x * t.sinh() * f(lower + beyond, gap, beyond);
-            }
-            part += 1.0;
-        }
-        sum
-    }
-
-    /// The nodes for a way so long.
-    fn way(&self, length: f64) -> &[[f64; 2]] {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most WAYS.0
-        &self.ways[((length / WAYS.1) as usize).min(WAYS.0 - 1)]
-    }
-
     /// Pressure at a point of a contact.
     pub(crate) fn pressure(&self, problem: &Problem, family: &mut Family, b: f64, x: f64) -> f64 {
         let x = x.abs();
@@ -271,7 +254,7 @@ impl Stack {
         }
         let x = apart(x, b);
         let mut p = [0.0];
-        self.stacked(problem, x, x.max(self.breaks[0]), b, |member, gap| {
+        self.stacked(problem, &self.crowded_ways, x, (x.max(self.breaks[0]), b), |member, gap| {
             family.pressure_into(member, &[Station { x, gap }], &mut p);
             p[0]
         })
@@ -308,8 +291,41 @@ impl Stack {
     pub(crate) fn lack(&self, problem: &Problem, family: &mut Family, b: f64, x: f64) -> f64 {
         let x = apart(x.abs(), b);
         let since = self.stuck_since(family, b, x);
-        self.stacked(problem, x, since, b, |member, _| family.lack(member, x))
+        self.stacked(problem, &self.ways, x, (since, b), |member, _| family.lack(member, x))
     }
+}
+
+/// `int F(b', b' - x, b' - lower) db'` between two half-widths beyond `x > 0`, by `t` with `b' = x cosh(t)`: what is
+/// stacked has its singularity, of the order `(b' - x)^(-1/2)`, at `t = 0`, and varies with `x/b'`.
+fn stacked_beyond(
+    ways: &[Vec<[f64; 2]>],
+    x: f64,
+    (lower, upper): (f64, f64),
+    mut f: impl FnMut(f64, f64, f64) -> f64,
+) -> f64 {
+    let parameter = |member: f64| 2.0 * ((member - x).max(0.0) / (2.0 * x)).sqrt().asinh();
+    let (start, end) = (parameter(lower), parameter(upper));
+    let parts = ((end - start) / LONGEST).ceil().max(1.0);
+    let length = (end - start) / parts;
+    let mut sum = 0.0;
+    let mut part = 0.0;
+    while part < parts {
+        for [along, weight] in for_length(ways, length) {
+            let passed = length * (part + along);
+            let t = start + passed;
+            let beyond = 2.0 * x * (start + 0.5 * passed).sinh() * (0.5 * passed).sinh();
+            let gap = 2.0 * x * (0.5 * t).sinh().powi(2);
+            sum += length * weight * x * t.sinh() * f(lower + beyond, gap, beyond);
+        }
+        part += 1.0;
+    }
+    sum
+}
+
+/// The nodes for a way so long.
+fn for_length(ways: &[Vec<[f64; 2]>], length: f64) -> &[[f64; 2]] {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most WAYS.0
+    &ways[((length / WAYS.1) as usize).min(WAYS.0 - 1)]
 }
 
 /// Parts of a way and their weights (Gauss and Legendre).
@@ -320,6 +336,11 @@ fn way(nodes: usize) -> Vec<[f64; 2]> {
         [at.powi(GATHERED), 0.5 * weight * f64::from(GATHERED) * at.powi(GATHERED - 1)]
     });
     each.collect()
+}
+
+/// The same where something may happen just before the way begins: a double-exponential grid tells it at any distance.
+fn crowded_way(nodes: usize) -> Vec<[f64; 2]> {
+    double_exponential::nodes(1.0, nodes).iter().map(|node| [node.from_lower, node.weight]).collect()
 }
 
 /// A point in the middle, or far enough from it to be told apart.

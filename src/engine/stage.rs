@@ -124,8 +124,8 @@ impl Stage {
         let normal = Normal::new(quadrature.as_ref(), edge)?;
         let grows = problem.fixed_half_width().is_none();
         let growing = grows.then(|| Growing::new(problem, quadrature.clone()));
-        let shear = match (problem.friction, &growing) {
-            (Some(_), None) => Some(Shear::new(quadrature)?),
+        let shear = match problem.friction {
+            Some(_) if !problem.is_stacked() => Some(Shear::new(quadrature)?),
             _ => None,
         };
         Ok(Self { normal, shear, growing, slip_check: SlipCheck::default(), curve: None, rubbed: None, shown: None })
@@ -183,7 +183,7 @@ impl Stage {
     /// Shear at such points, where the pressures are `pressure`; `None` where there is none to tell.
     pub(crate) fn shear(&mut self, problem: &Problem, at: &[Station], pressure: &[f64]) -> Option<Vec<f64>> {
         match self.growing.as_mut().filter(|growing| growing.is_solver) {
-            Some(growing) => growing.shear(problem, at, pressure),
+            Some(growing) => growing.shear(problem, at, pressure, true),
             None => self.shear.as_ref().map(|shear| shear.values(at, pressure)),
         }
     }
