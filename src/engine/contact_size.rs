@@ -68,7 +68,8 @@ pub(crate) fn press(
     let by_force = matches!(problem.load, LoadInLayerUnits::Force(_));
     // ln(reached/target) is nearly linear in ln b for any punch.
     let mut excess = |log_b: f64| -> Result<f64, Refusal> {
-        let half_width = log_b.exp();
+        // What the logarithm rounds must not leave the shape.
+        let half_width = log_b.exp().min(problem.reach());
         layer.tabulate(Wanted { half_width: roomy(half_width), ..wanted })?;
         normal.press_smooth(layer, problem, half_width)?;
         let reached = if by_force { Some(normal.force) } else { normal.depth(layer, problem) };

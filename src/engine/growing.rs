@@ -172,6 +172,13 @@ impl Growing {
             if let Some(half_width) = found {
                 return Ok(Size::exactly(half_width));
             }
+            if let Some(why) = problem.flaw(widest) {
+                return Err(Refusal::OutOfReach {
+                    method: "punch",
+                    why,
+                    remedy: "take a smaller load, or mend the shape",
+                });
+            }
             let before = widest;
             widest = (widest * ROOM.1 * ROOM.1).min(problem.reach());
             if widest <= before {
@@ -311,12 +318,8 @@ impl Growing {
         }
         let (Some(family), Some(stack)) = (&mut self.family, &self.stack) else { unreachable!("provided before") };
         let b = self.half_width;
-        let mut pressure = |x: f64| stack.pressure(problem, family, b, x);
-        if at.len() > WORTH && problem.corners().all(|corner| corner >= b) {
-            let curve = TractionCurve::new(&stack.pressure_ends(b), self.tolerance, pressure);
-            out.iter_mut().zip(at).for_each(|(out, at)| *out = curve.value(at.x.abs()));
-        } else {
-            out.iter_mut().zip(at).for_each(|(out, at)| *out = pressure(at.x));
+        for (out, at) in out.iter_mut().zip(at) {
+            *out = stack.pressure(problem, family, b, at.x);
         }
     }
 
@@ -335,7 +338,7 @@ impl Growing {
         let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return None };
         problem.friction?;
         let (b, zone, friction) = (self.half_width, family.zone(self.half_width), family.signed_friction());
-        let curve = (told && at.len() > WORTH).then(|| {
+        let curve = (told && at.len() > WORTH && !self.is_kinked).then(|| {
             let ends = stack.shear_ends(family, b);
             TractionCurve::new(&ends, self.tolerance, |x| stack.lack(problem, family, b, x))
         });

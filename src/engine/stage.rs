@@ -190,7 +190,7 @@ impl Stage {
 
     /// The strain left on the surface at points `x >= 0` of the stick zone; `None` where there is none to tell.
     pub(crate) fn strain(&mut self, layer: &Layer, problem: &Problem, at: &[f64]) -> Option<Vec<Option<f64>>> {
-        match &mut self.growing {
+        match self.growing.as_mut().filter(|growing| growing.is_solver) {
             Some(growing) => growing.strain(layer, problem, &self.normal, at),
             // What sticks to a flat punch has never slipped.
             None => self.shear.as_ref().map(|shear| {

@@ -101,8 +101,7 @@ fn many_points_are_told_like_few() {
              [friction]\ntype = \"goodman\"\ncoefficient = 0.2\n[load]\nhalf_width = 1.0\n[output]\n{output}\n"
         )
     };
-    let rounded = "type = \"rounded-flat\"\nhalf_width = 0.4\nradius = 5.0";
-    for punch in [rounded, "type = \"power\"\ncoefficient = 0.1\nexponent = 3.0"] {
+    for punch in ["type = \"cylinder\"\nradius = 5.0", "type = \"power\"\ncoefficient = 0.1\nexponent = 4.0"] {
         let solved = |output: &str| solve(&scene::parse(punch, &text(punch, output)).expect("a good scene")).profile;
         let (few, many) = (solved("x = [0.05, 0.25, 0.4, 0.55, 0.7, 0.95]"), solved("points = 401"));
         let largest = |of: &[Option<f64>]| of.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
