@@ -422,6 +422,30 @@ mod tests {
     }
 
     #[test]
+    fn under_a_corner_the_pressure_leaves_the_frame_in_a_peak() {
+        let wedge = |x: f64| (1.0 / x.abs()).acosh();
+        let draw = |tip: Option<f64>| {
+            let mut solution = samples::cylinder_without_friction();
+            let x: Vec<f64> = (-50..=50).map(|i| f64::from(i) / 50.0).collect();
+            let pressure = x.iter().map(|x| if *x == 0.0 { tip } else { Some(wedge(*x)) }).collect();
+            let text = "type = \"wedge\"\nslope = 0.1";
+            solution.scene.punch = toml::from_str(text).expect("a punch");
+            (solution.load.half_width, solution.pressure.mean) = (Some(1.0), Some(1.5));
+            solution.profile = crate::engine::Profile { x, pressure, shear: None };
+            svg(&solution).expect("a profile")
+        };
+        let (curve, [top, _]) = pressure_curve(&draw(None));
+        let steps = curve.windows(2).filter(|y| y[0] > top);
+        // One way up and one way down, in steps: no wall.
+        let rises = curve.iter().filter(|y| **y < top).count();
+        assert!(rises > 10, "{rises} points over the frame");
+        let tallest = steps.map(|y| (y[0] - y[1]).abs()).fold(0.0, f64::max);
+        assert!(tallest < 60.0, "{tallest} px in one step");
+        // A number there would be as good as any other.
+        assert_eq!(draw(None), draw(Some(12.5)));
+    }
+
+    #[test]
     fn points_in_any_order_draw_the_same_curve() {
         let sorted = samples::flat_with_friction();
         let mut reversed = sorted.clone();

@@ -46,6 +46,80 @@ fn every_example_converges_and_draws() {
     }
 }
 
+/// The figures of the documents, drawn again: the same text, with the same numbers up to what rounding may do to a
+/// coordinate on another processor.
+#[cfg(feature = "plot")]
+#[test]
+fn the_figures_of_the_documents_are_what_the_program_draws() {
+    let words = |text: &str| -> Vec<String> {
+        text.split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-')).map(Into::into).collect()
+    };
+    let rest = |text: &str| text.replace(|c: char| c.is_ascii_digit() || c == '.' || c == '-', "");
+    let mut compared = 0;
+    for (name, scene) in scenes() {
+        let stem = name.trim_end_matches(".toml");
+        let drawn = |file: String, draw: &dyn Fn() -> String| {
+            let path = format!("{}/docs/figures/{file}.svg", env!("CARGO_MANIFEST_DIR"));
+            let Ok(committed) = std::fs::read_to_string(path) else { return 0 };
+            let now = draw();
+            assert_eq!(rest(&committed), rest(&now), "{file}");
+            for (old, new) in words(&committed).iter().zip(&words(&now)) {
+                let number = |text: &str| text.parse::<f64>().ok();
+                let close = number(old).zip(number(new)).is_some_and(|(old, new)| (old - new).abs() < 0.02);
+                assert!(close || old == new, "{file}: {old} is now {new}");
+            }
+            1
+        };
+        let solution = solve(&scene);
+        let tractions = || slipzone::report::svg(&solution).expect("a figure");
+        let curve = || slipzone::report::curve_svg(&solution).expect("a figure");
+        compared += drawn(format!("punch_{stem}"), &tractions);
+        if stem == "flat" {
+            compared += drawn(stem.into(), &tractions);
+        }
+        if solution.path.is_some() {
+            compared += drawn(stem.into(), &curve);
+        }
+    }
+    assert_eq!(compared, 11, "nine punches, the flat one again in the README, and a loading curve");
+}
+
+#[test]
+fn the_messages_in_the_documents_are_what_the_program_says() {
+    let document = include_str!("../../docs/punches.md");
+    let said = |message: &str| assert!(document.contains(message), "docs/punches.md does not say: {message}");
+    let scene = |layer: &str, punch: &str, load: &str| {
+        let text = format!(
+            "format = 1\nlayer = {{ {layer} }}\npunch = {{ {punch} }}\n\
+             friction = {{ type = \"goodman\", coefficient = 0.1 }}\nload = {{ half_width = {load} }}\n"
+        );
+        parse_with("scene.toml", &text, &Folder)
+    };
+    let layer = r#"thickness = 5.0, poisson = 0.3, grading = { type = "exponential", surface = 1.0, base = 8.0 }"#;
+    let thin = r#"thickness = 0.5, poisson = 0.4, grading = { type = "homogeneous", modulus = 1.0 }"#;
+    let formula = |height: &str, parameter: &str| {
+        format!(r#"type = "formula", height = "{height}", parameters = {{ {parameter} }}"#)
+    };
+    for (layer, punch, load) in [
+        (layer, formula("R*(1 - cos(x/R))", "R = 0.5"), "1.2"),
+        (thin, r#"type = "cylinder", radius = 10.0"#.into(), "1.0"),
+    ] {
+        let solution = solve(&scene(layer, &punch, load).unwrap_or_else(|e| panic!("{e}")));
+        assert_eq!(solution.status, Status::AssumptionViolated);
+        said(&solution.reason.expect("a reason"));
+    }
+    for (punch, load) in [
+        (formula("0.05*x^2 - k*x", "k = 0.01"), "1.0"),
+        (r#"type = "table", file = "profile.csv", height_unit = 1e-3"#.into(), "2.5"),
+    ] {
+        let error = scene(layer, &punch, load).expect_err("not a punch, or not so wide");
+        // The message, and what is shown under the line.
+        for line in error.to_string().lines().filter(|line| line.starts_with("error") || line.contains("   = ")) {
+            said(line.trim());
+        }
+    }
+}
+
 #[test]
 fn table_1_is_reproduced_to_the_independent_digits() {
     let cases: Value = serde_json::from_str(include_str!("../data/layer_cases.json")).expect("valid JSON");
