@@ -10,7 +10,6 @@ use super::quantity::{Numbers, Quantity, Traces};
 use super::stack::Stack;
 use super::stage::{Outcome, Rubbing, Task, Verdict, normal_numbers, peak};
 use super::strain::Strain;
-use super::traction_curve::{TractionCurve, WORTH};
 use slipzone_api::{Quadrature, Refusal, Station};
 
 /// By how much a family is wider than the contact expected: beside a size known from a coarser resolution, and beside a
@@ -36,8 +35,6 @@ pub(crate) struct Growing {
     quadrature: Box<dyn Quadrature>,
     pub(crate) family: Option<Family>,
     stack: Option<Stack>,
-    /// Error wanted.
-    tolerance: f64,
     /// Half-width of the present contact.
     half_width: f64,
     force: f64,
@@ -55,7 +52,6 @@ impl Growing {
             quadrature,
             family: None,
             stack: None,
-            tolerance: 1.0,
             half_width: 0.0,
             force: 0.0,
             is_solver: problem.is_stacked(),
@@ -96,7 +92,7 @@ impl Growing {
         let room = room.min(problem.reach() / size.half_width).max(1.0);
         self.provide(layer, task, size.half_width, room, coarse_family)?;
         let size = if self.is_kinked { self.widen(layer, task, size)? } else { size };
-        (self.half_width, self.tolerance) = (size.half_width, task.tolerance);
+        self.half_width = size.half_width;
 
         let mut numbers =
             if self.is_kinked { self.stacked_numbers(layer, problem) } else { normal_numbers(layer, problem, normal) };
@@ -257,7 +253,7 @@ impl Growing {
         end[0] *= friction;
         let mut pressure = [0.0; Traces::AT.len()];
         self.pressure_into(problem, normal, &stations, &mut pressure);
-        inside.copy_from_slice(&self.shear(problem, &stations, &pressure, false).expect("a family with friction"));
+        inside.copy_from_slice(&self.shear(problem, &stations, &pressure).expect("a family with friction"));
         let mean = self.force / (2.0 * b);
         rubbing.traced(trace.map(|q| q / mean))
     }
@@ -324,34 +320,19 @@ impl Growing {
     }
 
     /// Shear at points strictly inside the contact, where the pressures are `pressure`; `None` where there is none.
-    /// Many may be `told` from a few.
-    pub(crate) fn shear(
-        &mut self,
-        problem: &Problem,
-        at: &[Station],
-        pressure: &[f64],
-        told: bool,
-    ) -> Option<Vec<f64>> {
+    pub(crate) fn shear(&mut self, problem: &Problem, at: &[Station], pressure: &[f64]) -> Option<Vec<f64>> {
         if self.broken.is_some() && !self.is_broken() {
             return Some(vec![0.0; at.len()]);
         }
         let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return None };
         problem.friction?;
         let (b, zone, friction) = (self.half_width, family.zone(self.half_width), family.signed_friction());
-        let curve = (told && at.len() > WORTH && !self.is_kinked).then(|| {
-            let ends = stack.shear_ends(family, b);
-            TractionCurve::new(&ends, self.tolerance, |x| stack.lack(problem, family, b, x))
-        });
-        let mut lack = |x: f64| match &curve {
-            Some(curve) => curve.value(x),
-            None => stack.lack(problem, family, b, x),
-        };
         let one = |(at, p): (&Station, &f64)| {
             let x = at.x.abs();
             if x == 0.0 {
                 return 0.0;
             }
-            let lack = if x < zone.half_width { lack(x) } else { 0.0 };
+            let lack = if x < zone.half_width { stack.lack(problem, family, b, x) } else { 0.0 };
             (friction * p - lack) * 1.0_f64.copysign(at.x)
         };
         Some(at.iter().zip(pressure).map(one).collect())
@@ -385,7 +366,7 @@ impl Growing {
         let mut strain = Strain::new(&breaks, zone.crowding(), layer.length(), |at| {
             let mut pressure = vec![0.0; at.len()];
             self.pressure_into(problem, normal, at, &mut pressure);
-            let shear = self.shear(problem, at, &pressure, false)?;
+            let shear = self.shear(problem, at, &pressure)?;
             Some([pressure, shear])
         })?;
         let (a0, beta) = (problem.elastic.a0(), problem.elastic.beta());

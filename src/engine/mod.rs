@@ -30,7 +30,6 @@ mod stick;
 mod stick_search;
 mod stick_zone;
 mod strain;
-mod traction_curve;
 mod verdict;
 
 pub use crate::plan::Plan;

@@ -280,13 +280,6 @@ impl Stack {
         start.chain(self.breaks.iter().copied().filter(|x| *x < b)).chain([b]).collect()
     }
 
-    /// Where the shear of a stick zone is not: where the zone ended when the contact's edge met a break.
-    pub(crate) fn shear_ends(&self, family: &mut Family, b: f64) -> Vec<f64> {
-        let met = self.breaks.iter().filter(|x| **x > 0.0 && **x < b).map(|x| family.zone(*x).half_width);
-        let met: Vec<f64> = met.collect();
-        [0.0].into_iter().chain(met).chain([family.zone(b).half_width]).collect()
-    }
-
     /// What the shear at a point of the stick zone lacks to that of full sliding.
     pub(crate) fn lack(&self, problem: &Problem, family: &mut Family, b: f64, x: f64) -> f64 {
         let x = apart(x.abs(), b);

@@ -183,7 +183,7 @@ impl Stage {
     /// Shear at such points, where the pressures are `pressure`; `None` where there is none to tell.
     pub(crate) fn shear(&mut self, problem: &Problem, at: &[Station], pressure: &[f64]) -> Option<Vec<f64>> {
         match self.growing.as_mut().filter(|growing| growing.is_solver) {
-            Some(growing) => growing.shear(problem, at, pressure, true),
+            Some(growing) => growing.shear(problem, at, pressure),
             None => self.shear.as_ref().map(|shear| shear.values(at, pressure)),
         }
     }

@@ -431,7 +431,7 @@ mod tests {
             let text = "type = \"wedge\"\nslope = 0.1";
             solution.scene.punch = toml::from_str(text).expect("a punch");
             (solution.load.half_width, solution.pressure.mean) = (Some(1.0), Some(1.5));
-            solution.profile = crate::engine::Profile { x, pressure, shear: None };
+            solution.profile = crate::engine::Profile { x, pressure, shear: None, strain: None };
             svg(&solution).expect("a profile")
         };
         let (curve, [top, _]) = pressure_curve(&draw(None));

@@ -90,28 +90,3 @@ fn shears_of_the_field() {
         RoundedFlat { flat: 0.375, radius: 5.0, half_width: b, compliance }.force_rate()
     });
 }
-
-/// Few points are stacked one by one, many are told from a curve.
-#[test]
-fn many_points_are_told_like_few() {
-    let text = |punch: &str, output: &str| {
-        format!(
-            "format = 1\n[layer]\nthickness = 2.0\npoisson = 0.3\n\
-             grading = {{ type = \"exponential\", surface = 1.0, base = 8.0 }}\n[punch]\n{punch}\n\
-             [friction]\ntype = \"goodman\"\ncoefficient = 0.2\n[load]\nhalf_width = 1.0\n[output]\n{output}\n"
-        )
-    };
-    for punch in ["type = \"cylinder\"\nradius = 5.0", "type = \"power\"\ncoefficient = 0.1\nexponent = 4.0"] {
-        let solved = |output: &str| solve(&scene::parse(punch, &text(punch, output)).expect("a good scene")).profile;
-        let (few, many) = (solved("x = [0.05, 0.25, 0.4, 0.55, 0.7, 0.95]"), solved("points = 401"));
-        let largest = |of: &[Option<f64>]| of.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
-        let (few_q, many_q) = (few.shear.as_ref().expect("friction"), many.shear.as_ref().expect("friction"));
-        for (i, x) in few.x.iter().enumerate() {
-            let at = many.x.iter().position(|other| (other - x).abs() < 1e-9).expect("one of the many");
-            let errors = [(&few.pressure, &many.pressure), (few_q, many_q)]
-                .map(|(few, many)| (few[i].expect("inside") - many[at].expect("inside")) / largest(few));
-            // The default tolerance.
-            assert!(errors.iter().all(|error| error.abs() < 1e-8), "{punch}: p and q at {x} differ by {errors:?}");
-        }
-    }
-}
