@@ -17,7 +17,7 @@ use std::f64::consts::FRAC_PI_4;
 const ALIKE: f64 = 1e-8;
 
 /// Most half-widths.
-const MOST: usize = 512;
+const MOST: usize = 256;
 
 /// Half-widths at which functions are known, and how they are told in between.
 #[derive(Clone, Debug)]

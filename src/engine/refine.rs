@@ -26,7 +26,7 @@ const SKIPPED: usize = 7;
 /// What a step of refinement leaves of what it changed, on a loading curve; a tenth to a fortieth is seen.
 const LEFT: f64 = 0.1;
 /// Steps that a loading curve may take beyond those of its last load.
-const MORE: usize = 3;
+const MORE: usize = 1;
 /// Share of the tolerance that the kernels may use up.
 const KERNEL_SHARE: f64 = 0.2;
 /// Errors that stop shrinking below this are those of rounding.
