@@ -22,9 +22,10 @@ const MOST: usize = 256;
 /// Half-widths at which functions are known, and how they are told in between.
 #[derive(Clone, Debug)]
 pub(crate) struct Blend {
+    narrowest: f64,
     widest: f64,
     /// Power of `b` beside the logarithm.
-    order: i32,
+    order: Option<i32>,
     /// Descending.
     half_widths: Vec<f64>,
     /// `inverse[m * n + k]`: how much of the function `m` a value at the point `k` is.
@@ -32,10 +33,11 @@ pub(crate) struct Blend {
 }
 
 impl Blend {
-    /// So many half-widths up to a widest, crowding at both ends like Chebyshev points; for functions whose first
-    /// logarithm goes with that power.
-    pub(crate) fn new(widest: f64, n: usize, order: i32) -> Result<Self, Refusal> {
+    /// So many half-widths between two, crowding at both ends like Chebyshev points; for functions whose first logarithm
+    /// goes with that power of the half-width: it is told where the half-widths begin with 0.
+    pub(crate) fn new((narrowest, widest): (f64, f64), n: usize, order: i32) -> Result<Self, Refusal> {
         let n = n.min(MOST);
+        let order = if narrowest > 0.0 { None } else { Some(order) };
         let angle = |k: usize| (2 * k + 1) as f64 * FRAC_PI_4 / n as f64;
         let at: Vec<f64> = (0..n).map(|k| angle(k).cos().powi(2)).collect();
         let mut system = Dense::new(n, n);
@@ -46,7 +48,13 @@ impl Blend {
         system.columns.iter_mut().step_by(n + 1).for_each(|one| *one = 1.0);
         system.solve(n)?;
         let inverse = (0..n * n).map(|i| system.columns[i % n * n + i / n]).collect();
-        Ok(Self { widest, order, half_widths: at.iter().map(|s| widest * s).collect(), inverse })
+        let half_widths = at.iter().map(|s| narrowest + (widest - narrowest) * s).collect();
+        Ok(Self { narrowest, widest, order, half_widths, inverse })
+    }
+
+    /// The narrowest.
+    pub(crate) fn narrowest(&self) -> f64 {
+        self.narrowest
     }
 
     /// The widest.
@@ -64,7 +72,8 @@ impl Blend {
         let n = self.half_widths.len();
         shares.clear();
         shares.resize(n, 0.0);
-        let factors: ArrayVec<f64, MOST> = functions(half_width / self.widest, n, self.order).collect();
+        let factors: ArrayVec<f64, MOST> =
+            functions((half_width - self.narrowest) / (self.widest - self.narrowest), n, self.order).collect();
         add_rows(&factors, &self.inverse, shares);
     }
 }
@@ -100,17 +109,17 @@ impl WithSimd for AddRows<'_> {
 }
 
 /// Chebyshev polynomials on `[0, 1]`, the last of them `s^order log s` unless there are many.
-fn functions(s: f64, n: usize, order: i32) -> impl Iterator<Item = f64> {
+fn functions(s: f64, n: usize, order: Option<i32>) -> impl Iterator<Item = f64> {
     let x = 2.0 * s - 1.0;
     let mut pair = (1.0, x);
-    let has_logarithm = (n as f64).powi(-2 * order - 1) > ALIKE;
+    let order = order.filter(|order| (n as f64).powi(-2 * order - 1) > ALIKE);
     (0..n).map(move |m| {
         let this = pair.0;
         pair = (pair.1, 2.0 * x * pair.1 - pair.0);
-        match (m + 1 == n && has_logarithm, s > 0.0) {
-            (false, _) => this,
-            (true, false) => 0.0,
-            (true, true) => s.powi(order) * s.ln(),
+        match order.filter(|_| m + 1 == n) {
+            Some(order) if s > 0.0 => s.powi(order) * s.ln(),
+            Some(_) => 0.0,
+            None => this,
         }
     })
 }
@@ -120,7 +129,7 @@ mod tests {
     use super::*;
 
     fn error(f: impl Fn(f64) -> f64, count: usize) -> f64 {
-        let blend = Blend::new(3.0, count, 1).unwrap();
+        let blend = Blend::new((0.0, 3.0), count, 1).unwrap();
         let values: Vec<f64> = blend.half_widths().iter().map(|b| f(*b)).collect();
         let mut shares = Vec::new();
         let at = |b: f64| {

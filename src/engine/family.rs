@@ -161,14 +161,16 @@ impl Family {
         let rule = quadrature.rule(&Span::symmetric(1.0, Parity::Odd, Edge::Sharp))?;
         let n = rule.unknowns();
         layer.tabulate(Wanted { half_width: widest, ..task.wanted })?;
+        // A contact is never narrower than the face.
+        let face = task.problem.face().min(0.5 * widest);
         let octaves = (widest / layer.length()).max(1.0).log2();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen
         let count = ((POINTS.0 + POINTS.1 * n as f64) * (1.0 + POINTS.2 * octaves)) as usize;
         let mut family = Self {
             friction: flat.friction,
             accuracy: task.wanted.accuracy,
-            blend: Blend::new(widest, count, 2)?,
-            of_shear: Blend::new(widest, count, 1)?,
+            blend: Blend::new((face, widest), count, 2)?,
+            of_shear: Blend::new((face, widest), count, 1)?,
             pressure: Table::default(),
             tilt: Table::default(),
             depth: Vec::new(),
@@ -188,6 +190,7 @@ impl Family {
         let asked = task.problem.friction.filter(|_| friction);
         self.friction.map(f64::to_bits) == asked.map(f64::to_bits)
             && self.accuracy <= task.wanted.accuracy
+            && self.blend.narrowest() <= task.problem.face()
             && (self.blend.widest() / 4.0..=self.blend.widest()).contains(&half_width)
     }
 
@@ -333,10 +336,15 @@ impl Family {
         zones.windows(2).find(shrinks).map(|pair| pair[1].0)
     }
 
-    /// The stick zone of a contact of that half-width.
-    pub(crate) fn rubbing(&mut self, b: f64) -> Option<Rubbing> {
+    /// The stick zone of a contact of that half-width, solved for itself: what is told between the members is but its
+    /// beginning.
+    pub(crate) fn rubbing(&mut self, layer: &mut Layer, task: Task, b: f64) -> Result<Option<Rubbing>, Refusal> {
         let checked = self.is_checked();
-        self.rubbing_at(b, checked)
+        let expected = self.rubbing_at(b, checked);
+        let Some(guess) = expected.as_ref().and_then(Rubbing::reported) else { return Ok(expected) };
+        let flat = member(task.problem, b, true);
+        let root = self.stage.follow(layer, Task { problem: &flat, ..task }, b, guess, REFINED * task.tolerance)?;
+        Ok(root.map(|root| Rubbing::expected(root, b, checked)).or(expected))
     }
 
     /// Matrices factorised so far.

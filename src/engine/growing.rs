@@ -24,6 +24,9 @@ const SERIES_SHARE: f64 = 1e-2;
 ///
 /// Measured on half-planes at x = 0.03 b: errors of 6e-9, 1e-9 and 3e-11 of the largest traction with 14, 18 and 26.
 const NODES: (f64, f64, f64) = (6.0, 1.8, 0.125);
+/// Where the shear is compared from resolution to resolution, over the half-width of the stick zone: near the middle it is
+/// stacked of the most members.
+const TRACED: [f64; Traces::AT.len()] = [0.05, 0.4, 0.85];
 /// The stick zone may shrink by rounding, relative.
 const STEADY: f64 = 1e-9;
 
@@ -97,7 +100,10 @@ impl Growing {
         let mut numbers =
             if self.is_kinked { self.stacked_numbers(layer, problem) } else { normal_numbers(layer, problem, normal) };
         self.force = numbers.get(Quantity::Force).expect("every contact has one");
-        let rubbing = problem.friction.map(|_| self.rub(problem, normal));
+        let rubbing = match problem.friction {
+            Some(_) => Some(self.rub(layer, task, normal)?),
+            None => None,
+        };
         if let Some(rubbing) = &rubbing {
             rubbing.report(&mut numbers);
         }
@@ -216,11 +222,11 @@ impl Growing {
     }
 
     /// The stick zone, and the shear's trace.
-    fn rub(&mut self, problem: &Problem, normal: &Normal) -> Rubbing {
-        let b = self.half_width;
+    fn rub(&mut self, layer: &mut Layer, task: Task, normal: &Normal) -> Result<Rubbing, Refusal> {
+        let (b, problem) = (self.half_width, task.problem);
         if let Some((at, rubbing)) = &self.broken {
             let rubbing = rubbing.clone();
-            return match &rubbing.verdict {
+            return Ok(match &rubbing.verdict {
                 Verdict::Fails(what) => {
                     let what = during(problem, *at, what);
                     rubbing.failing(what)
@@ -236,17 +242,18 @@ impl Growing {
                     let what = during(problem, *at, what);
                     rubbing.failing(what)
                 }
-            };
+            });
         }
         let family = self.family.as_mut().expect("provided before");
         let zone = family.zone(b);
-        let mut rubbing = family.rubbing(b).expect("a family with friction");
+        let mut rubbing = family.rubbing(layer, task, b)?.expect("a family with friction");
         if let Some(at) = family.shrinks(problem.face()..b, STEADY) {
             rubbing = rubbing.failing(during(problem, at, "the stick zone shrinks"));
         }
         let mut trace = [0.0; Traces::AT.len() + 1];
         let (inside, end) = trace.split_at_mut(Traces::AT.len());
-        let stations = Traces::stations(zone.half_width).map(|at| zone.in_contact(at));
+        let stations = TRACED.map(|t| Station { x: t * zone.half_width, gap: (1.0 - t) * zone.half_width });
+        let stations = stations.map(|at| zone.in_contact(at));
         let edge = [Station { x: zone.half_width, gap: zone.slip_width }];
         self.pressure_into(problem, normal, &edge, end);
         let friction = self.family.as_ref().map_or(0.0, Family::signed_friction);
@@ -255,7 +262,7 @@ impl Growing {
         self.pressure_into(problem, normal, &stations, &mut pressure);
         inside.copy_from_slice(&self.shear(problem, &stations, &pressure).expect("a family with friction"));
         let mean = self.force / (2.0 * b);
-        rubbing.traced(trace.map(|q| q / mean))
+        Ok(rubbing.traced(trace.map(|q| q / mean)))
     }
 
     /// Sizes of the contact on its way to a load solved already, whose half-width is given; `None` where it is no single

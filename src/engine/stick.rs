@@ -293,9 +293,9 @@ impl Shear {
         self.least = grid;
     }
 
-    /// A shear of other unknowns in another zone, on the grid used last, at a point within that zone.
+    /// A shear of other unknowns in another zone, on the grid insisted on, at a point within that zone.
     pub(crate) fn value_of(&mut self, zone: StickZone, unknowns: &[f64], at_edge: f64, at: Station) -> f64 {
-        let rule = &mut self.grids[self.used].rule;
+        let rule = &mut self.grids[self.least].rule;
         rule.stretch(zone.half_width);
         rule.value(Density { unknowns, carrier: at_edge }, at)
     }

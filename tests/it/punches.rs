@@ -23,7 +23,7 @@ fn solved(punch: &str, friction: bool) -> Solution {
     let text = format!(
         "format = 1\n{friction}\n[layer]\npoisson = {POISSON}\nbase = {{ type = \"infinite\" }}\n\
          grading = {{ type = \"homogeneous\", modulus = 1.0 }}\n[punch]\n{punch}\n[load]\nhalf_width = 1.0\n\
-         [solver]\ntolerance = 1e-10\n[output]\nx = {X:?}\n"
+         [solver]\ntolerance = 3e-11\n[output]\nx = {X:?}\n"
     );
     let solution = solve(&scene::parse(punch, &text).expect("a good scene"));
     assert_eq!(solution.status, Status::Converged, "{punch}: {:?}", solution.reason);
