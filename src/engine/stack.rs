@@ -76,7 +76,7 @@ impl Stack {
         breaks.extend(problem.kinks().filter(|kink| *kink > face && *kink < widest));
         breaks.push(widest);
         let grid = double_exponential::nodes(1.0, nodes);
-        let ways = std::array::from_fn(|i| way(nodes * (4 + i) / 3));
+        let ways = std::array::from_fn(|i| way(nodes * (5 + i) / 3));
         let crowded_ways = std::array::from_fn(|i| crowded_way(nodes * (2 + i) / 2));
         let mut stack = Self { pieces: Vec::new(), breaks, grid, ways, crowded_ways, room: Room::default() };
         for i in 1..stack.breaks.len() {
