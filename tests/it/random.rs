@@ -22,6 +22,23 @@ fn sketches() -> impl Strategy<Value = Sketch> {
     })
 }
 
+/// Shapes whose contacts grow, about as steep as the cylinder of radius 1 at the half-width 1 where they are.
+const PUNCHES: [&str; 6] = [
+    "type = \"cylinder\"\nradius = 1.0",
+    "type = \"wedge\"\nslope = 0.5",
+    "type = \"power\"\ncoefficient = 0.5\nexponent = 2.6",
+    "type = \"rounded-flat\"\nhalf_width = 0.45\nradius = 1.0",
+    "type = \"rounded-wedge\"\nslope = 0.5\nradius = 1.0",
+    "type = \"polynomial\"\ncoefficients = [0.3, 0.1]",
+];
+
+/// Layers under a growing contact with friction.
+fn growing() -> impl Strategy<Value = Sketch> {
+    let log = |least: f64, most: f64| (least.ln()..most.ln()).prop_map(f64::exp);
+    (log(0.5, 100.0), log(0.02, 50.0), 0.0..0.45_f64, log(0.05, 0.8))
+        .prop_map(|(h, ratio, nu, eta)| Sketch::flat(h, ratio, nu).cylinder().rubbing(eta))
+}
+
 /// The numbers of a solution that are not given by the scene, by their path.
 fn numbers(solution: &Solution) -> Vec<(&'static str, f64)> {
     let stick = solution.stick.as_ref();
@@ -93,6 +110,44 @@ proptest! {
                 "{}: error {:.1e}, tolerance {:.1e}, estimate {:.1e}, judge's {:.1e}; {:?} {:?}",
                 path, error, tolerance, solution.error.each[path], blurred, solution.status, solution.reason
             );
+        }
+    }
+
+    /// Growing contacts under friction: numbers within three tolerances of those at a much finer one, the stick zone that of
+    /// the flat punch, and the tractions, whose error nobody states, within ten of their largest.
+    #[test]
+    fn growing_contacts_keep_what_they_promise(
+        sketch in growing(),
+        (punch, digits) in (0..PUNCHES.len(), 3.0..8.0_f64),
+    ) {
+        let solved = |tolerance: f64, punch: &str| {
+            let text = sketch.clone().with(&format!("[solver]\ntolerance = {tolerance:e}\n[output]\npoints = 12")).text();
+            let text = text.replace("type = \"cylinder\"\nradius = 1.0", punch);
+            slipzone::link_plugins();
+            slipzone::engine::solve(&slipzone::scene::parse("growing.toml", &text).unwrap_or_else(|e| panic!("{e}\n{text}")))
+        };
+        let (punch, tolerance) = (PUNCHES[punch], 10.0_f64.powf(-digits));
+        let (found, exact) = (solved(tolerance, punch), solved((tolerance / 100.0).max(1e-9), punch));
+        prop_assert!(found.status != Status::Converged || found.profile.shear.is_some(), "{:?}", punch);
+        if found.status != Status::Converged || exact.status == Status::AssumptionViolated {
+            return Ok(());
+        }
+        for ((path, number), (_, exact)) in numbers(&found).into_iter().zip(numbers(&exact)) {
+            let error = if exact == 0.0 { 0.0 } else { (number / exact - 1.0).abs() };
+            prop_assert!(error <= 3.0 * tolerance, "{}: {} is off by {:.1e}, tolerance {:.1e}", punch, path, error, tolerance);
+        }
+        if let Some(flat) = sketch.clone().flat_again().with("[solver]\ntolerance = 1e-9").solve().stick.and_then(|s| s.ratio) {
+            let ratio = found.stick.as_ref().and_then(|s| s.ratio).expect("a stick zone");
+            prop_assert!((ratio / flat - 1.0).abs() <= 3.0 * tolerance + 1e-8, "{}: a/b = {}, flat {}", punch, ratio, flat);
+        }
+        let both = [(&found.profile.pressure, &exact.profile.pressure)].into_iter()
+            .chain(found.profile.shear.iter().zip(exact.profile.shear.iter()));
+        for (found, exact) in both {
+            let largest = exact.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
+            for (found, exact) in found.iter().flatten().zip(exact.iter().flatten()) {
+                let error = (found - exact).abs() / largest;
+                prop_assert!(error <= 10.0 * tolerance, "{}: a traction is off by {:.1e}, tolerance {:.1e}", punch, error, tolerance);
+            }
         }
     }
 }

@@ -32,6 +32,11 @@ impl Sketch {
         Self { flat: false, load: "half_width = 1.0".into(), ..self }
     }
 
+    /// The flat punch as wide as the contact.
+    pub(crate) fn flat_again(self) -> Self {
+        Self { flat: true, load: "force = 1.0".into(), ..self }
+    }
+
     pub(crate) fn rubbing(self, eta: f64) -> Self {
         Self { eta: Some(eta), ..self }
     }
