@@ -222,17 +222,16 @@ impl Family {
             }
             before = outcome.rubbing;
         }
+        // What a coarser resolution found to hold is not checked again; without one, nothing is known well enough.
+        let (is_first, known) = (coarse.is_none(), coarse.as_ref().is_some_and(|coarse| coarse.is_checked()));
         let count = half_widths.len();
         let mut rubbed = Rubbed {
             lambda: Vec::with_capacity(count),
             slope: Vec::with_capacity(count),
             branch: 1.0,
             shear: Table::default(),
-            checked: true,
+            checked: !is_first,
         };
-        // What a coarser resolution found to hold is not checked again; without one, nothing is known well enough.
-        let (is_first, known) = (coarse.is_none(), coarse.as_ref().is_some_and(|coarse| coarse.is_checked()));
-        rubbed.checked = !is_first || self.friction.is_none();
         for (k, b) in half_widths.iter().copied().enumerate() {
             let flat = member(task.problem, b, self.friction.is_some());
             let task = Task { problem: &flat, ..task };

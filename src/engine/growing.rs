@@ -166,12 +166,7 @@ impl Growing {
         let mut widest = guess.half_width;
         for _ in 0..ROOM.2 {
             let (Some(family), Some(stack)) = (&mut self.family, &mut self.stack) else { break };
-            let found = match problem.load {
-                LoadInLayerUnits::HalfWidth(half_width) => Some(half_width),
-                LoadInLayerUnits::Force(force) => stack.half_width(problem, force),
-                LoadInLayerUnits::Indentation(depth) => stack.half_width_at_depth(problem, family, depth),
-            };
-            if let Some(half_width) = found {
+            if let Some(half_width) = stack.under(problem, family, problem.load) {
                 return Ok(Size::exactly(half_width));
             }
             if let Some(why) = problem.flaw(widest) {
@@ -194,29 +189,18 @@ impl Growing {
 
     /// The numbers of a stacked pressure.
     fn stacked_numbers(&mut self, layer: &Layer, problem: &Problem) -> Numbers {
-        let mut numbers = Numbers::default();
         let (Some(family), Some(stack)) = (&mut self.family, &mut self.stack) else { unreachable!("provided before") };
         let b = self.half_width;
-        let force = stack.force(problem, b);
-        numbers.set(Quantity::Force, force);
-        numbers.set(Quantity::HalfWidth, b);
-        numbers.set(Quantity::Mean, force / (2.0 * b));
+        let mut numbers = sizes(layer, problem, family, stack, b);
+        numbers.set(Quantity::Mean, stack.force(problem, b) / (2.0 * b));
         numbers.set(Quantity::StressIntensity, 0.0);
         numbers.set(Quantity::EdgeRatio, 0.0);
-        if !layer.is_plain() {
-            numbers.set(Quantity::Indentation, stack.depth(problem, family, b));
-        }
         let corners: Vec<f64> = problem.corners().filter(|corner| *corner < b).collect();
         if corners.first().is_none_or(|corner| *corner > 0.0) {
             numbers.set(Quantity::Centre, stack.pressure(problem, family, b, 0.0));
         }
         if corners.is_empty() {
-            let pressure = |at: &[Station], out: &mut [f64]| {
-                for (at, out) in at.iter().zip(out) {
-                    *out = stack.pressure(problem, family, b, at.x);
-                }
-            };
-            numbers.set(Quantity::Peak, peak(b, pressure));
+            numbers.set(Quantity::Peak, peak(b, |at, out| stack.pressure_into(problem, family, b, at, out)));
         }
         numbers
     }
@@ -281,17 +265,8 @@ impl Growing {
             return None;
         }
         let mut point = |load: &LoadInLayerUnits| {
-            let b = match *load {
-                LoadInLayerUnits::HalfWidth(half_width) => half_width,
-                LoadInLayerUnits::Force(force) => stack.half_width(problem, force)?,
-                LoadInLayerUnits::Indentation(depth) => stack.half_width_at_depth(problem, family, depth)?,
-            };
-            let mut numbers = Numbers::default();
-            numbers.set(Quantity::HalfWidth, b);
-            numbers.set(Quantity::Force, stack.force(problem, b));
-            if !layer.is_plain() {
-                numbers.set(Quantity::Indentation, stack.depth(problem, family, b));
-            }
+            let b = stack.under(problem, family, *load)?;
+            let mut numbers = sizes(layer, problem, family, stack, b);
             if problem.friction.is_some() {
                 let zone = family.zone(b);
                 numbers.set(Quantity::StickHalfWidth, zone.half_width);
@@ -320,10 +295,7 @@ impl Growing {
             return normal.values_into(at, out);
         }
         let (Some(family), Some(stack)) = (&mut self.family, &self.stack) else { unreachable!("provided before") };
-        let b = self.half_width;
-        for (out, at) in out.iter_mut().zip(at) {
-            *out = stack.pressure(problem, family, b, at.x);
-        }
+        stack.pressure_into(problem, family, self.half_width, at, out);
     }
 
     /// Shear at points strictly inside the contact, where the pressures are `pressure`; `None` where there is none.
@@ -404,4 +376,15 @@ impl Growing {
     pub(crate) fn factorisations(&self) -> usize {
         self.family.as_ref().map_or(0, Family::factorisations)
     }
+}
+
+/// Force, half-width and depth of a stacked contact.
+fn sizes(layer: &Layer, problem: &Problem, family: &mut Family, stack: &mut Stack, b: f64) -> Numbers {
+    let mut numbers = Numbers::default();
+    numbers.set(Quantity::Force, stack.force(problem, b));
+    numbers.set(Quantity::HalfWidth, b);
+    if !layer.is_plain() {
+        numbers.set(Quantity::Indentation, stack.depth(problem, family, b));
+    }
+    numbers
 }

@@ -8,7 +8,7 @@
 
 use super::chebyshev::{Points, Series};
 use super::family::Family;
-use super::problem::Problem;
+use super::problem::{LoadInLayerUnits, Problem};
 use basin::Toms748Root;
 use slipzone_api::Station;
 use slipzone_api::double_exponential::{self, Node};
@@ -186,24 +186,22 @@ impl Stack {
         self.force(problem, b) * problem.elastic.a0() * family.depth(b) + lifted
     }
 
-    /// Half-width that bears a force; `None` where no member does.
-    pub(crate) fn half_width(&self, problem: &Problem, force: f64) -> Option<f64> {
-        let (face, widest) = (self.breaks[0], *self.breaks.last()?);
-        let excess = |b: f64| self.force(problem, b) / force - 1.0;
-        let least = if face > 0.0 { face * (1.0 + 1e-12) } else { widest * 1e-9 };
-        let root = Toms748Root::new(least, widest)
-            .with_absolute_position_tolerance(4.0 * f64::EPSILON * widest)
-            .solve(|b| Ok::<_, std::convert::Infallible>(excess(b)));
-        root.ok().map(|root| root.root())
+    /// Half-width of the contact under a load; `None` where no member bears it.
+    pub(crate) fn under(&mut self, problem: &Problem, family: &mut Family, load: LoadInLayerUnits) -> Option<f64> {
+        match load {
+            LoadInLayerUnits::HalfWidth(half_width) => Some(half_width),
+            LoadInLayerUnits::Force(force) => self.root(|stack, b| stack.force(problem, b) / force - 1.0),
+            LoadInLayerUnits::Indentation(depth) => self.root(|stack, b| stack.depth(problem, family, b) / depth - 1.0),
+        }
     }
 
-    /// Half-width at which a depth is reached.
-    pub(crate) fn half_width_at_depth(&mut self, problem: &Problem, family: &mut Family, depth: f64) -> Option<f64> {
+    /// Half-width at which something grows through zero.
+    fn root(&mut self, mut excess: impl FnMut(&mut Self, f64) -> f64) -> Option<f64> {
         let (face, widest) = (self.breaks[0], *self.breaks.last()?);
         let least = if face > 0.0 { face * (1.0 + 1e-12) } else { widest * 1e-9 };
         let root = Toms748Root::new(least, widest)
             .with_absolute_position_tolerance(4.0 * f64::EPSILON * widest)
-            .solve(|b| Ok::<_, std::convert::Infallible>(self.depth(problem, family, b) / depth - 1.0));
+            .solve(|b| Ok::<_, std::convert::Infallible>(excess(self, b)));
         root.ok().map(|root| root.root())
     }
 
@@ -244,6 +242,20 @@ impl Stack {
             }
         }
         sum
+    }
+
+    /// Pressure at points of a contact.
+    pub(crate) fn pressure_into(
+        &self,
+        problem: &Problem,
+        family: &mut Family,
+        b: f64,
+        at: &[Station],
+        out: &mut [f64],
+    ) {
+        for (out, at) in out.iter_mut().zip(at) {
+            *out = self.pressure(problem, family, b, at.x);
+        }
     }
 
     /// Pressure at a point of a contact.
