@@ -9,7 +9,7 @@ use super::problem::Problem;
 use super::stage::{Outcome, Rubbing, Stage, Task, Verdict};
 use super::stick_search::Root;
 use super::stick_zone::StickZone;
-use slipzone_api::{Component, Density, Edge, Parity, PunchShape, Quadrature, Refusal, Rule, Span, Station};
+use slipzone_api::{Component, Density, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station};
 use std::f64::consts::PI;
 use std::ops::Range;
 
@@ -99,30 +99,9 @@ struct Room {
     shear: Vec<f64>,
 }
 
-/// A flat face.
-#[derive(Debug)]
-struct Face {
-    half_width: f64,
-}
-
-impl PunchShape for Face {
-    fn height(&self, _x: f64) -> f64 {
-        0.0
-    }
-    fn slope(&self, _x: f64) -> f64 {
-        0.0
-    }
-    fn fixed_half_width(&self) -> Option<f64> {
-        Some(self.half_width)
-    }
-    fn natural_length(&self) -> f64 {
-        self.half_width
-    }
-}
-
 /// A flat punch of that half-width.
 fn member(problem: &Problem, half_width: f64, friction: bool) -> Problem {
-    let face = Box::new(Face { half_width: half_width * problem.length });
+    let face = Box::new(FlatFace { half_width: half_width * problem.length });
     if friction { problem.under(face) } else { problem.dry(face) }
 }
 

@@ -36,7 +36,7 @@ pub use friction::{Friction, FrozenStrain};
 pub use grading::{Grading, ModulusLaw};
 pub use kernel::{Component, KernelRequest, KernelStrategy, KernelTable, Parts, PartsMut, PartsVec};
 pub use number::{NotAllowed, Poisson, Positive};
-pub use punch::{Flaw, PunchProfile, PunchShape};
+pub use punch::{FlatFace, Flaw, PunchProfile, PunchShape};
 pub use quadrature::{Density, Edge, Parity, Quadrature, Rule, Span, Station};
 pub use refusal::Refusal;
 pub use registry::{Family, Parameter, PluginInfo, find, plugins};

@@ -86,3 +86,28 @@ pub struct Flaw {
     /// Where it begins, in the user's unit of length.
     pub x: f64,
 }
+
+/// A flat face between sharp corners: the punch that every growing contact is a stack of, and that scenes call `flat`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlatFace {
+    /// Half the face's width.
+    pub half_width: f64,
+}
+
+impl PunchShape for FlatFace {
+    fn height(&self, _x: f64) -> f64 {
+        0.0
+    }
+
+    fn slope(&self, _x: f64) -> f64 {
+        0.0
+    }
+
+    fn fixed_half_width(&self) -> Option<f64> {
+        Some(self.half_width)
+    }
+
+    fn natural_length(&self) -> f64 {
+        self.half_width
+    }
+}

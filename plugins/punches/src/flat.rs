@@ -1,7 +1,7 @@
 //! A flat punch with sharp corners.
 
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Positive, PunchProfile, PunchShape, Refusal};
+use slipzone_api::{FlatFace, Positive, PunchProfile, PunchShape, Refusal};
 
 /// `g(x) = 0` for `|x| <= half_width`: the contact is as wide as the punch at any load.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -19,30 +19,7 @@ slipzone_api::register!(Punch, "flat", "flat face, sharp corners: the contact ne
 #[typetag::serde(name = "flat")]
 impl PunchProfile for Flat {
     fn shape(&self) -> Result<Box<dyn PunchShape>, Refusal> {
-        Ok(Box::new(Face { half_width: self.half_width.get() }))
-    }
-}
-
-#[derive(Debug)]
-struct Face {
-    half_width: f64,
-}
-
-impl PunchShape for Face {
-    fn height(&self, _x: f64) -> f64 {
-        0.0
-    }
-
-    fn slope(&self, _x: f64) -> f64 {
-        0.0
-    }
-
-    fn fixed_half_width(&self) -> Option<f64> {
-        Some(self.half_width)
-    }
-
-    fn natural_length(&self) -> f64 {
-        self.half_width
+        Ok(Box::new(FlatFace { half_width: self.half_width.get() }))
     }
 }
 
