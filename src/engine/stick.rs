@@ -126,20 +126,8 @@ impl Shear {
         beta: f64,
         zone: StickZone,
     ) -> Result<f64, Refusal> {
-        self.see(layer, normal, zone);
-        let grid = &mut self.grids[self.used];
-        let rule = &grid.rule;
-        let n = rule.unknowns();
-        let p_edge = self.slip.pressure_at_stick_edge();
-        let scale = rule.row_scale();
-        let (rows, right) = (&mut grid.system.rows, &mut grid.system.columns);
-        for (i, row) in rows.chunks_exact_mut(n + 1).take(grid.by_slip.len()).enumerate() {
-            let scale = scale.map_or(1.0, |scale| scale[i]);
-            row[..n].copy_from_slice(&grid.operator[i * n..(i + 1) * n]);
-            row[n] = p_edge * grid.carrier[i] + scale * grid.by_slip[i];
-            right[i] = scale * (grid.coupled[i] - beta * grid.pressure[i]);
-        }
-        let friction = self.close()?;
+        let p_edge = self.see(layer, normal, zone);
+        let friction = self.balance(beta, p_edge, |_, _, by_slip| [by_slip, 0.0])?;
         (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, friction, friction * p_edge, true);
         self.strain_rate = 0.0;
         Ok(friction)
@@ -157,28 +145,15 @@ impl Shear {
         friction: f64,
         zone: StickZone,
     ) -> Result<f64, Refusal> {
-        self.see(layer, normal, zone);
-        let grid = &mut self.grids[self.used];
-        let rule = &grid.rule;
-        let n = rule.unknowns();
-        let p_edge = self.slip.pressure_at_stick_edge();
-        let scale = rule.row_scale();
-        let strained = linear_strain::equation(layer, zone.half_width, rule.collocation());
-        let (rows, right) = (&mut grid.system.rows, &mut grid.system.columns);
-        for (i, row) in rows.chunks_exact_mut(n + 1).take(grid.by_slip.len()).enumerate() {
-            let scale = scale.map_or(1.0, |scale| scale[i]);
-            row[..n].copy_from_slice(&grid.operator[i * n..(i + 1) * n]);
-            row[n] = scale * strained[i];
-            let by_slip = p_edge * grid.carrier[i] + scale * grid.by_slip[i];
-            right[i] = scale * (grid.coupled[i] - beta * grid.pressure[i]) - friction * by_slip;
-        }
-        self.strain_rate = self.close()?;
+        let p_edge = self.see(layer, normal, zone);
+        let strained = linear_strain::equation(layer, zone.half_width, self.grids[self.used].rule.collocation());
+        self.strain_rate = self.balance(beta, p_edge, |i, scale, by_slip| [scale * strained[i], friction * by_slip])?;
         (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, friction, friction * p_edge, true);
         Ok(self.strain_rate)
     }
 
-    /// The terms of the tangential equation in one stick zone.
-    fn see(&mut self, layer: &Layer, normal: &mut Normal, zone: StickZone) {
+    /// Fills in the terms of the tangential equation in one stick zone; returns `p(a)`.
+    fn see(&mut self, layer: &Layer, normal: &mut Normal, zone: StickZone) -> f64 {
         self.used = self.resolution(zone);
         let grid = &mut self.grids[self.used];
         let rule = &mut grid.rule;
@@ -193,13 +168,29 @@ impl Shear {
         normal.potential_into(layer, Component::Coupling, &self.coupling, &grid.stations, &mut grid.coupled);
         normal.values_into(&grid.stations, &mut grid.pressure);
         self.slip.potential_into(layer, normal, zone, rule.collocation(), &mut grid.by_slip);
+        self.slip.pressure_at_stick_edge()
     }
 
-    /// Solves the system whose rows are written, adds the last one, and returns the unknown beside the shear's.
-    fn close(&mut self) -> Result<f64, Refusal> {
+    /// Solves the tangential equation with one more unknown beside the shear's, and returns that. From the point's number,
+    /// its row's scale and what the slip zone does there per unit of friction, `beside` gives what multiplies the unknown
+    /// and what is taken off the right side.
+    fn balance(
+        &mut self,
+        beta: f64,
+        p_edge: f64,
+        beside: impl Fn(usize, f64, f64) -> [f64; 2],
+    ) -> Result<f64, Refusal> {
         let grid = &mut self.grids[self.used];
         let n = grid.rule.unknowns();
+        let scale = grid.rule.row_scale();
         let (rows, right) = (&mut grid.system.rows, &mut grid.system.columns);
+        for (i, row) in rows.chunks_exact_mut(n + 1).take(grid.by_slip.len()).enumerate() {
+            let scale = scale.map_or(1.0, |scale| scale[i]);
+            let [factor, known] = beside(i, scale, p_edge * grid.carrier[i] + scale * grid.by_slip[i]);
+            row[..n].copy_from_slice(&grid.operator[i * n..(i + 1) * n]);
+            row[n] = factor;
+            right[i] = scale * (grid.coupled[i] - beta * grid.pressure[i]) - known;
+        }
         if let Some(condition) = grid.rule.edge_condition() {
             let row = &mut rows[n * (n + 1)..];
             row[..n].copy_from_slice(condition);
