@@ -215,7 +215,7 @@ impl Growing {
                     let what = during(problem, *at, what);
                     rubbing.failing(what)
                 }
-                _ if *at >= b || !self.is_broken() => rubbing,
+                _ if *at >= b || self.has_no_shear() => rubbing,
                 verdict => {
                     let what = match verdict {
                         Verdict::TooNarrow => "the stick zone is narrower than any looked for",
@@ -300,7 +300,7 @@ impl Growing {
 
     /// Shear at points strictly inside the contact, where the pressures are `pressure`; `None` where there is none.
     pub(crate) fn shear(&mut self, problem: &Problem, at: &[Station], pressure: &[f64]) -> Option<Vec<f64>> {
-        if self.broken.is_some() && !self.is_broken() {
+        if self.has_no_shear() {
             return Some(vec![0.0; at.len()]);
         }
         let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return None };
@@ -326,7 +326,7 @@ impl Growing {
         normal: &Normal,
         at: &[f64],
     ) -> Option<Vec<Option<f64>>> {
-        if let Some((_, Rubbing { verdict: Verdict::NoShear, .. })) = &self.broken {
+        if self.has_no_shear() {
             return Some(vec![Some(0.0); at.len()]);
         }
         let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return None };
@@ -370,6 +370,11 @@ impl Growing {
         // None under a contact of much that width is none under this one.
         let shears = |at: f64, rubbing: &Rubbing| rubbing.verdict != Verdict::NoShear || ROOM.1 * at < self.half_width;
         self.broken.as_ref().is_some_and(|(at, rubbing)| shears(*at, rubbing))
+    }
+
+    /// Whether no shear arises, however wide the contact grew.
+    fn has_no_shear(&self) -> bool {
+        self.broken.is_some() && !self.is_broken()
     }
 
     /// Matrices factorised so far.
