@@ -3,7 +3,7 @@
 use crate::{layer, measure, methods, skip};
 use criterion::{Criterion, Throughput};
 use slipzone::api::{
-    Family, Flexibility, Grading, LayerModel, LayerResponse, ModulusLaw, Positive, SurfaceFlexibility,
+    Family, Flexibility, Grading, LayerModel, LayerResponse, ModulusLaw, Positive, Setting, SurfaceFlexibility,
 };
 use std::hint::black_box;
 use std::sync::Arc;
@@ -44,10 +44,10 @@ pub(crate) fn benchmarks(criterion: &mut Criterion) {
 /// A layer per registered grading, and one of whose law nothing is known but its values: what a closed
 /// form saves.
 fn layers() -> Vec<(&'static str, Arc<LayerModel>)> {
-    let thickness = Positive::new(5.0).ok();
+    let thickness = Positive::new(5.0).expect("a positive constant");
     let mut layers = Vec::new();
     for (name, grading) in methods::examples::<Box<dyn Grading>>(Family::Grading) {
-        match grading.law(thickness) {
+        match grading.law(&Setting::thick(grading.thickness().unwrap_or(thickness))) {
             Ok(law) => layers.push((name, layer::bonded(law))),
             Err(refusal) => skip("flexibility", name, &refusal),
         }

@@ -1,7 +1,7 @@
 //! The layer on which single stages are measured, in its own units.
 
 use slipzone::api::{
-    Base, Component, Elastic, Flexibility, KernelRequest, LayerModel, LayerResponse, ModulusLaw, Plane, Poisson,
+    Base, Component, Flexibility, KernelRequest, LayerModel, LayerResponse, Moduli, ModulusLaw, Plane, Poisson, Solid,
 };
 use slipzone_flexibilities::Compliance;
 use std::sync::Arc;
@@ -23,7 +23,8 @@ pub(crate) fn request(components: &[Component]) -> KernelRequest<'_> {
 /// Plane strain, Poisson's ratio 0.3, on a rigid base.
 pub(crate) fn bonded(law: Box<dyn ModulusLaw>) -> Arc<LayerModel> {
     let poisson = Poisson::new(0.3).expect("a constant in range");
-    Arc::new(LayerModel { law, elastic: Elastic::new(Plane::Strain, poisson), base: Base::Rigid })
+    let solid = Solid { plane: Plane::Strain, poisson, moduli: Moduli::Shear };
+    Arc::new(LayerModel::new(law, solid, Base::Rigid))
 }
 
 /// Eight times as stiff at the base.

@@ -84,12 +84,6 @@ pub(crate) fn choose(scene: &Scene) -> Chosen {
 
 /// Whether the flexibility of a layer is known in closed form.
 fn has_closed_form(layer: &Layer) -> bool {
-    let infinite = layer.base == Base::Infinite;
-    let law = layer.grading.law(layer.thickness.filter(|_| !infinite));
-    let exponent = law.ok().and_then(|law| law.exponent());
-    match layer.base {
-        Base::Rigid => exponent.is_some(),
-        Base::Infinite => exponent == Some(0.0),
-        Base::Frictionless | Base::HalfPlane { .. } => false,
-    }
+    let is_exponential = layer.model().is_ok_and(|model| model.exponent().is_some());
+    is_exponential && matches!(layer.base, Base::Rigid | Base::Infinite)
 }

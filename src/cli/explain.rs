@@ -30,7 +30,7 @@ fn derived(text: &mut String, scene: &Scene) -> std::fmt::Result {
     writeln!(text, "# kappa    = {}", elastic.kappa)?;
     writeln!(text, "# beta     = {}", elastic.beta())?;
     writeln!(text, "# A0 mu1   = {}", elastic.a0())?;
-    match scene.layer.grading.law(scene.layer.thickness) {
+    match scene.layer.law() {
         Ok(law) => {
             writeln!(text, "# mu1      = {}  (stress)", law.surface_modulus())?;
             writeln!(text, "# A0       = {}  (1/stress)", elastic.a0() / law.surface_modulus())?;

@@ -2,7 +2,7 @@
 
 use super::quantity::Quantity;
 use crate::scene::{Load, Scene};
-use slipzone_api::{Base, Elastic, Friction, FrozenStrain, LayerModel, Positive, PunchShape, Refusal};
+use slipzone_api::{Base, Elastic, Friction, FrozenStrain, LayerModel, PunchShape, Refusal};
 use std::sync::Arc;
 
 /// What the engine solves.
@@ -55,11 +55,10 @@ impl Problem {
     pub(crate) fn new(scene: &Scene) -> Result<Self, Refusal> {
         let shape = scene.punch.shape()?;
         let layer = &scene.layer;
-        let infinite = layer.base == Base::Infinite;
-        let law = layer.grading.law(layer.thickness.filter(|_| !infinite))?;
+        let model = Arc::new(layer.model()?);
         // An infinite homogeneous solid has no length of its own.
-        let length = layer.thickness.filter(|_| !infinite).map_or_else(|| shape.natural_length(), Positive::get);
-        let stress = law.surface_modulus();
+        let length = layer.length()?.unwrap_or_else(|| shape.natural_length());
+        let stress = model.surface_shear;
         let load = LoadInLayerUnits::new(scene.load, length, stress);
         let friction = scene.friction.map(coefficient);
         let is_linear = matches!(scene.friction, Some(Friction::Goodman { strain: FrozenStrain::Linear, .. }));
@@ -72,17 +71,7 @@ impl Problem {
                         .into(),
             });
         }
-        let elastic = Elastic::new(layer.plane, layer.poisson);
-        Ok(Self {
-            layer: Arc::new(LayerModel { law, elastic, base: layer.base }),
-            elastic,
-            shape,
-            length,
-            stress,
-            load,
-            friction,
-            is_linear,
-        })
+        Ok(Self { elastic: model.elastic, layer: model, shape, length, stress, load, friction, is_linear })
     }
 
     /// The same layer and friction under another shape, with a unit force.

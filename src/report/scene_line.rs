@@ -98,7 +98,7 @@ fn layer(layer: &Layer, half_width: Option<f64>, labels: &Labels, letters: &Alph
     }
     let kind = layer.grading.typetag_name();
     // A law that cannot be had (that may be why the scene was refused) still has a name.
-    let Ok(law) = layer.grading.law(layer.thickness) else {
+    let Ok(law) = layer.law() else {
         parts.push(kind.into());
         return parts;
     };

@@ -2,7 +2,7 @@
 
 use super::document::{Document, dotted};
 use super::{Load, Scene, SceneError};
-use slipzone_api::{Base, Friction, PunchShape};
+use slipzone_api::{Base, Friction, PunchShape, Refusal};
 use toml::Spanned;
 use toml::de::DeValue;
 
@@ -10,7 +10,8 @@ type Check = fn(&Document, &Scene) -> Result<(), SceneError>;
 
 /// All checks; the first that fails.
 pub(super) fn all(document: &Document, scene: &Scene) -> Result<(), SceneError> {
-    const CHECKS: [Check; 8] = [labels, friction, tolerance, output, magnitudes, thickness, load, ratios];
+    const CHECKS: [Check; 10] =
+        [labels, friction, tolerance, output, magnitudes, thickness, grading, datum, load, ratios];
     CHECKS.iter().try_for_each(|check| check(document, scene))
 }
 
@@ -110,6 +111,47 @@ fn thickness(document: &Document, scene: &Scene) -> Result<(), SceneError> {
             .found("a layer on a base without its thickness")
             .expected("`thickness`: depth of the base (length)")
             .hint("a solid without a base is `base = { type = \"infinite\" }`")),
+    }
+}
+
+/// The grading describes an elastic solid over the whole layer.
+fn grading(document: &Document, scene: &Scene) -> Result<(), SceneError> {
+    let place = ["layer", "grading"];
+    let layer = &scene.layer;
+    if let (Some(own), Some(given)) = (layer.grading.thickness(), layer.thickness)
+        && (given.get() / own.get() - 1.0).abs() > SAME
+    {
+        return Err(document
+            .not_allowed(&["layer", "thickness"], format!("{}, the sum of the sublayers' thicknesses", own.get()))
+            .hint("leave out `thickness`: the stack knows its own"));
+    }
+    match layer.model() {
+        Ok(model) => model.flaw().map_or(Ok(()), |flaw| {
+            let depth = flaw.x * layer.length().ok().flatten().unwrap_or(1.0);
+            let error = document.error(document.best(&place), "the grading describes no elastic solid");
+            Err(error
+                .found(format!("{} at depth {depth:.6}", flaw.what))
+                .expected("a finite modulus above 0, and a Poisson's ratio above -1 and up to 0.5, at every depth"))
+        }),
+        Err(Refusal::Unusable { plugin, why }) => {
+            Err(document.error(document.best(&place), format!("grading `{plugin}`: {why}")))
+        }
+        // What is not built is the engine's to refuse.
+        Err(_) => Ok(()),
+    }
+}
+
+/// Largest relative difference between a stack's thickness as given and as summed: roundings of decimals.
+const SAME: f64 = 1e-9;
+
+/// A datum is asked for where the base leaves the indentation undefined.
+fn datum(document: &Document, scene: &Scene) -> Result<(), SceneError> {
+    match (scene.layer.base, scene.layer.datum) {
+        (Base::Rigid | Base::Frictionless, Some(_)) => Err(document
+            .error(document.key(&["layer", "datum"]), "a datum on a rigid base")
+            .found("`datum` on a base that does not move")
+            .expected("no `datum`: the indentation is counted from the base")),
+        _ => Ok(()),
     }
 }
 

@@ -26,8 +26,8 @@ pub use text::{LARGEST, text, too_large};
 use document::Document;
 use serde::{Deserialize, Serialize};
 use slipzone_api::{
-    Base, Files, Flexibility, Friction, Grading, KernelStrategy, NoFiles, Plane, Poisson, Positive, PunchProfile,
-    Quadrature,
+    Base, Files, Flexibility, Friction, Grading, KernelStrategy, LayerModel, Moduli, ModulusLaw, NoFiles, Plane,
+    Poisson, Positive, PunchProfile, Quadrature, Refusal, Setting, Solid,
 };
 
 /// The scene that a text describes, every check passed; `name` is what errors call the text.
@@ -81,7 +81,9 @@ pub fn parse_with(name: &str, text: &str, files: &dyn Files) -> Result<Scene, Sc
     decode::format(&document)?;
     load_keys::load(&document)?;
     let mut scene = decode::scene(&document)?;
+    scene.layer.grading.read(files).map_err(|fault| document.fault(&["layer", "grading"], fault))?;
     scene.punch.read(files).map_err(|fault| document.fault(&["punch"], fault))?;
+    scene.layer.thickness = scene.layer.thickness.or(scene.layer.grading.thickness());
     check::all(&document, &scene)?;
     Ok(scene)
 }
@@ -125,11 +127,46 @@ pub struct Layer {
     /// Plane strain or plane stress.
     #[serde(default)]
     pub plane: Plane,
+    /// What the grading's moduli are.
+    #[serde(default, skip_serializing_if = "Moduli::is_shear")]
+    pub moduli: Moduli,
     /// What the layer stands on.
     #[serde(default, deserialize_with = "tagged::base")]
     pub base: Base,
+    /// Depth below the surface at which a vertical displacement is called 0, where the base leaves that open.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub datum: Option<Positive>,
     /// Shear modulus over depth.
     pub grading: Box<dyn Grading>,
+}
+
+impl Layer {
+    /// The grading's law over the layer; over the user's length on an infinite solid.
+    pub fn law(&self) -> Result<Box<dyn ModulusLaw>, Refusal> {
+        let thickness = self.thickness.filter(|_| self.base != Base::Infinite);
+        self.grading.law(&Setting { thickness, moduli: self.moduli })
+    }
+
+    /// The length in whose units the layer is computed: its thickness, or that over which the modulus of an infinite
+    /// solid grows by a factor of `e`; `None` for a homogeneous one, which has none.
+    pub fn length(&self) -> Result<Option<f64>, Refusal> {
+        if self.base != Base::Infinite {
+            return Ok(self.thickness.map(Positive::get));
+        }
+        let gradient = self.law()?.exponent().filter(|gradient| *gradient != 0.0);
+        Ok(gradient.map(|gradient| gradient.recip().abs()))
+    }
+
+    /// What the flexibilities see of it.
+    pub fn model(&self) -> Result<LayerModel, Refusal> {
+        let length = self.length()?;
+        let thickness = length.and_then(|length| Positive::new(length).ok());
+        let law = self.grading.law(&Setting { thickness, moduli: self.moduli })?;
+        let solid = Solid { plane: self.plane, poisson: self.poisson, moduli: self.moduli };
+        let mut model = LayerModel::new(law, solid, self.base);
+        model.datum = self.datum.map(|datum| datum.get() / length.unwrap_or(1.0));
+        Ok(model)
+    }
 }
 
 /// The load: exactly one of three.

@@ -6,7 +6,7 @@
 
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
-use slipzone_api::{Base, Friction, FrozenStrain, Poisson, Positive};
+use slipzone_api::{Base, Friction, FrozenStrain, Moduli, Poisson, Positive};
 use std::fmt;
 
 /// Reads `layer.base`.
@@ -34,8 +34,22 @@ struct NoKeys {}
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct HalfPlane {
-    shear: Positive,
+    shear: Option<Positive>,
+    young: Option<Positive>,
     poisson: Poisson,
+}
+
+impl HalfPlane {
+    fn shear<E: Error>(&self) -> Result<Positive, E> {
+        match (self.shear, self.young) {
+            (Some(shear), None) => Ok(shear),
+            (None, Some(young)) => {
+                Positive::new(Moduli::Young.shear(young.get(), self.poisson.get())).map_err(E::custom)
+            }
+            (Some(_), Some(_)) => Err(E::custom("expected one of `shear` and `young`, found both")),
+            (None, None) => Err(E::missing_field("shear")),
+        }
+    }
 }
 
 #[derive(serde::Deserialize)]
@@ -63,7 +77,8 @@ impl<'de> Visitor<'de> for BaseTable {
             "frictionless" => NoKeys::deserialize(rest).map(|_| Base::Frictionless),
             "infinite" => NoKeys::deserialize(rest).map(|_| Base::Infinite),
             "half-plane" => {
-                HalfPlane::deserialize(rest).map(|HalfPlane { shear, poisson }| Base::HalfPlane { shear, poisson })
+                let base = HalfPlane::deserialize(rest)?;
+                Ok(Base::HalfPlane { shear: base.shear()?, poisson: base.poisson })
             }
             _ => Err(A::Error::unknown_variant(&tag, &["rigid", "frictionless", "half-plane", "infinite"])),
         }

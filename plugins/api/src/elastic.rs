@@ -21,10 +21,40 @@ pub struct Elastic {
     pub kappa: f64,
 }
 
+/// What a scene calls a modulus.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Moduli {
+    /// The shear modulus `mu`.
+    #[default]
+    Shear,
+    /// Young's modulus `E = 2 mu (1 + nu)`.
+    Young,
+}
+
+impl Moduli {
+    /// The shear modulus of a material of that `modulus` and Poisson's ratio.
+    pub fn shear(self, modulus: f64, poisson: f64) -> f64 {
+        match self {
+            Self::Shear => modulus,
+            Self::Young => modulus / (2.0 * (1.0 + poisson)),
+        }
+    }
+
+    /// Whether it is the shear modulus, as when nothing is said.
+    pub fn is_shear(&self) -> bool {
+        *self == Self::Shear
+    }
+}
+
 impl Elastic {
     /// Constants of a material with Poisson's ratio `poisson`.
     pub fn new(plane: Plane, poisson: Poisson) -> Self {
-        let nu = poisson.get();
+        Self::of(plane, poisson.get())
+    }
+
+    /// The same of a ratio that is known to be in range.
+    pub fn of(plane: Plane, nu: f64) -> Self {
         let kappa = match plane {
             Plane::Strain => 3.0 - 4.0 * nu,
             Plane::Stress => (3.0 - nu) / (1.0 + nu),

@@ -1,24 +1,15 @@
 //! How a layer answers a sinusoidal load on its surface.
 
-use crate::{Base, Elastic, ModulusLaw, Refusal};
+use crate::{Elastic, LayerModel, Refusal};
 use std::fmt::Debug;
 use std::sync::Arc;
-
-/// The elastic layer as the flexibility plugins see it, in its own units (see the crate's page).
-#[derive(Debug)]
-pub struct LayerModel {
-    /// Modulus over depth.
-    pub law: Box<dyn ModulusLaw>,
-    /// Elastic constants, the same at each depth.
-    pub elastic: Elastic,
-    /// What it stands on.
-    pub base: Base,
-}
 
 /// Surface flexibility at one wave number, scaled: the entries of `s F(s)/A0`.
 ///
 /// For `p = P cos(sx)`, `q = Q sin(sx)`: `v = (Fvv P + Fuv Q) cos(sx)`, `u = (Fuv P + Fuu Q) sin(sx)`.
-/// They tend to `1`, `1`, `-beta` as `s` grows, and on a rigid base to 0 at least like `s` at the origin.
+/// They tend to `1`, `1`, `-beta` as `s` grows, `beta` being that of the surface. At the origin they tend to 0 at least
+/// like `s` when the layer is bonded to a rigid base, to the flexibility of an elastic half-plane when it stands on one;
+/// on a base without friction `uu` grows like `1/s`, see [`LayerResponse::pole`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SurfaceFlexibility {
     /// `s Fvv/A0`: indentation by pressure.
@@ -39,7 +30,7 @@ dyn_clone::clone_trait_object!(Flexibility);
 
 /// Run-time half: the surface flexibility of one layer.
 pub trait LayerResponse: Send + Sync {
-    /// `s F/A0` at `wave_number` `s >= 0`, in units of `1/h`.
+    /// `s F/A0` at `wave_number` `s >= 0`, in units of `1/h`; at 0 the limit, [`Self::pole`] left out.
     fn surface(&self, wave_number: f64) -> Result<SurfaceFlexibility, Refusal>;
 
     /// [`Self::surface`] at each of `wave_numbers`; ends at the first refusal.
@@ -61,6 +52,18 @@ pub trait LayerResponse: Send + Sync {
     /// `terms` of them, or as many as the law's derivatives at the surface give. A homogeneous surface has
     /// zeros; a law that tells nothing of its gradient has an empty series.
     fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility>;
+
+    /// `c` where `s Fuu/A0 = c/s + O(s)` at the origin: a layer that slides on its base follows long waves of shear
+    /// as a membrane does. 0 on all other bases.
+    fn pole(&self) -> f64 {
+        0.0
+    }
+
+    /// The same layer's response with `vv` counted from the depth that the model calls [`LayerModel::datum`], where it
+    /// names one and the method knows: `s (Fvv - Fvv(datum))/A0`. The other entries stay.
+    fn against_datum(&self) -> Option<Box<dyn LayerResponse>> {
+        None
+    }
 
     /// Depth `d` below which the surface feels something that its own derivatives do not tell (a base,
     /// a kink): what is left of `s F` after its series in `1/s` decays like `exp(-2 s d)`. `None` when

@@ -1,6 +1,6 @@
-//! How the shear modulus varies with depth.
+//! How the elastic constants vary with depth.
 
-use crate::{Positive, Refusal};
+use crate::{Fault, Files, Moduli, Positive, Refusal};
 use std::fmt::Debug;
 
 /// Config half of a grading: what a scene says under `layer.grading`.
@@ -8,28 +8,66 @@ use std::fmt::Debug;
 /// Moduli and depths are in the user's units here.
 #[typetag::serde(tag = "type")]
 pub trait Grading: dyn_clone::DynClone + Debug + Send + Sync {
-    /// The law over a layer of `thickness`; `None` on an infinite solid.
+    /// Fetches the files that the table names, and checks what no single key can show, such as a formula. Called once
+    /// after the table was read; what was fetched is kept for [`Self::law`] and not written with the table.
     ///
-    /// Refuses what only the thickness can show to be impossible.
-    fn law(&self, thickness: Option<Positive>) -> Result<Box<dyn ModulusLaw>, Refusal>;
+    /// # Errors
+    /// The first fault, with its place in the table or in the file.
+    fn read(&mut self, files: &dyn Files) -> Result<(), Fault> {
+        let _ = files;
+        Ok(())
+    }
+
+    /// The layer's thickness where the grading itself fixes it, as a stack of sublayers does.
+    fn thickness(&self) -> Option<Positive> {
+        None
+    }
+
+    /// The law over a layer.
+    ///
+    /// Refuses what only the setting can show to be impossible.
+    fn law(&self, setting: &Setting) -> Result<Box<dyn ModulusLaw>, Refusal>;
 }
 dyn_clone::clone_trait_object!(Grading);
 
-/// Run-time half of a grading: the modulus as a function of depth.
+/// What a grading is told of the layer that it describes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Setting {
+    /// Thickness in the user's unit; `None` on an infinite solid.
+    pub thickness: Option<Positive>,
+    /// What the scene calls a modulus. Only laws that mix materials need to know: all others hand on what they are given.
+    pub moduli: Moduli,
+}
+
+impl Setting {
+    /// A layer of `thickness` whose moduli are shear moduli.
+    pub fn thick(thickness: Positive) -> Self {
+        Self { thickness: Some(thickness), moduli: Moduli::Shear }
+    }
+}
+
+/// Run-time half of a grading: the elastic constants as functions of depth.
 ///
-/// `modulus` and `surface_modulus` are in the user's unit of stress; `depth` runs from 0 at the surface
-/// to 1 at the base, in units of the thickness (of the user's length on an infinite solid). Only
-/// `modulus` is required: what else a law can tell makes it faster, never different.
+/// Moduli are in the user's unit of stress, of the kind that the [`Setting`] names; `depth` runs from 0 at the surface
+/// to 1 at the base, in units of the thickness (of the user's length on an infinite solid). Only `modulus` is required:
+/// what else a law can tell makes it faster, never different.
 pub trait ModulusLaw: Debug + Send + Sync {
-    /// Shear modulus at `depth`; finite and positive.
+    /// Modulus at `depth`; finite and positive. At a jump, the value on either side.
     fn modulus(&self, depth: f64) -> f64;
 
-    /// Shear modulus at the surface, `mu1`.
+    /// Poisson's ratio at `depth`, above -1 and up to 1/2; `None` where it is the layer's.
+    fn poisson(&self, depth: f64) -> Option<f64> {
+        let _ = depth;
+        None
+    }
+
+    /// Modulus at the surface.
     fn surface_modulus(&self) -> f64 {
         self.modulus(0.0)
     }
 
-    /// `Some(gamma)` if and only if the law is exactly `mu1 exp(gamma depth)`; 0 when homogeneous.
+    /// `Some(gamma)` if and only if the modulus is exactly `mu1 exp(gamma depth)`, Poisson's ratio the same everywhere;
+    /// 0 when homogeneous.
     ///
     /// The depth exponents are then known in closed form (CC13 eq. 20).
     fn exponent(&self) -> Option<f64> {
@@ -37,7 +75,8 @@ pub trait ModulusLaw: Debug + Send + Sync {
     }
 
     /// Taylor coefficients of `modulus(depth)/surface_modulus()` at the surface: `terms` of them, or as many
-    /// as are known (the first is 1). They set the kernel's jump and logarithm.
+    /// as are known (the first is 1). They set the kernel's jump and logarithm; where they are not known they are taken
+    /// from values, with fewer digits and more work.
     fn surface_series(&self, terms: usize) -> Vec<f64> {
         let Some(gamma) = self.exponent() else { return vec![1.0; terms.min(1)] };
         let next = |term: &mut f64, k: usize| {
@@ -48,8 +87,34 @@ pub trait ModulusLaw: Debug + Send + Sync {
         (0..terms).scan(1.0, next).collect()
     }
 
+    /// Taylor coefficients of [`Self::poisson`] at the surface, likewise; not asked for where that is `None`.
+    fn poisson_series(&self, terms: usize) -> Vec<f64> {
+        let known = if self.exponent().is_some() { terms } else { terms.min(1) };
+        let mut series = vec![0.0; known];
+        if let (Some(first), Some(surface)) = (series.first_mut(), self.poisson(0.0)) {
+            *first = surface;
+        }
+        series
+    }
+
     /// Depths, ascending, at which the law has a kink or a jump.
     fn breakpoints(&self) -> &[f64] {
         &[]
     }
+
+    /// The sublayers of which the law is made, top first, their thicknesses adding up to 1; none where it is no stack.
+    /// They are bonded to each other; each has a law over a depth of its own from 0 to 1. All else that a stack tells is
+    /// what its sublayers tell.
+    fn sublayers(&self) -> &[Sublayer] {
+        &[]
+    }
+}
+
+/// A part of a stack.
+#[derive(Debug)]
+pub struct Sublayer {
+    /// Its part of the whole thickness.
+    pub thickness: f64,
+    /// Its law, over its own depth.
+    pub law: Box<dyn ModulusLaw>,
 }

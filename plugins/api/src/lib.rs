@@ -20,6 +20,7 @@ mod flexibility;
 mod friction;
 mod grading;
 mod kernel;
+mod layer_model;
 mod number;
 mod punch;
 mod quadrature;
@@ -29,12 +30,13 @@ mod registry;
 #[cfg(feature = "testkit")]
 pub mod testkit;
 
-pub use elastic::{Base, Elastic, Plane};
+pub use elastic::{Base, Elastic, Moduli, Plane};
 pub use files::{Fault, Files, LARGEST_FILE, NoFiles, Place};
-pub use flexibility::{Flexibility, LayerModel, LayerResponse, SurfaceFlexibility};
+pub use flexibility::{Flexibility, LayerResponse, SurfaceFlexibility};
 pub use friction::{Friction, FrozenStrain};
-pub use grading::{Grading, ModulusLaw};
+pub use grading::{Grading, ModulusLaw, Setting, Sublayer};
 pub use kernel::{Component, KernelRequest, KernelStrategy, KernelTable, Parts, PartsMut, PartsVec};
+pub use layer_model::{LayerModel, Material, Solid};
 pub use number::{NotAllowed, Poisson, Positive};
 pub use punch::{FlatFace, Flaw, PunchProfile, PunchShape};
 pub use quadrature::{Density, Edge, Parity, Quadrature, Rule, Span, Station};

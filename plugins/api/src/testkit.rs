@@ -103,7 +103,7 @@ impl Parsed {
         let (tag, written, contract) = match family {
             Family::Grading => {
                 let (config, written) = round_trip!(dyn Grading);
-                (config.typetag_name(), written, contracts::grading(&*config))
+                (config.typetag_name(), written, contracts::grading(config.clone()))
             }
             Family::Punch => {
                 let (config, written) = round_trip!(dyn PunchProfile);

@@ -1,6 +1,6 @@
 //! Layers that the tests of this crate share.
 
-use slipzone_api::{Base, Elastic, Flexibility, LayerModel, ModulusLaw, Plane, Poisson, SurfaceFlexibility};
+use slipzone_api::{Base, Flexibility, LayerModel, Moduli, ModulusLaw, Plane, Poisson, Solid, SurfaceFlexibility};
 use std::sync::Arc;
 
 /// `2 exp(gamma y)`: the surface modulus must drop out.
@@ -52,8 +52,8 @@ impl ModulusLaw for Smooth {
 }
 
 pub(crate) fn bonded(law: impl ModulusLaw + 'static, plane: Plane, nu: f64) -> Arc<LayerModel> {
-    let elastic = Elastic::new(plane, Poisson::new(nu).unwrap());
-    Arc::new(LayerModel { law: Box::new(law), elastic, base: Base::Rigid })
+    let solid = Solid { plane, poisson: Poisson::new(nu).unwrap(), moduli: Moduli::Shear };
+    Arc::new(LayerModel::new(Box::new(law), solid, Base::Rigid))
 }
 
 /// Plane strain, rigid base, `exp(gamma y)`.

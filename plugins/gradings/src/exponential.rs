@@ -1,7 +1,7 @@
 //! The exponential law of CC13.
 
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Grading, ModulusLaw, Positive, Refusal};
+use slipzone_api::{Grading, ModulusLaw, Positive, Refusal, Setting};
 
 /// `mu(y) = mu1 exp(gamma y)`, `gamma = ln(mu3/mu1)/h` (CC13 eqs. 1, 2).
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -68,9 +68,9 @@ slipzone_api::register!(Grading, "exponential", "shear modulus growing or fallin
 
 #[typetag::serde(name = "exponential")]
 impl Grading for Exponential {
-    fn law(&self, thickness: Option<Positive>) -> Result<Box<dyn ModulusLaw>, Refusal> {
+    fn law(&self, setting: &Setting) -> Result<Box<dyn ModulusLaw>, Refusal> {
         let surface = self.surface.get();
-        let exponent = match (self.decay, thickness) {
+        let exponent = match (self.decay, setting.thickness) {
             (Decay::Base(base), Some(_)) => log_ratio(base.get(), surface),
             (Decay::Gradient(gradient), thickness) => gradient * thickness.map_or(1.0, Positive::get),
             (Decay::Base(_), None) => {
@@ -116,7 +116,7 @@ mod tests {
 
     fn law(surface: f64, decay: Decay, h: f64) -> Box<dyn ModulusLaw> {
         let surface = Positive::new(surface).unwrap();
-        Exponential { surface, decay }.law(Some(Positive::new(h).unwrap())).unwrap()
+        Exponential { surface, decay }.law(&Setting::thick(Positive::new(h).unwrap())).unwrap()
     }
 
     #[test]

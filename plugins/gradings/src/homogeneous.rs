@@ -1,7 +1,7 @@
 //! One modulus at every depth.
 
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Grading, ModulusLaw, Positive, Refusal};
+use slipzone_api::{Grading, ModulusLaw, Positive, Refusal, Setting};
 
 /// `mu(y) = modulus`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -18,7 +18,7 @@ slipzone_api::register!(Grading, "homogeneous", "the same shear modulus at every
 
 #[typetag::serde(name = "homogeneous")]
 impl Grading for Homogeneous {
-    fn law(&self, _thickness: Option<Positive>) -> Result<Box<dyn ModulusLaw>, Refusal> {
+    fn law(&self, _setting: &Setting) -> Result<Box<dyn ModulusLaw>, Refusal> {
         Ok(Box::new(Constant(self.modulus.get())))
     }
 }

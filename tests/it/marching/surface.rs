@@ -1,7 +1,7 @@
 //! What a layer's surface does, in the units of the march: half-width at the end 1, surface modulus 1.
 
 use crate::sketch::Sketch;
-use slipzone::api::{Component, Elastic, Flexibility, KernelRequest, KernelStrategy, KernelTable, LayerModel};
+use slipzone::api::{Component, Elastic, Flexibility, KernelRequest, KernelStrategy, KernelTable};
 use slipzone_flexibilities::ClosedForm;
 use slipzone_kernels::Split;
 use std::sync::Arc;
@@ -26,8 +26,7 @@ impl Surface {
         let layer = sketch.scene().layer;
         let elastic = Elastic::new(layer.plane, layer.poisson);
         let Some(thickness) = layer.thickness else { return Self { elastic, kernels: None } };
-        let law = layer.grading.law(Some(thickness)).expect("a law");
-        let model = Arc::new(LayerModel { law, elastic, base: layer.base });
+        let model = Arc::new(layer.model().expect("a law"));
         let response = ClosedForm {}.respond(&model).expect("an exponential layer");
         let components = &[Component::NormalSlope, Component::ShearStrain, Component::Coupling];
         // Far below what the march is asked for.

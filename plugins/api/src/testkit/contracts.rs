@@ -1,13 +1,15 @@
 //! What every grading and every punch promises, tried out at a few points.
 
 use super::ensure;
-use crate::{Grading, ModulusLaw, NoFiles, Positive, PunchProfile, PunchShape};
+use crate::{Grading, ModulusLaw, NoFiles, Positive, PunchProfile, PunchShape, Setting};
 
 /// The modulus is finite and positive, and what the law says beside it agrees with it.
-pub(super) fn grading(config: &dyn Grading) -> Result<(), String> {
+pub(super) fn grading(mut config: Box<dyn Grading>) -> Result<(), String> {
+    config.read(&NoFiles).map_err(|e| format!("not readable: {e}"))?;
     let thickness = Positive::new(3.0).expect("a positive constant");
-    // A grading with depths of its own may insist on its own thickness.
-    let law = config.law(Some(thickness)).or_else(|_| config.law(None)).map_err(|e| format!("no law: {e}"))?;
+    let thickness = config.thickness().unwrap_or(thickness);
+    let law = config.law(&Setting::thick(thickness)).or_else(|_| config.law(&Setting::default()));
+    let law = law.map_err(|e| format!("no law: {e}"))?;
     modulus(&*law)
 }
 

@@ -1,7 +1,7 @@
 //! The testkit is checked by breaking plugins: every fault it claims to find is committed here once.
 
 use super::check_plugin;
-use crate::{Family, Flaw, Grading, ModulusLaw, Positive, PunchProfile, PunchShape, Refusal, find, plugins, register};
+use crate::{Family, Flaw, Grading, ModulusLaw, PunchProfile, PunchShape, Refusal, find, plugins, register};
 use serde::{Deserialize, Serialize};
 
 fn verdict(family: Family, name: &str) -> Result<(), String> {
@@ -339,7 +339,7 @@ struct Ramp {
 
 #[typetag::serde(name = "ramp")]
 impl Grading for Ramp {
-    fn law(&self, _thickness: Option<Positive>) -> Result<Box<dyn ModulusLaw>, Refusal> {
+    fn law(&self, _setting: &crate::Setting) -> Result<Box<dyn ModulusLaw>, Refusal> {
         Ok(Box::new(self.clone()))
     }
 }
@@ -365,7 +365,7 @@ impl ModulusLaw for Ramp {
 
 #[test]
 fn a_grading_must_keep_its_contract() {
-    let verdict = |growth, fault| super::contracts::grading(&Ramp { growth, fault });
+    let verdict = |growth, fault| super::contracts::grading(Box::new(Ramp { growth, fault }));
     assert_eq!(verdict(0.7, Fault::None), Ok(()));
     for (growth, fault, words) in [
         (-2.0, Fault::None, "modulus(0.5) = 0"),

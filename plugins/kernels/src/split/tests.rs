@@ -4,7 +4,8 @@ mod bounds;
 
 use super::*;
 use slipzone_api::{
-    Base, Elastic, Flexibility, LayerModel, ModulusLaw, Parts, PartsVec, Plane, Poisson, SurfaceFlexibility,
+    Base, Elastic, Flexibility, LayerModel, Moduli, ModulusLaw, Parts, PartsVec, Plane, Poisson, Solid,
+    SurfaceFlexibility,
 };
 use slipzone_flexibilities::Compliance;
 use std::f64::consts::{FRAC_PI_2, LN_2};
@@ -27,8 +28,8 @@ impl ModulusLaw for Exponential {
 }
 
 fn layer(law: impl ModulusLaw + 'static, nu: f64) -> Box<dyn LayerResponse> {
-    let elastic = Elastic::new(Plane::Strain, Poisson::new(nu).expect("in range"));
-    let model = Arc::new(LayerModel { law: Box::new(law), elastic, base: Base::Rigid });
+    let solid = Solid { plane: Plane::Strain, poisson: Poisson::new(nu).expect("in range"), moduli: Moduli::Shear };
+    let model = Arc::new(LayerModel::new(Box::new(law), solid, Base::Rigid));
     Compliance {}.respond(&model).expect("a bonded layer")
 }
 
