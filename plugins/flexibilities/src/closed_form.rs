@@ -1,10 +1,10 @@
 //! Exponential layers in closed form.
 
 mod exponents;
-mod minors;
+pub(crate) mod minors;
 
 use crate::exponential::Exponential;
-use crate::half_plane::HalfPlane;
+use crate::graded_half_plane;
 use minors::Minors;
 use serde::{Deserialize, Serialize};
 use slipzone_api::{Base, Flexibility, LayerModel, LayerResponse, Refusal};
@@ -32,8 +32,8 @@ slipzone_api::register!(Flexibility, "closed-form", "exponential layers by their
 impl Flexibility for ClosedForm {
     fn respond(&self, layer: &Arc<LayerModel>) -> Result<Box<dyn LayerResponse>, Refusal> {
         let elastic = layer.elastic;
-        match (layer.base, layer.law.exponent()) {
-            (Base::Infinite, Some(0.0)) => Ok(Box::new(HalfPlane { elastic })),
+        match (layer.base, layer.exponent()) {
+            (Base::Infinite, Some(gamma)) => graded_half_plane::response(layer, gamma, METHOD),
             (Base::Rigid, Some(gamma)) => {
                 let surface = |layer: &Exponential, s: f64| Ok(Minors::new(layer.elastic, layer.gamma).surface(s));
                 Exponential { elastic, gamma, surface }.no_steeper(METHOD)

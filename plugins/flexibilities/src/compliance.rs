@@ -1,18 +1,13 @@
 //! Stable recursion of the compliance from the base to the surface.
 
-use crate::exponential::Exponential;
-use crate::half_plane::HalfPlane;
-use crate::magnus::General;
-use crate::slice::{Slice, generator};
-use crate::surface_tail;
+use crate::exponential::{STEEPEST, too_steep};
+use crate::graded_half_plane;
+use crate::layered::Layered;
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Base, Flexibility, LayerModel, LayerResponse, Refusal, SurfaceFlexibility};
+use slipzone_api::{Base, Flexibility, LayerModel, LayerResponse, Refusal};
 use std::sync::Arc;
 
 const METHOD: &str = "compliance";
-
-/// Largest `max(s, |gamma|) delta` of a first slice; see [`Slice::thin`].
-const THIN: f64 = 0.25;
 
 /// The compliance `d = C t` between displacement and traction, carried from the base to the surface.
 ///
@@ -31,42 +26,16 @@ slipzone_api::register!(Flexibility, "compliance", "compliance carried from the 
 #[typetag::serde(name = "compliance")]
 impl Flexibility for Compliance {
     fn respond(&self, layer: &Arc<LayerModel>) -> Result<Box<dyn LayerResponse>, Refusal> {
-        let elastic = layer.elastic;
-        match (layer.base, layer.law.exponent()) {
-            (Base::Infinite, Some(0.0)) => Ok(Box::new(HalfPlane { elastic })),
-            (Base::Rigid, Some(gamma)) => {
-                let surface = |layer: &Exponential, s: f64| Ok(by_doubling(layer, s));
-                Exponential { elastic, gamma, surface }.no_steeper(METHOD)
-            }
-            (Base::Rigid, None) => Ok(Box::new(General::new(Arc::clone(layer)))),
-            (Base::Infinite, _) => Err(not_built("a graded solid without a base")),
-            (Base::Frictionless, _) => Err(not_built("a base without friction")),
-            (Base::HalfPlane { .. }, _) => Err(not_built("an elastic half-plane as base")),
+        match (layer.base, layer.exponent()) {
+            (Base::Infinite, Some(gamma)) => graded_half_plane::response(layer, gamma, METHOD),
+            (Base::Infinite, None) => Err(Refusal::NotBuilt {
+                what: format!("a graded solid without a base, but for the exponential one, in flexibility `{METHOD}`"),
+                remedy: "give the layer a thickness, and a base such as { type = \"half-plane\", ... }".into(),
+            }),
+            (_, Some(gamma)) if gamma.abs() > STEEPEST => Err(too_steep(METHOD, gamma)),
+            _ => Ok(Box::new(Layered::new(Arc::clone(layer), METHOD)?)),
         }
     }
-}
-
-/// Bases that only the layers of a later version stand on.
-fn not_built(what: &str) -> Refusal {
-    Refusal::NotBuilt {
-        what: format!("{what} in flexibility `{METHOD}`"),
-        remedy: "only rigid bases, and homogeneous solids without a base, can be solved".into(),
-    }
-}
-
-/// With stresses in units of the local modulus the coefficients of `mu1 exp(gamma y)` are constant, so that all
-/// slices of one thickness are equal and the layer is got by doubling one of them.
-fn by_doubling(layer: &Exponential, s: f64) -> SurfaceFlexibility {
-    let doublings = (s.max(layer.gamma.abs()) / THIN).log2().ceil().max(1.0);
-    // Depths in units of the first slice: s delta and gamma delta are small whatever s is.
-    let delta = (-doublings).exp2();
-    let (sigma, gamma) = (s * delta, layer.gamma * delta);
-    let mut slice = Slice::thin(&generator(layer.elastic, sigma, gamma, 1.0), gamma.exp());
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small whole number, at least 1
-    for _ in 1..doublings as u32 {
-        slice = slice.doubled();
-    }
-    surface_tail::scaled(&slice.over(&slice.a), sigma, layer.elastic)
 }
 
 /// See [`crate::link`].
@@ -75,10 +44,10 @@ pub(crate) fn link() {}
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exponential::STEEPEST;
-    use crate::fixtures::{Exponential as Law, GOLDEN, Opaque, at, bonded, bonded_vv, distance, exponential};
+    use crate::fixtures::{Exponential as Law, GOLDEN, Opaque, at, bonded, bonded_vv, distance, exponential, on};
+    use crate::surface_tail;
     use proptest::prelude::*;
-    use slipzone_api::{Plane, Poisson, Positive};
+    use slipzone_api::{Plane, SurfaceFlexibility};
 
     fn compliance(layer: &Arc<LayerModel>, s: f64) -> SurfaceFlexibility {
         at(&Compliance {}, layer, s)
@@ -185,7 +154,7 @@ mod tests {
 
     #[test]
     fn a_solid_without_base_is_its_limit_bit_for_bit() {
-        let layer = Arc::new(LayerModel { base: Base::Infinite, ..Arc::into_inner(exponential(0.0, 0.3)).unwrap() });
+        let layer = on(exponential(0.0, 0.3), Base::Infinite);
         let response = Compliance {}.respond(&layer).unwrap();
         let mut out = [SurfaceFlexibility::default(); 3];
         response.surface_into(&[0.0, 1.0, 1e6], &mut out).unwrap();
@@ -204,11 +173,10 @@ mod tests {
 
     #[test]
     fn refuses_what_it_cannot_treat() {
-        let substrate = Base::HalfPlane { shear: Positive::new(1.0).unwrap(), poisson: Poisson::new(0.3).unwrap() };
-        for base in [Base::Frictionless, substrate, Base::Infinite] {
-            let layer = Arc::new(LayerModel { base, ..Arc::into_inner(exponential(1.0, 0.3)).unwrap() });
-            assert!(matches!(Compliance {}.respond(&layer), Err(Refusal::NotBuilt { .. })), "{base:?}");
-        }
+        let opaque = bonded(Opaque { modulus: |y| 1.0 + y, breakpoints: &[] }, Plane::Strain, 0.3);
+        assert!(matches!(Compliance {}.respond(&on(opaque, Base::Infinite)), Err(Refusal::NotBuilt { .. })));
+        let softening = on(exponential(-1.0, 0.3), Base::Infinite);
+        assert!(matches!(Compliance {}.respond(&softening), Err(Refusal::OutOfReach { .. })));
         let steep = exponential(1.01 * STEEPEST, 0.3);
         assert!(matches!(Compliance {}.respond(&steep), Err(Refusal::OutOfReach { .. })));
     }

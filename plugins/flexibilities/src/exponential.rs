@@ -16,14 +16,16 @@ pub(crate) struct Exponential {
 impl Exponential {
     /// The layer, unless it is steeper than the numbers of `method` reach.
     pub(crate) fn no_steeper(self, method: &'static str) -> Result<Box<dyn LayerResponse>, Refusal> {
-        if self.gamma.abs() <= STEEPEST {
-            return Ok(Box::new(self));
-        }
-        Err(Refusal::OutOfReach {
-            method,
-            why: format!("ln(mu3/mu1) = {} is beyond +-{STEEPEST}", self.gamma),
-            remedy: "use a modulus at the base that is closer to the one at the surface",
-        })
+        if self.gamma.abs() <= STEEPEST { Ok(Box::new(self)) } else { Err(too_steep(method, self.gamma)) }
+    }
+}
+
+/// The refusal of a law steeper than [`STEEPEST`].
+pub(crate) fn too_steep(method: &'static str, gamma: f64) -> Refusal {
+    Refusal::OutOfReach {
+        method,
+        why: format!("ln(mu3/mu1) = {gamma} is beyond +-{STEEPEST}"),
+        remedy: "use a modulus at the base that is closer to the one at the surface",
     }
 }
 

@@ -1,6 +1,8 @@
 //! Layers that the tests of this crate share.
 
-use slipzone_api::{Base, Flexibility, LayerModel, Moduli, ModulusLaw, Plane, Poisson, Solid, SurfaceFlexibility};
+use slipzone_api::{
+    Base, Flexibility, LayerModel, Moduli, ModulusLaw, Plane, Poisson, Positive, Solid, SurfaceFlexibility,
+};
 use std::sync::Arc;
 
 /// `2 exp(gamma y)`: the surface modulus must drop out.
@@ -54,6 +56,16 @@ impl ModulusLaw for Smooth {
 pub(crate) fn bonded(law: impl ModulusLaw + 'static, plane: Plane, nu: f64) -> Arc<LayerModel> {
     let solid = Solid { plane, poisson: Poisson::new(nu).unwrap(), moduli: Moduli::Shear };
     Arc::new(LayerModel::new(Box::new(law), solid, Base::Rigid))
+}
+
+/// The same layer on another base.
+pub(crate) fn on(layer: Arc<LayerModel>, base: Base) -> Arc<LayerModel> {
+    Arc::new(LayerModel { base, ..Arc::into_inner(layer).unwrap() })
+}
+
+/// Bonded to a half-plane of that shear modulus and Poisson's ratio.
+pub(crate) fn substrate(shear: f64, nu: f64) -> Base {
+    Base::HalfPlane { shear: Positive::new(shear).unwrap(), poisson: Poisson::new(nu).unwrap() }
 }
 
 /// Plane strain, rigid base, `exp(gamma y)`.

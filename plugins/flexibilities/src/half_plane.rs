@@ -7,6 +7,8 @@ use slipzone_api::{Elastic, LayerResponse, Refusal, SurfaceFlexibility};
 #[derive(Debug)]
 pub(crate) struct HalfPlane {
     pub(crate) elastic: Elastic,
+    /// Depth from which vertical displacements are counted.
+    pub(crate) datum: Option<f64>,
 }
 
 impl LayerResponse for HalfPlane {

@@ -1,12 +1,15 @@
 //! Flexibilities: how the surface flexibility `F(s)` of a layer is got. One file per plugin.
 
 mod closed_form;
+mod coefficients;
 mod compliance;
 mod exponential;
 #[cfg(test)]
 mod fixtures;
+mod graded_half_plane;
 mod half_plane;
-mod magnus;
+mod layered;
+mod panels;
 mod slice;
 mod surface_tail;
 mod transfer_matrix;

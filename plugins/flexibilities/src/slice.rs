@@ -1,11 +1,10 @@
 //! A slice of the layer as a two-port between its faces, and how slices are stacked.
 
-use nalgebra::{Matrix2, Matrix4};
-use slipzone_api::Elastic;
+use crate::coefficients::Coefficients;
+use nalgebra::Matrix2;
 
-/// Terms of the Taylor series of a slice's propagator. On a slice with `max(s, |gamma|) delta <= 1/4` the
-/// depth exponents are at most 0.43, and `0.43^16/16!` leaves nothing above round-off.
-const TERMS: u32 = 15;
+/// Largest `max(s, |gamma|) delta` of a slice: its growing solutions, hidden in the propagator, take no digits.
+pub(crate) const THIN: f64 = 0.5;
 
 /// What a slice does between its top and its bottom: displacements `d = (u, v)`, tractions `t = (sigma_xy, sigma_yy)`,
 ///
@@ -26,10 +25,10 @@ pub(crate) struct Slice {
 }
 
 impl Slice {
-    /// The slice whose state `(d, t)` obeys `z' = generator z` over a unit of depth.
-    pub(crate) fn thin(generator: &Matrix4<f64>, rho: f64) -> Self {
-        let one = Matrix4::identity();
-        let propagator = (1..=TERMS).rev().fold(one, |sum, k| one + generator * sum / f64::from(k));
+    /// A slice of thickness 1, at most [`THIN`] in units of the wave's length.
+    pub(crate) fn thin(coefficients: &Coefficients, s: f64) -> Self {
+        let propagator = coefficients.propagator(s);
+        let rho = coefficients.gamma.exp();
         let block = |i, j| propagator.fixed_view::<2, 2>(i, j).into_owned();
         // d_bottom = P11 d_top + P12 t_top, t_bottom = P21 d_top + P22 t_top, solved for d_top.
         let b = inverse(&block(0, 0));
@@ -49,6 +48,13 @@ impl Slice {
         let between = inverse(&(Matrix2::identity() - below * self.c));
         self.a + self.b * (between * below) * self.b.transpose() / self.rho
     }
+
+    /// The same when the bottom rests on a rigid body without friction: `v = 0`, `sigma_xy = 0` there.
+    pub(crate) fn over_smooth_base(&self) -> Matrix2<f64> {
+        // 0 = (e t)_xy + c_xx u.
+        let sliding = self.b.column(0);
+        self.a - sliding * sliding.transpose() / (self.rho * self.c.m11)
+    }
 }
 
 /// Inverse of a matrix that is known to be regular: `I - a c` has a determinant of at least 1, because
@@ -56,18 +62,4 @@ impl Slice {
 fn inverse(m: &Matrix2<f64>) -> Matrix2<f64> {
     let [[m11, m21], [m12, m22]] = m.data.0;
     Matrix2::new(m22, -m12, -m21, m11) / (m11 * m22 - m12 * m21)
-}
-
-/// The equations of plane elasticity over depth, `z' = K z`, for `z = (u, v, sigma_xy, sigma_yy)` at wave
-/// number `s`, the stresses in a unit that grows like `exp(gamma y)`, the shear modulus `modulus` in that unit.
-pub(crate) fn generator(elastic: Elastic, s: f64, gamma: f64, modulus: f64) -> Matrix4<f64> {
-    let (lambda, beta) = (elastic.lambda(), elastic.beta());
-    #[rustfmt::skip]
-    let k = Matrix4::new(
-        0.0, s, 1.0 / modulus, 0.0,
-        -lambda * s, 0.0, 0.0, beta / modulus,
-        8.0 * modulus * s * s / (1.0 + elastic.kappa), 0.0, -gamma, lambda * s,
-        0.0, 0.0, -s, -gamma,
-    );
-    k
 }

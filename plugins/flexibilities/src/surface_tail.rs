@@ -1,23 +1,25 @@
 //! The asymptotic series of the surface flexibility in `1/s`.
 //!
-//! Write the compliance of the theory's section 2 as `C = -A0 G/s` with `A0 = (kappa + 1)/4`, the moduli in units of
-//! the surface modulus: the entries of `G(0)` are those of `s F/A0`, in the order `(u, v)`. Its Riccati equation becomes
+//! Write the compliance of the theory's section 2 as `C = -A G/s` with `A` the surface's `A0 = (kappa + 1)/4`, the moduli
+//! in units of the surface modulus: the entries of `G(0)` are those of `s F/A0`, in the order `(u, v)`. Its Riccati
+//! equation becomes
 //!
 //! ```text
-//! G'/s = [[0, 1], [-lambda, 0]] G + G [[0, -lambda], [1, 0]] + 2 mu G e e^T G - diag(1, beta)/(mu A0),   e = (1, 0).
+//! G'/s = [[0, 1], [-lambda, 0]] G + G [[0, -lambda], [1, 0]] + 2 A mu/A0 G e e^T G - diag(1, beta)/(A mu),   e = (1, 0).
 //! ```
 //!
-//! Put `G = (H0 + H1/s + H2/s^2 + ...)/mu(y)`. Then `H0 = [[1, -beta], [-beta, 1]]` is the half-plane at every
-//! depth, and with the logarithmic gradient `w = mu'/mu` the power `1/s^k` reads
+//! Put `G = (H0 + H1/s + H2/s^2 + ...)/m(y)`, `m = A mu/A0`. Then `H0 = [[1, -beta], [-beta, 1]]` is the half-plane at every
+//! depth, and with the logarithmic gradient `w = m'/m` the power `1/s^k` reads
 //!
 //! ```text
 //! L Hk + Hk L^T = Hk-1' - w Hk-1 - 2 sum_{j=1}^{k-1} Hj e e^T Hk-j,     L = [[2, 1], [-1, 0]],
 //! ```
 //!
-//! with the same `L` for every `kappa`, because `2 beta + lambda = 1`. The `Hk` are symmetric.
+//! with the same `L` for every `kappa`, constant over depth or not, because `2 beta + lambda = 1`. The `Hk` are symmetric.
 
+use crate::coefficients::Coefficients;
 use nalgebra::Matrix2;
-use slipzone_api::{Elastic, SurfaceFlexibility};
+use slipzone_api::{Elastic, LayerModel, Moduli, Plane, Solid, SurfaceFlexibility};
 
 /// `s F/A0` of a homogeneous half-plane, the limit of every layer as `s` grows: `1`, `1`, `-beta`.
 pub(crate) fn half_plane(elastic: Elastic) -> SurfaceFlexibility {
@@ -49,16 +51,99 @@ pub(crate) fn exponential(elastic: Elastic, gradient: f64, terms: usize) -> Vec<
     tail
 }
 
-/// The same under any law that is smooth at the surface, from the Taylor coefficients of `mu/mu1` there.
+/// The same for a layer whose law tells its Taylor coefficients at the surface: as many terms as those give, or `None`
+/// where they give none at all.
+pub(crate) fn of(layer: &LayerModel, terms: usize) -> Option<Vec<SurfaceFlexibility>> {
+    let law = &*layer.law;
+    let (modulus, is_uniform) = (law.surface_series(terms + 1), law.poisson(0.0).is_none());
+    if modulus.len() < 2 && terms > 0 {
+        return None;
+    }
+    if is_uniform {
+        return Some(smooth(layer.elastic, &modulus, &[layer.elastic.beta()], terms));
+    }
+    let poisson = law.poisson_series(modulus.len());
+    let count = modulus.len().min(poisson.len());
+    if count < 2 && terms > 0 {
+        return None;
+    }
+    let Constants { plane_modulus, beta } = constants(layer.solid, &modulus[..count], &poisson[..count]);
+    Some(smooth(layer.elastic, &plane_modulus, &beta, terms))
+}
+
+/// The same from the constants as polynomials in the depth.
+pub(crate) fn by_values(elastic: Elastic, coefficients: &Coefficients, terms: usize) -> Vec<SurfaceFlexibility> {
+    let first = coefficients.stiffness.at(0.0);
+    let padded = |series: &[f64]| series.iter().copied().chain(std::iter::repeat(0.0)).take(terms + 1).collect();
+    let modulus: Vec<f64> = padded(coefficients.stiffness.coefficients());
+    let modulus: Vec<f64> = modulus.iter().map(|c| c / first).collect();
+    let mut beta: Vec<f64> = padded(coefficients.contraction.coefficients());
+    for c in &mut beta {
+        *c *= -0.5;
+    }
+    beta[0] = elastic.beta();
+    smooth(elastic, &modulus, &beta, terms)
+}
+
+/// Taylor coefficients of what the series asks for.
+struct Constants {
+    /// `mu/A0`, the first coefficient 1.
+    plane_modulus: Vec<f64>,
+    beta: Vec<f64>,
+}
+
+/// From those of the modulus and of Poisson's ratio.
+fn constants(solid: Solid, modulus: &[f64], poisson: &[f64]) -> Constants {
+    let linear = |constant: f64, slope: f64| -> Vec<f64> {
+        let shifted = |(k, nu): (usize, &f64)| slope * nu + if k == 0 { constant } else { 0.0 };
+        poisson.iter().enumerate().map(shifted).collect()
+    };
+    let shear = match solid.moduli {
+        Moduli::Shear => modulus.to_vec(),
+        Moduli::Young => quotient(modulus, &linear(1.0, 1.0)),
+    };
+    // A0 = 1 - nu, beta = (1 - 2 nu)/(2 - 2 nu); in plane stress 1/(1 + nu), (1 - nu)/2.
+    let (plane_modulus, beta) = match solid.plane {
+        Plane::Strain => {
+            let a0 = linear(1.0, -1.0);
+            let twice: Vec<f64> = a0.iter().map(|c| 2.0 * c).collect();
+            (quotient(&shear, &a0), quotient(&linear(1.0, -2.0), &twice))
+        }
+        Plane::Stress => (product(&shear, &linear(1.0, 1.0)), linear(0.5, -0.5)),
+    };
+    let first = plane_modulus[0];
+    Constants { plane_modulus: plane_modulus.iter().map(|c| c / first).collect(), beta }
+}
+
+/// Product of two series of one length, cut there.
+fn product(one: &[f64], other: &[f64]) -> Vec<f64> {
+    (0..one.len()).map(|k| one[..=k].iter().zip(other[..=k].iter().rev()).map(|(a, b)| a * b).sum()).collect()
+}
+
+/// Their quotient.
+fn quotient(numerator: &[f64], denominator: &[f64]) -> Vec<f64> {
+    let mut quotient: Vec<f64> = Vec::with_capacity(numerator.len());
+    for (k, n) in numerator.iter().enumerate() {
+        let known: f64 = quotient.iter().zip(denominator[1..=k].iter().rev()).map(|(q, d)| q * d).sum();
+        quotient.push((n - known) / denominator[0]);
+    }
+    quotient
+}
+
+/// The same under any law that is smooth at the surface, from the Taylor coefficients of `mu/A0`, the first of them 1,
+/// and of `beta` (those left out are zero) there.
 ///
 /// The `Hk` are carried as Taylor polynomials. Each order differentiates once: `Hk` to degree `m` asks for `w` to
-/// degree `m + k - 1` and for `mu` to one more, so that `n + 1` coefficients (the leading 1 among them) give `n`
+/// degree `m + k - 1` and for the modulus to one more, so that `n + 1` coefficients (the leading 1 among them) give `n`
 /// terms, at about `terms^4/8` multiplications. The series is in general only asymptotic.
-pub(crate) fn smooth(elastic: Elastic, modulus: &[f64], terms: usize) -> Vec<SurfaceFlexibility> {
+fn smooth(elastic: Elastic, modulus: &[f64], beta: &[f64], terms: usize) -> Vec<SurfaceFlexibility> {
     let terms = terms.min(modulus.len().saturating_sub(1));
     let gradient = logarithmic_gradient(modulus, terms);
     // H0, H1, ...: the coefficients of 1, y, y^2, ... in each, one fewer from order to order.
     let mut orders = vec![vec![SurfaceFlexibility::default(); terms + 1]];
+    for (order, beta) in orders[0].iter_mut().zip(beta) {
+        order.uv = -beta;
+    }
     orders[0][0] = half_plane(elastic);
     for k in 1..=terms {
         let before = &orders[k - 1];

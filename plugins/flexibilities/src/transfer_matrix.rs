@@ -43,7 +43,7 @@ slipzone_api::register!(Flexibility, "transfer-matrix", "the published route thr
 #[typetag::serde(name = "transfer-matrix")]
 impl Flexibility for TransferMatrix {
     fn respond(&self, layer: &Arc<LayerModel>) -> Result<Box<dyn LayerResponse>, Refusal> {
-        match (layer.base, layer.law.exponent()) {
+        match (layer.base, layer.exponent()) {
             (Base::Rigid, Some(gamma)) => {
                 let surface =
                     |layer: &Exponential, s: f64| Route { elastic: layer.elastic, gamma: layer.gamma }.surface(s);

@@ -45,7 +45,7 @@ const TERMS: u8 = 23;
 
 /// The minors at the surface of `mu1 exp(gamma y)` on a rigid base.
 #[derive(Debug)]
-pub(super) struct Minors {
+pub(crate) struct Minors {
     gamma: f64,
     lambda: f64,
     beta: f64,
@@ -54,7 +54,7 @@ pub(super) struct Minors {
 }
 
 impl Minors {
-    pub(super) fn new(elastic: Elastic, gamma: f64) -> Self {
+    pub(crate) fn new(elastic: Elastic, gamma: f64) -> Self {
         Self { gamma, lambda: elastic.lambda(), beta: elastic.beta(), eta: 2.0 / (1.0 + elastic.kappa) }
     }
 
@@ -120,6 +120,18 @@ impl Minors {
             - 4.0 * epsilon * p * (3.0 * lambda - 1.0) * first
             + 8.0 * delta * (square * lambda * (3.0 * lambda - 1.0) + 2.0 * eta * eta) * second;
         SurfaceFlexibility { vv: p * slope * w / d, uu: p * slope * x / d, uv: delta * z / d }
+    }
+
+    /// The eigenvector of `2a` alone: what is left of a layer whose base is out of sight, `gamma >= 0` or `s > 0`.
+    pub(crate) fn infinite(&self, s: f64) -> SurfaceFlexibility {
+        let Self { lambda, .. } = *self;
+        if s == 0.0 {
+            return SurfaceFlexibility::default();
+        }
+        let Exponents { epsilon, up, down, delta, p, slope, .. } = Exponents::new(self.gamma, self.eta, s);
+        let coupling = delta * (lambda * (1.0 + 2.0 * epsilon) - 1.0) / (2.0 * up * up);
+        let common = p * slope / up;
+        SurfaceFlexibility { vv: common * self.contraction(epsilon, down, up) / up, uu: common, uv: coupling }
     }
 
     /// `3 + x - lambda (1 + 3 x)`, given `1 - x` and `1 + x` as well: two positive terms.

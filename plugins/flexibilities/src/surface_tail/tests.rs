@@ -116,7 +116,8 @@ fn a_smooth_law_that_is_exponential_has_the_exponential_series() {
                     Some(here)
                 })
                 .collect();
-            let (general, special) = (smooth(elastic, &modulus, 16), exponential(elastic, gamma, 16));
+            let (general, special) =
+                (smooth(elastic, &modulus, &[elastic.beta()], 16), exponential(elastic, gamma, 16));
             assert_eq!(general.len(), 16);
             for (k, (x, y)) in (1..).zip(general.iter().zip(&special)) {
                 // w is gamma up to round-off, eps gamma^i in its coefficient of y^i, which the k derivatives
@@ -135,10 +136,13 @@ fn as_many_terms_as_the_derivatives_give() {
     let elastic = elastic(MATERIALS[2]);
     for (modulus, terms, given) in [(&[][..], 3, 0), (&[1.0], 3, 0), (&[1.0, 0.5], 3, 1), (&[1.0, 0.5, 2.0, 1.0], 2, 2)]
     {
-        assert_eq!(smooth(elastic, modulus, terms).len(), given);
+        assert_eq!(smooth(elastic, modulus, &[elastic.beta()], terms).len(), given);
     }
     // A term does not change when more are asked for.
     let modulus = [1.0, 0.5, 2.0, 1.0, -3.0];
-    assert_eq!(smooth(elastic, &modulus, 4)[..2], smooth(elastic, &modulus[..3], 2));
+    assert_eq!(
+        smooth(elastic, &modulus, &[elastic.beta()], 4)[..2],
+        smooth(elastic, &modulus[..3], &[elastic.beta()], 2)
+    );
     assert_eq!(exponential(elastic, 0.0, 3), [SurfaceFlexibility::default(); 3]);
 }

@@ -1,0 +1,242 @@
+//! A layer as panels of depth on each of which its elastic constants are polynomials.
+
+use crate::coefficients::{Coefficients, MOST, Polynomial};
+use slipzone_api::{LayerModel, Material, ModulusLaw};
+use std::f64::consts::PI;
+use std::sync::OnceLock;
+
+/// A stretch of depth, in units of the thickness of the whole.
+#[derive(Clone, Debug)]
+pub(crate) struct Panel {
+    pub(crate) top: f64,
+    pub(crate) thickness: f64,
+    /// Shear modulus of its stresses' unit at the top, in units of that at the surface.
+    pub(crate) unit: f64,
+    /// What it is made of.
+    pub(crate) matter: Matter,
+}
+
+/// How a panel's constants vary.
+#[derive(Clone, Debug)]
+pub(crate) enum Matter {
+    /// All but the modulus are the same everywhere, and that is `exp(gamma y)`, `y` from 0 to 1 over the panel.
+    Exponential(Material, f64),
+    /// Polynomials in a variable from -1 at the top to 1 at the bottom.
+    Smooth(Box<Coefficients>),
+}
+
+/// The panels of a layer, top first.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Panels {
+    pub(crate) panels: Vec<Panel>,
+    /// `ln(max mu/min mu)`.
+    pub(crate) contrast: f64,
+    /// The first depth at which the constants have a kink or a jump, as told or as found.
+    pub(crate) first_break: f64,
+}
+
+/// Largest relative error of a coefficient: the last ones of its Chebyshev series, and two values beside the nodes.
+const TOLERANCE: (f64, f64) = (4e-15, 2e-14);
+
+/// A Chebyshev coefficient below this is rounding.
+const ROUNDING: f64 = 1e-16;
+
+/// Coefficients that must be small at the end of a series.
+const LAST: usize = 3;
+
+/// A panel as thin as this that is still not smooth is a jump or a kink that the law does not tell. What it is taken for
+/// matters no more than its thickness.
+const THINNEST: f64 = 1e-13;
+
+/// Most panels: a law that asks for more is noise.
+const MOST_PANELS: usize = 1 << 15;
+
+/// Where the constants are looked at beside the nodes.
+const BESIDE: [f64; 2] = [-0.991, 0.983];
+
+impl Panels {
+    /// `None` for a law that varies too fast, or is not finite.
+    pub(crate) fn new(layer: &LayerModel) -> Option<Self> {
+        let mut panels = Self { first_break: 1.0, ..Self::default() };
+        let mut extremes = (f64::INFINITY, 0.0_f64);
+        panels.add(layer, &*layer.law, (0.0, 1.0), &mut extremes)?;
+        panels.contrast = (extremes.1 / extremes.0).ln();
+        panels.contrast.is_finite().then_some(panels)
+    }
+
+    /// Adds a law that begins at `top`.
+    fn add(
+        &mut self,
+        layer: &LayerModel,
+        law: &dyn ModulusLaw,
+        (top, thickness): (f64, f64),
+        extremes: &mut (f64, f64),
+    ) -> Option<()> {
+        let mut above = 0.0;
+        for sublayer in law.sublayers() {
+            let place = (top + above * thickness, sublayer.thickness * thickness);
+            self.add(layer, &*sublayer.law, place, extremes)?;
+            above += sublayer.thickness;
+        }
+        if !law.sublayers().is_empty() {
+            return Some(());
+        }
+        if !self.panels.is_empty() {
+            self.first_break = self.first_break.min(top);
+        }
+        let mut see = |shear: f64| *extremes = (extremes.0.min(shear), extremes.1.max(shear));
+        if let Some(gamma) = law.exponent() {
+            let material = layer.material(law, 0.0);
+            see(material.shear);
+            see(layer.material(law, 1.0).shear);
+            self.panels.push(Panel {
+                top,
+                thickness,
+                unit: material.shear,
+                matter: Matter::Exponential(material, gamma),
+            });
+            return Some(());
+        }
+        let ends: Vec<f64> = [0.0].into_iter().chain(law.breakpoints().iter().copied()).chain([1.0]).collect();
+        for pair in ends.windows(2) {
+            if pair[0] > 0.0 {
+                self.first_break = self.first_break.min(top + pair[0] * thickness);
+            }
+            // Depths over the law's own range, deepest on the stack first.
+            let mut stack = vec![(pair[0], pair[1] - pair[0])];
+            while let Some((start, width)) = stack.pop() {
+                let fit = Fit::of(layer, law, start, width)?;
+                let (from, wide) = (top + start * thickness, width * thickness);
+                let is_thinnest = wide <= THINNEST || width <= THINNEST;
+                if !fit.is_smooth && !is_thinnest {
+                    let half = 0.5 * width;
+                    stack.push((start + half, half));
+                    stack.push((start, half));
+                    continue;
+                }
+                if !fit.is_smooth {
+                    self.first_break = self.first_break.min(from.max(THINNEST));
+                }
+                see(fit.extremes.0);
+                see(fit.extremes.1);
+                let matter = Matter::Smooth(Box::new(fit.coefficients));
+                self.panels.push(Panel { top: from, thickness: wide, unit: fit.unit, matter });
+                if self.panels.len() > MOST_PANELS {
+                    return None;
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// `int 8 mu/(1 + kappa) dy` and `int lambda dy` over the layer: how it resists being stretched as a whole, and how
+    /// far it gives way to a pressure by that.
+    pub(crate) fn membrane(&self) -> (f64, f64) {
+        let mean = |polynomial: &Polynomial| -> f64 {
+            let even = polynomial.coefficients().iter().step_by(2);
+            even.zip(0..).map(|(c, k)| c / f64::from(2 * k + 1)).sum()
+        };
+        self.panels.iter().fold((0.0, 0.0), |(stiffness, contraction), panel| {
+            let (own, contracted) = match &panel.matter {
+                Matter::Exponential(material, gamma) => {
+                    let growth = if *gamma == 0.0 { 1.0 } else { gamma.exp_m1() / gamma };
+                    (8.0 / (1.0 + material.elastic.kappa) * growth, material.elastic.lambda())
+                }
+                Matter::Smooth(coefficients) => (mean(&coefficients.stiffness), mean(&coefficients.contraction)),
+            };
+            (stiffness + own * panel.unit * panel.thickness, contraction + contracted * panel.thickness)
+        })
+    }
+}
+
+/// The constants over one stretch of a law, as polynomials.
+struct Fit {
+    coefficients: Coefficients,
+    unit: f64,
+    /// Smallest and largest modulus seen.
+    extremes: (f64, f64),
+    is_smooth: bool,
+}
+
+impl Fit {
+    /// Over depths from `start` on; `None` where the law is not finite.
+    fn of(layer: &LayerModel, law: &dyn ModulusLaw, start: f64, width: f64) -> Option<Self> {
+        let at = |x: f64| layer.material(law, start + 0.5 * width * (1.0 + x));
+        let unit = at(0.0).shear;
+        let mut values = [[0.0; MOST]; 4];
+        let mut extremes = (f64::INFINITY, 0.0_f64);
+        for (j, x) in Chebyshev::get().nodes.iter().enumerate() {
+            let material = at(*x);
+            extremes = (extremes.0.min(material.shear), extremes.1.max(material.shear));
+            for (values, value) in values.iter_mut().zip(Coefficients::of(material, unit)) {
+                values[j] = value;
+            }
+        }
+        if !values.iter().flatten().all(|value| value.is_finite()) {
+            return None;
+        }
+        let fitted = values.map(|values| Chebyshev::get().through(&values));
+        let mut is_smooth = fitted.iter().all(|(_, is_smooth)| *is_smooth);
+        let [softness, stiffness, contraction, cross] = fitted.map(|(polynomial, _)| polynomial);
+        let coefficients = Coefficients { softness, stiffness, contraction, cross, gamma: 0.0 };
+        for x in BESIDE {
+            let own = [&coefficients.softness, &coefficients.stiffness, &coefficients.contraction, &coefficients.cross];
+            for ((polynomial, value), values) in own.iter().zip(Coefficients::of(at(x), unit)).zip(&values) {
+                let size = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+                is_smooth &= (polynomial.at(x) - value).abs() <= TOLERANCE.1 * size;
+            }
+        }
+        Some(Self { coefficients, unit, extremes, is_smooth })
+    }
+}
+
+/// Chebyshev nodes, and what leads from values there to a polynomial.
+struct Chebyshev {
+    nodes: [f64; MOST],
+    /// Rows: `cos(k theta_j)`.
+    cosines: [[f64; MOST]; MOST],
+    /// Rows: coefficients of `T_k`.
+    powers: [[f64; MOST]; MOST],
+}
+
+impl Chebyshev {
+    fn get() -> &'static Self {
+        static CHEBYSHEV: OnceLock<Chebyshev> = OnceLock::new();
+        CHEBYSHEV.get_or_init(|| {
+            let angle = |j: usize| PI * (2 * j + 1) as f64 / (2 * MOST) as f64;
+            let mut powers = [[0.0; MOST]; MOST];
+            powers[0][0] = 1.0;
+            powers[1][1] = 1.0;
+            for k in 2..MOST {
+                for j in 0..MOST {
+                    let raised = if j == 0 { 0.0 } else { 2.0 * powers[k - 1][j - 1] };
+                    powers[k][j] = raised - powers[k - 2][j];
+                }
+            }
+            Self {
+                nodes: std::array::from_fn(|j| angle(j).cos()),
+                cosines: std::array::from_fn(|k| std::array::from_fn(|j| (k as f64 * angle(j)).cos())),
+                powers,
+            }
+        })
+    }
+
+    /// The polynomial through values at the nodes, rounding dropped, and whether it has converged.
+    fn through(&self, values: &[f64; MOST]) -> (Polynomial, bool) {
+        let size = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let mut series: [f64; MOST] = std::array::from_fn(|k| {
+            let sum: f64 = self.cosines[k].iter().zip(values).map(|(cosine, value)| cosine * value).sum();
+            sum * if k == 0 { 1.0 } else { 2.0 } / MOST as f64
+        });
+        let is_smooth = series[MOST - LAST..].iter().all(|c| c.abs() <= TOLERANCE.0 * size);
+        let count = 1 + series.iter().rposition(|c| c.abs() > ROUNDING * size).unwrap_or(0);
+        series[count..].fill(0.0);
+        let mut terms = [0.0; MOST];
+        for (c, powers) in series[..count].iter().zip(&self.powers) {
+            for (term, power) in terms.iter_mut().zip(powers) {
+                *term += c * power;
+            }
+        }
+        (Polynomial::new(&terms[..count]), is_smooth)
+    }
+}
