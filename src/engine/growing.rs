@@ -388,7 +388,7 @@ fn sizes(layer: &Layer, problem: &Problem, family: &mut Family, stack: &mut Stac
     let mut numbers = Numbers::default();
     numbers.set(Quantity::Force, stack.force(problem, b));
     numbers.set(Quantity::HalfWidth, b);
-    if !layer.is_plain() {
+    if layer.has_depths() {
         numbers.set(Quantity::Indentation, stack.depth(problem, family, b));
     }
     numbers

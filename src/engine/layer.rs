@@ -6,14 +6,15 @@ use crate::plan::{Methods, choose};
 use crate::scene::Scene;
 use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal};
 
-/// What the normal problem needs: the slope kernel, and the depth for the indentation.
-const NORMAL: &[Component] = &[Component::NormalSlope, Component::Depth];
-/// What friction adds.
-const ALL: &[Component] = &[Component::NormalSlope, Component::ShearStrain, Component::Coupling, Component::Depth];
+/// All kernels: first the depth, which not every base defines, then what the pressure needs, then what friction adds.
+const ALL: [Component; 4] = [Component::Depth, Component::NormalSlope, Component::ShearStrain, Component::Coupling];
 
 /// The flexibility of one layer and the kernel tables made of it, reused from load to load.
 pub struct Layer {
     response: Box<dyn LayerResponse>,
+    /// The same with depths counted from a datum, where they have no meaning otherwise and one is named.
+    against_datum: Option<Box<dyn LayerResponse>>,
+    is_grounded: bool,
     strategy: Box<dyn KernelStrategy>,
     tables: Option<Tables>,
     flexibility_evaluations: usize,
@@ -25,11 +26,21 @@ pub struct Layer {
 
 /// Kernels over a range of lengths.
 struct Tables {
-    kernels: Box<dyn KernelTable>,
+    /// `None` on a homogeneous half-plane, which has none.
+    kernels: Option<Box<dyn KernelTable>>,
+    /// The depth's, where it is counted from a datum.
+    depth: Option<Box<dyn KernelTable>>,
     reach: f64,
     frictional: bool,
     accuracy: f64,
     level: u32,
+}
+
+impl Tables {
+    /// The larger of the errors that the tables prove; `None` where one proves none.
+    fn error(&self) -> Option<f64> {
+        self.kernels.iter().chain(&self.depth).try_fold(0.0, |most: f64, table| Some(most.max(table.error()?)))
+    }
 }
 
 /// What the kernels must serve.
@@ -47,8 +58,12 @@ pub(crate) struct Wanted {
 
 impl Layer {
     pub(crate) fn new(problem: &Problem, methods: &Methods) -> Result<Self, Refusal> {
+        let response = methods.flexibility.respond(&problem.layer)?;
+        let is_grounded = problem.layer.is_grounded();
         Ok(Self {
-            response: methods.flexibility.respond(&problem.layer)?,
+            against_datum: if is_grounded { None } else { response.against_datum() },
+            is_grounded,
+            response,
             strategy: methods.kernel.clone(),
             tables: None,
             flexibility_evaluations: 0,
@@ -88,53 +103,68 @@ impl Layer {
         let reach = 2.0 * wanted.half_width;
         let wanted = Wanted { accuracy: wanted.accuracy / spread(wanted.half_width), ..wanted };
         let serves = |tables: &Tables| {
-            let precise = if tables.kernels.error().is_some() {
+            let precise = if tables.error().is_some() {
                 tables.accuracy <= wanted.accuracy
             } else {
                 tables.level == wanted.level
             };
             precise && reach <= tables.reach && (tables.frictional || !wanted.frictional)
         };
-        if self.is_plain() || self.tables.as_ref().is_some_and(serves) {
+        if self.is_plain() && !self.has_depths() || self.tables.as_ref().is_some_and(serves) {
             return Ok(());
         }
-        let components = if wanted.frictional { ALL } else { NORMAL };
-        let request = KernelRequest { reach, components, accuracy: wanted.accuracy };
-        let kernels = self.strategy.refined(wanted.level).tabulate(self.response.as_ref(), &request)?;
-        self.flexibility_evaluations += kernels.flexibility_evaluations();
+        let strategy = self.strategy.refined(wanted.level);
+        let tabulate = |response: &dyn LayerResponse, components| {
+            strategy.tabulate(response, &KernelRequest { reach, components, accuracy: wanted.accuracy })
+        };
+        let components = &ALL[usize::from(!self.is_grounded)..if wanted.frictional { 4 } else { 2 }];
+        let kernels = if self.is_plain() { None } else { Some(tabulate(&*self.response, components)?) };
+        let depth = self.against_datum.as_deref().map(|response| tabulate(response, &ALL[..1])).transpose()?;
+        self.flexibility_evaluations +=
+            kernels.iter().chain(&depth).map(|table| table.flexibility_evaluations()).sum::<usize>();
         let Wanted { frictional, accuracy, level, .. } = wanted;
-        self.tables = Some(Tables { kernels, reach, frictional, accuracy, level });
+        self.tables = Some(Tables { kernels, depth, reach, frictional, accuracy, level });
         Ok(())
     }
 
-    /// A kernel for the quadratures; `None` on a homogeneous half-plane, which has none.
+    /// A kernel for the quadratures; `None` on a homogeneous half-plane, which has none, and for the depth where that
+    /// has no meaning.
     pub(crate) fn kernel(&self, component: Component) -> Option<(&dyn KernelTable, Component)> {
-        self.tables.as_ref().map(|tables| (tables.kernels.as_ref(), component))
+        let tables = self.tables.as_ref()?;
+        let is_apart = component == Component::Depth && !self.is_grounded;
+        let table = if is_apart { &tables.depth } else { &tables.kernels };
+        table.as_deref().map(|table| (table, component))
     }
 
     /// A kernel at each distance; zeros on a homogeneous half-plane.
     pub(crate) fn kernel_values(&self, component: Component, distances: &[f64], out: &mut [f64]) {
-        match &self.tables {
-            Some(tables) => tables.kernels.values_into(component, distances, out),
+        match self.kernel(component) {
+            Some((table, component)) => table.values_into(component, distances, out),
             None => out.fill(0.0),
         }
     }
 
     /// The shortest length over which the kernels vary; infinite without kernels.
     pub(crate) fn length(&self) -> f64 {
-        self.tables.as_ref().map_or(f64::INFINITY, |tables| tables.kernels.length())
+        let kernels = self.tables.as_ref().and_then(|tables| tables.kernels.as_deref());
+        kernels.map_or(f64::INFINITY, KernelTable::length)
     }
 
     /// The error that the tables prove of themselves, grown on its way into the numbers of a contact of
     /// `half_width`; `None` where only a refined twin can tell.
     pub(crate) fn kernel_error(&self, half_width: f64) -> Option<f64> {
-        let proven = self.tables.as_ref().map_or(Some(0.0), |tables| tables.kernels.error());
+        let proven = self.tables.as_ref().map_or(Some(0.0), Tables::error);
         proven.map(|error| spread(half_width) * error)
     }
 
-    /// Whether this is a homogeneous half-plane: no kernels, no depths.
+    /// Whether this is a homogeneous half-plane: no kernels but the depth's.
     pub(crate) fn is_plain(&self) -> bool {
         self.response.depth().is_none()
+    }
+
+    /// Whether depths are known: far below nothing gives way, or a datum is named.
+    pub(crate) fn has_depths(&self) -> bool {
+        self.is_grounded || self.against_datum.is_some()
     }
 
     /// Wave numbers at which the flexibility was evaluated so far.

@@ -181,7 +181,12 @@ fn assumptions(scene: &Scene) -> Vec<String> {
         Base::Rigid => "bonded to a rigid base",
         Base::Frictionless => "resting on a rigid base without friction",
         Base::HalfPlane { .. } => "bonded to an elastic half-plane",
-        Base::Infinite => "no base: the solid goes on for ever; the indentation is undefined",
+        Base::Infinite => "no base: the solid goes on for ever",
+    };
+    let depths = match scene.layer.datum {
+        Some(datum) => format!("indentation counted from depth {} below the middle of the contact", datum.get()),
+        None if scene.layer.has_depths() => String::new(),
+        None => "the indentation is undefined on an elastic half-plane: no datum is named".into(),
     };
     let friction = match scene.friction {
         Some(Friction::Goodman { strain: FrozenStrain::Linear, .. }) => {
@@ -194,5 +199,6 @@ fn assumptions(scene: &Scene) -> Vec<String> {
         None => "no friction",
     };
     let common = "linear elasticity, small strains, rigid punch, symmetric normal load";
-    [plane, base, friction, common].map(String::from).to_vec()
+    let parts = [plane, base, &depths, friction, common].into_iter().filter(|part| !part.is_empty());
+    parts.map(String::from).collect()
 }

@@ -186,10 +186,11 @@ fn load(document: &Document, scene: &Scene) -> Result<(), SceneError> {
                 hole.unwrap_or_default()
             )))
         }
-        Load::Indentation(_) if scene.layer.base == Base::Infinite => Err(document
-            .error(document.key(&place), "an indentation on a solid without a base")
+        Load::Indentation(_) if !scene.layer.has_depths() => Err(document
+            .error(document.key(&place), "an indentation on an elastic half-plane")
             .found("`indentation`, which is undefined there: it grows without bound with the depth of the datum")
-            .expected(if fixed.is_some() { "`force`" } else { "`force` or `half_width`" })),
+            .expected(if fixed.is_some() { "`force`" } else { "`force` or `half_width`" })
+            .hint("or name a depth that counts as at rest: `datum` in [layer]")),
         _ => Ok(()),
     }
 }

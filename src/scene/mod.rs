@@ -157,6 +157,11 @@ impl Layer {
         Ok(gradient.map(|gradient| gradient.recip().abs()))
     }
 
+    /// Whether an indentation is defined: by what lies far below, or by a datum.
+    pub fn has_depths(&self) -> bool {
+        self.datum.is_some() || self.model().is_ok_and(|model| model.is_grounded())
+    }
+
     /// What the flexibilities see of it.
     pub fn model(&self) -> Result<LayerModel, Refusal> {
         let length = self.length()?;

@@ -65,6 +65,16 @@ impl LayerModel {
         Some(Material { shear: shear.get() / self.surface_shear, elastic: Elastic::new(self.solid.plane, poisson) })
     }
 
+    /// Whether a load's depth has a meaning of its own: what lies far below does not give way. On an elastic half-plane it is
+    /// fixed up to a constant only, until a [`Self::datum`] is named.
+    pub fn is_grounded(&self) -> bool {
+        match self.base {
+            Base::Rigid | Base::Frictionless => true,
+            Base::HalfPlane { .. } => false,
+            Base::Infinite => self.exponent() != Some(0.0),
+        }
+    }
+
     /// The first depth found (in units of the thickness) at which the law gives no elastic solid: a modulus that is not
     /// finite and positive, or a Poisson's ratio out of range.
     pub fn flaw(&self) -> Option<Flaw> {

@@ -19,6 +19,9 @@ const TERMS_BY_VALUES: usize = 8;
 /// where the nearest singularity is about as far away as that.
 const SMOOTH_DEPTH: f64 = 2.0;
 
+/// No law is taken to have finer structure at its surface: one that has shows it in the kernel's bound.
+const LEAST_DEPTH: f64 = 1.0 / 1024.0;
+
 /// The compliance `d = C t`, carried from the base to the surface slice by slice.
 #[derive(Debug)]
 pub(crate) struct Layered {
@@ -114,7 +117,7 @@ impl LayerResponse for Layered {
         let Panel { thickness, matter, .. } = &self.panels.panels[0];
         let smooth = match matter {
             Matter::Exponential(..) => 1.0,
-            Matter::Smooth(_) => SMOOTH_DEPTH * thickness,
+            Matter::Smooth(_) => (SMOOTH_DEPTH * thickness).max(LEAST_DEPTH),
         };
         Some(self.panels.first_break.min(smooth))
     }

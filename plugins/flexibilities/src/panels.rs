@@ -44,8 +44,10 @@ const ROUNDING: f64 = 1e-16;
 /// Coefficients that must be small at the end of a series.
 const LAST: usize = 3;
 
-/// A panel as thin as this that is still not smooth is a jump or a kink that the law does not tell. What it is taken for
-/// matters no more than its thickness.
+/// A panel as thin as this over its law holds a jump or a kink that the law does not tell: nothing else is that narrow.
+const KINK: f64 = 1e-6;
+
+/// Even if it is not smooth a panel as thin as this is kept: what a jump is taken for matters no more than its thickness.
 const THINNEST: f64 = 1e-13;
 
 /// Most panels: a law that asks for more is noise.
@@ -114,8 +116,9 @@ impl Panels {
                     stack.push((start, half));
                     continue;
                 }
-                if !fit.is_smooth {
-                    self.first_break = self.first_break.min(from.max(THINNEST));
+                // At the surface itself nothing can be split off but what its derivatives tell.
+                if width < KINK && from > KINK * thickness {
+                    self.first_break = self.first_break.min(from);
                 }
                 see(fit.extremes.0);
                 see(fit.extremes.1);

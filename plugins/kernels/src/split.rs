@@ -20,8 +20,9 @@ use piece::MOST_NODES;
 use pieces::{Pieces, Plan};
 use serde::{Deserialize, Serialize};
 use singular::Singular;
-use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Positive, Refusal};
+use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Positive, Refusal, SurfaceFlexibility};
 use spectrum::Spectrum;
+use std::f64::consts::FRAC_PI_2;
 use std::num::NonZeroU8;
 use table::Table;
 
@@ -149,7 +150,8 @@ impl Split {
             }
             (pieces, depth)
         } else {
-            interpolated(&columns, &spectrum, &beyond, &rounded, depth, reach)
+            let is_local = response.surface(0.0)? == SurfaceFlexibility::default() && response.pole() == 0.0;
+            interpolated(&columns, &spectrum, &beyond, &rounded, depth, (reach, is_local))
         };
         let (mut error, mut rounding) = (0.0_f64, 0.0_f64);
         for (i, column) in columns.iter().enumerate() {
@@ -179,9 +181,8 @@ impl Split {
         terms: usize,
     ) -> Integral {
         let tail = response.tail(terms);
-        let beta = response.elastic().beta();
-        let columns: Vec<Column> =
-            request.components.iter().map(|c| Column::new(*c, &tail, beta, accuracy, request.reach)).collect();
+        let column = |c: &Component| Column::new(*c, response, &tail, accuracy, request.reach);
+        let columns: Vec<Column> = request.components.iter().map(column).collect();
         let slope_aim =
             columns.iter().map(|c| if c.component == Component::Depth { DEPTH_GAIN * c.aim } else { c.aim });
         let (mut cut, settled) = Cut::choose(&tail, depth, slope_aim.fold(f64::INFINITY, f64::min));
@@ -202,13 +203,14 @@ fn interpolated(
     beyond: &Beyond,
     rounded: &[f64],
     depth: f64,
-    reach: f64,
+    (reach, is_local): (f64, bool),
 ) -> (Pieces, f64) {
     let aim = columns.iter().map(|column| column.aim).fold(f64::INFINITY, f64::min);
     let singular: Vec<Singular> = columns.iter().map(|column| Singular::new(column, depth, reach)).collect();
     let window = singular.iter().map(Singular::width).fold(f64::INFINITY, f64::min);
     let plan = Plan {
         reach,
+        is_local,
         width: if window.is_finite() { (WIDTH.0 * depth).min(WIDTH.1 * window) } else { reach },
         local: if window.is_finite() { singular.iter().map(Singular::gone).fold(0.0, f64::max) } else { 0.0 },
         kernels: columns
@@ -227,7 +229,8 @@ fn interpolated(
         spectrum.add(t, &mut bessel, &mut transforms);
         beyond.add(t, &mut integrals, &mut transforms);
         for (((out, transform), column), singular) in out.iter_mut().zip(&transforms).zip(columns).zip(&singular) {
-            let value = if column.component.is_odd() { transform.im } else { transform.re };
+            let value =
+                if column.component.is_odd() { transform.im + FRAC_PI_2 * column.pole } else { transform.re };
             let (sign, log) = singular.at(t);
             *out = [value - sign - t.ln() * log, sign, log];
         }

@@ -73,6 +73,7 @@ impl KernelStrategy for Truncated {
             samples: &samples,
             beta: response.elastic().beta(),
             tail: response.tail(1).first().copied().unwrap_or_default(),
+            pole: response.pole(),
         };
         let kernels = integral.tabulate(request.components, request.reach, nodes);
         Ok(Box::new(Table { kernels, length: depth, flexibility_evaluations: samples.s.len() }))
@@ -92,6 +93,8 @@ struct Integral<'a> {
     samples: &'a Samples,
     beta: f64,
     tail: SurfaceFlexibility,
+    /// Of `s Fuu/A0` at the origin: taken off, its transform is a jump alone.
+    pole: f64,
 }
 
 impl Integral<'_> {
@@ -112,6 +115,7 @@ impl Integral<'_> {
         let kernel = |(&component, values): (&Component, &Vec<f64>)| Kernel {
             component,
             tail: self.tail_of(component),
+            pole: self.pole_of(component),
             smooth: EvenTable::through(reach, self.samples.cutoff, values),
         };
         components.iter().zip(&values).map(kernel).collect()
@@ -120,16 +124,20 @@ impl Integral<'_> {
     fn tail_of(&self, component: Component) -> f64 {
         match component {
             Component::NormalSlope | Component::Depth => self.tail.vv,
-            Component::ShearStrain => self.tail.uu,
+            Component::ShearStrain => self.tail.uu - self.pole,
             Component::Coupling => self.tail.uv,
         }
+    }
+
+    fn pole_of(&self, component: Component) -> f64 {
+        if component == Component::ShearStrain { self.pole } else { 0.0 }
     }
 
     /// Gauss weight times what stands before the wave, at each wave number.
     fn weighted(&self, component: Component) -> Vec<f64> {
         let value = |s: f64, f: &SurfaceFlexibility| match component {
             Component::NormalSlope => f.vv - 1.0,
-            Component::ShearStrain => f.uu - 1.0,
+            Component::ShearStrain => f.uu - 1.0 - self.pole / s,
             Component::Coupling => f.uv + self.beta,
             // [M_vv + exp(-s)]/s = [s Fvv/A0 + (exp(-s) - 1)]/s; the rest of G is in `Kernel::parts`.
             Component::Depth => (f.vv + (-s).exp_m1()) / s,
@@ -160,6 +168,7 @@ impl Integral<'_> {
 struct Kernel {
     component: Component,
     tail: f64,
+    pole: f64,
     smooth: EvenTable,
 }
 
@@ -167,7 +176,7 @@ impl Kernel {
     fn parts(&self, t: f64, even: f64) -> Parts {
         match self.component {
             Component::NormalSlope | Component::ShearStrain => {
-                Parts { smooth: t * even, sign: self.tail * FRAC_PI_2, log: 0.0 }
+                Parts { smooth: t * even, sign: (self.tail + self.pole) * FRAC_PI_2, log: 0.0 }
             }
             Component::Coupling => Parts { smooth: even, sign: 0.0, log: -self.tail },
             // int_0^inf [1 - exp(-s)] cos(st)/s ds = 1/2 log(1 + 1/t^2), the length being the thickness.

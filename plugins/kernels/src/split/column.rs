@@ -1,11 +1,12 @@
 //! One kernel as an integral: what stands before the wave, and its series.
 
-use slipzone_api::{Component, SurfaceFlexibility};
+use slipzone_api::{Component, LayerResponse, SurfaceFlexibility};
 
 /// `k(t) = int_0^inf W(s) {sin, cos}(st) ds` with `W ~ sum_k series[k - 1] s^-k` as `s` grows.
 ///
 /// The depth needs no special treatment here: `W = s Fvv/(A0 s)` is finite at `s = 0` on a rigid base, and its
-/// logarithm comes from the leading term of its series, which is 1.
+/// logarithm comes from the leading term of its series, which is 1. Of a pole `c/s` at the origin, which a layer that slides
+/// on its base brings, `W` and its series are freed: `int_0^inf (c/s) sin(st) ds = c (pi/2) sign(t)` is added at the end.
 #[derive(Clone, Debug)]
 pub(super) struct Column {
     pub(super) component: Component,
@@ -13,27 +14,41 @@ pub(super) struct Column {
     pub(super) series: Vec<f64>,
     /// Error aimed at, in the kernel's own unit.
     pub(super) aim: f64,
+    /// `c`.
+    pub(super) pole: f64,
     beta: f64,
 }
 
 impl Column {
     /// `accuracy` is in the terms of [`slipzone_api::KernelRequest`].
-    pub(super) fn new(component: Component, tail: &[SurfaceFlexibility], beta: f64, accuracy: f64, reach: f64) -> Self {
-        let (series, aim) = match component {
+    pub(super) fn new(
+        component: Component,
+        response: &dyn LayerResponse,
+        tail: &[SurfaceFlexibility],
+        accuracy: f64,
+        reach: f64,
+    ) -> Self {
+        let (mut series, aim): (Vec<f64>, f64) = match component {
             Component::NormalSlope => (tail.iter().map(|c| c.vv).collect(), accuracy / reach),
             Component::ShearStrain => (tail.iter().map(|c| c.uu).collect(), accuracy / reach),
             Component::Coupling => (tail.iter().map(|c| c.uv).collect(), accuracy / reach),
             Component::Depth => (std::iter::once(1.0).chain(tail.iter().map(|c| c.vv)).collect(), accuracy),
         };
         // Of a kernel of order one, coarser than this is no answer at all.
-        Self { component, series, aim: aim.min(COARSEST), beta }
+        let aim = aim.min(COARSEST);
+        let pole = if component == Component::ShearStrain { response.pole() } else { 0.0 };
+        if pole != 0.0 {
+            series.resize(series.len().max(1), 0.0);
+            series[0] -= pole;
+        }
+        Self { component, series, aim, pole, beta: response.elastic().beta() }
     }
 
     /// `W(s)`, `s > 0`.
     pub(super) fn weight(&self, s: f64, f: &SurfaceFlexibility) -> f64 {
         match self.component {
             Component::NormalSlope => f.vv - 1.0,
-            Component::ShearStrain => f.uu - 1.0,
+            Component::ShearStrain => f.uu - 1.0 - if self.pole == 0.0 { 0.0 } else { self.pole / s },
             Component::Coupling => f.uv + self.beta,
             Component::Depth => f.vv / s,
         }

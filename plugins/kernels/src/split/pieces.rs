@@ -6,6 +6,9 @@ use super::piece::{NEAR_ORIGIN, Piece, Sample, Values, Variable};
 pub(super) struct Plan {
     /// End of the range.
     pub(super) reach: f64,
+    /// Whether far away the odd kernels are `-1/t` and the others nothing, but for what falls exponentially: the layer is
+    /// bonded to a rigid base.
+    pub(super) is_local: bool,
     /// First width tried.
     pub(super) width: f64,
     /// Beyond this the singular parts are gone.
@@ -52,8 +55,8 @@ const MOST_HALVINGS: u32 = 12;
 impl Pieces {
     /// Interpolates `parts(t)`, which fills one [`Values`] per kernel, with `nodes` of them in a piece.
     ///
-    /// The pieces end where each kernel has become what it is far away: `-1/t` if it is odd and nothing
-    /// otherwise, the base being rigid. What is left there falls exponentially; two pieces running must agree.
+    /// On a rigid base the pieces end where each kernel has become what it is far away: `-1/t` if it is odd and nothing
+    /// otherwise. What is left there falls exponentially; two pieces running must agree.
     pub(super) fn new(plan: &Plan, nodes: usize, mut parts: impl FnMut(f64, &mut [Values])) -> Self {
         let kernels = plan.kernels.iter().map(|(odd, _)| Kernel { odd: *odd, ..Kernel::default() }).collect();
         let mut pieces = Self { ends: Vec::new(), kernels };
@@ -114,7 +117,7 @@ impl Pieces {
             }
             pieces.ends.push(upper);
             quiet = if far.iter().zip(&floor).all(|(far, floor)| far <= floor) { quiet + 1 } else { 0 };
-            if quiet >= 2 && upper > plan.local && upper < plan.reach {
+            if plan.is_local && quiet >= 2 && upper > plan.local && upper < plan.reach {
                 for (kernel, far) in pieces.kernels.iter_mut().zip(far) {
                     kernel.error = kernel.error.max(far);
                 }
@@ -122,7 +125,8 @@ impl Pieces {
             }
             lower = upper;
             (before, halvings) = (f64::INFINITY, 0);
-            width = (1.5 * width).max(WIDENING * lower).min(if lower < plan.local { plan.width } else { WIDEST });
+            let widest = if plan.is_local { WIDEST } else { f64::INFINITY };
+            width = (1.5 * width).max(WIDENING * lower).min(if lower < plan.local { plan.width } else { widest });
         }
         if lower < plan.reach {
             // Not everything is covered.

@@ -80,7 +80,7 @@ fn kernel(i: usize, column: &Column, spectrum: &Spectrum, beyond: &Beyond, reach
     }
     let (mut rows, mut error) = (Vec::<[f64; 3]>::new(), left);
     // Jump and logarithm: the even and the odd powers of P, in units of the reach.
-    let mut taylor = signed_taylor(&column.series[..scaled.len()], scaled.len());
+    let mut taylor = signed_taylor(column, &column.series[..scaled.len()], scaled.len());
     let mut unit = 1.0;
     for c in &mut taylor {
         *c *= unit;

@@ -36,7 +36,7 @@ impl Singular {
     pub(super) fn new(column: &Column, depth: f64, reach: f64) -> Self {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most 16
         let digits = (-column.aim.log10()).clamp(0.0, 16.0) as usize;
-        let taylor = signed_taylor(&column.series, DEGREE + digits);
+        let taylor = signed_taylor(column, &column.series, DEGREE + digits);
         let allowed = MODERATE * taylor[0].abs().max(1.0);
         let open = Self::windowed(column, &taylor, 0.0);
         if reach <= depth && open.largest(reach) <= allowed {
@@ -104,12 +104,12 @@ impl Singular {
 }
 
 /// `P = sum_j i^j p_j t^j`, `p_j = c_(j+1)/j!`, up to `degree`, with the sign of `i^j` put in: the even terms
-/// are its real part, the odd ones its imaginary part.
-pub(super) fn signed_taylor(series: &[f64], degree: usize) -> Vec<f64> {
+/// are its real part, the odd ones its imaginary part. The pole's jump is among them.
+pub(super) fn signed_taylor(column: &Column, series: &[f64], degree: usize) -> Vec<f64> {
     let mut factorial = 1.0;
     (0..=degree)
         .map(|j| {
-            let p = series.get(j).map_or(0.0, |c| c / factorial);
+            let p = series.get(j).map_or(0.0, |c| c / factorial) + if j == 0 { column.pole } else { 0.0 };
             factorial *= (j + 1) as f64;
             if j % 4 < 2 { p } else { -p }
         })
