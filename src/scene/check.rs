@@ -146,13 +146,14 @@ const SAME: f64 = 1e-9;
 
 /// A datum is asked for where the base leaves the indentation undefined.
 fn datum(document: &Document, scene: &Scene) -> Result<(), SceneError> {
-    match (scene.layer.base, scene.layer.datum) {
-        (Base::Rigid | Base::Frictionless, Some(_)) => Err(document
-            .error(document.key(&["layer", "datum"]), "a datum on a rigid base")
-            .found("`datum` on a base that does not move")
-            .expected("no `datum`: the indentation is counted from the base")),
-        _ => Ok(()),
+    let is_grounded = scene.layer.model().is_ok_and(|model| model.is_grounded());
+    if scene.layer.datum.is_some() && is_grounded {
+        return Err(document
+            .error(document.key(&["layer", "datum"]), "a datum where the indentation is defined already")
+            .found("`datum` over a base that does not move, or a solid that stiffens without end")
+            .expected("no `datum`: the indentation is counted from far below"));
     }
+    Ok(())
 }
 
 /// Loads that mean nothing for this punch or this base.

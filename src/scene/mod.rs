@@ -147,14 +147,14 @@ impl Layer {
         self.grading.law(&Setting { thickness, moduli: self.moduli })
     }
 
-    /// The length in whose units the layer is computed: its thickness, or that over which the modulus of an infinite
-    /// solid grows by a factor of `e`; `None` for a homogeneous one, which has none.
+    /// The length in whose units the layer is computed: its thickness; of an infinite solid that over which the modulus
+    /// grows by a factor of `e`, or of a homogeneous one the depth of the datum; `None` where there is none of these.
     pub fn length(&self) -> Result<Option<f64>, Refusal> {
         if self.base != Base::Infinite {
             return Ok(self.thickness.map(Positive::get));
         }
         let gradient = self.law()?.exponent().filter(|gradient| *gradient != 0.0);
-        Ok(gradient.map(|gradient| gradient.recip().abs()))
+        Ok(gradient.map(|gradient| gradient.recip().abs()).or(self.datum.map(Positive::get)))
     }
 
     /// Whether an indentation is defined: by what lies far below, or by a datum.

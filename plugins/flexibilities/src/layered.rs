@@ -23,7 +23,7 @@ const SMOOTH_DEPTH: f64 = 2.0;
 const LEAST_DEPTH: f64 = 1.0 / 1024.0;
 
 /// The compliance `d = C t`, carried from the base to the surface slice by slice.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Layered {
     layer: Arc<LayerModel>,
     panels: Panels,
@@ -45,26 +45,52 @@ impl Layered {
 
     /// Compliance at the surface in units of `1/mu1`, `s > 0`.
     fn compliance(&self, s: f64) -> Matrix2<f64> {
-        let reach = 0.5 * (FORGOTTEN + self.panels.contrast) / s;
-        let panels = &self.panels.panels;
-        let seen = &panels[..panels.partition_point(|panel| panel.top < reach)];
-        let Some(deepest) = seen.last() else { unreachable!("a layer begins at depth 0") };
-        let mut below = if reach < 1.0 {
-            // The base is out of sight: any start does.
-            Below::Solid(half_plane(Material { shear: deepest.unit, elastic: self.layer.elastic }, s))
-        } else {
-            self.base(s)
-        };
-        for panel in seen.iter().rev() {
-            below = Below::Solid(through(panel, s, reach, &below));
+        let reach = self.reach(s);
+        let mut column = Column::on(self.base(s, reach));
+        self.carry(s, (0.0, reach.min(1.0)), &mut column);
+        column.compliance()
+    }
+
+    /// The same, and the compliance that a traction on the surface has at the depth `datum`: displacements there.
+    fn compliance_and_datum(&self, s: f64, datum: f64) -> (Matrix2<f64>, Matrix2<f64>) {
+        let reach = self.reach(s);
+        if reach <= datum {
+            return (self.compliance(s), Matrix2::zeros());
         }
-        match below {
-            Below::Solid(compliance) => compliance,
-            Below::Smooth => unreachable!("a layer has a panel"),
+        let mut column = Column::on(self.base(s, reach));
+        self.carry(s, (datum, reach.min(1.0)), &mut column);
+        let there = column.compliance();
+        column.transfer = Some(Matrix2::identity());
+        if let (true, Some(material)) = (datum > 1.0, self.layer.substrate()) {
+            let matter = Matter::Exponential(material, 0.0);
+            Panel { top: 1.0, thickness: datum - 1.0, unit: material.shear, matter }.carry(s, (1.0, datum), &mut column);
+        }
+        self.carry(s, (0.0, datum.min(reach).min(1.0)), &mut column);
+        (column.compliance(), there * column.transfer.unwrap_or_default())
+    }
+
+    /// Depth below which nothing is felt at the surface.
+    fn reach(&self, s: f64) -> f64 {
+        0.5 * (FORGOTTEN + self.panels.contrast) / s
+    }
+
+    /// Carries a column from the lower to the upper of two depths.
+    fn carry(&self, s: f64, span: (f64, f64), column: &mut Column) {
+        let panels = &self.panels.panels;
+        let from = panels.partition_point(|panel| panel.top + panel.thickness <= span.0);
+        let to = panels.partition_point(|panel| panel.top < span.1);
+        for panel in panels[from.min(to)..to].iter().rev() {
+            panel.carry(s, span, column);
         }
     }
 
-    fn base(&self, s: f64) -> Below {
+    /// What the layer stands on, as far as it is felt: where its base is out of sight any start does.
+    fn base(&self, s: f64, reach: f64) -> Below {
+        if reach < 1.0 {
+            let panels = &self.panels.panels;
+            let deepest = &panels[panels.partition_point(|panel| panel.top < reach) - 1];
+            return Below::Solid(half_plane(Material { shear: deepest.unit, elastic: self.layer.elastic }, s));
+        }
         match self.layer.substrate() {
             Some(material) => Below::Solid(half_plane(material, s)),
             None if self.layer.base == Base::Frictionless => Below::Smooth,
@@ -113,6 +139,10 @@ impl LayerResponse for Layered {
         self.membrane.map_or(0.0, |(stiffness, _)| 1.0 / (stiffness * self.layer.elastic.a0()))
     }
 
+    fn against_datum(&self) -> Option<Box<dyn LayerResponse>> {
+        Some(Box::new(AgainstDatum { layer: self.clone(), datum: self.layer.datum? }))
+    }
+
     fn depth(&self) -> Option<f64> {
         let Panel { thickness, matter, .. } = &self.panels.panels[0];
         let smooth = match matter {
@@ -123,7 +153,39 @@ impl LayerResponse for Layered {
     }
 }
 
-/// What a panel stands on.
+/// A layer whose vertical displacements are counted from a depth.
+#[derive(Debug)]
+struct AgainstDatum {
+    layer: Layered,
+    datum: f64,
+}
+
+impl LayerResponse for AgainstDatum {
+    fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
+        if s == 0.0 {
+            return Ok(SurfaceFlexibility { vv: 0.0, ..self.layer.at_origin() });
+        }
+        let (surface, there) = self.layer.compliance_and_datum(s, self.datum);
+        let elastic = self.layer.layer.elastic;
+        let vv = surface_tail::scaled(&(surface - there), s, elastic).vv;
+        Ok(SurfaceFlexibility { vv, ..surface_tail::scaled(&surface, s, elastic) })
+    }
+
+    fn elastic(&self) -> Elastic {
+        self.layer.elastic()
+    }
+
+    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
+        self.layer.tail(terms)
+    }
+
+    /// What reaches the datum falls like `exp(-s datum)`.
+    fn depth(&self) -> Option<f64> {
+        self.layer.depth().map(|depth| depth.min(0.5 * self.datum))
+    }
+}
+
+/// What a slice stands on.
 #[derive(Clone, Copy, Debug)]
 enum Below {
     /// A solid of that compliance, in units of `1/mu1`.
@@ -132,14 +194,39 @@ enum Below {
     Smooth,
 }
 
-impl Below {
-    /// Compliance at the top of a slice on it, in units of `top_scale`; `bottom_scale` is the unit at its bottom.
-    fn under(self, slice: &Slice, (top_scale, bottom_scale): (f64, f64)) -> Matrix2<f64> {
-        let compliance = match self {
-            Self::Solid(compliance) => slice.over(&(compliance / bottom_scale)),
-            Self::Smooth => slice.over_smooth_base(),
+/// A part of the layer, as it is carried upwards.
+#[derive(Debug)]
+struct Column {
+    below: Below,
+    /// Tractions at the datum for tractions on top, once the datum is passed.
+    transfer: Option<Matrix2<f64>>,
+}
+
+impl Column {
+    fn on(below: Below) -> Self {
+        Self { below, transfer: None }
+    }
+
+    fn compliance(&self) -> Matrix2<f64> {
+        match self.below {
+            Below::Solid(compliance) => compliance,
+            Below::Smooth => unreachable!("a layer has a panel"),
+        }
+    }
+
+    /// Puts a slice on top; the scales are the units of compliance at its top and at its bottom.
+    fn raise(&mut self, slice: &Slice, (top_scale, bottom_scale): (f64, f64)) {
+        let compliance = match self.below {
+            Below::Solid(compliance) => {
+                let below = compliance / bottom_scale;
+                if let Some(transfer) = &mut self.transfer {
+                    *transfer *= slice.traction(&below);
+                }
+                slice.over(&below)
+            }
+            Below::Smooth => slice.over_smooth_base(),
         };
-        compliance * top_scale
+        self.below = Below::Solid(compliance * top_scale);
     }
 }
 
@@ -148,31 +235,37 @@ fn half_plane(material: Material, s: f64) -> Matrix2<f64> {
     surface_tail::half_plane_compliance(material.elastic) / (s * material.shear)
 }
 
-/// Compliance at the top of a panel, given what is below it; of what is deeper than `reach` nothing is felt.
-fn through(panel: &Panel, s: f64, reach: f64, below: &Below) -> Matrix2<f64> {
-    // What is cut off begins below a whole layer, or does not matter.
-    let depth = if reach < 1.0 { panel.thickness.min(reach - panel.top) } else { panel.thickness };
-    match &panel.matter {
-        Matter::Exponential(material, gamma) => {
-            let gamma = gamma * (depth / panel.thickness);
-            let doublings = ((s * depth).max(gamma.abs()) / THIN).log2().ceil().max(0.0);
-            let delta = (-doublings).exp2();
-            let mut slice = Slice::thin(&Coefficients::exponential(*material, gamma * delta), s * depth * delta);
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small whole number
-            for _ in 0..doublings as u32 {
-                slice = slice.doubled();
+impl Panel {
+    /// Carries a column through as much of the panel as lies within `span`.
+    fn carry(&self, s: f64, span: (f64, f64), column: &mut Column) {
+        let (top, bottom) = (span.0.max(self.top), span.1.min(self.top + self.thickness));
+        let depth = if top == self.top && bottom == self.top + self.thickness { self.thickness } else { bottom - top };
+        // In units of the panel: where the part begins, and how thick it is.
+        let (start, part) = ((top - self.top) / self.thickness, depth / self.thickness);
+        match &self.matter {
+            Matter::Exponential(material, gamma) => {
+                let unit = self.unit * (gamma * start).exp();
+                let gamma = gamma * part;
+                let doublings = ((s * depth).max(gamma.abs()) / THIN).log2().ceil().max(0.0);
+                let delta = (-doublings).exp2();
+                let mut slice = Slice::thin(&Coefficients::exponential(*material, gamma * delta), s * depth * delta);
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small whole number
+                for _ in 0..doublings as u32 {
+                    slice = slice.doubled();
+                }
+                let scale = depth * delta / unit;
+                column.raise(&slice, (scale, scale / gamma.exp()));
             }
-            let scale = depth * delta / panel.unit;
-            below.under(&slice, (scale, scale / gamma.exp()))
-        }
-        Matter::Smooth(coefficients) => {
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `s depth` is bounded
-            let count = ((s * depth / THIN).ceil() as usize).max(1);
-            let (delta, width) = (depth / count as f64, 2.0 * depth / (panel.thickness * count as f64));
-            let scale = delta / panel.unit;
-            let slice = |k: usize| Slice::thin(&coefficients.window(-1.0 + k as f64 * width, width), s * delta);
-            let lowest = below.under(&slice(count - 1), (scale, scale));
-            (0..count - 1).rev().fold(lowest, |below, k| Below::Solid(below).under(&slice(k), (scale, scale)))
+            Matter::Smooth(coefficients) => {
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `s depth` is bounded
+                let count = ((s * depth / THIN).ceil() as usize).max(1);
+                let (start, width) = (-1.0 + 2.0 * start, 2.0 * part / count as f64);
+                let (delta, scale) = (depth / count as f64, depth / (count as f64 * self.unit));
+                for k in (0..count).rev() {
+                    let slice = Slice::thin(&coefficients.window(start + k as f64 * width, width), s * delta);
+                    column.raise(&slice, (scale, scale));
+                }
+            }
         }
     }
 }

@@ -49,7 +49,12 @@ impl Slice {
         self.a + self.b * (between * below) * self.b.transpose() / self.rho
     }
 
-    /// The same when the bottom rests on a rigid body without friction: `v = 0`, `sigma_xy = 0` there.
+    /// Tractions at the bottom for tractions at the top, both in one unit, when the compliance is `below` at the bottom.
+    pub(crate) fn traction(&self, below: &Matrix2<f64>) -> Matrix2<f64> {
+        inverse(&(Matrix2::identity() - self.c * below)) * self.b.transpose()
+    }
+
+    /// The compliance at the top when the bottom rests on a rigid body without friction: `v = 0`, `sigma_xy = 0` there.
     pub(crate) fn over_smooth_base(&self) -> Matrix2<f64> {
         // 0 = (e t)_xy + c_xx u.
         let sliding = self.b.column(0);
