@@ -181,9 +181,17 @@ impl Stack {
     }
 
     /// Depth of the punch at a half-width, by reciprocity: `P D + int p_flat g dx`.
+    ///
+    /// Against a datum that fails: the datum, too, moves by how the pressure is distributed. There each increment of the
+    /// force sinks the flat punch that it presses on, `int D dP`: true always, with a digit or two fewer.
     pub(crate) fn depth(&mut self, problem: &Problem, family: &mut Family, b: f64) -> f64 {
+        let a0 = problem.elastic.a0();
+        if !problem.layer.is_grounded() {
+            let face = self.breaks[0];
+            return self.stacked(problem, &self.ways, 0.0, (face, b), |member, _| a0 * family.depth(member));
+        }
         let lifted = self.over_contact(b, &mut |at, out| family.pressure_into(b, at, out), |x| problem.height(x));
-        self.force(problem, b) * problem.elastic.a0() * family.depth(b) + lifted
+        self.force(problem, b) * a0 * family.depth(b) + lifted
     }
 
     /// Half-width of the contact under a load; `None` where no member bears it.
