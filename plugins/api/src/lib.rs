@@ -27,6 +27,8 @@ mod quadrature;
 pub mod reference;
 mod refusal;
 mod registry;
+pub mod rows;
+pub mod taylor;
 #[cfg(feature = "testkit")]
 pub mod testkit;
 
