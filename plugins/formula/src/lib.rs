@@ -129,7 +129,13 @@ impl Formula {
 
     /// The first `terms` Taylor coefficients about `x`, or as many as there are: the series holds to the right of `x`.
     pub fn series(&self, x: f64, terms: usize) -> Vec<f64> {
-        self.tape.series(x, terms).into_finite()
+        let mut series = self.tape.series(x, terms).into_finite();
+        if series.len() < terms {
+            // Where a zero is divided by a zero, as in sin(x)/x, terms get lost on the way.
+            series = self.tape.series(x, 2 * terms + 8).into_finite();
+            series.truncate(terms);
+        }
+        series
     }
 
     /// Where the formula may not be analytic on `[0, infinity)`: an absolute value, a root or a logarithm of zero, a
