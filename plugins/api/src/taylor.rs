@@ -70,6 +70,17 @@ impl Taylor {
         self
     }
 
+    /// The same function over a distance counted in units of `unit`.
+    #[must_use]
+    pub fn rescaled(mut self, unit: f64) -> Self {
+        let mut scale = 1.0;
+        for c in &mut self.0 {
+            *c *= scale;
+            scale *= unit;
+        }
+        self
+    }
+
     /// The value at the point; not a number where not even that is known.
     fn value(&self) -> f64 {
         self.0.first().copied().unwrap_or(f64::NAN)

@@ -80,8 +80,7 @@ impl Formula {
     /// constant zero, a variable that does not occur. Of the `parameters`, under the key of that name: a name that is
     /// taken, a value that is not finite, a parameter that does not occur.
     pub fn parse(key: &str, text: &str, variable: &str, parameters: &BTreeMap<String, f64>) -> Result<Self, Fault> {
-        let [formula] = Self::parse_each([(key, text)], variable, parameters, &[])?;
-        Ok(formula)
+        Self::parse_each(&[(key, text)], variable, parameters, &[]).map(|mut formulas| formulas.remove(0))
     }
 
     /// [`Self::parse`] of formulas, each with its key, that share their parameters: each parameter has to occur in one
@@ -89,12 +88,12 @@ impl Formula {
     ///
     /// # Errors
     /// Those of [`Self::parse`]; a parameter that has the name of what is given.
-    pub fn parse_each<const N: usize>(
-        texts: [(&str, &str); N],
+    pub fn parse_each(
+        texts: &[(&str, &str)],
         variable: &str,
         parameters: &BTreeMap<String, f64>,
         given: &[(&str, f64)],
-    ) -> Result<[Self; N], Fault> {
+    ) -> Result<Vec<Self>, Fault> {
         let mut names = parameters.clone();
         for &(name, value) in given {
             if names.insert(name.to_owned(), value).is_some() {
@@ -104,8 +103,8 @@ impl Formula {
             }
         }
         let mut occurs = vec![false; names.len()];
-        let mut formulas = Vec::with_capacity(N);
-        for (key, text) in texts {
+        let mut formulas = Vec::with_capacity(texts.len());
+        for &(key, text) in texts {
             let (tape, used) = parser::parse(text, variable, &names).map_err(|mut fault| {
                 if fault.path.is_empty() {
                     fault.path = vec![key.to_owned()];
@@ -117,8 +116,8 @@ impl Formula {
         }
         let mut idle = names.keys().zip(occurs).filter(|(name, occurs)| !occurs && parameters.contains_key(*name));
         match idle.next() {
-            Some((name, _)) => Err(parser::idle(name, &texts)),
-            None => Ok(formulas.try_into().expect("as many formulas as texts")),
+            Some((name, _)) => Err(parser::idle(name, texts)),
+            None => Ok(formulas),
         }
     }
 

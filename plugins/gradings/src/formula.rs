@@ -2,6 +2,7 @@
 
 use crate::thickness;
 use serde::{Deserialize, Serialize};
+use slipzone_api::taylor::Taylor;
 use slipzone_api::{Fault, Files, Grading, ModulusLaw, Refusal, Setting};
 use slipzone_formula as formula;
 use std::collections::BTreeMap;
@@ -34,17 +35,11 @@ slipzone_api::register!(Grading, "formula", "modulus by a formula in y with name
 const MOST_KINKS: usize = 1000;
 
 impl Formula {
-    /// Both formulas over a layer of some thickness.
-    fn understood(&self, thickness: f64) -> Result<(formula::Formula, Option<formula::Formula>), Fault> {
-        let given = [("h", thickness)];
-        let modulus = ("modulus", self.modulus.as_str());
-        let parse =
-            |text: &str| formula::Formula::parse_each([modulus, ("poisson", text)], "y", &self.parameters, &given);
-        let Some(poisson) = &self.poisson else {
-            let [modulus] = formula::Formula::parse_each([modulus], "y", &self.parameters, &given)?;
-            return Ok((modulus, None));
-        };
-        parse(poisson).map(|[modulus, poisson]| (modulus, Some(poisson)))
+    /// The formula for the modulus, and that for Poisson's ratio if there is one, over a layer of some thickness.
+    fn understood(&self, thickness: f64) -> Result<Vec<formula::Formula>, Fault> {
+        let poisson = self.poisson.as_deref().map(|text| ("poisson", text));
+        let texts: Vec<_> = std::iter::once(("modulus", self.modulus.as_str())).chain(poisson).collect();
+        formula::Formula::parse_each(&texts, "y", &self.parameters, &[("h", thickness)])
     }
 }
 
@@ -57,16 +52,14 @@ impl Grading for Formula {
 
     fn law(&self, setting: &Setting) -> Result<Box<dyn ModulusLaw>, Refusal> {
         let thickness = thickness::of(setting, "a grading by a formula")?;
-        let (modulus, poisson) = self
-            .understood(thickness)
-            .map_err(|fault| Refusal::Unusable { plugin: "formula", why: fault.to_string() })?;
+        let formulas = self.understood(thickness);
+        let formulas = formulas.map_err(|fault| Refusal::Unusable { plugin: "formula", why: fault.to_string() })?;
         // A quarter of the thickness: as far as samples are densest.
-        let kinks = |formula: &formula::Formula| formula.singular_points(0.25 * thickness, MOST_KINKS);
-        let kinks = kinks(&modulus).into_iter().chain(poisson.iter().flat_map(kinks));
+        let kinks = formulas.iter().flat_map(|formula| formula.singular_points(0.25 * thickness, MOST_KINKS));
         let mut breakpoints: Vec<f64> = kinks.map(|depth| depth / thickness).filter(|d| *d > 0.0 && *d < 1.0).collect();
         breakpoints.sort_unstable_by(f64::total_cmp);
         breakpoints.dedup();
-        let law = Law { modulus, poisson, thickness, breakpoints };
+        let law = Law { formulas, thickness, breakpoints };
         if law.is_steep() {
             return Err(Refusal::NotBuilt {
                 what: "a formula with an infinite gradient at the surface, such as a root of y,".into(),
@@ -79,8 +72,8 @@ impl Grading for Formula {
 
 #[derive(Debug)]
 struct Law {
-    modulus: formula::Formula,
-    poisson: Option<formula::Formula>,
+    /// For the modulus, and for Poisson's ratio if there is one.
+    formulas: Vec<formula::Formula>,
     thickness: f64,
     breakpoints: Vec<f64>,
 }
@@ -88,8 +81,8 @@ struct Law {
 impl Law {
     /// Whether there is a value at the surface, but no gradient.
     fn is_steep(&self) -> bool {
-        let both = std::iter::once(&self.modulus).chain(&self.poisson);
-        both.into_iter().any(|formula| self.value(formula, 0.0).is_finite() && formula.series(0.0, 2).len() < 2)
+        let is_steep = |formula| self.value(formula, 0.0).is_finite() && formula.series(0.0, 2).len() < 2;
+        self.formulas.iter().any(is_steep)
     }
 
     /// A value where there is one; where there is none but one close by, that.
@@ -100,35 +93,26 @@ impl Law {
         values.find(|value| !value.is_nan()).unwrap_or(f64::NAN)
     }
 
-    fn series(&self, formula: &formula::Formula, terms: usize) -> Vec<f64> {
-        let mut scale = 1.0;
-        let mut series = formula.series(0.0, terms);
-        for term in &mut series {
-            *term *= scale;
-            scale *= self.thickness;
-        }
-        series
+    fn series(&self, formula: &formula::Formula, terms: usize) -> Taylor {
+        Taylor::new(formula.series(0.0, terms)).rescaled(self.thickness)
     }
 }
 
 impl ModulusLaw for Law {
     fn modulus(&self, depth: f64) -> f64 {
-        self.value(&self.modulus, depth)
+        self.value(&self.formulas[0], depth)
     }
 
     fn poisson(&self, depth: f64) -> Option<f64> {
-        self.poisson.as_ref().map(|poisson| self.value(poisson, depth))
+        self.formulas.get(1).map(|poisson| self.value(poisson, depth))
     }
 
     fn surface_series(&self, terms: usize) -> Vec<f64> {
-        let mut series = self.series(&self.modulus, terms);
-        let surface = series.first().copied().unwrap_or(1.0);
-        series.iter_mut().for_each(|term| *term /= surface);
-        series
+        (self.series(&self.formulas[0], terms) * self.surface_modulus().recip()).with_value(1.0).into_finite()
     }
 
     fn poisson_series(&self, terms: usize) -> Vec<f64> {
-        self.poisson.as_ref().map_or_else(Vec::new, |poisson| self.series(poisson, terms))
+        self.formulas.get(1).map_or_else(Vec::new, |poisson| self.series(poisson, terms).into_finite())
     }
 
     fn breakpoints(&self) -> &[f64] {

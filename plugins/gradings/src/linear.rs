@@ -28,7 +28,8 @@ impl Grading for Linear {
     fn law(&self, setting: &Setting) -> Result<Box<dyn ModulusLaw>, Refusal> {
         thickness::of(setting, "a linear grading")?;
         let (surface, base) = (self.surface.get(), self.base.get());
-        Ok(if surface == base { Box::new(Constant(surface)) } else { Box::new(Law { surface, base }) })
+        let is_level = self.surface == self.base;
+        Ok(if is_level { Box::new(Constant(surface)) } else { Box::new(Law { surface, base }) })
     }
 }
 

@@ -36,7 +36,7 @@ impl Transition {
     pub(crate) fn law<S: Step>(&self, setting: &Setting, what: &str) -> Result<Box<dyn ModulusLaw>, Refusal> {
         let thickness = thickness::of(setting, what)?;
         let (above, below, width) = (self.above.get(), self.below.get(), self.width.get());
-        if above == below {
+        if self.above == self.below {
             return Ok(Box::new(Constant(above)));
         }
         let (top, rate) = (-self.centre.get() / width, thickness / width);

@@ -97,7 +97,7 @@ impl Taylor {
         }
         // A third is not a float: zeros in threes are whole powers all the same.
         let zeros = self.order();
-        if zeros == 0 || zeros % 3 != 0 || zeros == self.0.len() {
+        if zeros == 0 || !zeros.is_multiple_of(3) || zeros == self.0.len() {
             return self.powf(1.0 / 3.0);
         }
         let terms = self.0.len();

@@ -68,6 +68,11 @@ fn from_zero_on_there_are_so_many_terms_as_exist() {
 }
 
 #[test]
+fn rescaling_is_another_slope() {
+    same(&Taylor::line(0.3, 1.0, TERMS).exp().rescaled(0.7), &Taylor::line(0.3, 0.7, TERMS).exp(), "rescaled");
+}
+
+#[test]
 fn choices_are_made_right_of_the_point() {
     let t = line(0.0);
     same(&(-t.clone()).abs(), &t, "abs");

@@ -1,5 +1,6 @@
 //! What a stack tells of itself, from what its sublayers tell.
 
+use slipzone_api::taylor::Taylor;
 use slipzone_api::{ModulusLaw, Sublayer};
 
 /// Sublayers and where they begin.
@@ -36,15 +37,8 @@ impl Law {
     }
 
     /// A series over the first sublayer's depth, over that of the whole.
-    fn rescaled(&self, mut series: Vec<f64>) -> Vec<f64> {
-        let mut scale = 1.0;
-        for term in &mut series {
-            *term *= scale;
-            scale /= self.sublayers[0].thickness;
-        }
-        let finite = series.iter().take_while(|term| term.is_finite()).count();
-        series.truncate(finite);
-        series
+    fn rescaled(&self, series: Vec<f64>) -> Vec<f64> {
+        Taylor::new(series).rescaled(self.sublayers[0].thickness.recip()).into_finite()
     }
 }
 

@@ -13,11 +13,11 @@ pub(super) struct Law {
 
 impl Law {
     fn at(&self, depth: f64) -> (f64, f64) {
-        self.mixture.at(depth.powf(self.exponent))
+        self.mixture.at(&depth.powf(self.exponent))
     }
 
     fn series(&self, terms: usize) -> (Taylor, Taylor) {
-        self.mixture.at(Taylor::line(0.0, 1.0, terms).powf(self.exponent))
+        self.mixture.at(&Taylor::line(0.0, 1.0, terms).powf(self.exponent))
     }
 }
 

@@ -33,13 +33,13 @@ pub(super) struct Mixture {
 
 impl Mixture {
     /// Modulus and Poisson's ratio where the volume fraction of the inclusions is `share`.
-    pub(super) fn at<N: Arithmetic>(&self, share: N) -> (N, N) {
+    pub(super) fn at<N: Arithmetic>(&self, share: &N) -> (N, N) {
         match self.rule {
             MixingRule::Mixture => {
                 let (a, b) = (self.matrix, self.inclusions);
-                (between(a.modulus.get(), b.modulus.get(), &share), between(a.poisson.get(), b.poisson.get(), &share))
+                (between(a.modulus.get(), b.modulus.get(), share), between(a.poisson.get(), b.poisson.get(), share))
             }
-            MixingRule::MoriTanaka => self.spheres(&share),
+            MixingRule::MoriTanaka => self.spheres(share),
         }
     }
 
