@@ -106,11 +106,11 @@ fn flaw(law: &dyn ModulusLaw, top: f64, thickness: f64) -> Option<Flaw> {
     let mut looks = [0.0].into_iter().chain(ends.windows(2).flat_map(within)).chain([1.0]);
     looks.find_map(|depth| {
         let modulus = law.modulus(depth);
-        let what = if !(modulus > 0.0 && modulus < f64::INFINITY) {
-            format!("the modulus is {modulus}")
-        } else {
+        let what = if modulus > 0.0 && modulus < f64::INFINITY {
             let nu = law.poisson(depth).filter(|nu| Poisson::new(*nu).is_err())?;
             format!("Poisson's ratio is {nu}")
+        } else {
+            format!("the modulus is {modulus}")
         };
         Some(Flaw { what, x: top + depth * thickness })
     })

@@ -27,6 +27,8 @@ mod quadrature;
 pub mod reference;
 mod refusal;
 mod registry;
+pub mod rows;
+pub mod taylor;
 #[cfg(feature = "testkit")]
 pub mod testkit;
 
@@ -37,7 +39,7 @@ pub use friction::{Friction, FrozenStrain};
 pub use grading::{Grading, ModulusLaw, Setting, Sublayer};
 pub use kernel::{Component, KernelRequest, KernelStrategy, KernelTable, Parts, PartsMut, PartsVec};
 pub use layer_model::{LayerModel, Material, Solid};
-pub use number::{NotAllowed, Poisson, Positive};
+pub use number::{Finite, NotAllowed, Poisson, Positive};
 pub use punch::{FlatFace, Flaw, PunchProfile, PunchShape};
 pub use quadrature::{Density, Edge, Parity, Quadrature, Rule, Span, Station};
 pub use refusal::Refusal;

@@ -28,6 +28,11 @@ pub struct Positive(f64);
 #[serde(try_from = "f64", into = "f64")]
 pub struct Poisson(f64);
 
+/// A finite number of either sign.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd, Serialize, Deserialize)]
+#[serde(try_from = "f64", into = "f64")]
+pub struct Finite(f64);
+
 /// A checked wrapper around `f64`: constructor, accessor and the conversions serde goes through.
 macro_rules! checked {
     ($name:ident, $expected:literal, $holds:expr) => {
@@ -61,6 +66,7 @@ macro_rules! checked {
 
 // Comparisons with NaN are false, so NaN is refused by each.
 checked!(Positive, "a finite number above 0", |v| v > 0.0 && v < f64::INFINITY);
+checked!(Finite, "a finite number", f64::is_finite);
 checked!(Poisson, "a number above -1 and up to 0.5", |v| v > -1.0 && v <= 0.5);
 
 #[cfg(test)]
@@ -74,6 +80,7 @@ mod tests {
             assert!(Positive::new(bad).is_err(), "{bad} must not pass as positive");
         }
         assert!(Positive::new(f64::MIN_POSITIVE).is_ok());
+        assert!(Finite::new(-2.0).is_ok() && Finite::new(f64::NAN).is_err() && Finite::new(f64::INFINITY).is_err());
         for (nu, fine) in [(-1.0, false), (-0.99, true), (0.0, true), (0.5, true), (0.5001, false), (f64::NAN, false)] {
             assert_eq!(Poisson::new(nu).is_ok(), fine, "nu = {nu}");
         }

@@ -80,18 +80,61 @@ impl Formula {
     /// constant zero, a variable that does not occur. Of the `parameters`, under the key of that name: a name that is
     /// taken, a value that is not finite, a parameter that does not occur.
     pub fn parse(key: &str, text: &str, variable: &str, parameters: &BTreeMap<String, f64>) -> Result<Self, Fault> {
-        let tape = parser::parse(text, variable, parameters).map_err(|mut fault| {
-            if fault.path.is_empty() {
-                fault.path = vec![key.to_owned()];
+        Self::parse_each(&[(key, text)], variable, parameters, &[]).map(|mut formulas| formulas.remove(0))
+    }
+
+    /// [`Self::parse`] of formulas, each with its key, that share their parameters: each parameter has to occur in one
+    /// of them. Names that are `given` have a value without being parameters, and need not occur.
+    ///
+    /// # Errors
+    /// Those of [`Self::parse`]; a parameter that has the name of what is given.
+    pub fn parse_each(
+        texts: &[(&str, &str)],
+        variable: &str,
+        parameters: &BTreeMap<String, f64>,
+        given: &[(&str, f64)],
+    ) -> Result<Vec<Self>, Fault> {
+        let mut names = parameters.clone();
+        for &(name, value) in given {
+            if names.insert(name.to_owned(), value).is_some() {
+                return Err(Fault::new(&["parameters", name], format!("the name `{name}` is taken"))
+                    .found(format!("`{name}` as a parameter"))
+                    .expected(format!("no parameter `{name}`: it has its value already")));
             }
-            fault
-        })?;
-        Ok(Self { tape })
+        }
+        let mut occurs = vec![false; names.len()];
+        let mut formulas = Vec::with_capacity(texts.len());
+        for &(key, text) in texts {
+            let (tape, used) = parser::parse(text, variable, &names).map_err(|mut fault| {
+                if fault.path.is_empty() {
+                    fault.path = vec![key.to_owned()];
+                }
+                fault
+            })?;
+            occurs.iter_mut().zip(used).for_each(|(occurs, used)| *occurs |= used);
+            formulas.push(Self { tape });
+        }
+        let mut idle = names.keys().zip(occurs).filter(|(name, occurs)| !occurs && parameters.contains_key(*name));
+        match idle.next() {
+            Some((name, _)) => Err(parser::idle(name, texts)),
+            None => Ok(formulas),
+        }
     }
 
     /// Value and derivative; not a number where there is none.
     pub fn at(&self, x: f64) -> Dual {
         self.tape.at(x)
+    }
+
+    /// The first `terms` Taylor coefficients about `x`, or as many as there are: the series holds to the right of `x`.
+    pub fn series(&self, x: f64, terms: usize) -> Vec<f64> {
+        let mut series = self.tape.series(x, terms).into_finite();
+        if series.len() < terms {
+            // Where a zero is divided by a zero, as in sin(x)/x, terms get lost on the way.
+            series = self.tape.series(x, 2 * terms + 8).into_finite();
+            series.truncate(terms);
+        }
+        series
     }
 
     /// Where the formula may not be analytic on `[0, infinity)`: an absolute value, a root or a logarithm of zero, a

@@ -17,8 +17,12 @@ pub const DEEPEST: usize = 50;
 /// Names that stand for a number.
 const CONSTANTS: [(&str, f64); 2] = [("pi", PI), ("e", E)];
 
-/// Understands a formula; see [`crate::Formula::parse`].
-pub(crate) fn parse(text: &str, variable: &str, parameters: &BTreeMap<String, f64>) -> Result<Tape, Fault> {
+/// Understands a formula; see [`crate::Formula::parse`]. Tells also which of the parameters occur in it.
+pub(crate) fn parse(
+    text: &str,
+    variable: &str,
+    parameters: &BTreeMap<String, f64>,
+) -> Result<(Tape, Vec<bool>), Fault> {
     let length = text.chars().count();
     if length > LONGEST {
         let long = Fault::new(&[], "the formula is too long").found(format!("{length} characters"));
@@ -39,15 +43,20 @@ pub(crate) fn parse(text: &str, variable: &str, parameters: &BTreeMap<String, f6
             .found(format!("a constant, {}", tape.at(0.0).value))
             .expected(format!("a formula in `{variable}`")));
     }
-    if let Some(idle) = parameters.keys().zip(&used).find(|(_, used)| !**used).map(|(name, _)| name) {
-        return Err(Fault::new(&["parameters", idle], format!("the parameter `{idle}` does not occur in the formula"))
-            .found(format!("`{}`", clip(text)))
-            .expected("parameters that the formula names"));
-    }
     if tape.height() > STACK {
         return Err(fault(0..text.len(), "the formula is nested too deeply"));
     }
-    Ok(tape)
+    Ok((tape, used))
+}
+
+/// A parameter that occurs in none of the texts.
+pub(crate) fn idle(name: &str, texts: &[(&str, &str)]) -> Fault {
+    let found: Vec<_> = texts.iter().map(|(_, text)| format!("`{}`", clip(text))).collect();
+    let formula = if texts.len() > 1 { "formulas" } else { "formula" };
+    let name_it = if texts.len() > 1 { "name" } else { "names" };
+    Fault::new(&["parameters", name], format!("the parameter `{name}` does not occur in the {formula}"))
+        .found(found.join(" and "))
+        .expected(format!("parameters that the {formula} {name_it}"))
 }
 
 /// Parameters must have names of their own and finite values.

@@ -1,6 +1,7 @@
 //! A formula as a list of steps on a stack: evaluating it needs no recursion.
 
 use crate::dual::Dual;
+use slipzone_api::taylor::Taylor;
 use std::ops::Range;
 
 /// Room on the stack; the parser refuses what needs more.
@@ -73,6 +74,29 @@ impl Function {
     }
 
     fn of(self, u: Dual) -> Dual {
+        match self {
+            Self::Abs => u.abs(),
+            Self::Acos => u.acos(),
+            Self::Acosh => u.acosh(),
+            Self::Asin => u.asin(),
+            Self::Asinh => u.asinh(),
+            Self::Atan => u.atan(),
+            Self::Atanh => u.atanh(),
+            Self::Cbrt => u.cbrt(),
+            Self::Cos => u.cos(),
+            Self::Cosh => u.cosh(),
+            Self::Exp => u.exp(),
+            Self::Ln => u.ln(),
+            Self::Log10 => u.log10(),
+            Self::Sin => u.sin(),
+            Self::Sinh => u.sinh(),
+            Self::Sqrt => u.sqrt(),
+            Self::Tan => u.tan(),
+            Self::Tanh => u.tanh(),
+        }
+    }
+
+    fn series(self, u: Taylor) -> Taylor {
         match self {
             Self::Abs => u.abs(),
             Self::Acos => u.acos(),
@@ -168,6 +192,35 @@ impl Tape {
     /// The whole formula's value.
     pub(crate) fn at(&self, x: f64) -> Dual {
         self.part(0..self.steps.len(), x)
+    }
+
+    /// The Taylor series of the whole formula about a value of the variable, to the right.
+    pub(crate) fn series(&self, x: f64, terms: usize) -> Taylor {
+        let mut stack: Vec<Taylor> = Vec::with_capacity(STACK);
+        for step in &self.steps {
+            let mut operand = || stack.pop().expect("operands stand before what is done with them");
+            let result = match *step {
+                Step::Number(number) => Taylor::constant(number, terms),
+                Step::Variable => Taylor::line(x, 1.0, terms),
+                Step::Negate => -operand(),
+                Step::Of(function) => function.series(operand()),
+                binary => {
+                    let second = operand();
+                    let first = operand();
+                    match binary {
+                        Step::Add => first + second,
+                        Step::Subtract => first - second,
+                        Step::Multiply => first * second,
+                        Step::Divide => first / second,
+                        Step::Power => first.pow(second),
+                        Step::Min => first.min(second),
+                        _ => first.max(second),
+                    }
+                }
+            };
+            stack.push(result);
+        }
+        stack.pop().expect("a formula has a value")
     }
 
     /// The value of one part.

@@ -197,3 +197,55 @@ fn slopes_at_a_corner_are_the_mean_of_both_sides() {
     assert_eq!(slope("min(x, 3*x-2)", 1.0), 2.0);
     assert!(parse("max(x, ln(-x))").unwrap().at(1.0).value.is_nan(), "what is no number does not get lost");
 }
+
+#[test]
+fn series_are_the_closed_ones() {
+    for (text, x, expected) in [
+        ("exp(x)", 0.0, vec![1.0, 1.0, 0.5, 1.0 / 6.0]),
+        ("1/(1-x)", 0.0, vec![1.0; 4]),
+        ("2^x", 0.0, vec![1.0, 2_f64.ln(), 2_f64.ln().powi(2) / 2.0, 2_f64.ln().powi(3) / 6.0]),
+        ("abs(x-1)", 0.0, vec![1.0, -1.0, 0.0, 0.0]),
+        ("1 + min(x, 2*x) - max(x, x^2)", 0.0, vec![1.0, 0.0, 0.0, 0.0]),
+        ("1 + x^2.5", 0.0, vec![1.0, 0.0, 0.0]),
+        ("1 + sqrt(x)", 0.0, vec![1.0]),
+        ("sin(x)/x + 1 - cos(x)/1", 0.0, vec![1.0, 0.0, 1.0 / 3.0, 0.0]),
+        ("ln(x)", 0.0, vec![]),
+        ("(1+x)^3/R*10", 1.0, vec![8.0, 12.0, 6.0, 1.0]),
+    ] {
+        let series = parse(text).unwrap_or_else(|fault| panic!("{text}: {fault}")).series(x, 4);
+        assert_eq!(series.len(), expected.len(), "{text}: {series:?}");
+        assert!(
+            series.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-14 * (1.0 + b.abs())),
+            "{text}: {series:?}"
+        );
+    }
+}
+
+/// Every function's second coefficient is the derivative that the dual numbers carry.
+#[test]
+fn series_and_derivatives_agree() {
+    for (name, arguments) in FUNCTIONS {
+        let x = if name == "acosh" { 1.7 } else { 0.4 };
+        let text = if arguments > 1 { format!("{name}(x^2, 0.3*x)") } else { format!("{name}(1.1*x)") };
+        let formula = parse(&text).unwrap_or_else(|fault| panic!("{text}: {fault}"));
+        let (series, dual) = (formula.series(x, 2), formula.at(x));
+        assert_eq!(series[0], dual.value, "{text}");
+        assert!((series[1] - dual.slope).abs() < 1e-14 * (1.0 + dual.slope.abs()), "{text}: {series:?}");
+    }
+}
+
+#[test]
+fn formulas_share_their_parameters() {
+    let parameters: BTreeMap<_, _> = [("a".to_owned(), 2.0)].into();
+    let parse = |first: &str, second: &str, given: &[(&str, f64)]| {
+        Formula::parse_each(&[("one", first), ("two", second)], "x", &parameters, given)
+    };
+    let both = parse("a*x", "x/h", &[("h", 4.0)]).unwrap();
+    assert_eq!(both.iter().map(|formula| formula.at(1.0).value).collect::<Vec<_>>(), [2.0, 0.25]);
+    assert!(parse("a*x", "x", &[("h", 4.0)]).is_ok(), "what is given need not occur");
+    let fault = parse("x", "x^2", &[]).unwrap_err();
+    assert_eq!((fault.path, fault.found.unwrap().as_str()), (vec!["parameters".into(), "a".into()], "`x` and `x^2`"));
+    let fault = parse("a*x", "x", &[("a", 4.0)]).unwrap_err();
+    assert_eq!((fault.path, fault.message.as_str()), (vec!["parameters".into(), "a".into()], "the name `a` is taken"));
+    assert_eq!(parse("a*x", "x +", &[]).unwrap_err().path, ["two"]);
+}

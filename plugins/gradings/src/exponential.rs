@@ -1,7 +1,7 @@
 //! The exponential law of CC13.
 
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Grading, ModulusLaw, Positive, Refusal, Setting};
+use slipzone_api::{Finite, Grading, ModulusLaw, Positive, Refusal, Setting};
 
 /// `mu(y) = mu1 exp(gamma y)`, `gamma = ln(mu3/mu1)/h` (CC13 eqs. 1, 2).
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -65,6 +65,13 @@ slipzone_api::register!(Grading, "exponential", "shear modulus growing or fallin
         ("base", "shear modulus at the base (stress); `gradient` (gamma, in 1/length) may stand in its place", true, [0.125, 1.0, 8.0]),
     ],
     source: "CC13 eqs. 1, 2");
+
+impl Exponential {
+    /// The law that grows by a factor of `e` over the length `1/gradient`.
+    pub fn by_gradient(surface: Positive, gradient: Finite) -> Self {
+        Self { surface, decay: Decay::Gradient(gradient.get()) }
+    }
+}
 
 #[typetag::serde(name = "exponential")]
 impl Grading for Exponential {

@@ -24,7 +24,7 @@ impl Grading for Homogeneous {
 }
 
 #[derive(Debug)]
-struct Constant(f64);
+pub(crate) struct Constant(pub(crate) f64);
 
 impl ModulusLaw for Constant {
     fn modulus(&self, _depth: f64) -> f64 {

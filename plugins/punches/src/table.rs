@@ -119,7 +119,7 @@ impl Table {
         };
         Profile::fit(rows, self.x_unit.get(), self.height_unit.get()).map_err(|fault| match &self.source {
             Source::Points(_) => Fault { path: vec![key.into()], ..fault },
-            Source::File(name) => Fault { path: vec![key.into()], ..fault }.at(rows::whole(name)),
+            Source::File(name) => Fault { path: vec![key.into()], ..fault }.at(slipzone_api::rows::whole(name)),
         })
     }
 }

@@ -1,22 +1,34 @@
 //! What every grading and every punch promises, tried out at a few points.
 
 use super::ensure;
-use crate::{Grading, ModulusLaw, NoFiles, Positive, PunchProfile, PunchShape, Setting};
+use crate::{Grading, ModulusLaw, NoFiles, Poisson, Positive, PunchProfile, PunchShape, Setting, Sublayer};
 
-/// The modulus is finite and positive, and what the law says beside it agrees with it.
+/// The law describes an elastic solid, and what it says beside its values agrees with them.
 pub(super) fn grading(mut config: Box<dyn Grading>) -> Result<(), String> {
     config.read(&NoFiles).map_err(|e| format!("not readable: {e}"))?;
     let thickness = Positive::new(3.0).expect("a positive constant");
     let thickness = config.thickness().unwrap_or(thickness);
     let law = config.law(&Setting::thick(thickness)).or_else(|_| config.law(&Setting::default()));
     let law = law.map_err(|e| format!("no law: {e}"))?;
-    modulus(&*law)
+    solid(&*law)
 }
 
+/// What a law says of each of its constants, of its breakpoints and of its sublayers.
+pub(super) fn solid(law: &dyn ModulusLaw) -> Result<(), String> {
+    modulus(law)?;
+    poisson(law)?;
+    let breaks = law.breakpoints();
+    let inside = breaks.iter().all(|depth| *depth > 0.0 && *depth < 1.0);
+    ensure(inside && breaks.windows(2).all(|w| w[0] < w[1]), || {
+        format!("breakpoints {breaks:?} do not ascend within (0, 1)")
+    })?;
+    sublayers(law)
+}
+
+/// The modulus is finite and positive, and its exponent and its slope at the surface are what the law says.
 fn modulus(law: &dyn ModulusLaw) -> Result<(), String> {
     let surface = law.surface_modulus();
-    for i in 0..=20 {
-        let depth = f64::from(i) / 20.0;
+    for depth in depths() {
         let mu = law.modulus(depth);
         ensure(mu > 0.0 && mu < f64::INFINITY, || format!("modulus({depth}) = {mu}"))?;
         if let Some(exponent) = law.exponent() {
@@ -31,20 +43,71 @@ fn modulus(law: &dyn ModulusLaw) -> Result<(), String> {
     ensure((at_zero / surface - 1.0).abs() < 4.0 * f64::EPSILON, || {
         format!("surface_modulus() = {surface}, but modulus(0) = {at_zero}")
     })?;
-    if let [_, gradient] = law.surface_series(2)[..] {
-        // One-sided differences of second order: rounding leaves 1e-11, the third derivative 1e-10 of itself.
-        let d = 1e-5;
-        let log = |depth: f64| law.modulus(depth).ln();
-        let slope = (4.0 * log(d) - 3.0 * log(0.0) - log(2.0 * d)) / (2.0 * d);
-        ensure((slope - gradient).abs() < 1e-4 * (1.0 + gradient.abs()), || {
-            format!("surface_series() has the slope {gradient}, but modulus() gives {slope}")
+    let series = law.surface_series(6);
+    ensure(series.first().is_none_or(|first| (first - 1.0).abs() < 4.0 * f64::EPSILON), || {
+        format!("surface_series() begins with {}", series[0])
+    })?;
+    slope("surface_series", "modulus", &law.surface_series(2), |depth| law.modulus(depth) / surface)
+}
+
+/// Poisson's ratio is in range, at all depths or nowhere but in sublayers, and its slope is what the law says.
+fn poisson(law: &dyn ModulusLaw) -> Result<(), String> {
+    for depth in depths() {
+        let Some(nu) = law.poisson(depth) else { continue };
+        ensure(Poisson::new(nu).is_ok(), || format!("poisson({depth}) = {nu}"))?;
+        let is_constant = law.poisson(0.0) == Some(nu);
+        ensure(law.exponent().is_none() || is_constant, || {
+            format!("exponent() is there, but poisson({depth}) = {nu} is not that of the surface")
         })?;
     }
-    let breaks = law.breakpoints();
-    let inside = breaks.iter().all(|depth| *depth > 0.0 && *depth < 1.0);
-    ensure(inside && breaks.windows(2).all(|w| w[0] < w[1]), || {
-        format!("breakpoints {breaks:?} do not ascend within (0, 1)")
+    let Some(surface) = law.poisson(0.0) else { return Ok(()) };
+    let series = law.poisson_series(2);
+    ensure(series.first().is_none_or(|first| (first - surface).abs() < 4.0 * f64::EPSILON), || {
+        format!("poisson_series() begins with {}, but poisson(0) = {surface}", series[0])
+    })?;
+    slope("poisson_series", "poisson", &series, |depth| law.poisson(depth).unwrap_or(f64::NAN))
+}
+
+fn depths() -> impl Iterator<Item = f64> {
+    (0..=20).map(|i| f64::from(i) / 20.0)
+}
+
+/// The second coefficient of a series is the slope of its function.
+fn slope(series: &str, name: &str, coefficients: &[f64], value: impl Fn(f64) -> f64) -> Result<(), String> {
+    let &[_, gradient] = coefficients else { return Ok(()) };
+    // One-sided differences of second order: rounding leaves 1e-11, the third derivative 1e-10 of itself.
+    let d = 1e-5;
+    let slope = (4.0 * value(d) - 3.0 * value(0.0) - value(2.0 * d)) / (2.0 * d);
+    ensure((slope - gradient).abs() < 1e-4 * (1.0 + gradient.abs()), || {
+        format!("{series}() has the slope {gradient}, but {name}() gives {slope}")
     })
+}
+
+/// The sublayers fill the layer, keep the contract themselves, and are what the whole says at its own depths.
+fn sublayers(law: &dyn ModulusLaw) -> Result<(), String> {
+    let sublayers = law.sublayers();
+    let whole: f64 = sublayers.iter().map(|sublayer| sublayer.thickness).sum();
+    let fills = sublayers.iter().all(|sublayer| sublayer.thickness > 0.0) && (whole - 1.0).abs() < 1e-12;
+    ensure(sublayers.is_empty() || fills, || format!("sublayers are {whole} of the whole thick"))?;
+    let mut top = 0.0;
+    for (index, Sublayer { thickness, law: own }) in sublayers.iter().enumerate() {
+        solid(&**own).map_err(|fault| format!("sublayer {index}: {fault}"))?;
+        for depth in [0.1, 0.5, 0.9] {
+            let of_whole = (law.modulus(top + depth * thickness), law.poisson(top + depth * thickness));
+            let (modulus, poisson) = (own.modulus(depth), own.poisson(depth));
+            let same_ratio = match (of_whole.1, poisson) {
+                (Some(a), Some(b)) => (a - b).abs() < 1e-9,
+                (a, b) => a.is_none() && b.is_none(),
+            };
+            ensure((of_whole.0 / modulus - 1.0).abs() < 1e-9 && same_ratio, || {
+                format!(
+                    "sublayer {index} has {modulus}, {poisson:?} at depth {depth}, but the whole {of_whole:?} there"
+                )
+            })?;
+        }
+        top += thickness;
+    }
+    Ok(())
 }
 
 /// The height is even and zero at the tip, and its derivative is the slope.

@@ -1,7 +1,7 @@
 //! The testkit is checked by breaking plugins: every fault it claims to find is committed here once.
 
 use super::check_plugin;
-use crate::{Family, Flaw, Grading, ModulusLaw, PunchProfile, PunchShape, Refusal, find, plugins, register};
+use crate::{Family, Flaw, Grading, ModulusLaw, PunchProfile, PunchShape, Refusal, Sublayer, find, plugins, register};
 use serde::{Deserialize, Serialize};
 
 fn verdict(family: Family, name: &str) -> Result<(), String> {
@@ -328,6 +328,10 @@ enum Fault {
     Gradient,
     Surface,
     Breaks,
+    Incompressible,
+    Ratio,
+    RatioSeries,
+    Exponential,
 }
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -352,7 +356,23 @@ impl ModulusLaw for Ramp {
         if matches!(self.fault, Fault::Surface) { 1.1 } else { 1.0 }
     }
     fn exponent(&self) -> Option<f64> {
-        matches!(self.fault, Fault::Exponent).then_some(self.growth)
+        match self.fault {
+            Fault::Exponent => Some(self.growth),
+            Fault::Exponential => Some(0.0),
+            _ => None,
+        }
+    }
+    fn poisson(&self, depth: f64) -> Option<f64> {
+        match self.fault {
+            Fault::Incompressible => Some(0.3 + 0.3 * depth),
+            Fault::Ratio | Fault::RatioSeries | Fault::Exponential => Some(0.3 + 0.1 * depth),
+            _ => None,
+        }
+    }
+    fn poisson_series(&self, terms: usize) -> Vec<f64> {
+        let first = if matches!(self.fault, Fault::Ratio) { 0.31 } else { 0.3 };
+        let slope = if matches!(self.fault, Fault::RatioSeries) { 0.2 } else { 0.1 };
+        [first, slope].into_iter().take(terms).collect()
     }
     fn surface_series(&self, terms: usize) -> Vec<f64> {
         let slope = if matches!(self.fault, Fault::Gradient) { 1.01 * self.growth } else { self.growth };
@@ -373,9 +393,48 @@ fn a_grading_must_keep_its_contract() {
         (0.7, Fault::Gradient, "surface_series()"),
         (0.7, Fault::Surface, "surface_modulus() = 1.1"),
         (0.7, Fault::Breaks, "do not ascend"),
+        (0.7, Fault::Incompressible, "poisson(0.7) = 0.51"),
+        (0.7, Fault::Ratio, "poisson_series() begins with 0.31"),
+        (0.7, Fault::RatioSeries, "poisson_series() has the slope 0.2"),
+        (0.0, Fault::Exponential, "is not that of the surface"),
     ] {
         let found = verdict(growth, fault).expect_err("this law is broken");
         assert!(found.contains(words), "{fault:?}: {found}");
+    }
+}
+
+/// Two ramps on top of each other, with one law said to be both.
+#[derive(Debug)]
+struct Pile {
+    whole: Ramp,
+    sublayers: Vec<Sublayer>,
+}
+
+impl ModulusLaw for Pile {
+    fn modulus(&self, depth: f64) -> f64 {
+        self.whole.modulus(depth)
+    }
+    fn sublayers(&self) -> &[Sublayer] {
+        &self.sublayers
+    }
+}
+
+#[test]
+fn sublayers_must_be_the_whole() {
+    let level = |fault| Ramp { growth: 0.0, fault };
+    let verdict = |whole, thicknesses: [f64; 2], fault| {
+        let sublayer = |thickness| Sublayer { thickness, law: Box::new(level(fault)) };
+        super::contracts::solid(&Pile { whole, sublayers: thicknesses.map(sublayer).into() })
+    };
+    assert_eq!(verdict(level(Fault::None), [0.25, 0.75], Fault::None), Ok(()));
+    for (verdict, words) in [
+        (verdict(level(Fault::None), [0.25, 0.7], Fault::None), "0.95 of the whole"),
+        (verdict(level(Fault::None), [0.5, 0.5], Fault::Breaks), "sublayer 0: breakpoints"),
+        (verdict(level(Fault::None), [0.5, 0.5], Fault::RatioSeries), "sublayer 0: poisson_series()"),
+        (verdict(Ramp { growth: 0.5, fault: Fault::None }, [0.5, 0.5], Fault::None), "but the whole"),
+    ] {
+        let found = verdict.expect_err("this stack is broken");
+        assert!(found.contains(words), "{words}: {found}");
     }
 }
 

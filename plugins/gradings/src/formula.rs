@@ -1,0 +1,203 @@
+//! A modulus given by a formula.
+
+use crate::thickness;
+use serde::{Deserialize, Serialize};
+use slipzone_api::taylor::Taylor;
+use slipzone_api::{Fault, Files, Grading, ModulusLaw, Refusal, Setting};
+use slipzone_formula as formula;
+use std::collections::BTreeMap;
+
+/// The modulus as a formula in the depth `y` (in the user's unit), in `h`, the layer's thickness, and in named
+/// parameters, and so the Poisson's ratio, where it is given; see [`slipzone_formula`] for what may stand in it.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Formula {
+    /// Formula for the modulus.
+    pub modulus: String,
+    /// Formula for Poisson's ratio; left out, it is the layer's.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub poisson: Option<String>,
+    /// Values of the names in both.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub parameters: BTreeMap<String, f64>,
+}
+
+slipzone_api::register!(Grading, "formula", "modulus by a formula in y with named parameters",
+    example: "type = \"formula\"\nmodulus = \"m*(1 + (y/h)^2)\"\npoisson = \"0.3 - 0.1*y/h\"\nparameters = { m = 2.0 }",
+    parameters: [
+        ("modulus", "formula (stress) in the depth `y` and the thickness `h` (length)", true, []),
+        ("poisson", "formula for Poisson's ratio; left out, it is the layer's", false, []),
+        ("parameters", "values of the names in the formulas", false, []),
+    ],
+    source: "docs/plugins.md");
+
+/// The most kinks that are told of.
+const MOST_KINKS: usize = 1000;
+
+impl Formula {
+    /// The formula for the modulus, and that for Poisson's ratio if there is one, over a layer of some thickness.
+    fn understood(&self, thickness: f64) -> Result<Vec<formula::Formula>, Fault> {
+        let poisson = self.poisson.as_deref().map(|text| ("poisson", text));
+        let texts: Vec<_> = std::iter::once(("modulus", self.modulus.as_str())).chain(poisson).collect();
+        formula::Formula::parse_each(&texts, "y", &self.parameters, &[("h", thickness)])
+    }
+}
+
+#[typetag::serde(name = "formula")]
+impl Grading for Formula {
+    fn read(&mut self, _files: &dyn Files) -> Result<(), Fault> {
+        // Nothing but a divisor that happens to vanish depends on the thickness: one that nobody writes.
+        self.understood(std::f64::consts::SQRT_2).map(|_| ())
+    }
+
+    fn law(&self, setting: &Setting) -> Result<Box<dyn ModulusLaw>, Refusal> {
+        let thickness = thickness::of(setting, "a grading by a formula")?;
+        let formulas = self.understood(thickness);
+        let formulas = formulas.map_err(|fault| Refusal::Unusable { plugin: "formula", why: fault.to_string() })?;
+        // A quarter of the thickness: as far as samples are densest.
+        let kinks = formulas.iter().flat_map(|formula| formula.singular_points(0.25 * thickness, MOST_KINKS));
+        let mut breakpoints: Vec<f64> = kinks.map(|depth| depth / thickness).filter(|d| *d > 0.0 && *d < 1.0).collect();
+        breakpoints.sort_unstable_by(f64::total_cmp);
+        breakpoints.dedup();
+        let law = Law { formulas, thickness, breakpoints };
+        if law.is_steep() {
+            return Err(Refusal::NotBuilt {
+                what: "a formula with an infinite gradient at the surface, such as a root of y,".into(),
+                remedy: "let it begin above the surface, as in sqrt(y + 0.01*h)".into(),
+            });
+        }
+        Ok(Box::new(law))
+    }
+}
+
+#[derive(Debug)]
+struct Law {
+    /// For the modulus, and for Poisson's ratio if there is one.
+    formulas: Vec<formula::Formula>,
+    thickness: f64,
+    breakpoints: Vec<f64>,
+}
+
+impl Law {
+    /// Whether there is a value at the surface, but no gradient.
+    fn is_steep(&self) -> bool {
+        let is_steep = |formula| self.value(formula, 0.0).is_finite() && formula.series(0.0, 2).len() < 2;
+        self.formulas.iter().any(is_steep)
+    }
+
+    /// A value where there is one; where there is none but one close by, that.
+    fn value(&self, formula: &formula::Formula, depth: f64) -> f64 {
+        /// Beside a depth, in units of the thickness.
+        const NEAR: [f64; 3] = [0.0, 1e-12, -1e-12];
+        let mut values = NEAR.into_iter().map(|near| formula.at((depth + near).max(0.0) * self.thickness).value);
+        values.find(|value| !value.is_nan()).unwrap_or(f64::NAN)
+    }
+
+    fn series(&self, formula: &formula::Formula, terms: usize) -> Taylor {
+        Taylor::new(formula.series(0.0, terms)).rescaled(self.thickness)
+    }
+}
+
+impl ModulusLaw for Law {
+    fn modulus(&self, depth: f64) -> f64 {
+        self.value(&self.formulas[0], depth)
+    }
+
+    fn poisson(&self, depth: f64) -> Option<f64> {
+        self.formulas.get(1).map(|poisson| self.value(poisson, depth))
+    }
+
+    fn surface_series(&self, terms: usize) -> Vec<f64> {
+        (self.series(&self.formulas[0], terms) * self.surface_modulus().recip()).with_value(1.0).into_finite()
+    }
+
+    fn poisson_series(&self, terms: usize) -> Vec<f64> {
+        self.formulas.get(1).map_or_else(Vec::new, |poisson| self.series(poisson, terms).into_finite())
+    }
+
+    fn breakpoints(&self) -> &[f64] {
+        &self.breakpoints
+    }
+}
+
+/// See [`crate::link`].
+pub(crate) fn link() {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Exponential;
+    use slipzone_api::{Finite, NoFiles, Positive};
+
+    fn formula(modulus: &str, poisson: Option<&str>, parameters: &[(&str, f64)]) -> Formula {
+        let parameters = parameters.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect();
+        Formula { modulus: modulus.into(), poisson: poisson.map(Into::into), parameters }
+    }
+
+    fn thick(thickness: f64) -> Setting {
+        Setting::thick(Positive::new(thickness).unwrap())
+    }
+
+    fn law(modulus: &str) -> Box<dyn ModulusLaw> {
+        formula(modulus, None, &[]).law(&thick(4.0)).unwrap_or_else(|refusal| panic!("{refusal}"))
+    }
+
+    #[test]
+    fn an_exponential_is_the_exponential() {
+        let parameters = [("mu", 3.0), ("gamma", 0.4)];
+        let written = formula("mu*exp(gamma*y)", None, &parameters).law(&thick(5.0)).unwrap();
+        let exponential = Exponential::by_gradient(Positive::new(3.0).unwrap(), Finite::new(0.4).unwrap());
+        let exponential = exponential.law(&thick(5.0)).unwrap();
+        for i in 0..=20 {
+            let depth = f64::from(i) / 20.0;
+            assert!((written.modulus(depth) / exponential.modulus(depth) - 1.0).abs() < 1e-15);
+        }
+        let (series, exact) = (written.surface_series(20), exponential.surface_series(20));
+        assert_eq!(series.len(), 20);
+        assert!(series.iter().zip(exact).all(|(a, b)| (a - b).abs() < 1e-14 * b), "{series:?}");
+        assert!(written.breakpoints().is_empty() && written.poisson(0.5).is_none());
+    }
+
+    #[test]
+    fn kinks_are_breakpoints() {
+        assert_eq!(law("1 + abs(y - 1)").breakpoints(), [0.25]);
+        assert_eq!(law("1 + max(0, y - 3)*abs(y - 5) + min(y, 2)").breakpoints(), [0.5, 0.75]);
+        assert!(law("1 + abs(y + 1)").breakpoints().is_empty());
+        let both = formula("1 + abs(y - 3)", Some("0.3 + 0.01*abs(y - 1)"), &[]).law(&thick(4.0)).unwrap();
+        assert_eq!(both.breakpoints(), [0.25, 0.75]);
+        assert!((both.poisson(0.5).unwrap() - 0.31).abs() < 1e-15);
+        assert!(both.poisson_series(3).iter().zip([0.31, -0.04, 0.0]).all(|(a, b)| (a - b).abs() < 1e-15));
+    }
+
+    /// What has no value at one point has one beside it.
+    #[test]
+    fn gaps_are_closed() {
+        let step = law("2 + abs(y - 1)/(y - 1)");
+        assert!([1.0, 3.0].iter().any(|side| (step.modulus(0.25) - side).abs() < 1e-9));
+        assert_eq!(step.breakpoints(), [0.25]);
+        let sine = law("sin(y)/y + 1");
+        assert!((sine.modulus(0.0) - 2.0).abs() < 1e-12);
+        assert!(sine.surface_series(3).iter().zip([1.0, 0.0, -4.0 / 3.0]).all(|(a, b)| (a - b).abs() < 1e-12));
+    }
+
+    #[test]
+    fn the_thickness_has_a_name() {
+        assert!((law("1 + y/h").modulus(0.5) - 1.5).abs() < 1e-15);
+        let mut taken = formula("1 + y/h", None, &[("h", 2.0)]);
+        assert_eq!(taken.read(&NoFiles).unwrap_err().path, ["parameters", "h"]);
+        assert!(formula("1 + y/(h - 4)", None, &[]).law(&thick(4.0)).is_err());
+    }
+
+    #[test]
+    fn what_cannot_be_is_refused() {
+        for steep in ["1 + sqrt(y)", "1 + y*ln(y)", "1 + y^0.3"] {
+            let refusal = formula(steep, None, &[]).law(&thick(4.0)).unwrap_err();
+            assert!(matches!(refusal, Refusal::NotBuilt { .. }), "{steep}: {refusal}");
+        }
+        assert_eq!(law("1 + y^1.5").surface_series(9).len(), 2);
+        assert!(matches!(formula("1 + y", None, &[]).law(&Setting::default()), Err(Refusal::NotBuilt { .. })));
+        for (modulus, poisson, key) in [("1 + x", None, "modulus"), ("1 + y", Some("y*"), "poisson")] {
+            assert_eq!(formula(modulus, poisson, &[]).read(&NoFiles).unwrap_err().path, [key]);
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! A modulus given by measured or computed values.
+
+mod floater_hormann;
+mod profile;
+mod rows;
+
+use crate::thickness;
+use profile::Profile;
+use serde::{Deserialize, Serialize};
+use slipzone_api::{Fault, Files, Grading, ModulusLaw, NoFiles, Positive, Refusal, Setting};
+use std::sync::Arc;
+
+/// Moduli, and Poisson's ratios, at depths.
+///
+/// Between the rows, and exactly through them, go rational functions without poles (M. Floater, K. Hormann, Numer. Math.
+/// 107 (2007) 315, of degree 4): one for the logarithm of the modulus, so that it stays positive and an exponential law
+/// comes back exactly, one for Poisson's ratio. They are analytic; their error falls like the fifth power of the distance
+/// between rows. What scatters in the rows scatters between them, too: nothing is smoothed. Time: linear in the number
+/// of rows for each value.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(try_from = "Written", into = "Written")]
+pub struct Table {
+    source: Source,
+    depth_unit: Positive,
+    modulus_unit: Positive,
+    /// What was made of the rows, once they are there.
+    profile: Option<Arc<Profile>>,
+}
+
+/// Where the rows come from.
+#[derive(Clone, Debug)]
+enum Source {
+    File(String),
+    Points(Vec<Vec<f64>>),
+}
+
+/// The keys of the table in a scene.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    file: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    points: Option<Vec<Vec<f64>>>,
+    #[serde(default = "one")]
+    depth_unit: Positive,
+    #[serde(default = "one")]
+    modulus_unit: Positive,
+}
+
+fn one() -> Positive {
+    Positive::new(1.0).expect("a positive constant")
+}
+
+impl TryFrom<Written> for Table {
+    type Error = String;
+
+    fn try_from(Written { file, points, depth_unit, modulus_unit }: Written) -> Result<Self, String> {
+        let source = match (file, points) {
+            (Some(file), None) => Source::File(file),
+            (None, Some(points)) => Source::Points(points),
+            (Some(_), Some(_)) => return Err("expected one of `file` and `points`, found both".into()),
+            (None, None) => return Err("expected `file` or `points` (rows of depth and modulus), found neither".into()),
+        };
+        Ok(Self { source, depth_unit, modulus_unit, profile: None })
+    }
+}
+
+impl From<Table> for Written {
+    fn from(Table { source, depth_unit, modulus_unit, .. }: Table) -> Self {
+        let (file, points) = match source {
+            Source::File(file) => (Some(file), None),
+            Source::Points(points) => (None, Some(points)),
+        };
+        Self { file, points, depth_unit, modulus_unit }
+    }
+}
+
+slipzone_api::register!(Grading, "table", "measured or computed moduli at depths, with a smooth curve through them",
+    example: "type = \"table\"\npoints = [[0.0, 1.0], [1.0, 1.5], [2.0, 2.2], [3.0, 3.1], [5.0, 5.5]]",
+    parameters: [
+        ("points", "[[depth, modulus], ...] or [[depth, modulus, poisson], ...], from depth 0 to the base at least, at least 4 rows (depth_unit, modulus_unit, no unit); `file`, the name of a file with such rows, may stand in its place", true, []),
+        ("depth_unit", "unit of the depths (length); default 1", false, [1.0, 1000.0]),
+        ("modulus_unit", "unit of the moduli (stress); default 1", false, [0.001, 1.0, 1000.0]),
+    ],
+    source: "M. Floater, K. Hormann, Numer. Math. 107 (2007) 315, eqs. 11, 18");
+
+impl Table {
+    /// The grading of rows `[depth, modulus]` or `[depth, modulus, poisson]`, in the scene's units.
+    pub fn points(points: Vec<Vec<f64>>) -> Self {
+        Self { source: Source::Points(points), depth_unit: one(), modulus_unit: one(), profile: None }
+    }
+
+    /// The rows understood, with curves through them.
+    fn understood(&self, files: &dyn Files) -> Result<Profile, Fault> {
+        let (rows, key, place) = match &self.source {
+            Source::Points(points) => (rows::of_points(points)?, "points", None),
+            Source::File(name) => (rows::of_file(name, files)?, "file", Some(slipzone_api::rows::whole(name))),
+        };
+        Profile::new(&rows, self.depth_unit.get(), self.modulus_unit.get()).map_err(|mut fault| {
+            fault.path = vec![key.into()];
+            match place {
+                Some(place) => fault.at(place),
+                None => fault,
+            }
+        })
+    }
+}
+
+#[typetag::serde(name = "table")]
+impl Grading for Table {
+    fn read(&mut self, files: &dyn Files) -> Result<(), Fault> {
+        self.profile = Some(Arc::new(self.understood(files)?));
+        Ok(())
+    }
+
+    fn law(&self, setting: &Setting) -> Result<Box<dyn ModulusLaw>, Refusal> {
+        let unusable = |why: String| Refusal::Unusable { plugin: "table", why };
+        let profile = match &self.profile {
+            Some(profile) => Arc::clone(profile),
+            None => Arc::new(self.understood(&NoFiles).map_err(|fault| unusable(fault.to_string()))?),
+        };
+        let thickness = thickness::of(setting, "a grading by a table")?;
+        profile.law(thickness).map_err(unusable)
+    }
+}
+
+/// See [`crate::link`].
+pub(crate) fn link() {}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,95 @@
+//! Curves through the rows of a table.
+
+use super::floater_hormann::Interpolant;
+use super::rows::Rows;
+use slipzone_api::{Fault, ModulusLaw, Poisson};
+use std::sync::Arc;
+
+/// The fewest rows.
+const LEAST: usize = 4;
+
+/// By how much of itself a table may end above the base: roundings of decimals and of units.
+const ROUNDING: f64 = 1e-9;
+
+/// The logarithm of the modulus, and Poisson's ratio, over depth in the user's unit.
+#[derive(Debug)]
+pub(super) struct Profile {
+    curve: Interpolant,
+    logarithms: Vec<f64>,
+    /// Poisson's ratios; none where the layer has one.
+    ratios: Vec<f64>,
+}
+
+impl Profile {
+    pub(super) fn new(rows: &Rows, depth_unit: f64, modulus_unit: f64) -> Result<Self, Fault> {
+        let count = rows.depths.len();
+        if count < LEAST {
+            let found = if count == 1 { "1 row".into() } else { format!("{count} rows") };
+            return Err(Fault::new(&[], "too few rows").found(found).expected(format!("at least {LEAST}")));
+        }
+        let curve = Interpolant::new(rows.depths.iter().map(|depth| depth * depth_unit).collect());
+        let logarithms = rows.moduli.iter().map(|modulus| (modulus * modulus_unit).ln()).collect();
+        let profile = Self { curve, logarithms, ratios: rows.ratios.clone() };
+        profile.overshoot().map_or(Ok(profile), Err)
+    }
+
+    /// A Poisson's ratio out of range between rows that are in range.
+    fn overshoot(&self) -> Option<Fault> {
+        if self.ratios.is_empty() {
+            return None;
+        }
+        self.curve.nodes().windows(2).find_map(|ends| {
+            let depth = 0.5 * (ends[0] + ends[1]);
+            let ratio = self.curve.at(depth, &self.ratios);
+            Poisson::new(ratio).is_err().then(|| {
+                Fault::new(&[], "the curve through the Poisson's ratios leaves their range")
+                    .found(format!("{ratio:.6} at depth {depth:.6}, between two rows"))
+                    .expected("a curve above -1 and up to 0.5")
+                    .hint("give more rows there, or ratios that change less abruptly; a jump is a `stack`")
+            })
+        })
+    }
+
+    /// The law of a layer of that thickness; in words, why there is none.
+    pub(super) fn law(self: Arc<Self>, thickness: f64) -> Result<Box<dyn ModulusLaw>, String> {
+        let last = self.curve.nodes()[self.curve.nodes().len() - 1];
+        if last < thickness * (1.0 - ROUNDING) {
+            return Err(format!(
+                "the rows end at depth {last}, above the base at {thickness}; add a row at or below the base, or check \
+                 `depth_unit` and the thickness"
+            ));
+        }
+        Ok(Box::new(Law { profile: self, thickness }))
+    }
+}
+
+#[derive(Debug)]
+struct Law {
+    profile: Arc<Profile>,
+    thickness: f64,
+}
+
+impl ModulusLaw for Law {
+    fn modulus(&self, depth: f64) -> f64 {
+        self.profile.curve.at(depth * self.thickness, &self.profile.logarithms).exp()
+    }
+
+    fn poisson(&self, depth: f64) -> Option<f64> {
+        if self.profile.ratios.is_empty() {
+            return None;
+        }
+        Some(self.profile.curve.at(depth * self.thickness, &self.profile.ratios))
+    }
+
+    fn surface_series(&self, terms: usize) -> Vec<f64> {
+        let logarithm = self.profile.curve.series(&self.profile.logarithms, self.thickness, terms);
+        logarithm.with_value(0.0).exp().into_finite()
+    }
+
+    fn poisson_series(&self, terms: usize) -> Vec<f64> {
+        if self.profile.ratios.is_empty() {
+            return Vec::new();
+        }
+        self.profile.curve.series(&self.profile.ratios, self.thickness, terms).into_finite()
+    }
+}

@@ -1,0 +1,186 @@
+use super::*;
+use slipzone_api::Place;
+
+/// One file, whatever its name.
+struct One(String);
+
+impl Files for One {
+    fn read(&self, _name: &str) -> Result<Vec<u8>, String> {
+        Ok(self.0.clone().into_bytes())
+    }
+}
+
+const THICKNESS: f64 = 2.0;
+
+fn law(table: &Table) -> Box<dyn ModulusLaw> {
+    table.law(&Setting::thick(Positive::new(THICKNESS).unwrap())).unwrap_or_else(|refusal| panic!("{refusal}"))
+}
+
+/// Rows of a law, their distances growing with depth.
+fn sampled(count: u32, modulus: impl Fn(f64) -> f64, poisson: Option<fn(f64) -> f64>) -> Table {
+    let depth = |i: u32| {
+        let part = f64::from(i) / f64::from(count - 1);
+        THICKNESS * part * (1.0 + 0.5 * part) / 1.5
+    };
+    let row = |depth: f64| [depth, modulus(depth)].into_iter().chain(poisson.map(|nu| nu(depth))).collect();
+    Table::points((0..count).map(depth).map(row).collect())
+}
+
+/// The largest relative error over the layer.
+fn worst(law: &dyn ModulusLaw, modulus: impl Fn(f64) -> f64) -> f64 {
+    let depths = (0..=1000).map(|i| f64::from(i) / 1000.0);
+    depths.map(|depth| (law.modulus(depth) / modulus(THICKNESS * depth) - 1.0).abs()).fold(0.0, f64::max)
+}
+
+fn smooth(y: f64) -> f64 {
+    1.0 + 3.0 * (-(y - 1.0).powi(2) * 4.0).exp()
+}
+
+#[test]
+fn an_exponential_comes_back() {
+    for count in [4, 5, 20, 300] {
+        let law = law(&sampled(count, |y| 3.0 * (0.9 * y).exp(), None));
+        assert!(worst(&*law, |y| 3.0 * (0.9 * y).exp()) < 2e-15 * f64::from(count).sqrt().max(4.0), "{count}");
+        let series = law.surface_series(5);
+        let exact = [1.0, 1.8, 1.8 * 1.8 / 2.0, 1.8_f64.powi(3) / 6.0, 1.8_f64.powi(4) / 24.0];
+        // Divided differences over the first distances, 0.005 of the layer among 300 rows.
+        let rounding = 1e-16 * f64::from(count).powi(2);
+        for (k, (a, b)) in series.iter().zip(exact).enumerate().take(3) {
+            assert!(
+                (a - b).abs() < 1e-13 + rounding * f64::from(count).powi(i32::try_from(k).unwrap()),
+                "{count}: {series:?}"
+            );
+        }
+    }
+}
+
+/// The error falls like the distance to the power of the degree and one more.
+#[test]
+fn the_error_falls_with_the_fifth_power() {
+    let errors: Vec<f64> = [21, 41, 81, 161].map(|count| worst(&*law(&sampled(count, smooth, None)), smooth)).into();
+    for pair in errors.windows(2) {
+        let order = (pair[0] / pair[1]).log2();
+        assert!(order > 4.5, "{errors:?}: {order}");
+    }
+    assert!(errors[3] < 1e-7, "{errors:?}");
+}
+
+#[test]
+fn the_curve_goes_through_the_rows() {
+    let table = sampled(17, smooth, Some(|y| 0.3 - 0.05 * y));
+    let law = law(&table);
+    let Source::Points(points) = &table.source else { panic!() };
+    for row in points {
+        let depth = row[0] / THICKNESS;
+        assert!((law.modulus(depth) / row[1] - 1.0).abs() < 1e-14);
+        assert!((law.poisson(depth).unwrap() - row[2]).abs() < 1e-15);
+        assert!((law.modulus(depth + 1e-13) / row[1] - 1.0).abs() < 1e-11, "close to a row nothing blows up");
+    }
+    assert!(law.modulus(f64::MIN_POSITIVE).is_finite());
+    let series = law.poisson_series(3);
+    assert!(series.iter().zip([0.3, -0.1, 0.0]).all(|(a, b)| (a - b).abs() < 1e-12), "{series:?}");
+}
+
+/// The series is that of the curve itself, to any order.
+#[test]
+fn series_add_up_to_the_curve() {
+    let law = law(&sampled(9, smooth, Some(|y| 0.2 + 0.1 * (3.0 * y).sin())));
+    let (modulus, poisson) = (law.surface_series(40), law.poisson_series(40));
+    for depth in [0.003, 0.01, 0.02] {
+        let sum = |series: &[f64]| series.iter().rev().fold(0.0, |sum, c| sum * depth + c);
+        assert!((sum(&modulus) - law.modulus(depth) / law.surface_modulus()).abs() < 1e-12, "{depth}");
+        assert!((sum(&poisson) - law.poisson(depth).unwrap()).abs() < 1e-12, "{depth}");
+    }
+}
+
+#[test]
+fn units_scale() {
+    let plain = sampled(9, smooth, None);
+    let small =
+        Table { depth_unit: Positive::new(1e-3).unwrap(), modulus_unit: Positive::new(1e9).unwrap(), ..plain.clone() };
+    let small = small.law(&Setting::thick(Positive::new(THICKNESS * 1e-3).unwrap())).unwrap();
+    for depth in [0.0, 0.3, 1.0] {
+        assert!((small.modulus(depth) / (1e9 * law(&plain).modulus(depth)) - 1.0).abs() < 1e-13);
+    }
+}
+
+#[test]
+fn the_base_must_be_reached() {
+    let setting = |thickness| Setting::thick(Positive::new(thickness).unwrap());
+    let table = sampled(9, smooth, None);
+    assert!(table.law(&setting(THICKNESS * (1.0 + 1e-10))).is_ok());
+    assert!(table.law(&setting(0.5)).is_ok(), "rows below the base do no harm");
+    let refusal = table.law(&setting(THICKNESS * 1.001)).unwrap_err();
+    assert!(matches!(refusal, Refusal::Unusable { .. }), "{refusal}");
+    assert!(matches!(table.law(&Setting::default()), Err(Refusal::NotBuilt { .. })));
+}
+
+#[test]
+fn faults_in_a_file_are_located() {
+    let file = Table { source: Source::File("moduli.csv".into()), ..Table::points(Vec::new()) };
+    let of_text = |text: &str| file.understood(&One(text.into()));
+    let rows = "depth, modulus\n0, 1\n1, 2\n2, 3\n3, 4\n";
+    assert!(of_text(rows).is_ok());
+    assert!(of_text("0 1 0.3\n1 2 0.3\n2 3 0.2\n3 4 0.2\n").is_ok());
+    let cases = [
+        (rows.replace("2, 3", "2, -3"), 4, "modulus that is not allowed", "`-3`"),
+        (rows.replace("2, 3", "2, 0"), 4, "modulus that is not allowed", "`0`"),
+        (rows.replace("2, 3", "0.5, 3"), 4, "depth that does not ascend", "0.5 after 1"),
+        (rows.replace("2, 3", "1, 3"), 4, "depth that was there before", "1 after 1"),
+        (rows.replace("0, 1", "0.1, 1"), 2, "not at the surface", "`0.1`"),
+        (rows.replace("0, 1", "-1, 1"), 2, "depth that is not allowed", "`-1`"),
+        (rows.replace("2, 3", "2, 3, 0.3"), 4, "differs from those before", "3 columns below rows of 2"),
+        (rows.replace("2, 3", "2, 3, 0.3, 1"), 4, "not a row of two or three columns", "4 columns"),
+        (rows.replace("2, 3", "2"), 4, "not a row of two or three columns", "1 column"),
+        (rows.replace("2, 3", "2, three"), 4, "not a number", "`three`"),
+        ("0 1 0.3\n1 2 0.6\n".into(), 2, "Poisson's ratio that is not allowed", "`0.6`"),
+        ("0 1\n1 2\n2 3\n".into(), 0, "too few rows", "3 rows"),
+        (String::new(), 0, "too few rows", "0 rows"),
+    ];
+    for (text, at, message, found) in cases {
+        let fault = of_text(&text).expect_err(message);
+        assert!(fault.message.contains(message), "{message}: {fault}");
+        assert!(fault.found.as_ref().is_some_and(|words| words.contains(found)), "{message}: {fault}");
+        assert!(matches!(&fault.place, Place::File { line, .. } if *line == at), "{fault}");
+        assert_eq!(fault.path, ["file"]);
+    }
+}
+
+#[test]
+fn faults_in_points_are_located() {
+    let fault = |points: &[&[f64]]| {
+        Table::points(points.iter().map(|row| row.to_vec()).collect()).understood(&NoFiles).unwrap_err()
+    };
+    assert_eq!(fault(&[&[0.0, 1.0], &[1.0, f64::NAN]]).path, ["points", "1", "1"]);
+    assert_eq!(fault(&[&[0.0, 1.0], &[1.0]]).path, ["points", "1"]);
+    assert_eq!(fault(&[&[0.0, 1.0], &[1.0, 1.0, 0.3]]).path, ["points", "1"]);
+    assert_eq!(fault(&[&[]]).path, ["points", "0"]);
+    assert_eq!(fault(&[&[0.0, 1.0]]).path, ["points"]);
+    let jump: Vec<_> = (0..8).map(|i| vec![f64::from(i), 1.0, if i < 4 { 0.1 } else { 0.5 }]).collect();
+    let fault = Table::points(jump).understood(&NoFiles).unwrap_err();
+    assert!(fault.message.contains("leaves their range"), "{fault}");
+}
+
+/// The most rows are read at once, and a million are refused at once.
+#[test]
+fn many_rows() {
+    use std::fmt::Write;
+    let begin = std::time::Instant::now();
+    let mut text = String::new();
+    for i in 0..rows::MOST {
+        let depth = THICKNESS * i as f64 / (rows::MOST - 1) as f64;
+        writeln!(text, "{depth} {} {}", smooth(depth), 0.3).unwrap();
+    }
+    let mut table = Table { source: Source::File("moduli.csv".into()), ..Table::points(Vec::new()) };
+    table.read(&One(text)).unwrap();
+    assert!(worst(&*law(&table), smooth) < 1e-12);
+    let mut text = String::new();
+    for i in 0..1_000_000 {
+        writeln!(text, "{i} 1").unwrap();
+    }
+    let fault = table.understood(&One(text)).unwrap_err();
+    assert_eq!(fault.message, "too many rows");
+    assert!(fault.hint.unwrap().contains("thin the rows out"));
+    let took = begin.elapsed();
+    assert!(took.as_secs_f64() < 5.0, "{took:?}; 0.3 s on a machine with nothing else to do");
+}

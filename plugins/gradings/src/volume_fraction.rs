@@ -1,0 +1,71 @@
+//! Two materials mixed in a proportion that changes with depth.
+
+mod law;
+mod phase;
+mod rule;
+
+use crate::homogeneous::Constant;
+use crate::own_poisson::OwnPoisson;
+use crate::thickness;
+use law::Law;
+pub use phase::Phase;
+pub use rule::MixingRule;
+use serde::{Deserialize, Serialize};
+use slipzone_api::{Grading, ModulusLaw, Positive, Refusal, Setting};
+
+/// A volume fraction `(y/h)^exponent` of the base's material in that of the surface, and a rule for what the mixture is.
+///
+/// Moduli are of the kind that the scene names. With an exponent that is no whole number the law's derivatives at the
+/// surface exist up to the next whole number above the exponent, less one, and no further; with one below 1 there is no
+/// first one either, which is refused.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct VolumeFraction {
+    /// The material at the surface.
+    pub surface: Phase,
+    /// The material at the base.
+    pub base: Phase,
+    /// Power of the relative depth.
+    pub exponent: Positive,
+    /// How the mixture's moduli come about.
+    pub rule: MixingRule,
+}
+
+slipzone_api::register!(Grading, "volume-fraction", "two materials mixed, the share of the second like a power of depth",
+    example: "type = \"volume-fraction\"\nsurface = { modulus = 1.0, poisson = 0.3 }\nbase = { modulus = 4.0, poisson = 0.2 }\n\
+              exponent = 2.0\nrule = \"mori-tanaka\"",
+    parameters: [
+        ("surface", "{ modulus, poisson } of the material at the surface (stress, no unit)", true, []),
+        ("base", "{ modulus, poisson } of the material at the base (stress, no unit)", true, []),
+        ("exponent", "power of the depth in the volume fraction of the base's material; at least 1", true, [1.0, 2.0, 2.5]),
+        ("rule", "\"mixture\" (modulus and Poisson's ratio in proportion) or \"mori-tanaka\" (spheres of the base's material in that of the surface)", true, []),
+    ],
+    source: "Y. Benveniste, Mech. Mater. 6 (1987) 147, eqs. 21, 22 for spheres");
+
+#[typetag::serde(name = "volume-fraction")]
+impl Grading for VolumeFraction {
+    fn law(&self, setting: &Setting) -> Result<Box<dyn ModulusLaw>, Refusal> {
+        thickness::of(setting, "a volume fraction that grows towards the base")?;
+        let Self { surface, base, exponent, rule } = self;
+        if surface == base {
+            return Ok(Box::new(OwnPoisson::new(Box::new(Constant(surface.modulus.get())), surface.poisson)));
+        }
+        if exponent.get() < 1.0 {
+            return Err(Refusal::NotBuilt {
+                what: format!(
+                    "a volume fraction like depth^{}, whose modulus has an infinite gradient at the surface,",
+                    exponent.get()
+                ),
+                remedy: "choose an `exponent` of at least 1".into(),
+            });
+        }
+        let mixture = rule.mixture(*surface, *base, setting.moduli);
+        Ok(Box::new(Law { mixture, exponent: exponent.get() }))
+    }
+}
+
+/// See [`crate::link`].
+pub(crate) fn link() {}
+
+#[cfg(test)]
+mod tests;
