@@ -20,7 +20,7 @@ fn scene(case: &Value) -> Result<Scene, String> {
         "punch": { "type": "flat", "half_width": 1.0 }, "load": { "force": 1.0 },
     });
     let text = toml::to_string(&scene).expect("tables and numbers");
-    parse("case", &text).map_err(|error| format!("{error}\n{text}"))
+    parse("case", &text).map_err(|error| error.to_string())
 }
 
 /// Largest difference: `vv` and `uu` relative to themselves, `uv`, which passes through zero, to their mean.
