@@ -28,10 +28,7 @@ pub(super) enum Command {
         scene: PathBuf,
     },
     /// Show a scene with defaults filled in, and how it would be solved
-    Explain {
-        /// Scene file (TOML); `-` reads standard input
-        scene: PathBuf,
-    },
+    Explain(Explain),
     /// List the plugins, or describe one
     Plugins {
         /// Name of a plugin, as in `type = "..."`
@@ -40,6 +37,16 @@ pub(super) enum Command {
         #[arg(long)]
         json: bool,
     },
+}
+
+#[derive(Debug, Args)]
+pub(super) struct Explain {
+    /// Scene file (TOML); `-` reads standard input
+    pub(super) scene: PathBuf,
+    /// Draw the elastic constants over depth, and the flexibility of the surface, as SVG
+    #[cfg(feature = "plot")]
+    #[arg(long, value_name = "FILE")]
+    pub(super) svg: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

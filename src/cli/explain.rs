@@ -1,20 +1,56 @@
 //! `slipzone explain`: the scene as understood, what follows from it, and how it would be solved.
 
+mod layer;
+
+use super::args::Explain;
+#[cfg(feature = "plot")]
+use super::output::{self, Target};
 use super::{Failure, Outcome, input, print};
-use slipzone::api::{Base, Elastic, Positive};
-use slipzone::engine::{self, Plan};
+use slipzone::api::{Base, LayerResponse, Positive, Refusal};
+use slipzone::engine::{self, DepthProfile, Plan};
 use slipzone::scene::{Load, Scene};
 use std::fmt::Write;
-use std::path::Path;
 
-pub(super) fn run(path: &Path) -> Result<Outcome, Failure> {
-    let scene = input::scene(path)?;
+/// What is known of a scene's layer before anything is solved.
+struct Known {
+    /// `None` where the solid is the same at every depth and has no base.
+    depths: Result<Option<DepthProfile>, Refusal>,
+    response: Result<Box<dyn LayerResponse>, Refusal>,
+}
+
+pub(super) fn run(arguments: &Explain) -> Result<Outcome, Failure> {
+    #[cfg(feature = "plot")]
+    if let Some(path) = &arguments.svg {
+        output::named("--svg", path, "standard output is for the text; a file called `-` is `./-`")?;
+        output::distinct(&arguments.scene, &[("--svg", path)])?;
+    }
+    let scene = input::scene(&arguments.scene)?;
+    #[cfg(feature = "plot")]
+    let target = arguments.svg.as_deref().map(Target::new).transpose()?;
+    let known = Known { depths: DepthProfile::new(&scene.layer), response: engine::response(&scene) };
+    #[cfg(feature = "plot")]
+    if let Some((target, figure)) = target.and_then(|target| Some((target, figure(&scene, &known)?))) {
+        output::write(&[(target, figure)])?;
+    }
     let mut text = resolved(&scene)?;
     // Writing to a string does not fail.
     let _ = derived(&mut text, &scene);
+    let _ = layer::write(&mut text, &scene, &known);
     let _ = choices(&mut text, &scene, &engine::plan(&scene));
     print::result(&text)?;
     Ok(Outcome::Done)
+}
+
+/// The figure of the layer; `None`, with a note, where there is nothing to draw.
+#[cfg(feature = "plot")]
+fn figure(scene: &Scene, known: &Known) -> Option<String> {
+    let flexibility = known.response.as_ref().map_err(Clone::clone);
+    let flexibility = flexibility.and_then(|response| engine::FlexibilityProfile::new(&**response));
+    if let Err(refusal) = &flexibility {
+        print::note(&format!("the figure has no flexibility: {refusal}"));
+    }
+    let depths = known.depths.as_ref().ok().and_then(Option::as_ref);
+    super::solve::figure(slipzone::report::layer_svg(scene, depths, flexibility.as_ref().ok()))
 }
 
 /// The scene with every default filled in: a scene file again.
@@ -25,18 +61,20 @@ fn resolved(scene: &Scene) -> Result<String, Failure> {
 
 /// Constants that the theory is written in.
 fn derived(text: &mut String, scene: &Scene) -> std::fmt::Result {
-    let elastic = Elastic::new(scene.layer.plane, scene.layer.poisson);
     writeln!(text, "\n# What follows from it.")?;
-    writeln!(text, "# kappa    = {}", elastic.kappa)?;
-    writeln!(text, "# beta     = {}", elastic.beta())?;
-    writeln!(text, "# A0 mu1   = {}", elastic.a0())?;
-    match scene.layer.law() {
-        Ok(law) => {
-            writeln!(text, "# mu1      = {}  (stress)", law.surface_modulus())?;
-            writeln!(text, "# A0       = {}  (1/stress)", elastic.a0() / law.surface_modulus())?;
-            match law.exponent() {
+    match scene.layer.model() {
+        Ok(model) => {
+            let elastic = model.elastic;
+            writeln!(text, "# kappa    = {}", elastic.kappa)?;
+            writeln!(text, "# beta     = {}", elastic.beta())?;
+            writeln!(text, "# A0 mu1   = {}", elastic.a0())?;
+            writeln!(text, "# mu1      = {}  (stress)", model.surface_shear)?;
+            writeln!(text, "# A0       = {}  (1/stress)", elastic.a0() / model.surface_shear)?;
+            match model.exponent() {
+                // In the unit of length that the model has of its own.
                 Some(gamma) if scene.layer.base == Base::Infinite => {
-                    writeln!(text, "# gamma    = {gamma}  (1/length)")?;
+                    let length = scene.layer.length().ok().flatten().unwrap_or(1.0);
+                    writeln!(text, "# gamma    = {}  (1/length)", gamma / length)?;
                 }
                 Some(gamma) => writeln!(text, "# gamma h  = {gamma}")?,
                 None => {}

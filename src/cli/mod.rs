@@ -60,7 +60,7 @@ fn dispatch(command: &Command) -> Result<Outcome, Failure> {
     match command {
         Command::Solve(arguments) => solve::run(arguments),
         Command::Check { scene } => check::run(scene),
-        Command::Explain { scene } => explain::run(scene),
+        Command::Explain(arguments) => explain::run(arguments),
         Command::Plugins { name, json } => plugins::run(name.as_deref(), *json),
     }
 }

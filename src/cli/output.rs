@@ -99,6 +99,14 @@ pub(super) fn write(files: &[(Target, String)]) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Refuses standard output where a file is needed; the hint says what else there is.
+pub(super) fn named(option: &str, path: &Path, hint: &str) -> Result<(), Failure> {
+    if is_dash(path) {
+        return Err(Failure::Usage(format!("{option} needs the name of a file"), Some(hint.into())));
+    }
+    Ok(())
+}
+
 /// Refuses outputs that would overwrite one another or the scene.
 pub(super) fn distinct(scene: &Path, outputs: &[(&str, &Path)]) -> Result<(), Failure> {
     let identity =

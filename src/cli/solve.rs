@@ -30,10 +30,7 @@ pub(super) fn run(arguments: &Solve) -> Result<Outcome, Failure> {
         .filter(|(option, path, _)| !(*option == "--json" && is_dash(path)))
         .collect();
     for (option, path, _) in &files {
-        if is_dash(path) {
-            let hint = "only `--json -` prints; a file called `-` is `./-`";
-            return Err(Failure::Usage(format!("{option} needs the name of a file"), Some(hint.into())));
-        }
+        output::named(option, path, "only `--json -` prints; a file called `-` is `./-`")?;
     }
     output::distinct(&arguments.scene, &files.iter().map(|(option, path, _)| (*option, *path)).collect::<Vec<_>>())?;
 
@@ -74,7 +71,7 @@ fn no_curve(option: &str, scene: &Scene) -> Failure {
 }
 
 #[cfg(feature = "plot")]
-fn figure(drawn: Result<String, FigureError>) -> Option<String> {
+pub(super) fn figure(drawn: Result<String, FigureError>) -> Option<String> {
     let told = |error| match error {
         // The reason is told with the status.
         FigureError::Refused(_) => print::note("no figure was drawn: the scene was refused"),

@@ -17,6 +17,7 @@ mod layer;
 mod linear_strain;
 mod loading_curve;
 mod normal;
+mod portrait;
 mod problem;
 mod quantity;
 mod refine;
@@ -37,6 +38,7 @@ pub use finite::first_not_finite;
 pub(crate) use finite::insist;
 pub use layer::Layer;
 pub use loading_curve::Curve;
+pub use portrait::{DepthProfile, FlexibilityProfile, response};
 pub use solution::{
     EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Program, Slip, Solution, Status, StickReport,
 };

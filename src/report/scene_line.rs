@@ -5,6 +5,8 @@ use crate::report::labels::{Labels, one_line, with_unit};
 use crate::report::number::short;
 #[cfg(feature = "plot")]
 use crate::report::number::typeset;
+#[cfg(feature = "plot")]
+use crate::scene::Scene;
 use crate::scene::{Layer, Load};
 use serde_json::Value;
 use slipzone_api::{Base, Friction, Plane, PunchProfile};
@@ -62,6 +64,17 @@ pub(super) fn scene_parts(solution: &Solution, letters: &Alphabet) -> Vec<String
 pub(super) fn constant_parts(solution: &Solution, letters: &Alphabet) -> Vec<String> {
     let fixed = solution.scene.punch.shape().ok().and_then(|shape| shape.fixed_half_width());
     parts_but_load(solution, fixed, letters)
+}
+
+/// What the scene's solid is: thickness, material and base, of Poisson's ratio the layer's own.
+#[cfg(feature = "plot")]
+pub(super) fn layer_parts(scene: &Scene, letters: &Alphabet) -> Vec<String> {
+    let labels = Labels::new(&scene.units);
+    let mut parts = layer(&scene.layer, None, &labels, letters);
+    parts.push(format!("{} = {}", letters.nu, letters.number(scene.layer.poisson.get())));
+    parts.push(plane(scene.layer.plane).into());
+    parts.push(base(&scene.layer.base, &labels, letters));
+    parts
 }
 
 fn parts_but_load(solution: &Solution, half_width: Option<f64>, letters: &Alphabet) -> Vec<String> {

@@ -1,6 +1,9 @@
 //! The tractions as a figure fit to print.
 
+mod axis;
 mod curves;
+mod head;
+mod layer;
 mod loading;
 
 use crate::engine::first_not_finite;
@@ -16,6 +19,7 @@ use kuva::render::color::Color;
 use kuva::render::layout::{ComputedLayout, Layout, TickFormat};
 use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
+pub use layer::layer_svg;
 pub use loading::curve_svg;
 use std::sync::Arc;
 
@@ -37,6 +41,9 @@ pub enum FigureError {
     /// The scene asks for no loading curve, or no load on it has numbers.
     #[error("the solution has no loading curve")]
     NoCurve,
+    /// Neither constants over depth nor flexibilities are known.
+    #[error("nothing is known of the layer")]
+    NoLayer,
 }
 
 /// Canvas in px; the letters are legible when it is printed 85 mm wide, the column of a journal.

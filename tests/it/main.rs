@@ -6,6 +6,7 @@ mod bad_input;
 #[cfg(feature = "cli")]
 mod command_line;
 mod examples;
+mod flexibilities;
 mod friction;
 mod limits;
 mod loading_curve;

@@ -24,6 +24,24 @@ pub(super) const PRESSURE: Stroke = Stroke { name: "pressure p", color: "#1f4e8c
 const SHEAR: Stroke = Stroke { name: "shear q", color: "#b5401c", width: 2.4, dashes: "8 4" };
 const LIMIT: Stroke = Stroke { name: "friction limit ±ηp", color: "#555555", width: 1.3, dashes: "1.5 3" };
 
+/// The points of a curve that can be told apart, both ends among them; `place` gives a point's place in its panel, whose
+/// sides are 1.
+pub(super) fn thinned(points: &[(f64, f64)], place: impl Fn((f64, f64)) -> (f64, f64)) -> Vec<(f64, f64)> {
+    /// Points closer than this part of the panel are left out: nobody sees them.
+    const UNSEEN: f64 = 1e-3;
+    let mut kept: Vec<(f64, f64)> = Vec::new();
+    for (index, &point) in points.iter().enumerate() {
+        let seen = kept.last().is_none_or(|&last| {
+            let (here, there) = (place(point), place(last));
+            (here.0 - there.0).abs() > UNSEEN || (here.1 - there.1).abs() > UNSEEN
+        });
+        if seen || index + 1 == points.len() {
+            kept.push(point);
+        }
+    }
+    kept
+}
+
 /// The range of the ordinate, in mean pressures, and the distance of its ticks.
 #[derive(Clone, Copy)]
 pub(super) struct Frame {

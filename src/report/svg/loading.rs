@@ -1,21 +1,20 @@
 //! Force over indentation and over the sizes of the contact, side by side.
 
-mod axis;
 mod trace;
 
-use super::{ALARM, FigureError, GRID, INK, LEGEND, LETTERS, LINE, SIZE, SUBTITLE};
-use super::{alarm, legend, lines, literal, name_clip, outline, wrapped};
+use super::axis::Axis;
+use super::head::Head;
+use super::{FigureError, GRID, LEGEND, LETTERS, SIZE, alarm, legend, literal, name_clip, outline};
 use crate::engine::{Curve, Solution, Status, first_not_finite};
-use crate::report::labels::{Labels, one_line};
+use crate::report::labels::Labels;
 use crate::report::scene_line::{GREEK, constant_parts};
 use crate::report::svg::curves::Stroke;
-use axis::Axis;
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::{LinePlot, LineStyle};
 use kuva::render::color::Color;
 use kuva::render::layout::{ComputedLayout, Layout};
 use kuva::render::plots::Plot;
-use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
+use kuva::render::render::{Primitive, Scene, render_multiple};
 use trace::Trace;
 
 const DEPTH: Stroke = Stroke { name: "indentation δ", color: "#1f4e8c", width: 2.4, dashes: "none" };
@@ -47,7 +46,10 @@ pub fn curve_svg(solution: &Solution) -> Result<String, FigureError> {
         return Err(FigureError::NoCurve);
     }
 
-    let head = head(solution, curve, panels.len());
+    let parts = constant_parts(solution, &GREEK);
+    let alarm = alarm(curve.status, curve.note.as_deref());
+    let title = solution.scene.title.as_deref();
+    let head = Head::new(title, "Loading curve", &parts, &alarm, panels.len());
     let mut figure = Scene::new(SIZE.0 * panels.len() as f64, head.height + PANEL);
     for (index, panel) in panels.into_iter().enumerate() {
         let mut drawn = draw(&panel, &force);
@@ -168,49 +170,6 @@ fn mark(scene: &mut Scene, computed: &ComputedLayout, trace: &Trace, unit: f64, 
             stroke_width: Some(1.6),
         });
     }
-}
-
-/// Title, scene and what is wrong, over the panels.
-struct Head {
-    lines: Vec<Primitive>,
-    height: f64,
-}
-
-fn head(solution: &Solution, curve: &Curve, panels: usize) -> Head {
-    /// Sizes of letters, px.
-    const TITLE: u32 = 17;
-    const SCENE: u32 = 12;
-    /// Characters of a title that fit over a panel, in the widest of the fonts asked for.
-    const FITTING: usize = 52;
-    let width = SIZE.0 * panels as f64;
-    let title = solution.scene.title.as_deref().map(one_line).filter(|title| !title.is_empty());
-    let title = title.unwrap_or_else(|| "Loading curve".into());
-    let mut head = Head { lines: Vec::new(), height: 14.0 };
-    let mut line = |text: &str, size: u32, color: &str, bold: bool| {
-        head.height += 1.35 * f64::from(size);
-        head.lines.push(Primitive::Text {
-            x: width / 2.0,
-            y: head.height,
-            content: text.into(),
-            size,
-            anchor: TextAnchor::Middle,
-            rotate: None,
-            bold,
-            color: Some(Color::from(color)),
-        });
-    };
-    for text in wrapped(&literal(&title), FITTING * panels, 3) {
-        line(&text, TITLE, INK, false);
-    }
-    let parts = lines(&constant_parts(solution, &GREEK), SUBTITLE * panels);
-    for text in literal(&parts).lines() {
-        line(text, SCENE, INK, false);
-    }
-    for text in alarm(curve.status, curve.note.as_deref()) {
-        line(&text, LETTERS - 2, ALARM, true);
-    }
-    head.height += 0.3 * LINE;
-    head
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! One curve of a panel: force over a length.
 
-use crate::report::svg::curves::Stroke;
+use crate::report::svg::curves::{Stroke, thinned};
 
 /// The points of a curve, in the scene's units, and how it is drawn.
 pub(super) struct Trace {
@@ -15,8 +15,6 @@ pub(super) struct Trace {
 const NEAR: f64 = 0.05;
 /// Powers of the length that the force may begin with; 2 under a cylinder.
 const POWERS: std::ops::RangeInclusive<f64> = 0.2..=20.0;
-/// Points closer than this part of the panel are left out: nobody sees them.
-const UNSEEN: f64 = 1e-3;
 
 impl Trace {
     /// `None` where nothing is known.
@@ -59,7 +57,10 @@ impl Trace {
             let beginning = beginning(start / unit, first);
             first.splice(..0, beginning);
         }
-        segments.into_iter().filter(|segment| !segment.is_empty()).map(move |segment| thinned(&segment, size))
+        segments
+            .into_iter()
+            .filter(|segment| !segment.is_empty())
+            .map(move |segment| thinned(&segment, |(x, y)| (x / size[0], y / size[1])))
     }
 }
 
@@ -72,19 +73,6 @@ fn beginning(start: f64, points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let power = power.filter(|power| POWERS.contains(power)).unwrap_or(1.0);
     let part = |i: u8| f64::from(i) / f64::from(PARTS);
     (0..PARTS).map(part).map(|t| (start + t * (x - start), y * t.powf(power))).collect()
-}
-
-/// The points that can be told apart, both ends among them.
-fn thinned(points: &[(f64, f64)], [width, height]: [f64; 2]) -> Vec<(f64, f64)> {
-    let mut kept: Vec<(f64, f64)> = Vec::new();
-    for (index, &(x, y)) in points.iter().enumerate() {
-        let seen =
-            kept.last().is_none_or(|last| (x - last.0).abs() > UNSEEN * width || (y - last.1).abs() > UNSEEN * height);
-        if seen || index + 1 == points.len() {
-            kept.push((x, y));
-        }
-    }
-    kept
 }
 
 #[cfg(test)]

@@ -1,0 +1,162 @@
+//! What a layer is and how its surface answers, sampled: for those who look at it before solving anything.
+
+use crate::plan;
+use crate::scene::{Layer, Scene};
+use slipzone_api::{Base, LayerModel, LayerResponse, Moduli, ModulusLaw, Refusal, SurfaceFlexibility};
+use std::sync::Arc;
+
+/// How the surface of a scene's layer answers, by the flexibility that would solve it; wave numbers in units of
+/// `1/`[`length`](crate::scene::Layer::length).
+///
+/// # Errors
+/// The method's refusal, or the grading's.
+pub fn response(scene: &Scene) -> Result<Box<dyn LayerResponse>, Refusal> {
+    plan::choose(scene).methods.flexibility.respond(&Arc::new(scene.layer.model()?))
+}
+
+/// Scaled flexibilities of a surface over wave numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlexibilityProfile {
+    /// Wave numbers `s`, ascending, in units of `1/`[`length`](crate::scene::Layer::length).
+    pub wave_numbers: Vec<f64>,
+    /// `s F/A0` at each of them.
+    pub flexibilities: Vec<SurfaceFlexibility>,
+    /// `beta` of the surface: `-s Fuv/A0` tends to it.
+    pub beta: f64,
+}
+
+impl FlexibilityProfile {
+    /// From waves that see the base alone to waves that do not see it.
+    pub fn new(response: &dyn LayerResponse) -> Result<Self, Refusal> {
+        /// Wave numbers: smooth curves, some milliseconds of work.
+        const SAMPLES: u32 = 160;
+        let (longest, shortest) = (0.01_f64, 60.0_f64);
+        let wave_numbers: Vec<f64> =
+            (0..=SAMPLES).map(|i| longest * (shortest / longest).powf(f64::from(i) / f64::from(SAMPLES))).collect();
+        let mut flexibilities = vec![SurfaceFlexibility::default(); wave_numbers.len()];
+        response.surface_into(&wave_numbers, &mut flexibilities)?;
+        Ok(Self { wave_numbers, flexibilities, beta: response.elastic().beta() })
+    }
+}
+
+/// Elastic constants over depth, in the scene's units.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DepthProfile {
+    /// Depths, ascending; the same one twice where a modulus may jump.
+    pub depth: Vec<f64>,
+    /// What the scene calls a modulus, at each of them.
+    pub modulus: Vec<f64>,
+    /// Poisson's ratio at each of them.
+    pub poisson: Vec<f64>,
+    /// Depths within the layer at which the law has a kink or a jump, or a sublayer ends; ascending.
+    pub interfaces: Vec<f64>,
+    /// Number of sublayers of a stack, and of the stacks in it; 1 of any other law.
+    pub sublayers: usize,
+    /// Modulus and Poisson's ratio of the half-plane below, where there is one.
+    pub substrate: Option<(f64, f64)>,
+}
+
+/// A part of a law without kinks or jumps.
+struct Stretch<'l> {
+    law: &'l dyn ModulusLaw,
+    /// Depth of the law's own beginning and its thickness, in units of the whole.
+    top: f64,
+    thickness: f64,
+    /// Ends, in the law's own depth.
+    from: f64,
+    to: f64,
+}
+
+impl DepthProfile {
+    /// `None` for a homogeneous solid without a base, which has no depth to draw; the exponential one is shown over a few
+    /// of its lengths.
+    pub fn new(layer: &Layer) -> Result<Option<Self>, Refusal> {
+        /// Lengths over which an infinite solid is shown.
+        const SHOWN: f64 = 2.0;
+        /// Samples of the whole, and most of them in one stretch.
+        const SAMPLES: usize = 1024;
+        const MOST: usize = 256;
+        let Some(length) = layer.length()? else { return Ok(None) };
+        let model = layer.model()?;
+        let end = if layer.base == Base::Infinite { SHOWN } else { 1.0 };
+        let mut stretches = Vec::new();
+        let sublayers = collect(&*model.law, 0.0, 1.0, end, &mut stretches);
+        let mut profile = Self { sublayers, substrate: substrate(layer), ..Self::default() };
+        let count = (SAMPLES / stretches.len()).clamp(2, MOST);
+        for (index, stretch) in stretches.iter().enumerate() {
+            if index > 0 {
+                profile.interfaces.push(length * (stretch.top + stretch.thickness * stretch.from));
+            }
+            profile.sample(stretch, &model, length, end, count);
+        }
+        Ok(Some(profile))
+    }
+
+    fn sample(&mut self, stretch: &Stretch, model: &LayerModel, length: f64, end: f64, count: usize) {
+        /// Distance from a jump at which the value is that of this side, of the stretch's own length.
+        const BESIDE: f64 = 1e-9;
+        let span = stretch.to - stretch.from;
+        // The ends of a law belong to it; those of a stretch within it may belong to the next.
+        let inside = |depth: f64| [0.0, 1.0, end].contains(&depth);
+        for i in 0..=count {
+            // Denser at the ends, where laws such as roots of the depth are steep.
+            let part = 0.5 - 0.5 * (std::f64::consts::PI * i as f64 / count as f64).cos();
+            let depth = if i == count { stretch.to } else { stretch.from + span * part };
+            let looked = if inside(depth) {
+                depth
+            } else {
+                depth.clamp(stretch.from + BESIDE * span, stretch.to - BESIDE * span)
+            };
+            self.depth.push(length * (stretch.top + stretch.thickness * depth));
+            self.modulus.push(stretch.law.modulus(looked));
+            self.poisson.push(stretch.law.poisson(looked).unwrap_or(model.solid.poisson.get()));
+        }
+    }
+
+    /// Number of parts without kinks or jumps.
+    pub fn stretches(&self) -> usize {
+        self.interfaces.len() + 1
+    }
+
+    /// Least and largest modulus.
+    pub fn modulus_range(&self) -> (f64, f64) {
+        range(&self.modulus)
+    }
+
+    /// Least and largest Poisson's ratio.
+    pub fn poisson_range(&self) -> (f64, f64) {
+        range(&self.poisson)
+    }
+}
+
+/// The stretches of a law that begins at `top`, from the surface downwards; the number of its sublayers.
+fn collect<'l>(law: &'l dyn ModulusLaw, top: f64, thickness: f64, end: f64, out: &mut Vec<Stretch<'l>>) -> usize {
+    let mut above = top;
+    let mut sublayers = 0;
+    for sublayer in law.sublayers() {
+        let part = sublayer.thickness * thickness;
+        sublayers += collect(&*sublayer.law, above, part, 1.0, out);
+        above += part;
+    }
+    if sublayers > 0 {
+        return sublayers;
+    }
+    let inside = law.breakpoints().iter().copied().filter(|depth| *depth > 0.0 && *depth < end);
+    let ends: Vec<f64> = [0.0].into_iter().chain(inside).chain([end]).collect();
+    out.extend(ends.windows(2).map(|ends| Stretch { law, top, thickness, from: ends[0], to: ends[1] }));
+    1
+}
+
+/// The half-plane below, in the kind of modulus that the scene speaks of.
+fn substrate(layer: &Layer) -> Option<(f64, f64)> {
+    let Base::HalfPlane { shear, poisson } = layer.base else { return None };
+    let modulus = match layer.moduli {
+        Moduli::Shear => shear.get(),
+        Moduli::Young => 2.0 * shear.get() * (1.0 + poisson.get()),
+    };
+    Some((modulus, poisson.get()))
+}
+
+fn range(values: &[f64]) -> (f64, f64) {
+    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(*value), most.max(*value)))
+}

@@ -1,0 +1,188 @@
+//! A layer before anything is solved: elastic constants over depth, and how its surface answers.
+
+mod panel;
+mod scale;
+
+use super::curves::Stroke;
+use super::head::Head;
+use super::{FigureError, SIZE, name_clip};
+use crate::engine::{DepthProfile, FlexibilityProfile};
+use crate::report::labels::Labels;
+use crate::report::scene_line::{GREEK, layer_parts};
+use crate::scene::Scene;
+use kuva::backend::svg::SvgBackend;
+use kuva::render::render::{Primitive, Scene as Canvas};
+use panel::Panel;
+use scale::Scale;
+use slipzone_api::{Base, Moduli};
+
+const MODULUS: Stroke = Stroke { name: "modulus", color: "#1f4e8c", width: 2.4, dashes: "none" };
+const POISSON: Stroke = Stroke { name: "Poisson's ratio", color: "#b5401c", width: 2.4, dashes: "none" };
+const NORMAL: Stroke = Stroke { name: "s Fᵥᵥ/A₀", color: "#1f4e8c", width: 2.4, dashes: "none" };
+const SHEAR: Stroke = Stroke { name: "s Fᵤᵤ/A₀", color: "#b5401c", width: 2.4, dashes: "8 4" };
+const COUPLING: Stroke = Stroke { name: "−s Fᵤᵥ/A₀", color: "#3d7a3d", width: 2.4, dashes: "2 3" };
+/// On a logarithmic axis, which has no place for its sign.
+const COUPLING_SIZE: Stroke = Stroke { name: "|s Fᵤᵥ|/A₀", ..COUPLING };
+
+/// Height of the panels, px, and that of Poisson's ratio under the modulus.
+const HEIGHT: f64 = 460.0;
+const LOWER: f64 = 180.0;
+/// Ratio of the largest number to the smallest above which an axis is logarithmic.
+const WIDE: f64 = 30.0;
+/// Interfaces up to which each is drawn: the rows of a table are no interfaces to look at.
+const MOST_INTERFACES: usize = 24;
+/// Width of the base, over the layer's thickness.
+const BASE: f64 = 0.12;
+/// Differences of Poisson's ratio that are rounding.
+const SAME: f64 = 1e-9;
+
+/// A scene's layer as an SVG figure (UTF-8): modulus, and Poisson's ratio where it varies, over depth from the surface on;
+/// beside it the scaled flexibilities of its surface over the wave number, with the limits of short waves. The panel of
+/// what is not there (a solid that is the same at every depth, a flexibility that was refused) is left out. The same layer
+/// always gives the same text.
+pub fn layer_svg(
+    scene: &Scene,
+    depths: Option<&DepthProfile>,
+    flexibility: Option<&FlexibilityProfile>,
+) -> Result<String, FigureError> {
+    let mut columns: Vec<Vec<Panel>> = Vec::new();
+    columns.extend(depths.map(|depths| constants(scene, depths)));
+    columns.extend(flexibility.map(|flexibility| vec![answer(scene, flexibility)]));
+    columns.retain(|column| !column.is_empty());
+    if columns.is_empty() {
+        return Err(FigureError::NoLayer);
+    }
+    let parts = layer_parts(scene, &GREEK);
+    let head = Head::new(scene.title.as_deref(), "Layer", &parts, &[], columns.len());
+    let mut figure = Canvas::new(SIZE.0 * columns.len() as f64, head.height + HEIGHT);
+    for (index, panel) in columns.iter().enumerate() {
+        let margin = panel.iter().map(Panel::margin).fold(0.0, f64::max);
+        for panel in panel {
+            let mut drawn = panel.draw(margin);
+            name_clip(&mut drawn, &format!("frame{index}{}", if panel.place.1 > 0.0 { "below" } else { "" }));
+            if figure.font_family.is_none() {
+                (figure.background_color, figure.text_color) = (drawn.background_color.take(), drawn.text_color.take());
+                figure.font_family = drawn.font_family.take();
+            }
+            let (x, y) = (SIZE.0 * index as f64 + panel.place.0, head.height + panel.place.1);
+            let transform = Some(format!("translate({x},{y})"));
+            figure.add(Primitive::GroupStart { transform, title: None, extra_attrs: None });
+            figure.elements.append(&mut drawn.elements);
+            figure.defs.append(&mut drawn.defs);
+            figure.add(Primitive::GroupEnd);
+        }
+    }
+    figure.elements.extend(head.lines);
+    Ok(SvgBackend::new().with_pretty(true).render_scene(&figure))
+}
+
+/// Modulus over depth, and Poisson's ratio below it where it varies.
+fn constants(scene: &Scene, profile: &DepthProfile) -> Vec<Panel> {
+    let labels = Labels::new(&scene.units);
+    let (Some(&bottom), layer) = (profile.depth.last(), &scene.layer) else { return Vec::new() };
+    let Some(mut x) = Scale::up_to(bottom, "depth y", &labels.length) else { return Vec::new() };
+    let base = match layer.base {
+        Base::Rigid => Some("rigid base"),
+        Base::Frictionless => Some("rigid, no friction"),
+        Base::HalfPlane { .. } => Some("half-plane"),
+        Base::Infinite => None,
+    };
+    let (name, substrate) = match layer.moduli {
+        Moduli::Shear => ("shear modulus µ", profile.substrate),
+        Moduli::Young => ("Young's modulus E", profile.substrate),
+    };
+    let depth = |y: f64| y / x.unit;
+    let end = depth(bottom);
+    x.most = if base.is_some() { end * (1.0 + BASE) } else { end };
+    let curve = |values: &[f64], unit: f64, below: Option<f64>| -> Vec<(f64, f64)> {
+        let inside = profile.depth.iter().zip(values).map(|(y, value)| (y / x.unit, value / unit));
+        let below = below.into_iter().flat_map(|value| [end, x.most].map(|y| (y, value / unit)));
+        inside.chain(below).collect()
+    };
+    let within =
+        |(least, most): (f64, f64), other: Option<f64>| other.map_or((least, most), |v| (least.min(v), most.max(v)));
+    let panel = |y: Scale, stroke: Stroke, points: Vec<(f64, f64)>| Panel {
+        x: x.clone(),
+        y,
+        curves: vec![(stroke, points)],
+        interfaces: profile
+            .interfaces
+            .iter()
+            .map(|y| depth(*y))
+            .filter(|_| profile.interfaces.len() <= MOST_INTERFACES)
+            .collect(),
+        limits: Vec::new(),
+        base: base.map(|name| (end, name)),
+        place: (0.0, 0.0),
+        size: (SIZE.0, HEIGHT),
+    };
+    let mut panels = Vec::new();
+    let (least, most) = within(profile.modulus_range(), substrate.map(|base| base.0));
+    let y = if most > WIDE * least {
+        Some(Scale::logarithmic(least / 1.5, most * 1.5, name, &labels.stress))
+    } else {
+        Scale::up_to(most, name, &labels.stress)
+    };
+    if let Some(y) = y {
+        let points = curve(&profile.modulus, y.unit, substrate.map(|base| base.0));
+        panels.push(panel(y, MODULUS, points));
+    }
+    let (least, most) = within(profile.poisson_range(), substrate.map(|base| base.1));
+    if most - least > SAME
+        && let Some(y) = Scale::around(least, most, "Poisson's ratio ν")
+    {
+        for upper in &mut panels {
+            upper.size.1 = HEIGHT - LOWER;
+            upper.x.label = String::new();
+        }
+        let points = curve(&profile.poisson, 1.0, substrate.map(|base| base.1));
+        panels.push(Panel { place: (0.0, HEIGHT - LOWER), size: (SIZE.0, LOWER), ..panel(y, POISSON, points) });
+    }
+    panels
+}
+
+/// Flexibilities over the wave number.
+fn answer(scene: &Scene, profile: &FlexibilityProfile) -> Panel {
+    let name = match (scene.layer.length(), scene.layer.base) {
+        (Ok(Some(_)), Base::Infinite) => "wave number s / |γ|",
+        (Ok(Some(_)), _) => "wave number × thickness, s h",
+        _ => "wave number s",
+    };
+    let waves = &profile.wave_numbers;
+    let (longest, shortest) = (waves.first().copied().unwrap_or(0.1), waves.last().copied().unwrap_or(10.0));
+    let curve = |entry: fn(&slipzone_api::SurfaceFlexibility) -> f64| -> Vec<(f64, f64)> {
+        waves.iter().copied().zip(profile.flexibilities.iter().map(entry)).collect()
+    };
+    let (normal, shear, coupling) = (curve(|f| f.vv), curve(|f| f.uu), curve(|f| -f.uv));
+    let all = || [&normal, &shear, &coupling].into_iter().flatten().map(|point| point.1);
+    let (least, most) = (all().fold(0.0, f64::min), all().fold(1.0, f64::max));
+    let called = "scaled flexibility of the surface";
+    // A layer that is much softer than its surface gives way by orders of magnitude more.
+    let is_wide = most > WIDE;
+    let y = if is_wide {
+        let least = normal.iter().chain(&shear).map(|point| point.1).fold(profile.beta.max(SMALLEST * most), f64::min);
+        Some(Scale::logarithmic(least.max(SMALLEST * most) / 1.5, most * 1.5, called, ""))
+    } else {
+        Scale::around(least, most, called)
+    };
+    let y = y.expect("a range that holds 0 and 1");
+    let (coupling, stroke) = if is_wide {
+        (coupling.into_iter().map(|(s, value)| (s, value.abs())).collect(), COUPLING_SIZE)
+    } else {
+        (coupling, COUPLING)
+    };
+    let limits = [(1.0, "1".to_owned()), (profile.beta, "β".to_owned())];
+    Panel {
+        x: Scale::logarithmic(longest, shortest, name, ""),
+        limits: limits.into_iter().filter(|limit| y.holds(limit.0)).collect(),
+        y,
+        curves: vec![(NORMAL, normal), (SHEAR, shear), (stroke, coupling)],
+        interfaces: Vec::new(),
+        base: None,
+        place: (0.0, 0.0),
+        size: (SIZE.0, HEIGHT),
+    }
+}
+
+/// What is left out at the bottom of a logarithmic axis, over its largest number.
+const SMALLEST: f64 = 1e-7;

@@ -1,0 +1,128 @@
+//! One panel of the figure of a layer: curves in a frame, thin rules, and a strip for the base.
+
+use super::scale::Scale;
+use crate::report::svg::curves::{Stroke, thinned};
+use crate::report::svg::{GRID, INK, LEGEND, LETTERS, legend, literal, outline};
+use kuva::plot::{LinePlot, LineStyle};
+use kuva::render::annotations::ShadedRegion;
+use kuva::render::color::Color;
+use kuva::render::layout::{ComputedLayout, Layout};
+use kuva::render::plots::Plot;
+use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
+
+/// Colour of the base.
+const BASE: &str = "#ececec";
+
+/// Curves over a length or a wave number.
+pub(super) struct Panel {
+    pub(super) x: Scale,
+    pub(super) y: Scale,
+    pub(super) curves: Vec<(Stroke, Vec<(f64, f64)>)>,
+    /// Dashed verticals, at these abscissae.
+    pub(super) interfaces: Vec<f64>,
+    /// Dashed levels, each with its name.
+    pub(super) limits: Vec<(f64, String)>,
+    /// The base, from this abscissa on, and its name.
+    pub(super) base: Option<(f64, &'static str)>,
+    /// Where the panel stands in the figure, and its size, px.
+    pub(super) place: (f64, f64),
+    pub(super) size: (f64, f64),
+}
+
+/// Thin rules that are no curves.
+fn rule(from: (f64, f64), to: (f64, f64), color: &str, dashes: &str) -> Plot {
+    let line = LinePlot::new().with_data([from, to]).with_color(color).with_stroke_width(0.8);
+    Plot::Line(line.with_line_style(LineStyle::Custom(dashes.into())))
+}
+
+impl Panel {
+    fn plain_layout(&self) -> Layout {
+        let layout = Layout::new((self.x.least, self.x.most), (self.y.least, self.y.most))
+            .with_width(self.size.0)
+            .with_height(self.size.1)
+            .with_box_axes()
+            .with_show_grid(false)
+            .with_font_family("Helvetica, Arial, 'DejaVu Sans', sans-serif")
+            .with_label_size(15)
+            .with_tick_size(LETTERS)
+            .with_body_size(LETTERS)
+            .with_x_label(literal(&self.x.label))
+            .with_y_label(literal(&self.y.label));
+        self.y.beside(self.x.below(layout))
+    }
+
+    /// Room that the numbers beside the frame take, px: panels one over the other share the larger.
+    pub(super) fn margin(&self) -> f64 {
+        ComputedLayout::from_layout(&self.plain_layout()).margin_left
+    }
+
+    /// The panel by itself.
+    pub(super) fn draw(&self, margin: f64) -> Scene {
+        /// Room for the names of limits, px.
+        const NAMES: f64 = 44.0;
+        let plain = ComputedLayout::from_layout(&self.plain_layout());
+        let below = if self.curves.len() > 1 { LEGEND } else { 0.0 };
+        let mut layout = self
+            .plain_layout()
+            .with_force_margins(margin, NAMES)
+            .with_force_margins_y(plain.margin_top, plain.margin_bottom + below)
+            .with_x_label_offset(0.0, -below);
+        if let Some((from, _)) = self.base {
+            layout =
+                layout.with_shaded_region(ShadedRegion::vertical(from, self.x.most).with_color(BASE).with_opacity(1.0));
+        }
+        let computed = ComputedLayout::from_layout(&layout);
+        let mut plots = self.rules();
+        plots.extend(self.curves.iter().map(|(stroke, points)| {
+            // What is not positive has no place on a logarithmic axis.
+            let drawable = |point: &&(f64, f64)| !self.y.is_logarithmic() || point.1 > 0.0;
+            let points: Vec<_> = points.iter().filter(drawable).copied().collect();
+            let points = thinned(&points, |(x, y)| (self.x.place(x), self.y.place(y)));
+            let line = LinePlot::new().with_data(points).with_color(stroke.color).with_stroke_width(stroke.width);
+            Plot::Line(line.with_line_style(LineStyle::Custom(stroke.dashes.into())))
+        }));
+        let mut scene = render_multiple(plots, layout);
+        self.names(&mut scene, &computed);
+        outline(&mut scene, &computed);
+        if self.curves.len() > 1 {
+            legend(&mut scene, &computed, self.curves.iter().map(|curve| &curve.0));
+        }
+        scene
+    }
+
+    /// Grid, interfaces and limits, under the curves.
+    fn rules(&self) -> Vec<Plot> {
+        let Self { x, y, .. } = self;
+        let end = self.base.map_or(x.most, |base| base.0);
+        let upright = |at: f64, color, dashes| rule((at, y.least), (at, y.most), color, dashes);
+        let level = |at: f64, end, color, dashes| rule((x.least, at), (end, at), color, dashes);
+        let mut rules: Vec<Plot> =
+            x.inner_ticks().into_iter().filter(|at| *at < end).map(|at| upright(at, GRID, "none")).collect();
+        rules.extend(y.inner_ticks().into_iter().map(|at| level(at, end, GRID, "none")));
+        rules.extend(self.interfaces.iter().map(|at| upright(*at, INK, "5 4")));
+        rules.extend(self.base.map(|base| upright(base.0, INK, "none")));
+        rules.extend(self.limits.iter().map(|(at, _)| level(*at, x.most, INK, "5 4")));
+        rules
+    }
+
+    /// Names of the limits, right of the frame, and of the base, upright within it.
+    fn names(&self, scene: &mut Scene, computed: &ComputedLayout) {
+        let mut write = |x: f64, y: f64, content: String, anchor: TextAnchor, rotate: Option<f64>| {
+            let (size, color) = (LETTERS - 1, Some(Color::from(INK)));
+            scene.add(Primitive::Text { x, y, content, size, anchor, rotate, bold: false, color });
+        };
+        let half_a_letter = 0.33 * f64::from(LETTERS - 1);
+        let frame_right = computed.width - computed.margin_right;
+        for (at, name) in &self.limits {
+            write(frame_right + 4.0, computed.map_y(*at) + half_a_letter, name.clone(), TextAnchor::Start, None);
+        }
+        let Some((from, name)) = self.base else { return };
+        // Where the line of a half-plane's modulus does not cross it.
+        let last = self.curves.first().and_then(|curve| curve.1.last()).filter(|point| point.0 > from);
+        let (top, bottom) = (computed.margin_top, computed.height - computed.margin_bottom);
+        let is_low = last.is_some_and(|point| self.y.place(point.1) < 0.5);
+        let (y, anchor) = if is_low { (top + 8.0, TextAnchor::End) } else { (bottom - 8.0, TextAnchor::Start) };
+        let middle = f64::midpoint(computed.map_x(from), frame_right);
+        write(middle + half_a_letter, y, name.into(), anchor, Some(-90.0));
+    }
+}

@@ -1,0 +1,107 @@
+//! The scale of an axis: linear or logarithmic, its ends, its ticks and its label.
+
+use crate::report::number::{short, typeset};
+use crate::report::svg::axis::Axis;
+use kuva::render::layout::{Layout, TickFormat};
+use kuva::render::render_utils::generate_ticks_log;
+use std::sync::Arc;
+
+/// An axis of a panel. What is drawn is divided by [`Self::unit`].
+#[derive(Clone)]
+pub(super) struct Scale {
+    pub(super) label: String,
+    pub(super) unit: f64,
+    pub(super) least: f64,
+    pub(super) most: f64,
+    /// Distance of the ticks; `None` on a logarithmic axis.
+    step: Option<f64>,
+    ticks: TickFormat,
+}
+
+impl Scale {
+    /// From 0 to a little beyond the largest number; `None` where that is not above 0.
+    pub(super) fn up_to(largest: f64, name: &str, unit: &str) -> Option<Self> {
+        let axis = Axis::new(largest, name, unit)?;
+        let ticks = axis.ticks();
+        Some(Self { label: axis.label, unit: axis.unit, least: 0.0, most: axis.most, step: Some(axis.step), ticks })
+    }
+
+    /// Around both numbers, neither of which need be 0.
+    pub(super) fn around(least: f64, most: f64, name: &str) -> Option<Self> {
+        /// Room beyond both ends, over the range.
+        const ROOM: f64 = 0.12;
+        /// A number of ticks for panels of any height.
+        const INTERVALS: f64 = 3.0;
+        let room = ROOM * (most - least);
+        let axis = Axis::new((most - least) * 5.0 / INTERVALS, name, "").filter(|axis| axis.unit >= 1.0)?;
+        let (step, ticks) = (axis.step * axis.unit, signed(axis.step));
+        Some(Self { label: name.into(), unit: 1.0, least: least - room, most: most + room, step: Some(step), ticks })
+    }
+
+    /// Around both positive numbers on a logarithmic axis.
+    pub(super) fn logarithmic(least: f64, most: f64, name: &str, unit: &str) -> Self {
+        /// kuva takes what is below 1e-10 for 1e-10: numbers are drawn in units of the largest where need be.
+        const DRAWN: std::ops::Range<f64> = 1e-9..1e15;
+        let fits = DRAWN.contains(&least) && DRAWN.contains(&most);
+        let divisor = if fits { 1.0 } else { 10.0_f64.powf(least.log10().floor()) };
+        let label = if unit.is_empty() { name.to_owned() } else { format!("{name} ({unit})") };
+        let ticks = TickFormat::Custom(Arc::new(move |value| typeset(&short(value * divisor, 3))));
+        Self { label, unit: divisor, least: least / divisor, most: most / divisor, step: None, ticks }
+    }
+
+    pub(super) fn is_logarithmic(&self) -> bool {
+        self.step.is_none()
+    }
+
+    /// Whether a number, in units of the axis, lies between the ends.
+    pub(super) fn holds(&self, value: f64) -> bool {
+        (self.least..=self.most).contains(&value)
+    }
+
+    /// Place of a number, in units of the axis, between the ends 0 and 1.
+    pub(super) fn place(&self, value: f64) -> f64 {
+        let (value, least, most) = match self.step {
+            Some(_) => (value, self.least, self.most),
+            None => (value.max(self.least).ln(), self.least.ln(), self.most.ln()),
+        };
+        (value - least) / (most - least)
+    }
+
+    /// Ticks off the frame.
+    pub(super) fn inner_ticks(&self) -> Vec<f64> {
+        let Some(step) = self.step else { return generate_ticks_log(self.least, self.most) };
+        /// More than any axis has.
+        const MOST: u8 = 32;
+        let first = (self.least / step).floor() * step;
+        let ticks = (0..MOST).map(|i| first + f64::from(i) * step);
+        let off = 1e-6 * (self.most - self.least);
+        ticks.filter(|tick| *tick > self.least + off && *tick < self.most - off).collect()
+    }
+
+    /// The layout with this as its abscissa.
+    pub(super) fn below(&self, layout: Layout) -> Layout {
+        let layout =
+            layout.with_x_axis_min(self.least).with_x_axis_max(self.most).with_x_tick_format(self.ticks.clone());
+        match self.step {
+            Some(step) => layout.with_x_tick_step(step),
+            None => layout.with_log_x(),
+        }
+    }
+
+    /// The layout with this as its ordinate.
+    pub(super) fn beside(&self, layout: Layout) -> Layout {
+        let layout =
+            layout.with_y_axis_min(self.least).with_y_axis_max(self.most).with_y_tick_format(self.ticks.clone());
+        match self.step {
+            Some(step) => layout.with_y_tick_step(step),
+            None => layout.with_log_y(),
+        }
+    }
+}
+
+/// Numbers of any sign with as many decimals as the distance of the ticks has.
+fn signed(step: f64) -> TickFormat {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and few")]
+    let decimals = (-(step.log10() + 1e-9).floor()).clamp(0.0, 9.0) as usize;
+    TickFormat::Custom(Arc::new(move |value| format!("{:.decimals$}", value + 0.0).replace('-', "\u{2212}")))
+}
