@@ -13,6 +13,7 @@
 
 mod assembly;
 mod flexibility;
+mod gradings;
 mod growing;
 mod kernel;
 mod layer;
@@ -40,6 +41,7 @@ fn main() {
     kernel::benchmarks(&mut criterion);
     assembly::benchmarks(&mut criterion);
     solve::benchmarks(&mut criterion);
+    gradings::benchmarks(&mut criterion);
     unavoidable::benchmarks(&mut criterion);
     published::benchmarks(&mut criterion);
     reuse::benchmarks(&mut criterion);

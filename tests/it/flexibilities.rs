@@ -51,9 +51,7 @@ fn worst(case: &Value) -> Result<(f64, f64), String> {
     Ok(worst)
 }
 
-/// Some of the gradings and bases are being built: the test can pass once all of them are.
 #[test]
-#[ignore = "gradings and bases that are not built yet"]
 fn every_grading_on_every_base_agrees_with_an_independent_program() {
     let file: Value = serde_json::from_str(include_str!("../data/flexibilities.json")).expect("valid JSON");
     let mut failed = Vec::new();
@@ -65,6 +63,10 @@ fn every_grading_on_every_base_agrees_with_an_independent_program() {
                 if difference.is_nan() || difference > PROMISED {
                     failed.push(format!("{about}: {difference:.1e} at s = {s}"));
                 }
+            }
+            // Of no use to a contact: its kernel would be unbounded like |t|^(-1/2).
+            Err(why) if about.contains("infinite gradient at the surface") => {
+                assert!(why.contains("not built"), "{about}: {why}");
             }
             Err(why) => failed.push(format!("{about}: {why}")),
         }

@@ -1,16 +1,15 @@
-//! The elastic constants of a stretch of depth, and what they make of a state at its top.
+//! The elastic constants over a stretch of depth, and how a column of it rises over what is below.
 
-use nalgebra::Matrix4;
 use slipzone_api::Material;
 
 /// Most coefficients of a polynomial.
 pub(crate) const MOST: usize = 16;
 
-/// Most orders of a propagator's series.
-const ORDERS: usize = 64;
+/// Most orders of a series in the depth.
+const ORDERS: usize = 44;
 
-/// Terms of a propagator below this, times the fourth power of the wave number in units of the slice, are left out: no
-/// entry is smaller than that power, and each keeps its relative precision.
+/// Terms of a series below this, times the fourth power of the wave number in units of the slice, are left out: no
+/// compliance is smaller than that power, and each keeps its relative precision.
 const NEGLIGIBLE: f64 = f64::EPSILON / 32.0;
 
 /// A polynomial, constant first.
@@ -21,12 +20,6 @@ pub(crate) struct Polynomial {
 }
 
 impl Polynomial {
-    pub(crate) fn constant(value: f64) -> Self {
-        let mut terms = [0.0; MOST];
-        terms[0] = value;
-        Self { terms, count: 1 }
-    }
-
     /// From as many coefficients as there are, at most [`MOST`].
     pub(crate) fn new(coefficients: &[f64]) -> Self {
         let mut terms = [0.0; MOST];
@@ -43,12 +36,11 @@ impl Polynomial {
     }
 
     /// `t -> self(start + width t)`, powers that do not matter on `[0, 1]` dropped.
-    fn window(&self, start: f64, width: f64) -> Self {
+    pub(crate) fn window(&self, start: f64, width: f64) -> Self {
         let mut window = *self;
-        let count = self.count;
-        let terms = &mut window.terms[..count];
-        for low in 0..count.saturating_sub(1) {
-            for k in (low..count - 1).rev() {
+        let terms = &mut window.terms[..self.count];
+        for low in 0..self.count.saturating_sub(1) {
+            for k in (low..self.count - 1).rev() {
                 terms[k] += start * terms[k + 1];
             }
         }
@@ -63,7 +55,7 @@ impl Polynomial {
     }
 }
 
-/// The coefficients of the equations of plane elasticity, in units of a shear modulus that grows like `exp(gamma y)`.
+/// The coefficients of the equations of plane elasticity, polynomials in the depth.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Coefficients {
     /// `1/mu`.
@@ -74,9 +66,13 @@ pub(crate) struct Coefficients {
     pub(crate) contraction: Polynomial,
     /// `beta/mu`.
     pub(crate) cross: Polynomial,
-    /// Growth of the unit of stress over a unit of depth.
-    pub(crate) gamma: f64,
 }
+
+/// A compliance `d = C t` for each of some wave numbers: rows `u`, `v`, columns `sigma_xy`, `sigma_yy`.
+pub(crate) type Compliances<const L: usize> = [[[f64; L]; 2]; 2];
+
+/// Two states `(u, v, sigma_xy, sigma_yy)` for each of some wave numbers: components, states.
+type States<const L: usize> = [[[f64; L]; 2]; 4];
 
 impl Coefficients {
     /// Those of one point: softness, stiffness, contraction, cross, the modulus in units of `unit`.
@@ -86,12 +82,6 @@ impl Coefficients {
         [1.0 / mu, 8.0 * mu / (1.0 + elastic.kappa), elastic.lambda(), elastic.beta() / mu]
     }
 
-    /// Those of a material whose modulus is the unit of stress, which grows by `exp(gamma)`.
-    pub(crate) fn exponential(material: Material, gamma: f64) -> Self {
-        let [softness, stiffness, contraction, cross] = Self::of(material, material.shear).map(Polynomial::constant);
-        Self { softness, stiffness, contraction, cross, gamma }
-    }
-
     /// Over a part of the stretch.
     pub(crate) fn window(&self, start: f64, width: f64) -> Self {
         Self {
@@ -99,78 +89,91 @@ impl Coefficients {
             stiffness: self.stiffness.window(start, width),
             contraction: self.contraction.window(start, width),
             cross: self.cross.window(start, width),
-            gamma: self.gamma * width,
         }
     }
 
-    /// The state `(u, v, sigma_xy, sigma_yy)` at `y = 1` for each unit state at `y = 0`, at wave number `s`: the series in
-    /// `y` of
+    /// What two states at the bottom of a slice of thickness 1 are at its top, at wave numbers `s`: the series in the
+    /// distance from the bottom, in which the coefficients are polynomials here, of
     ///
     /// ```text
-    /// u' = s v + sigma_xy/mu                                 sigma_xy' = 8 mu s^2/(1 + kappa) u + lambda s sigma_yy - gamma sigma_xy
-    /// v' = -lambda s u + (beta/mu) sigma_yy                  sigma_yy' = -s sigma_xy - gamma sigma_yy
+    /// u' = s v + sigma_xy/mu                       sigma_xy' = 8 mu s^2/(1 + kappa) u + lambda s sigma_yy
+    /// v' = -lambda s u + (beta/mu) sigma_yy        sigma_yy' = -s sigma_xy
     /// ```
-    pub(crate) fn propagator(&self, s: f64) -> Matrix4<f64> {
-        let mut orders = Orders::default();
-        for i in 0..4 {
-            orders.0[i][0][i] = 1.0;
-        }
-        let mut sum: [Row; 4] = std::array::from_fn(|i| orders.0[i][0]);
-        let longest = [&self.softness, &self.stiffness, &self.contraction, &self.cross].map(|p| p.count);
-        let longest = longest.into_iter().fold(5, usize::max);
-        let negligible = NEGLIGIBLE * s.min(1.0).powi(4);
+    ///
+    /// with the depth as variable, which falls.
+    #[inline(always)]
+    pub(crate) fn rise<const L: usize>(&self, s: &[f64; L], bottom: States<L>) -> States<L> {
+        let mut orders = [[[[0.0; L]; 2]; 4]; ORDERS];
+        orders[0] = bottom;
+        let mut sum = bottom;
+        let polynomials = [&self.softness, &self.stiffness, &self.contraction, &self.cross];
+        let longest = polynomials.iter().map(|polynomial| polynomial.count).fold(5, usize::max);
+        let negligible = NEGLIGIBLE * s.iter().fold(1.0_f64, |least, s| least.min(*s)).powi(4);
         let mut small = 0;
         for k in 0..ORDERS - 1 {
-            let [u, v, shear, normal] = &orders.0;
-            let (sheared, crossed) = (convolve(&self.softness, shear, k), convolve(&self.cross, normal, k));
-            let (stretched, squeezed) = (convolve(&self.stiffness, u, k), convolve(&self.contraction, u, k));
-            let pushed = convolve(&self.contraction, normal, k);
-            let step = ((k + 1) as f64).recip();
-            let gamma = self.gamma;
-            let next: [Row; 4] = [
-                std::array::from_fn(|i| (s * v[k][i] + sheared[i]) * step),
-                std::array::from_fn(|i| (crossed[i] - s * squeezed[i]) * step),
-                std::array::from_fn(|i| (s * (s * stretched[i] + pushed[i]) - gamma * shear[k][i]) * step),
-                std::array::from_fn(|i| -(s * shear[k][i] + gamma * normal[k][i]) * step),
-            ];
+            let step = -((k + 1) as f64).recip();
+            let mut next = [[[0.0; L]; 2]; 4];
+            let [mut sheared, mut stretched] = [[[0.0; L]; 2]; 2];
+            convolve(&self.softness, &orders, 2, k, &mut sheared);
+            convolve(&self.stiffness, &orders, 0, k, &mut stretched);
+            let [mut crossed, mut squeezed, mut pushed] = [[[0.0; L]; 2]; 3];
+            convolve(&self.cross, &orders, 3, k, &mut crossed);
+            convolve(&self.contraction, &orders, 0, k, &mut squeezed);
+            convolve(&self.contraction, &orders, 3, k, &mut pushed);
             let mut largest = 0.0_f64;
-            for (row, (sum, next)) in orders.0.iter_mut().zip(sum.iter_mut().zip(&next)) {
-                for i in 0..4 {
-                    sum[i] += next[i];
-                    largest = largest.max(next[i].abs());
+            for j in 0..2 {
+                for i in 0..L {
+                    next[0][j][i] = (s[i] * orders[k][1][j][i] + sheared[j][i]) * step;
+                    next[1][j][i] = (crossed[j][i] - s[i] * squeezed[j][i]) * step;
+                    next[2][j][i] = s[i] * (s[i] * stretched[j][i] + pushed[j][i]) * step;
+                    next[3][j][i] = -s[i] * orders[k][2][j][i] * step;
                 }
-                row[k + 1] = *next;
             }
+            for (sum, next) in sum.iter_mut().flatten().flatten().zip(next.iter().flatten().flatten()) {
+                *sum += next;
+                largest = largest.max(next.abs());
+            }
+            orders[k + 1] = next;
             small = if largest <= negligible { small + 1 } else { 0 };
             if small >= 2 && k >= longest {
                 break;
             }
         }
-        Matrix4::from_fn(|i, j| sum[i][j])
+        sum
     }
 }
 
-/// One component of the state for each unit state at the top.
-type Row = [f64; 4];
-
-/// The components of the state, order by order.
-struct Orders([[Row; ORDERS]; 4]);
-
-impl Default for Orders {
-    fn default() -> Self {
-        Self([[[0.0; 4]; ORDERS]; 4])
-    }
-}
-
-/// The `k`-th order of a product.
-#[inline]
-fn convolve(polynomial: &Polynomial, orders: &[Row; ORDERS], k: usize) -> Row {
+/// Adds the `k`-th order of the product of a polynomial with a component of the states.
+#[inline(always)]
+fn convolve<const L: usize>(
+    polynomial: &Polynomial,
+    orders: &[States<L>; ORDERS],
+    component: usize,
+    k: usize,
+    sum: &mut [[f64; L]; 2],
+) {
     let count = polynomial.count.min(k + 1);
-    let mut sum = [0.0; 4];
-    for (c, row) in polynomial.terms[..count].iter().zip(orders[k + 1 - count..=k].iter().rev()) {
-        for i in 0..4 {
-            sum[i] += c * row[i];
+    for (c, order) in polynomial.terms[..count].iter().zip(orders[k + 1 - count..=k].iter().rev()) {
+        let states = &order[component];
+        for j in 0..2 {
+            for i in 0..L {
+                sum[j][i] += c * states[j][i];
+            }
         }
     }
-    sum
+}
+
+/// `d t^-1` of two states: the compliance that both obey.
+#[inline(always)]
+pub(crate) fn compliance<const L: usize>(states: &States<L>) -> Compliances<L> {
+    let [u, v, shear, normal] = states;
+    let mut compliance = [[[0.0; L]; 2]; 2];
+    for i in 0..L {
+        let determinant = (shear[0][i] * normal[1][i] - shear[1][i] * normal[0][i]).recip();
+        for (row, d) in compliance.iter_mut().zip([u, v]) {
+            row[0][i] = (d[0][i] * normal[1][i] - d[1][i] * normal[0][i]) * determinant;
+            row[1][i] = (d[1][i] * shear[0][i] - d[0][i] * shear[1][i]) * determinant;
+        }
+    }
+    compliance
 }

@@ -168,7 +168,9 @@ mod tests {
         let wave_numbers = [3.0, 0.0, 700.0];
         let mut out = [SurfaceFlexibility::default(); 3];
         Compliance {}.respond(&layer).unwrap().surface_into(&wave_numbers, &mut out).unwrap();
-        assert_eq!(out, wave_numbers.map(|s| compliance(&layer, s)));
+        for (out, s) in out.into_iter().zip(wave_numbers).filter(|(_, s)| *s > 0.0) {
+            assert!(distance(out, compliance(&layer, s)) < 1e-14);
+        }
     }
 
     #[test]

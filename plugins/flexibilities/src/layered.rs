@@ -1,16 +1,24 @@
 //! A layer of any law on any base, slice by slice.
 
-use crate::coefficients::Coefficients;
+use crate::coefficients::{self, Coefficients, Compliances};
 use crate::panels::{Matter, Panel, Panels};
 use crate::slice::{Slice, THIN};
 use crate::surface_tail;
 use nalgebra::Matrix2;
+use pulp::Arch;
 use slipzone_api::{Base, Elastic, LayerModel, LayerResponse, Material, Refusal, SurfaceFlexibility};
 use std::sync::Arc;
 
 /// A base is forgotten where `exp(-2 s y)` times the contrast of moduli, and times the square of the
 /// polynomial that goes with it (below `exp(9)` there), drops under `exp(-39) = 1e-17`.
 const FORGOTTEN: f64 = 48.0;
+
+/// Largest `s delta` of a slice in which the constants vary.
+const THICK: f64 = 1.0;
+
+/// Wave numbers that are carried upwards together, and by which factor they may differ.
+const LANES: usize = 4;
+const ALIKE: f64 = 2.0;
 
 /// Terms of the surface series that the values of a law give, where it does not tell them itself.
 const TERMS_BY_VALUES: usize = 8;
@@ -43,39 +51,46 @@ impl Layered {
         Ok(Self { layer, panels, membrane })
     }
 
-    /// Compliance at the surface in units of `1/mu1`, `s > 0`.
-    fn compliance(&self, s: f64) -> Matrix2<f64> {
+    /// Compliance at the surface in units of `1/mu1`, at wave numbers above 0.
+    #[inline(always)]
+    fn compliance<const L: usize>(&self, s: &[f64; L]) -> Compliances<L> {
         let reach = self.reach(s);
-        let mut column = Column::on(self.base(s, reach));
+        let mut column = self.standing(s, reach);
         self.carry(s, (0.0, reach.min(1.0)), &mut column);
-        column.compliance()
+        column.compliance
     }
 
-    /// The same, and the compliance that a traction on the surface has at the depth `datum`: displacements there.
-    fn compliance_and_datum(&self, s: f64, datum: f64) -> (Matrix2<f64>, Matrix2<f64>) {
-        let reach = self.reach(s);
+    /// The same, and what a traction on the surface displaces at the depth `datum`.
+    fn compliance_and_datum(&self, s: f64, datum: f64) -> (Compliances<1>, Matrix2<f64>) {
+        let s = [s];
+        let reach = self.reach(&s);
         if reach <= datum {
-            return (self.compliance(s), Matrix2::zeros());
+            return (self.compliance(&s), Matrix2::zeros());
         }
-        let mut column = Column::on(self.base(s, reach));
-        self.carry(s, (datum, reach.min(1.0)), &mut column);
-        let there = column.compliance();
-        column.transfer = Some(Matrix2::identity());
+        let mut column = self.standing(&s, reach);
+        self.carry(&s, (datum, reach.min(1.0)), &mut column);
+        let there = matrix(&column.compliance, 0);
+        column.transfer = Some([Matrix2::identity()]);
         if let (true, Some(material)) = (datum > 1.0, self.layer.substrate()) {
             let matter = Matter::Exponential(material, 0.0);
-            Panel { top: 1.0, thickness: datum - 1.0, unit: material.shear, matter }.carry(s, (1.0, datum), &mut column);
+            Panel { top: 1.0, thickness: datum - 1.0, unit: material.shear, matter }.carry(
+                &s,
+                (1.0, datum),
+                &mut column,
+            );
         }
-        self.carry(s, (0.0, datum.min(reach).min(1.0)), &mut column);
-        (column.compliance(), there * column.transfer.unwrap_or_default())
+        self.carry(&s, (0.0, datum.min(reach).min(1.0)), &mut column);
+        (column.compliance, there * column.transfer.map_or_else(Matrix2::zeros, |[transfer]| transfer))
     }
 
     /// Depth below which nothing is felt at the surface.
-    fn reach(&self, s: f64) -> f64 {
-        0.5 * (FORGOTTEN + self.panels.contrast) / s
+    fn reach(&self, s: &[f64]) -> f64 {
+        0.5 * (FORGOTTEN + self.panels.contrast) / s.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// Carries a column from the lower to the upper of two depths.
-    fn carry(&self, s: f64, span: (f64, f64), column: &mut Column) {
+    /// Carries columns from the lower to the upper of two depths.
+    #[inline(always)]
+    fn carry<const L: usize>(&self, s: &[f64; L], span: (f64, f64), column: &mut Column<L>) {
         let panels = &self.panels.panels;
         let from = panels.partition_point(|panel| panel.top + panel.thickness <= span.0);
         let to = panels.partition_point(|panel| panel.top < span.1);
@@ -85,16 +100,17 @@ impl Layered {
     }
 
     /// What the layer stands on, as far as it is felt: where its base is out of sight any start does.
-    fn base(&self, s: f64, reach: f64) -> Below {
+    fn standing<const L: usize>(&self, s: &[f64; L], reach: f64) -> Column<L> {
         if reach < 1.0 {
             let panels = &self.panels.panels;
             let deepest = &panels[panels.partition_point(|panel| panel.top < reach) - 1];
-            return Below::Solid(half_plane(Material { shear: deepest.unit, elastic: self.layer.elastic }, s));
+            return Column::half_plane(Material { shear: deepest.unit, elastic: self.layer.elastic }, s);
         }
         match self.layer.substrate() {
-            Some(material) => Below::Solid(half_plane(material, s)),
-            None if self.layer.base == Base::Frictionless => Below::Smooth,
-            None => Below::Solid(Matrix2::zeros()),
+            Some(material) => Column::half_plane(material, s),
+            None => {
+                Column { compliance: [[[0.0; L]; 2]; 2], slides: self.layer.base == Base::Frictionless, transfer: None }
+            }
         }
     }
 
@@ -115,7 +131,26 @@ impl LayerResponse for Layered {
         if s == 0.0 {
             return Ok(self.at_origin());
         }
-        Ok(surface_tail::scaled(&self.compliance(s), s, self.layer.elastic))
+        Ok(surface_tail::scaled(&matrix(&self.compliance(&[s]), 0), s, self.layer.elastic))
+    }
+
+    fn surface_into(&self, wave_numbers: &[f64], out: &mut [SurfaceFlexibility]) -> Result<(), Refusal> {
+        assert_eq!(wave_numbers.len(), out.len(), "one flexibility per wave number");
+        for (some, out) in wave_numbers.chunks(LANES).zip(out.chunks_mut(LANES)) {
+            let (least, most) = some.iter().fold((f64::INFINITY, 0.0_f64), |(l, m), s| (l.min(*s), m.max(*s)));
+            if least <= 0.0 || most > ALIKE * least {
+                for (s, out) in some.iter().zip(out) {
+                    *out = self.surface(*s)?;
+                }
+                continue;
+            }
+            let s: [f64; LANES] = std::array::from_fn(|i| some[i.min(some.len() - 1)]);
+            let compliance = Arch::new().dispatch(|| self.compliance(&s));
+            for (i, out) in out.iter_mut().enumerate() {
+                *out = surface_tail::scaled(&matrix(&compliance, i), s[i], self.layer.elastic);
+            }
+        }
+        Ok(())
     }
 
     fn elastic(&self) -> Elastic {
@@ -166,6 +201,7 @@ impl LayerResponse for AgainstDatum {
             return Ok(SurfaceFlexibility { vv: 0.0, ..self.layer.at_origin() });
         }
         let (surface, there) = self.layer.compliance_and_datum(s, self.datum);
+        let surface = matrix(&surface, 0);
         let elastic = self.layer.layer.elastic;
         let vv = surface_tail::scaled(&(surface - there), s, elastic).vv;
         Ok(SurfaceFlexibility { vv, ..surface_tail::scaled(&surface, s, elastic) })
@@ -185,85 +221,105 @@ impl LayerResponse for AgainstDatum {
     }
 }
 
-/// What a slice stands on.
-#[derive(Clone, Copy, Debug)]
-enum Below {
-    /// A solid of that compliance, in units of `1/mu1`.
-    Solid(Matrix2<f64>),
-    /// A rigid body without friction.
-    Smooth,
-}
-
-/// A part of the layer, as it is carried upwards.
+/// Parts of the layer, as they are carried upwards at some wave numbers.
 #[derive(Debug)]
-struct Column {
-    below: Below,
+struct Column<const L: usize> {
+    /// On top, in units of `1/mu1`.
+    compliance: Compliances<L>,
+    /// Whether there is nothing yet but a rigid base without friction.
+    slides: bool,
     /// Tractions at the datum for tractions on top, once the datum is passed.
-    transfer: Option<Matrix2<f64>>,
+    transfer: Option<[Matrix2<f64>; L]>,
 }
 
-impl Column {
-    fn on(below: Below) -> Self {
-        Self { below, transfer: None }
+impl<const L: usize> Column<L> {
+    fn half_plane(material: Material, s: &[f64; L]) -> Self {
+        let compliance = surface_tail::half_plane_compliance(material.elastic) / material.shear;
+        let entry = |i: usize, j: usize| s.map(|s| compliance[(i, j)] / s);
+        let compliance = [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]];
+        Self { compliance, slides: false, transfer: None }
     }
 
-    fn compliance(&self) -> Matrix2<f64> {
-        match self.below {
-            Below::Solid(compliance) => compliance,
-            Below::Smooth => unreachable!("a layer has a panel"),
+    /// Puts a slice on top of one of the columns; the scales are the units of compliance at its top and at its bottom.
+    fn raise(&mut self, i: usize, slice: &Slice, (top_scale, bottom_scale): (f64, f64)) {
+        let compliance = if self.slides {
+            slice.over_smooth_base()
+        } else {
+            let below = matrix(&self.compliance, i) / bottom_scale;
+            if let Some(transfer) = &mut self.transfer {
+                transfer[i] *= slice.traction(&below);
+            }
+            slice.over(&below)
+        };
+        for (row, entries) in compliance.row_iter().zip(&mut self.compliance) {
+            for (entry, lanes) in row.iter().zip(entries) {
+                lanes[i] = entry * top_scale;
+            }
         }
     }
 
-    /// Puts a slice on top; the scales are the units of compliance at its top and at its bottom.
-    fn raise(&mut self, slice: &Slice, (top_scale, bottom_scale): (f64, f64)) {
-        let compliance = match self.below {
-            Below::Solid(compliance) => {
-                let below = compliance / bottom_scale;
-                if let Some(transfer) = &mut self.transfer {
-                    *transfer *= slice.traction(&below);
-                }
-                slice.over(&below)
-            }
-            Below::Smooth => slice.over_smooth_base(),
+    /// Puts a slice of polynomial coefficients, in the distance from its bottom, on top of all columns; `s` are the wave
+    /// numbers over its thickness.
+    #[inline(always)]
+    fn rise(&mut self, coefficients: &Coefficients, s: &[f64; L], scale: f64) {
+        let (none, one) = ([0.0; L], [1.0; L]);
+        let bottom = if self.slides {
+            self.slides = false;
+            [[one, none], [none, none], [none, none], [none, one]]
+        } else {
+            let scaled = self.compliance.map(|row| row.map(|lanes| lanes.map(|c| c / scale)));
+            [scaled[0], scaled[1], [one, none], [none, one]]
         };
-        self.below = Below::Solid(compliance * top_scale);
+        let top = coefficients.rise(s, bottom);
+        if let Some(transfer) = &mut self.transfer {
+            for (i, transfer) in transfer.iter_mut().enumerate() {
+                let tractions = Matrix2::new(top[2][0][i], top[2][1][i], top[3][0][i], top[3][1][i]);
+                *transfer *= tractions.try_inverse().unwrap_or_else(Matrix2::zeros);
+            }
+        }
+        self.compliance = coefficients::compliance(&top).map(|row| row.map(|lanes| lanes.map(|c| c * scale)));
     }
 }
 
-/// A half-plane's compliance in units of `1/mu1`.
-fn half_plane(material: Material, s: f64) -> Matrix2<f64> {
-    surface_tail::half_plane_compliance(material.elastic) / (s * material.shear)
+/// One of some compliances.
+fn matrix<const L: usize>(compliances: &Compliances<L>, i: usize) -> Matrix2<f64> {
+    Matrix2::from_fn(|row, column| compliances[row][column][i])
 }
 
 impl Panel {
-    /// Carries a column through as much of the panel as lies within `span`.
-    fn carry(&self, s: f64, span: (f64, f64), column: &mut Column) {
+    /// Carries columns through as much of the panel as lies within `span`.
+    #[inline(always)]
+    fn carry<const L: usize>(&self, s: &[f64; L], span: (f64, f64), column: &mut Column<L>) {
         let (top, bottom) = (span.0.max(self.top), span.1.min(self.top + self.thickness));
         let depth = if top == self.top && bottom == self.top + self.thickness { self.thickness } else { bottom - top };
         // In units of the panel: where the part begins, and how thick it is.
         let (start, part) = ((top - self.top) / self.thickness, depth / self.thickness);
         match &self.matter {
             Matter::Exponential(material, gamma) => {
-                let unit = self.unit * (gamma * start).exp();
-                let gamma = gamma * part;
-                let doublings = ((s * depth).max(gamma.abs()) / THIN).log2().ceil().max(0.0);
-                let delta = (-doublings).exp2();
-                let mut slice = Slice::thin(&Coefficients::exponential(*material, gamma * delta), s * depth * delta);
-                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small whole number
-                for _ in 0..doublings as u32 {
-                    slice = slice.doubled();
+                let (unit, gamma) = (self.unit * (gamma * start).exp(), gamma * part);
+                let scale = depth / unit;
+                for (i, s) in s.iter().enumerate() {
+                    let doublings = ((s * depth).max(gamma.abs()) / THIN).log2().ceil().max(0.0);
+                    let delta = (-doublings).exp2();
+                    let mut slice = Slice::thin(*material, gamma * delta, s * depth * delta);
+                    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small whole number
+                    for _ in 0..doublings as u32 {
+                        slice = slice.doubled();
+                    }
+                    column.raise(i, &slice, (scale * delta, scale * delta / gamma.exp()));
                 }
-                let scale = depth * delta / unit;
-                column.raise(&slice, (scale, scale / gamma.exp()));
+                column.slides = false;
             }
             Matter::Smooth(coefficients) => {
+                let most = s.iter().fold(0.0_f64, |most, s| most.max(*s));
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `s depth` is bounded
-                let count = ((s * depth / THIN).ceil() as usize).max(1);
+                let count = ((most * depth / THICK).ceil() as usize).max(1);
                 let (start, width) = (-1.0 + 2.0 * start, 2.0 * part / count as f64);
-                let (delta, scale) = (depth / count as f64, depth / (count as f64 * self.unit));
-                for k in (0..count).rev() {
-                    let slice = Slice::thin(&coefficients.window(start + k as f64 * width, width), s * delta);
-                    column.raise(&slice, (scale, scale));
+                let delta = depth / count as f64;
+                let waves = s.map(|s| s * delta);
+                for k in (1..=count).rev() {
+                    let own = coefficients.window(start + k as f64 * width, -width);
+                    column.rise(&own, &waves, delta / self.unit);
                 }
             }
         }

@@ -181,7 +181,7 @@ impl Fit {
         let fitted = values.map(|values| Chebyshev::get().through(&values));
         let mut is_smooth = fitted.iter().all(|(_, is_smooth)| *is_smooth);
         let [softness, stiffness, contraction, cross] = fitted.map(|(polynomial, _)| polynomial);
-        let coefficients = Coefficients { softness, stiffness, contraction, cross, gamma: 0.0 };
+        let coefficients = Coefficients { softness, stiffness, contraction, cross };
         for x in BESIDE {
             let own = [&coefficients.softness, &coefficients.stiffness, &coefficients.contraction, &coefficients.cross];
             for ((polynomial, value), values) in own.iter().zip(Coefficients::of(at(x), unit)).zip(&values) {

@@ -1,10 +1,18 @@
 //! A slice of the layer as a two-port between its faces, and how slices are stacked.
 
 use crate::coefficients::Coefficients;
-use nalgebra::Matrix2;
+use nalgebra::{Matrix2, Matrix4};
+use slipzone_api::Material;
 
 /// Largest `max(s, |gamma|) delta` of a slice: its growing solutions, hidden in the propagator, take no digits.
 pub(crate) const THIN: f64 = 0.5;
+
+/// Terms of the propagator's series below this, times the fourth power of `s delta`, are left out: no entry is smaller
+/// than that power, and each keeps its relative precision.
+const NEGLIGIBLE: f64 = f64::EPSILON / 32.0;
+
+/// Most terms of that series.
+const MOST_TERMS: u32 = 40;
 
 /// What a slice does between its top and its bottom: displacements `d = (u, v)`, tractions `t = (sigma_xy, sigma_yy)`,
 ///
@@ -25,10 +33,10 @@ pub(crate) struct Slice {
 }
 
 impl Slice {
-    /// A slice of thickness 1, at most [`THIN`] in units of the wave's length.
-    pub(crate) fn thin(coefficients: &Coefficients, s: f64) -> Self {
-        let propagator = coefficients.propagator(s);
-        let rho = coefficients.gamma.exp();
+    /// A slice of thickness 1, at most [`THIN`], whose modulus, the unit of stress at its top, grows by `exp(gamma)`.
+    pub(crate) fn thin(material: Material, gamma: f64, s: f64) -> Self {
+        let propagator = propagator(material, gamma, s);
+        let rho = gamma.exp();
         let block = |i, j| propagator.fixed_view::<2, 2>(i, j).into_owned();
         // d_bottom = P11 d_top + P12 t_top, t_bottom = P21 d_top + P22 t_top, solved for d_top.
         let b = inverse(&block(0, 0));
@@ -67,4 +75,30 @@ impl Slice {
 fn inverse(m: &Matrix2<f64>) -> Matrix2<f64> {
     let [[m11, m21], [m12, m22]] = m.data.0;
     Matrix2::new(m22, -m12, -m21, m11) / (m11 * m22 - m12 * m21)
+}
+
+/// The state `(u, v, sigma_xy, sigma_yy)` at the bottom of such a slice for each unit state at its top, each in its local
+/// unit of stress: the exponential of the equations' matrix.
+fn propagator(material: Material, gamma: f64, s: f64) -> Matrix4<f64> {
+    let [softness, stiffness, contraction, cross] = Coefficients::of(material, material.shear);
+    let negligible = NEGLIGIBLE * s.min(1.0).powi(4);
+    let mut term = Matrix4::<f64>::identity();
+    let mut sum = term;
+    let mut small = 0;
+    for k in 1..=MOST_TERMS {
+        let step = f64::from(k).recip();
+        for mut state in term.column_iter_mut() {
+            let [u, v, shear, normal] = [state[0], state[1], state[2], state[3]];
+            state[0] = (s * v + softness * shear) * step;
+            state[1] = (cross * normal - s * contraction * u) * step;
+            state[2] = (s * (s * stiffness * u + contraction * normal) - gamma * shear) * step;
+            state[3] = -(s * shear + gamma * normal) * step;
+        }
+        sum += term;
+        small = if term.amax() <= negligible { small + 1 } else { 0 };
+        if small >= 2 && k >= 5 {
+            break;
+        }
+    }
+    sum
 }

@@ -20,7 +20,9 @@ use piece::MOST_NODES;
 use pieces::{Pieces, Plan};
 use serde::{Deserialize, Serialize};
 use singular::Singular;
-use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Positive, Refusal, SurfaceFlexibility};
+use slipzone_api::{
+    Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Positive, Refusal, SurfaceFlexibility,
+};
 use spectrum::Spectrum;
 use std::f64::consts::FRAC_PI_2;
 use std::num::NonZeroU8;
@@ -229,8 +231,7 @@ fn interpolated(
         spectrum.add(t, &mut bessel, &mut transforms);
         beyond.add(t, &mut integrals, &mut transforms);
         for (((out, transform), column), singular) in out.iter_mut().zip(&transforms).zip(columns).zip(&singular) {
-            let value =
-                if column.component.is_odd() { transform.im + FRAC_PI_2 * column.pole } else { transform.re };
+            let value = if column.component.is_odd() { transform.im + FRAC_PI_2 * column.pole } else { transform.re };
             let (sign, log) = singular.at(t);
             *out = [value - sign - t.ln() * log, sign, log];
         }
