@@ -108,10 +108,7 @@ fn base(text: &mut String, scene: &Scene) -> Result {
             writeln!(text, "# base         {what}: the indentation is counted from depth {}  (length)", datum.get())
         }
         (true, None) => {
-            writeln!(
-                text,
-                "# base         {what}: without a datum the indentation is undefined, it grows with its depth"
-            )
+            writeln!(text, "# base         {what}: without a datum the indentation is undefined")
         }
     }
 }

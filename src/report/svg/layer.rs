@@ -129,7 +129,7 @@ fn constants(scene: &Scene, profile: &DepthProfile) -> Vec<Panel> {
     }
     let (least, most) = within(profile.poisson_range(), substrate.map(|base| base.1));
     if most - least > SAME
-        && let Some(y) = Scale::around(least, most, "Poisson's ratio ν")
+        && let Some(y) = Scale::around(least, most, "Poisson's ratio ν", 3.0)
     {
         for upper in &mut panels {
             upper.size.1 = HEIGHT - LOWER;
@@ -163,7 +163,7 @@ fn answer(scene: &Scene, profile: &FlexibilityProfile) -> Panel {
         let least = normal.iter().chain(&shear).map(|point| point.1).fold(profile.beta.max(SMALLEST * most), f64::min);
         Some(Scale::logarithmic(least.max(SMALLEST * most) / 1.5, most * 1.5, called, ""))
     } else {
-        Scale::around(least, most, called)
+        Scale::around(least, most, called, 6.0)
     };
     let y = y.expect("a range that holds 0 and 1");
     let (coupling, stroke) = if is_wide {
@@ -171,7 +171,10 @@ fn answer(scene: &Scene, profile: &FlexibilityProfile) -> Panel {
     } else {
         (coupling, COUPLING)
     };
-    let limits = [(1.0, "1".to_owned()), (profile.beta, "β".to_owned())];
+    // One name for both where two would cover one another.
+    let apart = (y.place(1.0) - y.place(profile.beta)).abs() > 0.04;
+    let names = if apart { ["1", "β"] } else { ["1, β", ""] };
+    let limits = [(1.0, names[0].to_owned()), (profile.beta, names[1].to_owned())];
     Panel {
         x: Scale::logarithmic(longest, shortest, name, ""),
         limits: limits.into_iter().filter(|limit| y.holds(limit.0)).collect(),
@@ -330,7 +333,7 @@ mod tests {
             ("layer", RIGID, coated(4.0), bonded(0.0)),
             ("layer-wide", RIGID, coated(2000.0), bonded(1e3)),
             ("layer-substrate", HALF_PLANE, substrate, bonded(3.0)),
-            ("layer-decade", RIGID, coated(40.0), bonded(12.0)),
+            ("layer-decade", RIGID, coated(40.0), bonded(50.0)),
         ] {
             let svg = figure(layer, Some(&depths), Some(&flexibility));
             std::fs::write(folder.join(name).with_extension("svg"), svg).unwrap();
