@@ -216,8 +216,8 @@ mod tests {
     fn jumps_are_kept_sharp() {
         let found = profile(Box::new(Step));
         assert_eq!((found.interfaces.as_slice(), found.sublayers, found.stretches()), (&[4.0][..], 1, 2));
-        let at_jump: Vec<_> =
-            found.depth.iter().zip(&found.modulus).filter(|(y, _)| **y == 4.0).map(|(_, modulus)| *modulus).collect();
+        let points = found.depth.iter().zip(&found.modulus);
+        let at_jump: Vec<_> = points.filter(|(y, _)| (**y - 4.0).abs() < 1e-12).map(|(_, modulus)| *modulus).collect();
         assert_eq!(at_jump, [1.0, 2.0]);
         assert_eq!((found.depth.first(), found.depth.last()), (Some(&0.0), Some(&8.0)));
         assert!(found.depth.is_sorted());

@@ -68,9 +68,9 @@ impl Scale {
 
     /// Ticks off the frame.
     pub(super) fn inner_ticks(&self) -> Vec<f64> {
-        let Some(step) = self.step else { return generate_ticks_log(self.least, self.most) };
         /// More than any axis has.
         const MOST: u8 = 32;
+        let Some(step) = self.step else { return generate_ticks_log(self.least, self.most) };
         let first = (self.least / step).floor() * step;
         let ticks = (0..MOST).map(|i| first + f64::from(i) * step);
         let off = 1e-6 * (self.most - self.least);
