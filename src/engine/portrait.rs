@@ -73,23 +73,27 @@ impl DepthProfile {
     pub fn new(layer: &Layer) -> Result<Option<Self>, Refusal> {
         /// Lengths over which an infinite solid is shown.
         const SHOWN: f64 = 2.0;
+        let Some(length) = layer.length()? else { return Ok(None) };
+        let end = if layer.base == Base::Infinite { SHOWN } else { 1.0 };
+        Ok(Some(Self::of(&layer.model()?, length, end)))
+    }
+
+    /// Down to the depth `end`, in units of `length`.
+    fn of(model: &LayerModel, length: f64, end: f64) -> Self {
         /// Samples of the whole, and most of them in one stretch.
         const SAMPLES: usize = 1024;
         const MOST: usize = 256;
-        let Some(length) = layer.length()? else { return Ok(None) };
-        let model = layer.model()?;
-        let end = if layer.base == Base::Infinite { SHOWN } else { 1.0 };
         let mut stretches = Vec::new();
         let sublayers = collect(&*model.law, 0.0, 1.0, end, &mut stretches);
-        let mut profile = Self { sublayers, substrate: substrate(layer), ..Self::default() };
+        let mut profile = Self { sublayers, substrate: substrate(model), ..Self::default() };
         let count = (SAMPLES / stretches.len()).clamp(2, MOST);
         for (index, stretch) in stretches.iter().enumerate() {
             if index > 0 {
                 profile.interfaces.push(length * (stretch.top + stretch.thickness * stretch.from));
             }
-            profile.sample(stretch, &model, length, end, count);
+            profile.sample(stretch, model, length, end, count);
         }
-        Ok(Some(profile))
+        profile
     }
 
     fn sample(&mut self, stretch: &Stretch, model: &LayerModel, length: f64, end: f64, count: usize) {
@@ -148,9 +152,9 @@ fn collect<'l>(law: &'l dyn ModulusLaw, top: f64, thickness: f64, end: f64, out:
 }
 
 /// The half-plane below, in the kind of modulus that the scene speaks of.
-fn substrate(layer: &Layer) -> Option<(f64, f64)> {
-    let Base::HalfPlane { shear, poisson } = layer.base else { return None };
-    let modulus = match layer.moduli {
+fn substrate(model: &LayerModel) -> Option<(f64, f64)> {
+    let Base::HalfPlane { shear, poisson } = model.base else { return None };
+    let modulus = match model.solid.moduli {
         Moduli::Shear => shear.get(),
         Moduli::Young => 2.0 * shear.get() * (1.0 + poisson.get()),
     };
@@ -159,4 +163,74 @@ fn substrate(layer: &Layer) -> Option<(f64, f64)> {
 
 fn range(values: &[f64]) -> (f64, f64) {
     values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(*value), most.max(*value)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use slipzone_api::{Plane, Poisson, Positive, Solid, Sublayer};
+
+    /// Steps from 1 to 2 half way down, by a jump of its own.
+    #[derive(Debug)]
+    struct Step;
+
+    impl ModulusLaw for Step {
+        fn modulus(&self, depth: f64) -> f64 {
+            if depth < 0.5 { 1.0 } else { 2.0 }
+        }
+
+        fn poisson(&self, depth: f64) -> Option<f64> {
+            Some(0.2 + 0.1 * depth)
+        }
+
+        fn breakpoints(&self) -> &[f64] {
+            &[0.5]
+        }
+    }
+
+    /// Two sublayers of that law.
+    #[derive(Debug)]
+    struct Twice(Vec<Sublayer>);
+
+    impl ModulusLaw for Twice {
+        fn modulus(&self, _: f64) -> f64 {
+            unreachable!("a stack is asked sublayer by sublayer")
+        }
+
+        fn surface_modulus(&self) -> f64 {
+            1.0
+        }
+
+        fn sublayers(&self) -> &[Sublayer] {
+            &self.0
+        }
+    }
+
+    fn profile(law: Box<dyn ModulusLaw>) -> DepthProfile {
+        let solid = Solid { plane: Plane::Strain, poisson: Poisson::new(0.3).unwrap(), moduli: Moduli::Young };
+        let base = Base::HalfPlane { shear: Positive::new(3.0).unwrap(), poisson: Poisson::new(0.25).unwrap() };
+        DepthProfile::of(&LayerModel::new(law, solid, base), 8.0, 1.0)
+    }
+
+    #[test]
+    fn jumps_are_kept_sharp() {
+        let found = profile(Box::new(Step));
+        assert_eq!((found.interfaces.as_slice(), found.sublayers, found.stretches()), (&[4.0][..], 1, 2));
+        let points = found.depth.iter().zip(&found.modulus);
+        let at_jump: Vec<_> = points.filter(|(y, _)| (**y - 4.0).abs() < 1e-12).map(|(_, modulus)| *modulus).collect();
+        assert_eq!(at_jump, [1.0, 2.0]);
+        assert_eq!((found.depth.first(), found.depth.last()), (Some(&0.0), Some(&8.0)));
+        assert!(found.depth.is_sorted());
+        assert_eq!(found.modulus_range(), (1.0, 2.0));
+        assert_eq!(found.poisson_range(), (0.2, 0.2 + 0.1));
+        assert_eq!(found.substrate, Some((7.5, 0.25)), "Young's modulus 2 mu (1 + nu)");
+    }
+
+    #[test]
+    fn sublayers_are_shown_each_over_its_own_depth() {
+        let part = |thickness| Sublayer { thickness, law: Box::new(Step) };
+        let found = profile(Box::new(Twice(vec![part(0.25), part(0.75)])));
+        assert_eq!((found.interfaces.as_slice(), found.sublayers), (&[1.0, 2.0, 5.0][..], 2));
+        assert!(found.depth.is_sorted());
+    }
 }

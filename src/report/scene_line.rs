@@ -13,9 +13,9 @@ use slipzone_api::{Base, Friction, Plane, PunchProfile};
 
 /// Letters for the field's symbols, and how numbers are set.
 pub(super) struct Alphabet {
-    mu: &'static str,
-    mu1: &'static str,
-    mu3: &'static str,
+    /// Modulus: everywhere, at the surface, at the base.
+    shear: [&'static str; 3],
+    young: [&'static str; 3],
     gamma: &'static str,
     nu: &'static str,
     eta: &'static str,
@@ -25,9 +25,8 @@ pub(super) struct Alphabet {
 
 /// For terminals and logs.
 pub(super) const ASCII: Alphabet = Alphabet {
-    mu: "mu",
-    mu1: "mu1",
-    mu3: "mu3",
+    shear: ["mu", "mu1", "mu3"],
+    young: ["E", "E1", "E3"],
     gamma: "gamma",
     nu: "nu",
     eta: "eta",
@@ -37,7 +36,9 @@ pub(super) const ASCII: Alphabet = Alphabet {
 /// For figures.
 #[cfg(feature = "plot")]
 pub(super) const GREEK: Alphabet =
-    Alphabet { mu: "µ", mu1: "µ₁", mu3: "µ₃", gamma: "γ", nu: "ν", eta: "η", delta: "δ", typeset };
+    Alphabet {
+        shear: ["µ", "µ₁", "µ₃"], young: ["E", "E₁", "E₃"], gamma: "γ", nu: "ν", eta: "η", delta: "δ", typeset
+    };
 
 impl Alphabet {
     /// A number of the line, with few digits: it reminds, it is not data.
@@ -115,29 +116,19 @@ fn layer(layer: &Layer, half_width: Option<f64>, labels: &Labels, letters: &Alph
         parts.push(kind.into());
         return parts;
     };
+    let [mu, mu1, mu3] = if layer.moduli.is_shear() { letters.shear } else { letters.young };
     let surface = with_unit(&letters.number(law.surface_modulus()), &labels.stress);
     match (law.exponent(), layer.thickness) {
-        (Some(0.0), _) => parts.push(format!("{kind}, {} = {surface}", letters.mu)),
+        (Some(0.0), _) => parts.push(format!("{kind}, {mu} = {surface}")),
         (_, Some(_)) => {
             let ratio = law.surface_modulus() / law.modulus(1.0);
-            parts.push(format!(
-                "{kind}, {} = {surface}, {}/{} = {}",
-                letters.mu1,
-                letters.mu1,
-                letters.mu3,
-                fraction(ratio, letters)
-            ));
+            parts.push(format!("{kind}, {mu1} = {surface}, {mu1}/{mu3} = {}", fraction(ratio, letters)));
         }
         (Some(gamma), None) => {
             let per_length = if labels.length.is_empty() { String::new() } else { format!(" /{}", labels.length) };
-            parts.push(format!(
-                "{kind}, {} = {surface}, {} = {}{per_length}",
-                letters.mu1,
-                letters.gamma,
-                letters.number(gamma)
-            ));
+            parts.push(format!("{kind}, {mu1} = {surface}, {} = {}{per_length}", letters.gamma, letters.number(gamma)));
         }
-        (None, None) => parts.push(format!("{kind}, {} = {surface}", letters.mu1)),
+        (None, None) => parts.push(format!("{kind}, {mu1} = {surface}")),
     }
     parts
 }
@@ -156,7 +147,7 @@ fn base(base: &Base, labels: &Labels, letters: &Alphabet) -> String {
         Base::Frictionless => "on a frictionless rigid base".into(),
         Base::HalfPlane { shear, poisson } => format!(
             "bonded to a half-plane ({} = {}, {} = {})",
-            letters.mu,
+            letters.shear[0],
             with_unit(&letters.number(shear.get()), &labels.stress),
             letters.nu,
             letters.number(poisson.get())

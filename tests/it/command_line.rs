@@ -145,6 +145,75 @@ fn explain_prints_a_scene() {
     assert_eq!(again, output, "explaining the explanation adds nothing");
 }
 
+/// What is said of the layer, for each kind of base. Numbers in it are rounded.
+#[test]
+fn explain_says_what_the_layer_is() {
+    let folder = folder();
+    let layers = [
+        "thickness = 5.0",
+        "thickness = 5.0\nmoduli = 'young'\ndatum = 9.0\nbase = { type = 'half-plane', shear = 3.0, poisson = 0.2 }",
+        "thickness = 5.0\nbase = { type = 'frictionless' }",
+        "base = { type = 'infinite' }",
+    ];
+    let said = layers.map(|layer| {
+        let output = feed(folder.path(), &["explain", "-"], GOOD.replace("thickness = 5.0", layer).as_bytes());
+        assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+        let text = String::from_utf8(output.stdout).unwrap();
+        let from = text.find("# The layer.").expect("a part about the layer");
+        let said = text[from..].split("\n\n").next().expect("lines up to an empty one");
+        // Whether a base is built yet is not what this is about.
+        let lines = said.lines().filter(|line| !line.contains("felt below"));
+        format!("{layer}\n{}", lines.collect::<Vec<_>>().join("\n"))
+    });
+    insta::assert_snapshot!(said.join("\n\n"));
+}
+
+#[cfg(feature = "plot")]
+#[test]
+fn explain_draws_the_layer() {
+    let folder = folder();
+    let output = run(folder.path(), ["explain", "good.toml", "--svg", "layer.svg"]);
+    assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+    assert_eq!(output.stdout, run(folder.path(), ["explain", "good.toml"]).stdout, "the figure comes beside the text");
+    let svg = fs::read_to_string(folder.path().join("layer.svg")).unwrap();
+    let document = roxmltree::Document::parse(&svg).expect("well-formed XML");
+    let texts: Vec<_> = document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).collect();
+    for panel in ["shear modulus µ", "scaled flexibility of the surface"] {
+        assert!(texts.iter().any(|text| text.starts_with(panel)), "{panel} in {texts:?}");
+    }
+    assert_eq!(files(folder.path()), ["good.toml", "layer.svg"].map(PathBuf::from), "no temporary file stays");
+}
+
+/// A solid that is the same everywhere has a flexibility, if a dull one; one without laws has nothing to draw.
+#[cfg(feature = "plot")]
+#[test]
+fn explain_draws_what_there_is() {
+    let folder = folder();
+    let endless = GOOD.replace("thickness = 5.0", "base = { type = \"infinite\" }");
+    let output = feed(folder.path(), &["explain", "-", "--svg", "layer.svg"], endless.as_bytes());
+    assert_eq!(output.status.code(), Some(0));
+    assert!(told(&output).contains("no figure was drawn"), "a base modulus at no depth");
+    assert!(!folder.path().join("layer.svg").exists());
+    let homogeneous =
+        endless.replace("type = \"exponential\", surface = 1.0, base = 8.0", "type = \"homogeneous\", modulus = 1.0");
+    let output = feed(folder.path(), &["explain", "-", "--svg", "layer.svg"], homogeneous.as_bytes());
+    let svg = fs::read_to_string(folder.path().join("layer.svg")).unwrap_or_else(|_| panic!("{}", told(&output)));
+    assert!(svg.contains("wave number s<"), "{svg}");
+    assert!(!svg.contains("depth"), "{svg}");
+}
+
+#[cfg(feature = "plot")]
+#[test]
+fn a_figure_of_the_layer_spares_the_scene() {
+    let folder = folder();
+    for file in ["good.toml", "-", "."] {
+        let output = run(folder.path(), ["explain", "good.toml", "--svg", file]);
+        assert_eq!(output.status.code(), Some(if file == "." { 3 } else { 2 }), "{}", told(&output));
+        assert!(output.stdout.is_empty());
+    }
+    assert_eq!(fs::read_to_string(folder.path().join("good.toml")).unwrap(), GOOD);
+}
+
 #[test]
 fn plugins_are_listed_and_described() {
     let folder = folder();

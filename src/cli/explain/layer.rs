@@ -59,15 +59,20 @@ fn constants(text: &mut String, scene: &Scene, profile: &DepthProfile) -> Result
     let shown = if scene.layer.base == Base::Infinite { " as far as it is drawn" } else { "" };
     let (least, most) = profile.modulus_range();
     if most - least > SAME * most {
-        writeln!(text, "# modulus      {least} to {most}  ({kind}, stress){shown}")?;
+        writeln!(text, "# modulus      {} to {}  ({kind}, stress){shown}", rounded(least), rounded(most))?;
     } else {
-        writeln!(text, "# modulus      {least} everywhere  ({kind}, stress)")?;
+        writeln!(text, "# modulus      {} everywhere  ({kind}, stress)", rounded(least))?;
     }
     let (least, most) = profile.poisson_range();
     if most - least > SAME {
-        writeln!(text, "# poisson      {least} to {most}")?;
+        writeln!(text, "# poisson      {} to {}", rounded(least), rounded(most))?;
     }
     Ok(())
+}
+
+/// Without the roundings of the law's own arithmetic.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.9e}").parse().unwrap_or(value)
 }
 
 /// How much the surface knows of what lies below.
@@ -103,10 +108,7 @@ fn base(text: &mut String, scene: &Scene) -> Result {
             writeln!(text, "# base         {what}: the indentation is counted from depth {}  (length)", datum.get())
         }
         (true, None) => {
-            writeln!(
-                text,
-                "# base         {what}: without a datum the indentation is undefined, it grows with its depth"
-            )
+            writeln!(text, "# base         {what}: without a datum the indentation is undefined")
         }
     }
 }

@@ -26,6 +26,11 @@ const ROOM: f64 = 0.05;
 impl Axis {
     /// `None` where no number is above 0.
     pub(super) fn new(largest: f64, name: &str, unit: &str) -> Option<Self> {
+        Self::with_intervals(largest, name, unit, INTERVALS)
+    }
+
+    /// The same with at most so many distances of ticks.
+    pub(super) fn with_intervals(largest: f64, name: &str, unit: &str, intervals: f64) -> Option<Self> {
         if largest <= 0.0 || !largest.is_finite() {
             return None;
         }
@@ -40,7 +45,7 @@ impl Axis {
             }
         };
         let largest = largest / power;
-        let raw = largest / INTERVALS;
+        let raw = largest / intervals;
         let decade = 10.0_f64.powi(power_of_ten(raw));
         let step = [1.0, 2.0, 5.0, 10.0].map(|times| times * decade).into_iter().find(|step| *step >= raw);
         Some(Self { label, unit: power, most: (1.0 + ROOM) * largest, step: step.unwrap_or(raw) })

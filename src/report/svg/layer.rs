@@ -25,8 +25,8 @@ const COUPLING: Stroke = Stroke { name: "−s Fᵤᵥ/A₀", color: "#3d7a3d", w
 const COUPLING_SIZE: Stroke = Stroke { name: "|s Fᵤᵥ|/A₀", ..COUPLING };
 
 /// Height of the panels, px, and that of Poisson's ratio under the modulus.
-const HEIGHT: f64 = 460.0;
-const LOWER: f64 = 180.0;
+const HEIGHT: f64 = 480.0;
+const LOWER: f64 = 208.0;
 /// Ratio of the largest number to the smallest above which an axis is logarithmic.
 const WIDE: f64 = 30.0;
 /// Interfaces up to which each is drawn: the rows of a table are no interfaces to look at.
@@ -129,7 +129,7 @@ fn constants(scene: &Scene, profile: &DepthProfile) -> Vec<Panel> {
     }
     let (least, most) = within(profile.poisson_range(), substrate.map(|base| base.1));
     if most - least > SAME
-        && let Some(y) = Scale::around(least, most, "Poisson's ratio ν")
+        && let Some(y) = Scale::around(least, most, "Poisson's ratio ν", 3.0)
     {
         for upper in &mut panels {
             upper.size.1 = HEIGHT - LOWER;
@@ -163,7 +163,7 @@ fn answer(scene: &Scene, profile: &FlexibilityProfile) -> Panel {
         let least = normal.iter().chain(&shear).map(|point| point.1).fold(profile.beta.max(SMALLEST * most), f64::min);
         Some(Scale::logarithmic(least.max(SMALLEST * most) / 1.5, most * 1.5, called, ""))
     } else {
-        Scale::around(least, most, called)
+        Scale::around(least, most, called, 6.0)
     };
     let y = y.expect("a range that holds 0 and 1");
     let (coupling, stroke) = if is_wide {
@@ -171,7 +171,10 @@ fn answer(scene: &Scene, profile: &FlexibilityProfile) -> Panel {
     } else {
         (coupling, COUPLING)
     };
-    let limits = [(1.0, "1".to_owned()), (profile.beta, "β".to_owned())];
+    // One name for both where two would cover one another.
+    let apart = (y.place(1.0) - y.place(profile.beta)).abs() > 0.04;
+    let names = if apart { ["1", "β"] } else { ["1, β", ""] };
+    let limits = [(1.0, names[0].to_owned()), (profile.beta, names[1].to_owned())];
     Panel {
         x: Scale::logarithmic(longest, shortest, name, ""),
         limits: limits.into_iter().filter(|limit| y.holds(limit.0)).collect(),
@@ -186,3 +189,154 @@ fn answer(scene: &Scene, profile: &FlexibilityProfile) -> Panel {
 
 /// What is left out at the bottom of a logarithmic axis, over its largest number.
 const SMALLEST: f64 = 1e-7;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use slipzone_api::SurfaceFlexibility;
+
+    /// A layer on a base, whose constants and flexibilities the tests make by hand.
+    fn scene(layer: &str) -> Scene {
+        let text = format!(
+            "format = 1\nlayer = {{ {layer}, poisson = 0.3, grading = {{ type = 'homogeneous', modulus = 1.0 }} }}\n\
+             punch = {{ type = 'flat', half_width = 1.0 }}\nload = {{ force = 1.0 }}\n\
+             units = {{ length = 'mm', stress = 'MPa' }}"
+        );
+        crate::scene::parse("figure", &text).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    const RIGID: &str = "thickness = 2.0";
+    const HALF_PLANE: &str = "thickness = 2.0, base = { type = 'half-plane', shear = 5.0, poisson = 0.2 }";
+
+    /// Three sublayers: soft, graded, hard.
+    fn coated(hardest: f64) -> DepthProfile {
+        let graded = |i: u32| (0.5 + 0.05 * f64::from(i), hardest.powf(f64::from(i) / 20.0), 0.2 + 0.01 * f64::from(i));
+        let points = [(0.0, 1.0, 0.2), (0.5, 1.0, 0.2)].into_iter().chain((0..=20).map(graded));
+        let points: Vec<_> = points.chain([(1.5, hardest, 0.3), (2.0, hardest, 0.3)]).collect();
+        DepthProfile {
+            depth: points.iter().map(|point| point.0).collect(),
+            modulus: points.iter().map(|point| point.1).collect(),
+            poisson: points.iter().map(|point| point.2).collect(),
+            interfaces: vec![0.5, 1.5],
+            sublayers: 3,
+            substrate: None,
+        }
+    }
+
+    /// Like those of a bonded layer whose base is `softer` times softer than its surface.
+    fn bonded(softer: f64) -> FlexibilityProfile {
+        let wave_numbers: Vec<f64> = (0..=80).map(|i| 0.01 * 6000.0_f64.powf(f64::from(i) / 80.0)).collect();
+        let one = |s: f64| {
+            let bulge = softer * s / (1.0 + s * s * s);
+            SurfaceFlexibility { vv: s.tanh() + bulge, uu: s.tanh() + bulge / 2.0, uv: -0.3 * (s - 1.0).tanh() }
+        };
+        FlexibilityProfile { flexibilities: wave_numbers.iter().map(|s| one(*s)).collect(), wave_numbers, beta: 0.3 }
+    }
+
+    /// All text of a figure; fails on what is no XML.
+    fn texts(svg: &str) -> Vec<String> {
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+        let document = roxmltree::Document::parse(svg).expect("well-formed XML");
+        document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).map(Into::into).collect()
+    }
+
+    fn figure(layer: &str, depths: Option<&DepthProfile>, flexibility: Option<&FlexibilityProfile>) -> String {
+        layer_svg(&scene(layer), depths, flexibility).expect("a figure")
+    }
+
+    /// How often a text stands in a figure.
+    fn count(svg: &str, wanted: &str) -> usize {
+        texts(svg).iter().filter(|text| *text == wanted).count()
+    }
+
+    #[test]
+    fn panels_are_named_with_their_units() {
+        let svg = figure(RIGID, Some(&coated(4.0)), Some(&bonded(0.0)));
+        let names = [
+            "shear modulus µ (MPa)",
+            "Poisson's ratio ν",
+            "depth y (mm)",
+            "wave number × thickness, s h",
+            "scaled flexibility of the surface",
+            "s Fᵥᵥ/A₀",
+            "−s Fᵤᵥ/A₀",
+            "β",
+        ];
+        for name in names {
+            assert_eq!(count(&svg, name), 1, "{name} in {:?}", texts(&svg));
+        }
+        assert_eq!(count(&svg, "rigid base"), 2, "under modulus and Poisson's ratio");
+        let young = figure("thickness = 2.0, moduli = 'young'", Some(&coated(4.0)), None);
+        assert_eq!(count(&young, "Young's modulus E (MPa)"), 1);
+        assert_eq!(svg, figure(RIGID, Some(&coated(4.0)), Some(&bonded(0.0))), "the same layer, the same text");
+    }
+
+    #[test]
+    fn a_constant_poisson_ratio_takes_no_panel() {
+        let mut profile = coated(4.0);
+        profile.poisson.fill(0.3);
+        assert_eq!(count(&figure(RIGID, Some(&profile), None), "Poisson's ratio ν"), 0);
+        profile.substrate = Some((5.0, 0.2));
+        let svg = figure(HALF_PLANE, Some(&profile), None);
+        assert_eq!(
+            (count(&svg, "Poisson's ratio ν"), count(&svg, "half-plane")),
+            (1, 2),
+            "that of the half-plane differs"
+        );
+    }
+
+    #[test]
+    fn wide_ranges_are_logarithmic() {
+        let ticks = |svg: &str| ["10", "100", "10³"].map(|tick| count(svg, tick) > 0);
+        let linear = figure(RIGID, Some(&coated(29.0)), None);
+        let logarithmic = figure(RIGID, Some(&coated(2000.0)), None);
+        assert_eq!((ticks(&linear), ticks(&logarithmic)), ([true, false, false], [true; 3]));
+        let svg = figure(RIGID, None, Some(&bonded(1e3)));
+        assert_eq!((count(&svg, "|s Fᵤᵥ|/A₀"), count(&svg, "−s Fᵤᵥ/A₀")), (1, 0));
+    }
+
+    #[test]
+    fn many_rows_are_no_interfaces() {
+        let mut profile = coated(4.0);
+        let dashed = |profile: &DepthProfile| figure(RIGID, Some(profile), None).matches("5 4").count();
+        assert_eq!(dashed(&profile), 4, "two interfaces in two panels");
+        profile.interfaces = (1..50).map(|i| 0.04 * f64::from(i)).collect();
+        assert_eq!(dashed(&profile), 0);
+    }
+
+    #[test]
+    fn what_is_not_known_is_left_out() {
+        assert_eq!(layer_svg(&scene(RIGID), None, None), Err(FigureError::NoLayer));
+        assert_eq!(count(&figure("base = { type = 'infinite' }", None, Some(&bonded(0.0))), "wave number s"), 1);
+    }
+
+    #[test]
+    fn odd_numbers_still_fit_a_figure() {
+        for odd in [1e-100, 1e-12, 1e12, 1e100] {
+            let (mut depths, mut flexibility) = (coated(4.0), bonded(0.0));
+            depths.modulus.iter_mut().for_each(|modulus| *modulus *= odd);
+            texts(&figure(RIGID, Some(&depths), Some(&flexibility)));
+            depths.modulus[3] = 1.0;
+            flexibility.flexibilities[5].uu = odd;
+            flexibility.flexibilities[6].uv = -odd;
+            texts(&figure(RIGID, Some(&depths), Some(&flexibility)));
+        }
+    }
+
+    /// Writes the figures to look at: `SLIPZONE_FIGURES=folder cargo test layers_to_look_at -- --ignored`.
+    #[test]
+    #[ignore = "for the eye"]
+    fn layers_to_look_at() {
+        let folder = std::path::PathBuf::from(std::env::var("SLIPZONE_FIGURES").expect("a folder"));
+        let substrate = DepthProfile { substrate: Some((5.0, 0.2)), ..coated(4.0) };
+        for (name, layer, depths, flexibility) in [
+            ("layer", RIGID, coated(4.0), bonded(0.0)),
+            ("layer-wide", RIGID, coated(2000.0), bonded(1e3)),
+            ("layer-substrate", HALF_PLANE, substrate, bonded(3.0)),
+            ("layer-decade", RIGID, coated(40.0), bonded(50.0)),
+        ] {
+            let svg = figure(layer, Some(&depths), Some(&flexibility));
+            std::fs::write(folder.join(name).with_extension("svg"), svg).unwrap();
+        }
+    }
+}

@@ -61,7 +61,8 @@ impl Panel {
         /// Room for the names of limits, px.
         const NAMES: f64 = 44.0;
         let plain = ComputedLayout::from_layout(&self.plain_layout());
-        let below = if self.curves.len() > 1 { LEGEND } else { 0.0 };
+        // The frames of all panels that stand on the figure's bottom end in a line, above the legend of one of them.
+        let below = if self.x.label.is_empty() { 0.0 } else { LEGEND };
         let mut layout = self
             .plain_layout()
             .with_force_margins(margin, NAMES)

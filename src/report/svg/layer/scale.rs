@@ -26,15 +26,14 @@ impl Scale {
         Some(Self { label: axis.label, unit: axis.unit, least: 0.0, most: axis.most, step: Some(axis.step), ticks })
     }
 
-    /// Around both numbers, neither of which need be 0.
-    pub(super) fn around(least: f64, most: f64, name: &str) -> Option<Self> {
+    /// Around both numbers, neither of which need be 0, with about so many distances of ticks.
+    pub(super) fn around(least: f64, most: f64, name: &str, intervals: f64) -> Option<Self> {
         /// Room beyond both ends, over the range.
         const ROOM: f64 = 0.12;
-        /// A number of ticks for panels of any height.
-        const INTERVALS: f64 = 3.0;
         let room = ROOM * (most - least);
-        let axis = Axis::new((most - least) * 5.0 / INTERVALS, name, "").filter(|axis| axis.unit >= 1.0)?;
-        let (step, ticks) = (axis.step * axis.unit, signed(axis.step));
+        let axis = Axis::with_intervals(most - least, name, "", intervals)?;
+        let step = axis.step * axis.unit;
+        let ticks = signed(step);
         Some(Self { label: name.into(), unit: 1.0, least: least - room, most: most + room, step: Some(step), ticks })
     }
 
@@ -69,9 +68,9 @@ impl Scale {
 
     /// Ticks off the frame.
     pub(super) fn inner_ticks(&self) -> Vec<f64> {
-        let Some(step) = self.step else { return generate_ticks_log(self.least, self.most) };
         /// More than any axis has.
         const MOST: u8 = 32;
+        let Some(step) = self.step else { return generate_ticks_log(self.least, self.most) };
         let first = (self.least / step).floor() * step;
         let ticks = (0..MOST).map(|i| first + f64::from(i) * step);
         let off = 1e-6 * (self.most - self.least);
