@@ -5,7 +5,7 @@ use crate::panels::{Matter, Panel, Panels};
 use crate::slice::{Slice, THIN};
 use crate::surface_tail;
 use nalgebra::Matrix2;
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::{Base, Elastic, LayerModel, LayerResponse, Material, Refusal, SurfaceFlexibility};
 use std::sync::Arc;
 
@@ -145,7 +145,7 @@ impl LayerResponse for Layered {
                 continue;
             }
             let s: [f64; LANES] = std::array::from_fn(|i| some[i.min(some.len() - 1)]);
-            let compliance = Arch::new().dispatch(|| self.compliance(&s));
+            let compliance = Arch::new().dispatch(Rise { layer: self, s });
             for (i, out) in out.iter_mut().enumerate() {
                 *out = surface_tail::scaled(&matrix(&compliance, i), s[i], self.layer.elastic);
             }
@@ -185,6 +185,21 @@ impl LayerResponse for Layered {
             Matter::Smooth(_) => (SMOOTH_DEPTH * thickness).max(LEAST_DEPTH),
         };
         Some(self.panels.first_break.min(smooth))
+    }
+}
+
+/// [`Layered::compliance`] in the vectors that the machine has.
+struct Rise<'a> {
+    layer: &'a Layered,
+    s: [f64; LANES],
+}
+
+impl WithSimd for Rise<'_> {
+    type Output = Compliances<LANES>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _simd: S) -> Compliances<LANES> {
+        self.layer.compliance(&self.s)
     }
 }
 
