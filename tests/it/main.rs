@@ -7,6 +7,7 @@ mod bad_input;
 mod command_line;
 mod examples;
 mod friction;
+mod gradings;
 mod limits;
 mod loading_curve;
 mod marching;
