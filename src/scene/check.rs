@@ -127,7 +127,8 @@ fn grading(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     match layer.model() {
         Ok(model) => model.flaw().map_or(Ok(()), |flaw| {
             let depth = flaw.x * layer.length().ok().flatten().unwrap_or(1.0);
-            let (path, own) = culprit(document, depth);
+            let first = if flaw.what.starts_with("Poisson") { "poisson" } else { "modulus" };
+            let (path, own) = culprit(document, depth, first);
             let path: Vec<&str> = path.iter().map(String::as_str).collect();
             let within =
                 if path.len() > 3 { format!(", {} below its sublayer's top", short(own)) } else { String::new() };
@@ -137,7 +138,7 @@ fn grading(document: &Document, scene: &Scene) -> Result<(), SceneError> {
                 .expected("a finite modulus above 0, and a Poisson's ratio above -1 and up to 0.5, at every depth"))
         }),
         Err(Refusal::Unusable { plugin, why }) => {
-            let (path, _) = culprit(document, f64::NAN);
+            let (path, _) = culprit(document, f64::NAN, "modulus");
             let path: Vec<&str> = path.iter().map(String::as_str).collect();
             Err(document.error(document.best(&path), format!("grading `{plugin}`: {why}")))
         }
@@ -147,15 +148,15 @@ fn grading(document: &Document, scene: &Scene) -> Result<(), SceneError> {
 }
 
 /// What gives the constants at a depth: a key of the grading, or of the sublayer there; and the depth in that. Of a depth
-/// that is no number, a key of the grading itself.
-fn culprit(document: &Document, mut depth: f64) -> (Vec<String>, f64) {
+/// that is no number, a key of the grading itself. Of its keys the `first` if it is there, or what holds all constants.
+fn culprit(document: &Document, mut depth: f64, first: &'static str) -> (Vec<String>, f64) {
     let mut path = vec!["layer".to_owned(), "grading".to_owned()];
     loop {
         let here: Vec<&str> = path.iter().map(String::as_str).collect();
         let Some(table) = document.table(&here) else { return (path, depth) };
         let layers = table.get("layers").and_then(|layers| layers.get_ref().as_array()).filter(|_| !depth.is_nan());
         let Some(layers) = layers else {
-            let key = ["modulus", "points", "file", "layers"].into_iter().find(|key| table.contains_key(*key));
+            let key = [first, "points", "file", "layers"].into_iter().find(|key| table.contains_key(*key));
             path.extend(key.map(str::to_owned));
             return (path, depth);
         };
