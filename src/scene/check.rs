@@ -2,7 +2,7 @@
 
 use super::document::{Document, dotted};
 use super::{Load, Scene, SceneError};
-use slipzone_api::{Base, Friction, PunchShape, Refusal};
+use slipzone_api::{Base, Friction, PunchShape, Refusal, short};
 use toml::Spanned;
 use toml::de::DeValue;
 
@@ -116,7 +116,6 @@ fn thickness(document: &Document, scene: &Scene) -> Result<(), SceneError> {
 
 /// The grading describes an elastic solid over the whole layer.
 fn grading(document: &Document, scene: &Scene) -> Result<(), SceneError> {
-    let place = ["layer", "grading"];
     let layer = &scene.layer;
     if let (Some(own), Some(given)) = (layer.grading.thickness(), layer.thickness)
         && (given.get() / own.get() - 1.0).abs() > SAME
@@ -128,16 +127,47 @@ fn grading(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     match layer.model() {
         Ok(model) => model.flaw().map_or(Ok(()), |flaw| {
             let depth = flaw.x * layer.length().ok().flatten().unwrap_or(1.0);
-            let error = document.error(document.best(&place), "the grading describes no elastic solid");
+            let first = if flaw.what.starts_with("Poisson") { "poisson" } else { "modulus" };
+            let (path, own) = culprit(document, depth, first);
+            let path: Vec<&str> = path.iter().map(String::as_str).collect();
+            let within =
+                if path.len() > 3 { format!(", {} below its sublayer's top", short(own)) } else { String::new() };
+            let error = document.error(document.best(&path), "the grading describes no elastic solid");
             Err(error
-                .found(format!("{} at depth {depth:.6}", flaw.what))
+                .found(format!("{} at depth {}{within}", flaw.what, short(depth)))
                 .expected("a finite modulus above 0, and a Poisson's ratio above -1 and up to 0.5, at every depth"))
         }),
         Err(Refusal::Unusable { plugin, why }) => {
-            Err(document.error(document.best(&place), format!("grading `{plugin}`: {why}")))
+            let (path, _) = culprit(document, f64::NAN, "modulus");
+            let path: Vec<&str> = path.iter().map(String::as_str).collect();
+            Err(document.error(document.best(&path), format!("grading `{plugin}`: {why}")))
         }
         // What is not built is the engine's to refuse.
         Err(_) => Ok(()),
+    }
+}
+
+/// What gives the constants at a depth: a key of the grading, or of the sublayer there; and the depth in that. Of a depth
+/// that is no number, a key of the grading itself. Of its keys the `first` if it is there, or what holds all constants.
+fn culprit(document: &Document, mut depth: f64, first: &'static str) -> (Vec<String>, f64) {
+    let mut path = vec!["layer".to_owned(), "grading".to_owned()];
+    loop {
+        let here: Vec<&str> = path.iter().map(String::as_str).collect();
+        let Some(table) = document.table(&here) else { return (path, depth) };
+        let layers = table.get("layers").and_then(|layers| layers.get_ref().as_array()).filter(|_| !depth.is_nan());
+        let Some(layers) = layers else {
+            let key = [first, "points", "file", "layers"].into_iter().find(|key| table.contains_key(*key));
+            path.extend(key.map(str::to_owned));
+            return (path, depth);
+        };
+        let mut index = 0;
+        for layer in layers.iter().take(layers.len().saturating_sub(1)) {
+            let thickness = layer.get_ref().get("thickness").and_then(|value| number(value.get_ref()));
+            let Some(thickness) = thickness.filter(|thickness| depth >= *thickness) else { break };
+            depth -= thickness;
+            index += 1;
+        }
+        path.extend(["layers".to_owned(), index.to_string(), "grading".to_owned()]);
     }
 }
 

@@ -152,8 +152,9 @@ fn meaning(document: &Document, path: &[&str], key: &str) -> String {
         ([], "layer") => "[layer] with `thickness`, `poisson` and `grading`".into(),
         ([], "punch") => format!("[punch] with `type`, {}", names(Family::Punch)),
         ([], "load") => LOAD.into(),
-        (["layer"], "poisson") => "`poisson`: Poisson's ratio, a number above -1 and up to 0.5".into(),
-        (["layer"], "grading") => format!("`grading`: a table with `type`, {}", names(Family::Grading)),
+        (_, "poisson") => "`poisson`: Poisson's ratio, a number above -1 and up to 0.5".into(),
+        (_, "grading") => format!("`grading`: a table with `type`, {}", names(Family::Grading)),
+        ([.., "layers", _], "thickness") => "`thickness`: that of the sublayer (length)".into(),
         (["friction"], "type") => "`type = \"goodman\"`".into(),
         (["friction"], "coefficient") => "`coefficient`: Coulomb's coefficient, a number above 0".into(),
         _ => format!("`{key}`"),
@@ -186,8 +187,11 @@ pub(super) fn wrong_type(document: &Document, path: &[&str], expected: &str) -> 
         .expected(expected)
 }
 
-/// The family of plugins that a path of the scene holds.
+/// The family of plugins that a path of the scene holds; a grading may hold others.
 fn family(path: &[&str]) -> Option<Family> {
+    if let [outer @ .., "layers", _, "grading"] = path {
+        return family(outer).filter(|family| *family == Family::Grading);
+    }
     Family::ALL.into_iter().find(|family| family.place().split('.').eq(path.iter().copied()))
 }
 

@@ -83,7 +83,9 @@ pub fn parse_with(name: &str, text: &str, files: &dyn Files) -> Result<Scene, Sc
     let mut scene = decode::scene(&document)?;
     scene.layer.grading.read(files).map_err(|fault| document.fault(&["layer", "grading"], fault))?;
     scene.punch.read(files).map_err(|fault| document.fault(&["punch"], fault))?;
-    scene.layer.thickness = scene.layer.thickness.or(scene.layer.grading.thickness());
+    if scene.layer.base != Base::Infinite {
+        scene.layer.thickness = scene.layer.thickness.or(scene.layer.grading.thickness());
+    }
     check::all(&document, &scene)?;
     Ok(scene)
 }

@@ -8,6 +8,7 @@ mod command_line;
 mod examples;
 mod flexibilities;
 mod friction;
+mod gradings;
 mod limits;
 mod loading_curve;
 mod marching;

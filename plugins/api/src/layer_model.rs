@@ -1,6 +1,6 @@
 //! The elastic layer as the flexibility plugins see it.
 
-use crate::{Base, Elastic, Flaw, Moduli, ModulusLaw, Plane, Poisson};
+use crate::{Base, Elastic, Flaw, Moduli, ModulusLaw, Plane, Poisson, short};
 
 /// How a scene's numbers are to be read: what does not vary with depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,9 +108,9 @@ fn flaw(law: &dyn ModulusLaw, top: f64, thickness: f64) -> Option<Flaw> {
         let modulus = law.modulus(depth);
         let what = if modulus > 0.0 && modulus < f64::INFINITY {
             let nu = law.poisson(depth).filter(|nu| Poisson::new(*nu).is_err())?;
-            format!("Poisson's ratio is {nu}")
+            format!("Poisson's ratio is {}", short(nu))
         } else {
-            format!("the modulus is {modulus}")
+            format!("the modulus is {}", short(modulus))
         };
         Some(Flaw { what, x: top + depth * thickness })
     })

@@ -39,7 +39,7 @@ pub use friction::{Friction, FrozenStrain};
 pub use grading::{Grading, ModulusLaw, Setting, Sublayer};
 pub use kernel::{Component, KernelRequest, KernelStrategy, KernelTable, Parts, PartsMut, PartsVec};
 pub use layer_model::{LayerModel, Material, Solid};
-pub use number::{Finite, NotAllowed, Poisson, Positive};
+pub use number::{Finite, NotAllowed, Poisson, Positive, short};
 pub use punch::{FlatFace, Flaw, PunchProfile, PunchShape};
 pub use quadrature::{Density, Edge, Parity, Quadrature, Rule, Span, Station};
 pub use refusal::Refusal;

@@ -69,6 +69,13 @@ checked!(Positive, "a finite number above 0", |v| v > 0.0 && v < f64::INFINITY);
 checked!(Finite, "a finite number", f64::is_finite);
 checked!(Poisson, "a number above -1 and up to 0.5", |v| v > -1.0 && v <= 0.5);
 
+/// A number for people, with five digits at most.
+pub fn short(value: f64) -> String {
+    let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
+    let is_plain = rounded == 0.0 || (1e-4..1e6).contains(&rounded.abs()) || !rounded.is_finite();
+    if is_plain { rounded.to_string() } else { format!("{rounded:e}") }
+}
+
 #[cfg(test)]
 #[allow(clippy::float_cmp)] // where equality is asserted, it is exact by construction
 mod tests {
@@ -83,6 +90,14 @@ mod tests {
         assert!(Finite::new(-2.0).is_ok() && Finite::new(f64::NAN).is_err() && Finite::new(f64::INFINITY).is_err());
         for (nu, fine) in [(-1.0, false), (-0.99, true), (0.0, true), (0.5, true), (0.5001, false), (f64::NAN, false)] {
             assert_eq!(Poisson::new(nu).is_ok(), fine, "nu = {nu}");
+        }
+    }
+
+    #[test]
+    fn people_read_five_digits() {
+        let cases = [(0.0, "0"), (2.0 / 3.0, "0.66667"), (-1e-5, "-1e-5"), (1.5e7, "1.5e7"), (f64::INFINITY, "inf")];
+        for (value, text) in cases {
+            assert_eq!(short(value), text);
         }
     }
 

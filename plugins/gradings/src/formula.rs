@@ -3,7 +3,7 @@
 use crate::thickness;
 use serde::{Deserialize, Serialize};
 use slipzone_api::taylor::Taylor;
-use slipzone_api::{Fault, Files, Grading, ModulusLaw, Refusal, Setting};
+use slipzone_api::{Fault, Files, Grading, ModulusLaw, Refusal, Setting, short};
 use slipzone_formula as formula;
 use std::collections::BTreeMap;
 
@@ -39,7 +39,10 @@ impl Formula {
     fn understood(&self, thickness: f64) -> Result<Vec<formula::Formula>, Fault> {
         let poisson = self.poisson.as_deref().map(|text| ("poisson", text));
         let texts: Vec<_> = std::iter::once(("modulus", self.modulus.as_str())).chain(poisson).collect();
-        formula::Formula::parse_each(&texts, "y", &self.parameters, &[("h", thickness)])
+        formula::Formula::parse_each(&texts, "y", &self.parameters, &[("h", thickness)]).map_err(|fault| {
+            let is_thickness = fault.path == ["parameters", "h"];
+            if is_thickness { fault.hint("`h` is the layer's thickness: leave the parameter out") } else { fault }
+        })
     }
 }
 
@@ -55,6 +58,12 @@ impl Grading for Formula {
         let formulas = self.understood(thickness);
         let formulas = formulas.map_err(|fault| Refusal::Unusable { plugin: "formula", why: fault.to_string() })?;
         // A quarter of the thickness: as far as samples are densest.
+        if let Some(depth) = pole(&formulas[0], thickness) {
+            let found = short(formulas[0].at(depth).value);
+            let why =
+                format!("the modulus is {found} at depth {}; expected a finite one above 0 everywhere", short(depth));
+            return Err(Refusal::Unusable { plugin: "formula", why });
+        }
         let kinks = formulas.iter().flat_map(|formula| formula.singular_points(0.25 * thickness, MOST_KINKS));
         let mut breakpoints: Vec<f64> = kinks.map(|depth| depth / thickness).filter(|d| *d > 0.0 && *d < 1.0).collect();
         breakpoints.sort_unstable_by(f64::total_cmp);
@@ -68,6 +77,23 @@ impl Grading for Formula {
         }
         Ok(Box::new(law))
     }
+}
+
+/// A depth in the layer at which a modulus becomes infinite or zero, as it may where the formula is singular: there, and
+/// to the last bit nowhere else, so that no sampling would find it.
+fn pole(modulus: &formula::Formula, thickness: f64) -> Option<f64> {
+    /// Beside a depth, in units of the thickness, and by how much a modulus without poles changes over it at most.
+    const NEAR: f64 = 1e-3;
+    const MOST: f64 = 1e5;
+    let singular = modulus.singular_points(0.25 * thickness, MOST_KINKS).into_iter();
+    let mut inside = singular.filter(|depth| *depth > 0.0 && *depth <= thickness);
+    inside.find(|&depth| {
+        let here = modulus.at(depth).value;
+        let near = [depth - NEAR * thickness, depth + NEAR * thickness].map(|depth| modulus.at(depth).value);
+        let is_like = |near: f64| here > near / MOST && here < near * MOST;
+        // What has no value at all here has one close by.
+        !here.is_nan() && !near.into_iter().any(is_like)
+    })
 }
 
 #[derive(Debug)]
@@ -194,6 +220,11 @@ mod tests {
             let refusal = formula(steep, None, &[]).law(&thick(4.0)).unwrap_err();
             assert!(matches!(refusal, Refusal::NotBuilt { .. }), "{steep}: {refusal}");
         }
+        for (singular, depth) in [("1/(2.4 - y)^2", "2.4"), ("abs(y - 0.7)", "0.7"), ("1/sqrt(abs(y - 3))", "3")] {
+            let refusal = formula(singular, None, &[]).law(&thick(5.0)).unwrap_err().to_string();
+            assert!(refusal.contains(&format!("at depth {depth};")), "{singular}: {refusal}");
+        }
+        assert!(formula("1/(5.1 - y)", None, &[]).law(&thick(5.0)).is_ok());
         assert_eq!(law("1 + y^1.5").surface_series(9).len(), 2);
         assert!(matches!(formula("1 + y", None, &[]).law(&Setting::default()), Err(Refusal::NotBuilt { .. })));
         for (modulus, poisson, key) in [("1 + x", None, "modulus"), ("1 + y", Some("y*"), "poisson")] {

@@ -76,8 +76,13 @@ impl Grading for Stack {
         if !same(whole, given) {
             return Err(unusable(format!("the sublayers are {whole} thick, the layer that they are to fill {given}")));
         }
-        let mut sublayers = self.layers.iter().map(|piece| {
-            let law = piece.law(setting)?;
+        let mut sublayers = self.layers.iter().enumerate().map(|(index, piece)| {
+            let law = piece.law(setting).map_err(|refusal| match refusal {
+                Refusal::Unusable { plugin, why } => {
+                    Refusal::Unusable { plugin, why: format!("in sublayer {} from the top: {why}", index + 1) }
+                }
+                other => other,
+            })?;
             Ok(Sublayer { thickness: piece.thickness.get() / whole, law })
         });
         if self.layers.len() == 1

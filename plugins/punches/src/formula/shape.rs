@@ -2,7 +2,7 @@
 
 use super::Gives;
 use crate::examine;
-use slipzone_api::{Fault, Flaw, PunchShape, double_exponential};
+use slipzone_api::{Fault, Flaw, PunchShape, double_exponential, short};
 use slipzone_formula::Formula;
 
 /// The most places at which integrals are to be split.
@@ -189,13 +189,6 @@ impl Graph {
         let middle = from + 0.5 * (to - from);
         self.panel(from, middle, depth + 1) + self.panel(middle, to, depth + 1)
     }
-}
-
-/// A number for people, with five digits at most.
-fn short(value: f64) -> String {
-    let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
-    let is_plain = rounded == 0.0 || (1e-4..1e6).contains(&rounded.abs()) || !rounded.is_finite();
-    if is_plain { rounded.to_string() } else { format!("{rounded:e}") }
 }
 
 impl PunchShape for Graph {

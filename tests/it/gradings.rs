@@ -1,0 +1,88 @@
+//! Gradings as scenes name them: nested ones, files of theirs, the thickness that a stack knows itself.
+
+use slipzone::api::Files;
+use slipzone::scene::{self, Scene, SceneError};
+
+/// Files in memory.
+struct Memory(&'static [(&'static str, &'static str)]);
+
+impl Files for Memory {
+    fn read(&self, name: &str) -> Result<Vec<u8>, String> {
+        let found = self.0.iter().find(|(known, _)| *known == name);
+        found.map(|(_, text)| text.as_bytes().to_vec()).ok_or_else(|| format!("no {name} here"))
+    }
+}
+
+const NO_FILES: Memory = Memory(&[]);
+
+fn parse(layer: &str, grading: &str, files: &Memory) -> Result<Scene, SceneError> {
+    let text = format!(
+        "format = 1\n[layer]\npoisson = 0.3\n{layer}\n[layer.grading]\n{grading}\n[punch]\ntype = \"flat\"\n\
+         half_width = 1.0\n[load]\nforce = 1.0\n"
+    );
+    scene::parse_with("a scene", &text, files)
+}
+
+fn modulus(scene: &Scene, depth: f64) -> f64 {
+    scene.layer.law().expect("a law").modulus(depth)
+}
+
+const STACK: &str = "type = \"stack\"\nlayers = [\n\
+    { thickness = 1.0, grading = { type = \"table\", file = \"top.csv\" } },\n\
+    { thickness = 3.0, poisson = 0.1, grading = { type = \"stack\", layers = [\n\
+        { thickness = 1.0, grading = { type = \"homogeneous\", modulus = 5.0 } },\n\
+        { thickness = 2.0, grading = { type = \"linear\", surface = 5.0, base = 9.0 } } ] } } ]";
+const FILES: Memory = Memory(&[("top.csv", "depth modulus\n0 1\n0.3 2\n0.6 3\n1 4\n")]);
+
+#[test]
+fn stacks_of_stacks_and_tables() {
+    let scene = parse("", STACK, &FILES).expect("a good scene");
+    assert!((scene.layer.thickness.expect("the sum").get() - 4.0).abs() < 1e-15);
+    for (depth, expected) in [(0.0, 1.0), (0.15, 3.0), (0.3, 5.0), (0.75, 7.0), (1.0, 9.0)] {
+        assert!((modulus(&scene, depth) - expected).abs() < 1e-12, "{depth}: {}", modulus(&scene, depth));
+    }
+    let law = scene.layer.law().expect("a law");
+    assert_eq!((law.poisson(0.1), law.poisson(0.6)), (None, Some(0.1)));
+    assert!(parse("thickness = 4.0", STACK, &FILES).is_ok());
+    assert!(parse("thickness = 4.1", STACK, &FILES).is_err());
+    let missing = parse("", STACK, &NO_FILES).expect_err("no file");
+    assert_eq!((missing.line, missing.message.as_str()), (8, "cannot read the file"));
+}
+
+#[test]
+fn what_needs_a_base_is_refused_without_one() {
+    let gradings = [
+        "type = \"linear\"\nsurface = 1.0\nbase = 2.0",
+        "type = \"sigmoid\"\nabove = 1.0\nbelow = 2.0\ncentre = 1.0\nwidth = 1.0",
+        "type = \"stack\"\nlayers = [{ thickness = 1.0, grading = { type = \"homogeneous\", modulus = 5.0 } }]",
+    ];
+    for grading in gradings {
+        let scene =
+            parse("base = { type = \"infinite\" }", grading, &NO_FILES).expect("nothing is wrong with the scene");
+        let solution = slipzone::engine::solve(&scene);
+        assert_eq!(solution.status, slipzone::engine::Status::Refused, "{grading}");
+        let reason = solution.reason.expect("a reason");
+        assert!(reason.contains("without a base is not built yet"), "{reason}");
+    }
+}
+
+/// What a scene calls a modulus reaches the gradings that mix materials, also inside a stack.
+#[test]
+fn mixtures_know_what_a_modulus_is() {
+    let mixed = "{ type = \"volume-fraction\", surface = { modulus = 2.6, poisson = 0.3 }, \
+                 base = { modulus = 9.6, poisson = 0.2 }, exponent = 1.0, rule = \"mori-tanaka\" }";
+    let stack = format!(
+        "type = \"stack\"\nlayers = [{{ thickness = 1.0, grading = {mixed} }}, \
+         {{ thickness = 1.0, grading = {{ type = \"homogeneous\", modulus = 5.0 }} }}]"
+    );
+    let [shear, young] = ["moduli = \"shear\"", "moduli = \"young\""]
+        .map(|moduli| parse(moduli, &stack, &NO_FILES).expect("a good scene").layer.law().expect("a law"));
+    let [at_shear, at_young] = [&shear, &young].map(|law| law.modulus(0.25));
+    assert!((at_shear - at_young).abs() > 1e-3, "{at_shear} {at_young}");
+    // Young's moduli 2.6 and 9.6 are shear moduli 1 and 4.
+    let nu = young.poisson(0.25).expect("a ratio of its own");
+    let plain = stack.replace("2.6", "1.0").replace("9.6", "4.0");
+    let plain = parse("", &plain, &NO_FILES);
+    let shear = modulus(&plain.expect("a good scene"), 0.25);
+    assert!((at_young / (2.0 * shear * (1.0 + nu)) - 1.0).abs() < 1e-14);
+}
