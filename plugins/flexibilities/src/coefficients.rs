@@ -103,15 +103,16 @@ impl Coefficients {
     /// with the depth as variable, which falls.
     #[inline(always)]
     pub(crate) fn rise<const L: usize>(&self, s: &[f64; L], bottom: States<L>) -> States<L> {
-        let mut orders = [[[[0.0; L]; 2]; 4]; ORDERS];
+        let mut orders = [[[[0.0; L]; 2]; 4]; MOST];
         orders[0] = bottom;
         let mut sum = bottom;
         let polynomials = [&self.softness, &self.stiffness, &self.contraction, &self.cross];
         let longest = polynomials.iter().map(|polynomial| polynomial.count).fold(5, usize::max);
         let negligible = NEGLIGIBLE * s.iter().fold(1.0_f64, |least, s| least.min(*s)).powi(4);
         let mut small = 0;
-        for k in 0..ORDERS - 1 {
+        for k in 0..ORDERS {
             let step = -((k + 1) as f64).recip();
+            let last = &orders[k % MOST];
             let mut next = [[[0.0; L]; 2]; 4];
             let [mut sheared, mut stretched] = [[[0.0; L]; 2]; 2];
             convolve(&self.softness, &orders, 2, k, &mut sheared);
@@ -123,17 +124,17 @@ impl Coefficients {
             let mut largest = 0.0_f64;
             for j in 0..2 {
                 for i in 0..L {
-                    next[0][j][i] = (s[i] * orders[k][1][j][i] + sheared[j][i]) * step;
+                    next[0][j][i] = (s[i] * last[1][j][i] + sheared[j][i]) * step;
                     next[1][j][i] = (crossed[j][i] - s[i] * squeezed[j][i]) * step;
                     next[2][j][i] = s[i] * (s[i] * stretched[j][i] + pushed[j][i]) * step;
-                    next[3][j][i] = -s[i] * orders[k][2][j][i] * step;
+                    next[3][j][i] = -s[i] * last[2][j][i] * step;
                 }
             }
             for (sum, next) in sum.iter_mut().flatten().flatten().zip(next.iter().flatten().flatten()) {
                 *sum += next;
                 largest = largest.max(next.abs());
             }
-            orders[k + 1] = next;
+            orders[(k + 1) % MOST] = next;
             small = if largest <= negligible { small + 1 } else { 0 };
             if small >= 2 && k >= longest {
                 break;
@@ -143,18 +144,18 @@ impl Coefficients {
     }
 }
 
-/// Adds the `k`-th order of the product of a polynomial with a component of the states.
+/// Adds the `k`-th order, the last of those kept, of the product of a polynomial with a component of the states.
 #[inline(always)]
 fn convolve<const L: usize>(
     polynomial: &Polynomial,
-    orders: &[States<L>; ORDERS],
+    orders: &[States<L>; MOST],
     component: usize,
     k: usize,
     sum: &mut [[f64; L]; 2],
 ) {
     let count = polynomial.count.min(k + 1);
-    for (c, order) in polynomial.terms[..count].iter().zip(orders[k + 1 - count..=k].iter().rev()) {
-        let states = &order[component];
+    for (back, c) in polynomial.terms[..count].iter().enumerate() {
+        let states = &orders[(k - back) % MOST][component];
         for j in 0..2 {
             for i in 0..L {
                 sum[j][i] += c * states[j][i];

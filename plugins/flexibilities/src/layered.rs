@@ -9,23 +9,24 @@ use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::{Base, Elastic, LayerModel, LayerResponse, Material, Refusal, SurfaceFlexibility};
 use std::sync::Arc;
 
-/// A base is forgotten where `exp(-2 s y)` times the contrast of moduli, and times the square of the
-/// polynomial that goes with it (below `exp(9)` there), drops under `exp(-39) = 1e-17`.
-const FORGOTTEN: f64 = 48.0;
+/// A base is forgotten where `exp(-2 s y)` times the contrast of moduli, and times the square of the polynomial that goes
+/// with it (below `exp(8)` there), drops under `exp(-33) = 5e-15`: what is put in its place is as good to a digit at least.
+const FORGOTTEN: f64 = 41.0;
 
 /// Largest `s delta` of a slice in which the constants vary.
-const THICK: f64 = 1.0;
+const THICK: f64 = 2.0;
 
-/// Wave numbers that are carried upwards together, and by which factor they may differ.
+/// Wave numbers that are carried upwards together, by which factor they may differ, and up to where that is no matter.
 const LANES: usize = 4;
 const ALIKE: f64 = 2.0;
+const FEW: f64 = 20.0;
 
 /// Terms of the surface series that the values of a law give, where it does not tell them itself.
 const TERMS_BY_VALUES: usize = 8;
 
 /// How many thicknesses of its first panel deep a law is no different from what its surface promises: polynomials fit
 /// where the nearest singularity is about as far away as that.
-const SMOOTH_DEPTH: f64 = 2.0;
+const SMOOTH_DEPTH: f64 = 4.0;
 
 /// No law is taken to have finer structure at its surface: one that has shows it in the kernel's bound.
 const LEAST_DEPTH: f64 = 1.0 / 1024.0;
@@ -138,7 +139,7 @@ impl LayerResponse for Layered {
         assert_eq!(wave_numbers.len(), out.len(), "one flexibility per wave number");
         for (some, out) in wave_numbers.chunks(LANES).zip(out.chunks_mut(LANES)) {
             let (least, most) = some.iter().fold((f64::INFINITY, 0.0_f64), |(l, m), s| (l.min(*s), m.max(*s)));
-            if least <= 0.0 || most > ALIKE * least {
+            if least <= 0.0 || most > FEW.max(ALIKE * least) {
                 for (s, out) in some.iter().zip(out) {
                     *out = self.surface(*s)?;
                 }

@@ -39,7 +39,7 @@ pub(crate) struct Panels {
 const TOLERANCE: (f64, f64) = (4e-15, 2e-14);
 
 /// A Chebyshev coefficient below this is rounding.
-const ROUNDING: f64 = 1e-16;
+const ROUNDING: f64 = 3e-16;
 
 /// Coefficients that must be small at the end of a series.
 const LAST: usize = 3;
