@@ -49,7 +49,7 @@ impl Polynomial {
             *term *= power;
             power *= width;
         }
-        let least = 0.25 * f64::EPSILON * terms[0].abs();
+        let least = 0.5 * f64::EPSILON * terms[0].abs();
         window.count = 1 + terms.iter().rposition(|term| term.abs() > least).unwrap_or(0);
         window
     }
@@ -82,6 +82,13 @@ impl Coefficients {
         [1.0 / mu, 8.0 * mu / (1.0 + elastic.kappa), elastic.lambda(), elastic.beta() / mu]
     }
 
+    /// Those of a material in units of its own modulus.
+    pub(crate) fn constant(material: Material) -> Self {
+        let [softness, stiffness, contraction, cross] =
+            Self::of(material, material.shear).map(|value| Polynomial::new(&[value]));
+        Self { softness, stiffness, contraction, cross }
+    }
+
     /// Over a part of the stretch.
     pub(crate) fn window(&self, start: f64, width: f64) -> Self {
         Self {
@@ -103,25 +110,36 @@ impl Coefficients {
     /// with the depth as variable, which falls.
     #[inline(always)]
     pub(crate) fn rise<const L: usize>(&self, s: &[f64; L], bottom: States<L>) -> States<L> {
-        let mut orders = [[[[0.0; L]; 2]; 4]; MOST];
-        orders[0] = bottom;
+        // Filled with what is at hand: of zeros a processor makes much ado.
+        let mut orders = [bottom; ORDERS];
         let mut sum = bottom;
         let polynomials = [&self.softness, &self.stiffness, &self.contraction, &self.cross];
         let longest = polynomials.iter().map(|polynomial| polynomial.count).fold(5, usize::max);
         let negligible = NEGLIGIBLE * s.iter().fold(1.0_f64, |least, s| least.min(*s)).powi(4);
+        // The same Poisson's ratio everywhere: a number in place of two polynomials.
+        let is_uniform = self.contraction.count == 1;
+        let beta = self.cross.terms[0] / self.softness.terms[0];
         let mut small = 0;
-        for k in 0..ORDERS {
-            let step = -((k + 1) as f64).recip();
-            let last = &orders[k % MOST];
-            let mut next = [[[0.0; L]; 2]; 4];
-            let [mut sheared, mut stretched] = [[[0.0; L]; 2]; 2];
-            convolve(&self.softness, &orders, 2, k, &mut sheared);
-            convolve(&self.stiffness, &orders, 0, k, &mut stretched);
-            let [mut crossed, mut squeezed, mut pushed] = [[[0.0; L]; 2]; 3];
-            convolve(&self.cross, &orders, 3, k, &mut crossed);
-            convolve(&self.contraction, &orders, 0, k, &mut squeezed);
-            convolve(&self.contraction, &orders, 3, k, &mut pushed);
-            let mut largest = 0.0_f64;
+        for k in 1..ORDERS {
+            let (known, unknown) = orders.split_at_mut(k);
+            let ([last, ..], [next, ..]) = (&known[k - 1..], unknown) else { break };
+            let [sheared, mut crossed] = convolve(&self.softness, known, [2, 3]);
+            let [stretched] = convolve(&self.stiffness, known, [0]);
+            let [mut squeezed, mut pushed] = [last[0], last[3]];
+            if is_uniform {
+                let lambda = self.contraction.terms[0];
+                for j in 0..2 {
+                    for i in 0..L {
+                        crossed[j][i] *= beta;
+                        squeezed[j][i] *= lambda;
+                        pushed[j][i] *= lambda;
+                    }
+                }
+            } else {
+                [crossed] = convolve(&self.cross, known, [3]);
+                [squeezed, pushed] = convolve(&self.contraction, known, [0, 3]);
+            }
+            let step = -(k as f64).recip();
             for j in 0..2 {
                 for i in 0..L {
                     next[0][j][i] = (s[i] * last[1][j][i] + sheared[j][i]) * step;
@@ -130,13 +148,15 @@ impl Coefficients {
                     next[3][j][i] = -s[i] * last[2][j][i] * step;
                 }
             }
-            for (sum, next) in sum.iter_mut().flatten().flatten().zip(next.iter().flatten().flatten()) {
-                *sum += next;
-                largest = largest.max(next.abs());
+            let mut largest = [0.0_f64; L];
+            for (sum, next) in sum.iter_mut().flatten().zip(next.iter().flatten()) {
+                for i in 0..L {
+                    sum[i] += next[i];
+                    largest[i] = largest[i].max(next[i].abs());
+                }
             }
-            orders[(k + 1) % MOST] = next;
-            small = if largest <= negligible { small + 1 } else { 0 };
-            if small >= 2 && k >= longest {
+            small = if largest.iter().all(|largest| *largest <= negligible) { small + 1 } else { 0 };
+            if small >= 2 && k > longest {
                 break;
             }
         }
@@ -144,24 +164,25 @@ impl Coefficients {
     }
 }
 
-/// Adds the `k`-th order, the last of those kept, of the product of a polynomial with a component of the states.
+/// The next order of the products of a polynomial with some components of the states, all orders before known.
 #[inline(always)]
-fn convolve<const L: usize>(
+fn convolve<const L: usize, const C: usize>(
     polynomial: &Polynomial,
-    orders: &[States<L>; MOST],
-    component: usize,
-    k: usize,
-    sum: &mut [[f64; L]; 2],
-) {
-    let count = polynomial.count.min(k + 1);
-    for (back, c) in polynomial.terms[..count].iter().enumerate() {
-        let states = &orders[(k - back) % MOST][component];
-        for j in 0..2 {
-            for i in 0..L {
-                sum[j][i] += c * states[j][i];
+    known: &[States<L>],
+    components: [usize; C],
+) -> [[[f64; L]; 2]; C] {
+    let mut sums = [[[0.0; L]; 2]; C];
+    for (c, order) in polynomial.coefficients().iter().zip(known.iter().rev()) {
+        for (sum, component) in sums.iter_mut().zip(components) {
+            let states = &order[component];
+            for j in 0..2 {
+                for i in 0..L {
+                    sum[j][i] += c * states[j][i];
+                }
             }
         }
     }
+    sums
 }
 
 /// `d t^-1` of two states: the compliance that both obey.

@@ -21,6 +21,10 @@ const LANES: usize = 4;
 const ALIKE: f64 = 2.0;
 const FEW: f64 = 20.0;
 
+/// Most terms of the surface series of a law that is no exponential: they cost as their fourth power, and the series is
+/// asymptotic.
+const MOST_TERMS: usize = 24;
+
 /// Terms of the surface series that the values of a law give, where it does not tell them itself.
 const TERMS_BY_VALUES: usize = 8;
 
@@ -164,7 +168,7 @@ impl LayerResponse for Layered {
             Matter::Exponential(material, gamma) => {
                 surface_tail::exponential(material.elastic, gamma / thickness, terms)
             }
-            Matter::Smooth(coefficients) => surface_tail::of(&self.layer, terms).unwrap_or_else(|| {
+            Matter::Smooth(coefficients) => surface_tail::of(&self.layer, terms.min(MOST_TERMS)).unwrap_or_else(|| {
                 let own = coefficients.window(-1.0, 2.0 / thickness);
                 surface_tail::by_values(self.layer.elastic, &own, terms.min(TERMS_BY_VALUES))
             }),
@@ -310,7 +314,13 @@ impl Panel {
         let depth = if top == self.top && bottom == self.top + self.thickness { self.thickness } else { bottom - top };
         // In units of the panel: where the part begins, and how thick it is.
         let (start, part) = ((top - self.top) / self.thickness, depth / self.thickness);
+        let most = s.iter().fold(0.0_f64, |most, s| most.max(*s));
         match &self.matter {
+            // One slice of constant coefficients: the wave numbers rise together.
+            Matter::Exponential(material, 0.0) if most * depth <= THICK => {
+                let coefficients = Coefficients::constant(*material);
+                column.rise(&coefficients, &s.map(|s| s * depth), depth / self.unit);
+            }
             Matter::Exponential(material, gamma) => {
                 let (unit, gamma) = (self.unit * (gamma * start).exp(), gamma * part);
                 let scale = depth / unit;
@@ -327,7 +337,6 @@ impl Panel {
                 column.slides = false;
             }
             Matter::Smooth(coefficients) => {
-                let most = s.iter().fold(0.0_f64, |most, s| most.max(*s));
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `s depth` is bounded
                 let count = ((most * depth / THICK).ceil() as usize).max(1);
                 let (start, width) = (-1.0 + 2.0 * start, 2.0 * part / count as f64);

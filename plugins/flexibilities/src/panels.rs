@@ -39,7 +39,7 @@ pub(crate) struct Panels {
 const TOLERANCE: (f64, f64) = (4e-15, 2e-14);
 
 /// A Chebyshev coefficient below this is rounding.
-const ROUNDING: f64 = 3e-16;
+const ROUNDING: f64 = 6e-16;
 
 /// Coefficients that must be small at the end of a series.
 const LAST: usize = 3;
@@ -227,10 +227,13 @@ impl Chebyshev {
     /// The polynomial through values at the nodes, rounding dropped, and whether it has converged.
     fn through(&self, values: &[f64; MOST]) -> (Polynomial, bool) {
         let size = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        // What varies alone, so that what does not vary is a constant.
+        let level = values[MOST / 2];
         let mut series: [f64; MOST] = std::array::from_fn(|k| {
-            let sum: f64 = self.cosines[k].iter().zip(values).map(|(cosine, value)| cosine * value).sum();
+            let sum: f64 = self.cosines[k].iter().zip(values).map(|(cosine, value)| cosine * (value - level)).sum();
             sum * if k == 0 { 1.0 } else { 2.0 } / MOST as f64
         });
+        series[0] += level;
         let is_smooth = series[MOST - LAST..].iter().all(|c| c.abs() <= TOLERANCE.0 * size);
         let count = 1 + series.iter().rposition(|c| c.abs() > ROUNDING * size).unwrap_or(0);
         series[count..].fill(0.0);
