@@ -96,7 +96,7 @@ impl Layered {
     /// Carries columns from the lower to the upper of two depths.
     #[inline(always)]
     fn carry<const L: usize>(&self, s: &[f64; L], span: (f64, f64), column: &mut Column<L>) {
-        let panels = &self.panels.panels;
+        let panels = &self.panels.all;
         let from = panels.partition_point(|panel| panel.top + panel.thickness <= span.0);
         let to = panels.partition_point(|panel| panel.top < span.1);
         for panel in panels[from.min(to)..to].iter().rev() {
@@ -107,7 +107,7 @@ impl Layered {
     /// What the layer stands on, as far as it is felt: where its base is out of sight any start does.
     fn standing<const L: usize>(&self, s: &[f64; L], reach: f64) -> Column<L> {
         if reach < 1.0 {
-            let panels = &self.panels.panels;
+            let panels = &self.panels.all;
             let deepest = &panels[panels.partition_point(|panel| panel.top < reach) - 1];
             return Column::half_plane(Material { shear: deepest.unit, elastic: self.layer.elastic }, s);
         }
@@ -163,7 +163,7 @@ impl LayerResponse for Layered {
     }
 
     fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
-        let Panel { thickness, matter, .. } = &self.panels.panels[0];
+        let Panel { thickness, matter, .. } = &self.panels.all[0];
         match matter {
             Matter::Exponential(material, gamma) => {
                 surface_tail::exponential(material.elastic, gamma / thickness, terms)
@@ -184,7 +184,7 @@ impl LayerResponse for Layered {
     }
 
     fn depth(&self) -> Option<f64> {
-        let Panel { thickness, matter, .. } = &self.panels.panels[0];
+        let Panel { thickness, matter, .. } = &self.panels.all[0];
         let smooth = match matter {
             Matter::Exponential(..) => 1.0,
             Matter::Smooth(_) => (SMOOTH_DEPTH * thickness).max(LEAST_DEPTH),
@@ -311,7 +311,9 @@ impl Panel {
     #[inline(always)]
     fn carry<const L: usize>(&self, s: &[f64; L], span: (f64, f64), column: &mut Column<L>) {
         let (top, bottom) = (span.0.max(self.top), span.1.min(self.top + self.thickness));
-        let depth = if top == self.top && bottom == self.top + self.thickness { self.thickness } else { bottom - top };
+        // The whole, where it is the whole: a thin panel far down has no digits in the difference.
+        let is_whole = span.0 <= self.top && span.1 >= self.top + self.thickness;
+        let depth = if is_whole { self.thickness } else { bottom - top };
         // In units of the panel: where the part begins, and how thick it is.
         let (start, part) = ((top - self.top) / self.thickness, depth / self.thickness);
         let most = s.iter().fold(0.0_f64, |most, s| most.max(*s));

@@ -28,7 +28,8 @@ pub(crate) enum Matter {
 /// The panels of a layer, top first.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Panels {
-    pub(crate) panels: Vec<Panel>,
+    /// Each where the one above it ends.
+    pub(crate) all: Vec<Panel>,
     /// `ln(max mu/min mu)`.
     pub(crate) contrast: f64,
     /// The first depth at which the constants have a kink or a jump, as told or as found.
@@ -83,7 +84,7 @@ impl Panels {
         if !law.sublayers().is_empty() {
             return Some(());
         }
-        if !self.panels.is_empty() {
+        if !self.all.is_empty() {
             self.first_break = self.first_break.min(top);
         }
         let mut see = |shear: f64| *extremes = (extremes.0.min(shear), extremes.1.max(shear));
@@ -91,12 +92,7 @@ impl Panels {
             let material = layer.material(law, 0.0);
             see(material.shear);
             see(layer.material(law, 1.0).shear);
-            self.panels.push(Panel {
-                top,
-                thickness,
-                unit: material.shear,
-                matter: Matter::Exponential(material, gamma),
-            });
+            self.all.push(Panel { top, thickness, unit: material.shear, matter: Matter::Exponential(material, gamma) });
             return Some(());
         }
         let ends: Vec<f64> = [0.0].into_iter().chain(law.breakpoints().iter().copied()).chain([1.0]).collect();
@@ -123,8 +119,8 @@ impl Panels {
                 see(fit.extremes.0);
                 see(fit.extremes.1);
                 let matter = Matter::Smooth(Box::new(fit.coefficients));
-                self.panels.push(Panel { top: from, thickness: wide, unit: fit.unit, matter });
-                if self.panels.len() > MOST_PANELS {
+                self.all.push(Panel { top: from, thickness: wide, unit: fit.unit, matter });
+                if self.all.len() > MOST_PANELS {
                     return None;
                 }
             }
@@ -139,7 +135,7 @@ impl Panels {
             let even = polynomial.coefficients().iter().step_by(2);
             even.zip(0..).map(|(c, k)| c / f64::from(2 * k + 1)).sum()
         };
-        self.panels.iter().fold((0.0, 0.0), |(stiffness, contraction), panel| {
+        self.all.iter().fold((0.0, 0.0), |(stiffness, contraction), panel| {
             let (own, contracted) = match &panel.matter {
                 Matter::Exponential(material, gamma) => {
                     let growth = if *gamma == 0.0 { 1.0 } else { gamma.exp_m1() / gamma };

@@ -93,6 +93,14 @@ impl KernelStrategy for Split {
             accuracy *= ATTEMPTS.1;
         }
         let draft = best.expect("at least one attempt");
+        if !draft.error.is_finite() {
+            return Err(Refusal::OutOfReach {
+                method: "split",
+                why: format!("the kernel is too rough beside t = 0 to be told to {:.0e}", request.accuracy),
+                remedy: "ask for a coarser tolerance, or take a grading that is smooth at the surface (a volume fraction whose \
+                         exponent is no whole number is not)",
+            });
+        }
         Ok(Box::new(Table::new(
             request.components,
             draft.pieces,
