@@ -39,6 +39,10 @@ pub(crate) struct Panels {
 /// Largest relative error of a coefficient: the last ones of its Chebyshev series, and two values beside the nodes.
 const TOLERANCE: (f64, f64) = (4e-15, 2e-14);
 
+/// A law's own rounding may be larger than that: coefficients below this that halving the panel leaves above a part of
+/// what they were are taken for it. Those of a smooth law fall by far more, those of a jump are larger.
+const NOISE: (f64, f64) = (1e-12, 0.3);
+
 /// A Chebyshev coefficient below this is rounding.
 const ROUNDING: f64 = 6e-16;
 
@@ -101,15 +105,16 @@ impl Panels {
                 self.first_break = self.first_break.min(top + pair[0] * thickness);
             }
             // Depths over the law's own range, deepest on the stack first.
-            let mut stack = vec![(pair[0], pair[1] - pair[0])];
-            while let Some((start, width)) = stack.pop() {
+            let mut stack = vec![(pair[0], pair[1] - pair[0], f64::INFINITY)];
+            while let Some((start, width, before)) = stack.pop() {
                 let fit = Fit::of(layer, law, start, width)?;
                 let (from, wide) = (top + start * thickness, width * thickness);
                 let is_thinnest = wide <= THINNEST || width <= THINNEST;
-                if !fit.is_smooth && !is_thinnest {
+                let is_noise = fit.error < NOISE.0 && fit.error > NOISE.1 * before;
+                if !fit.is_smooth && !is_noise && !is_thinnest {
                     let half = 0.5 * width;
-                    stack.push((start + half, half));
-                    stack.push((start, half));
+                    stack.push((start + half, half, fit.error));
+                    stack.push((start, half, fit.error));
                     continue;
                 }
                 // At the surface itself nothing can be split off but what its derivatives tell.
@@ -155,6 +160,8 @@ struct Fit {
     /// Smallest and largest modulus seen.
     extremes: (f64, f64),
     is_smooth: bool,
+    /// The largest of what should be small, relative.
+    error: f64,
 }
 
 impl Fit {
@@ -175,17 +182,20 @@ impl Fit {
             return None;
         }
         let fitted = values.map(|values| Chebyshev::get().through(&values));
-        let mut is_smooth = fitted.iter().all(|(_, is_smooth)| *is_smooth);
+        let mut error = fitted.iter().fold(0.0_f64, |most, (_, last)| most.max(*last));
+        let mut is_smooth = error <= TOLERANCE.0;
         let [softness, stiffness, contraction, cross] = fitted.map(|(polynomial, _)| polynomial);
         let coefficients = Coefficients { softness, stiffness, contraction, cross };
         for x in BESIDE {
             let own = [&coefficients.softness, &coefficients.stiffness, &coefficients.contraction, &coefficients.cross];
             for ((polynomial, value), values) in own.iter().zip(Coefficients::of(at(x), unit)).zip(&values) {
                 let size = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-                is_smooth &= (polynomial.at(x) - value).abs() <= TOLERANCE.1 * size;
+                let beside = if size == 0.0 { 0.0 } else { (polynomial.at(x) - value).abs() / size };
+                is_smooth &= beside <= TOLERANCE.1;
+                error = error.max(beside);
             }
         }
-        Some(Self { coefficients, unit, extremes, is_smooth })
+        Some(Self { coefficients, unit, extremes, is_smooth, error })
     }
 }
 
@@ -220,8 +230,8 @@ impl Chebyshev {
         })
     }
 
-    /// The polynomial through values at the nodes, rounding dropped, and whether it has converged.
-    fn through(&self, values: &[f64; MOST]) -> (Polynomial, bool) {
+    /// The polynomial through values at the nodes, rounding dropped, and the last coefficients of its series, relative.
+    fn through(&self, values: &[f64; MOST]) -> (Polynomial, f64) {
         let size = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         // What varies alone, so that what does not vary is a constant.
         let level = values[MOST / 2];
@@ -230,7 +240,8 @@ impl Chebyshev {
             sum * if k == 0 { 1.0 } else { 2.0 } / MOST as f64
         });
         series[0] += level;
-        let is_smooth = series[MOST - LAST..].iter().all(|c| c.abs() <= TOLERANCE.0 * size);
+        let last = series[MOST - LAST..].iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+        let last = if size == 0.0 { 0.0 } else { last / size };
         let count = 1 + series.iter().rposition(|c| c.abs() > ROUNDING * size).unwrap_or(0);
         series[count..].fill(0.0);
         let mut terms = [0.0; MOST];
@@ -239,6 +250,6 @@ impl Chebyshev {
                 *term += c * power;
             }
         }
-        (Polynomial::new(&terms[..count]), is_smooth)
+        (Polynomial::new(&terms[..count]), last)
     }
 }

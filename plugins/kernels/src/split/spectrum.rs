@@ -147,6 +147,8 @@ impl Spectrum {
             let middle = End::new(response, at, at)?;
             spectrum.evaluations += 1;
             stack.push((middle, upper, nodes, worst));
+            // Beside the origin, as the narrower panel sees it.
+            let lower = if lower.s == 0.0 { End::new(response, 0.0, BESIDE_ORIGIN * at)? } else { lower };
             stack.push((lower, middle, nodes, worst));
         }
         Ok(spectrum)
