@@ -98,7 +98,8 @@ impl Cut {
 }
 
 /// Fewest terms whose remainder beyond `cutoff` is below `enough`, or the number that leaves least; and what
-/// they leave: twice the larger of the next two terms, integrated (single coefficients may vanish).
+/// they leave: twice the largest of the next terms, integrated. Single coefficients may vanish, and of a law that begins
+/// with `y^n` all but each `n`-th do: so as many terms are looked at as vanish before the first, and two more.
 fn shortest(tail: &[SurfaceFlexibility], cutoff: f64, enough: f64) -> (usize, f64) {
     let mut power = 1.0;
     // Terms of the integral of the series.
@@ -110,9 +111,10 @@ fn shortest(tail: &[SurfaceFlexibility], cutoff: f64, enough: f64) -> (usize, f6
             size
         })
         .collect();
+    let gap = sizes.iter().position(|size| *size > 0.0).unwrap_or(0) + 2;
     let mut best = (sizes.len(), f64::INFINITY);
-    for (terms, pair) in sizes.windows(2).enumerate() {
-        let left = 2.0 * pair[0].max(pair[1]);
+    for (terms, next) in sizes.windows(gap).enumerate() {
+        let left = 2.0 * next.iter().fold(0.0_f64, |most, size| most.max(*size));
         if left <= enough {
             return (terms, left);
         }
