@@ -1,6 +1,6 @@
 //! The scene in one line.
 
-use crate::engine::Solution;
+use crate::engine::{DepthProfile, Solution};
 use crate::report::labels::{Labels, one_line, with_unit};
 use crate::report::number::short;
 #[cfg(feature = "plot")]
@@ -9,7 +9,7 @@ use crate::report::number::typeset;
 use crate::scene::Scene;
 use crate::scene::{Layer, Load};
 use serde_json::Value;
-use slipzone_api::{Base, Friction, Plane, PunchProfile};
+use slipzone_api::{Base, Friction, Moduli, Plane, PunchProfile};
 
 /// Letters for the field's symbols, and how numbers are set.
 pub(super) struct Alphabet {
@@ -67,23 +67,23 @@ pub(super) fn constant_parts(solution: &Solution, letters: &Alphabet) -> Vec<Str
     parts_but_load(solution, fixed, letters)
 }
 
-/// What the scene's solid is: thickness, material and base, of Poisson's ratio the layer's own.
+/// What the scene's solid is: thickness, material and base.
 #[cfg(feature = "plot")]
 pub(super) fn layer_parts(scene: &Scene, letters: &Alphabet) -> Vec<String> {
     let labels = Labels::new(&scene.units);
     let mut parts = layer(&scene.layer, None, &labels, letters);
-    parts.push(format!("{} = {}", letters.nu, letters.number(scene.layer.poisson.get())));
+    parts.push(poisson(&scene.layer, letters));
     parts.push(plane(scene.layer.plane).into());
-    parts.push(base(&scene.layer.base, &labels, letters));
+    parts.push(base(&scene.layer, &labels, letters));
     parts
 }
 
 fn parts_but_load(solution: &Solution, half_width: Option<f64>, letters: &Alphabet) -> Vec<String> {
     let (scene, labels) = (&solution.scene, Labels::new(&solution.units));
     let mut parts = layer(&scene.layer, half_width, &labels, letters);
-    parts.push(format!("{} = {}", letters.nu, letters.number(scene.layer.poisson.get())));
+    parts.push(poisson(&scene.layer, letters));
     parts.push(plane(scene.layer.plane).into());
-    parts.push(base(&scene.layer.base, &labels, letters));
+    parts.push(base(&scene.layer, &labels, letters));
     parts.push(punch(&*scene.punch, letters));
     parts.push(match &scene.friction {
         None => "frictionless".into(),
@@ -133,6 +133,18 @@ fn layer(layer: &Layer, half_width: Option<f64>, labels: &Labels, letters: &Alph
     parts
 }
 
+/// Poisson's ratio, or from where to where it goes where the grading has it vary.
+fn poisson(layer: &Layer, letters: &Alphabet) -> String {
+    /// Differences that are rounding.
+    const SAME: f64 = 1e-9;
+    let varies = layer.law().is_ok_and(|law| law.poisson(0.0).is_some() || !law.sublayers().is_empty());
+    let profile = if varies { DepthProfile::new(layer).ok().flatten() } else { None };
+    let given = layer.poisson.get();
+    let (least, most) = profile.map_or((given, given), |profile| profile.poisson_range());
+    let range = if most - least > SAME { format!(" to {}", letters.number(most)) } else { String::new() };
+    format!("{} = {}{range}", letters.nu, letters.number(least))
+}
+
 /// A ratio, as `1/8` where that is what it is: so it stands in the literature.
 fn fraction(ratio: f64, letters: &Alphabet) -> String {
     let inverse = ratio.recip();
@@ -141,17 +153,19 @@ fn fraction(ratio: f64, letters: &Alphabet) -> String {
     if inverse > 1.5 && inverse < 1e4 && whole { format!("1/{inverse:.0}") } else { letters.number(ratio) }
 }
 
-fn base(base: &Base, labels: &Labels, letters: &Alphabet) -> String {
-    match base {
+fn base(layer: &Layer, labels: &Labels, letters: &Alphabet) -> String {
+    match layer.base {
         Base::Rigid => "bonded to a rigid base".into(),
         Base::Frictionless => "on a frictionless rigid base".into(),
-        Base::HalfPlane { shear, poisson } => format!(
-            "bonded to a half-plane ({} = {}, {} = {})",
-            letters.shear[0],
-            with_unit(&letters.number(shear.get()), &labels.stress),
-            letters.nu,
-            letters.number(poisson.get())
-        ),
+        Base::HalfPlane { shear, poisson } => {
+            let (shear, nu) = (shear.get(), poisson.get());
+            let (symbol, modulus) = match layer.moduli {
+                Moduli::Shear => (letters.shear[0], shear),
+                Moduli::Young => (letters.young[0], 2.0 * shear * (1.0 + nu)),
+            };
+            let modulus = with_unit(&letters.number(modulus), &labels.stress);
+            format!("bonded to a half-plane ({symbol} = {modulus}, {} = {})", letters.nu, letters.number(nu))
+        }
         Base::Infinite => "half-plane".into(),
     }
 }
@@ -210,6 +224,33 @@ mod tests {
             scene_parts(&samples::cylinder_without_friction(), &ASCII).join(", "),
             "homogeneous, mu = 1, nu = 0.3, plane strain, half-plane, cylinder punch (radius = 10), frictionless, b = 1"
         );
+    }
+
+    #[test]
+    fn a_layer_is_described_as_the_scene_gives_it() {
+        crate::link_plugins();
+        let line = |layer: &str| {
+            let text = format!(
+                "format = 1\npunch = {{ type = 'flat', half_width = 1.0 }}\nload = {{ force = 1.0 }}\n\
+                 [layer]\npoisson = 0.3\n{layer}"
+            );
+            let layer = crate::scene::parse("line", &text).unwrap_or_else(|e| panic!("{e}")).layer;
+            let labels = Labels::new(&crate::scene::Units::default());
+            format!("{}, {}", poisson(&layer, &ASCII), base(&layer, &labels, &ASCII))
+        };
+        let stack = |poisson: &str| {
+            format!(
+                "grading = {{ type = 'stack', layers = [\
+                 {{ thickness = 1.0, grading = {{ type = 'homogeneous', modulus = 2.0 }} }}, \
+                 {{ thickness = 1.0, {poisson} grading = {{ type = 'homogeneous', modulus = 1.0 }} }}] }}"
+            )
+        };
+        let steel = "base = { type = 'half-plane', young = 210.0, poisson = 0.25 }\n";
+        assert_eq!(
+            line(&format!("{steel}moduli = 'young'\n{}", stack("poisson = 0.2,"))),
+            "nu = 0.2 to 0.3, bonded to a half-plane (E = 210, nu = 0.25)"
+        );
+        assert_eq!(line(&format!("{steel}{}", stack(""))), "nu = 0.3, bonded to a half-plane (mu = 84, nu = 0.25)");
     }
 
     #[test]

@@ -82,6 +82,15 @@ fn a_loading_curve_is_written() {
     assert!(checked.ends_with("force 1, on a path of 3 from 0.25\n"), "{checked}");
 }
 
+/// A half-plane that stiffens with depth is its own base: what `solve` counts depths from, `explain` says.
+#[test]
+fn explain_says_that_a_stiffening_half_plane_has_depths() {
+    let folder = folder();
+    let output = feed(folder.path(), &["explain", "-"], include_bytes!("../../examples/layer_infinite.toml"));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("stiffens: the indentation is counted from far below"), "{text}");
+}
+
 #[cfg(feature = "plot")]
 #[test]
 fn a_loading_curve_is_drawn() {

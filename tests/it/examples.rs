@@ -2,6 +2,8 @@
 
 use serde_json::Value;
 use slipzone::api::Files;
+#[cfg(feature = "plot")]
+use slipzone::engine::{DepthProfile, FlexibilityProfile, response};
 use slipzone::engine::{Status, solve, solve_all};
 use slipzone::scene::{Scene, parse_with};
 
@@ -28,7 +30,11 @@ fn scenes() -> Vec<(String, Scene)> {
         })
         .collect();
     scenes.sort_by(|one, other| one.0.cmp(&other.0));
-    assert!(scenes.len() >= 21, "Table 1, figures 2 and 6, and one of each punch: {} scenes", scenes.len());
+    assert!(
+        scenes.len() >= 34,
+        "Table 1, figures 2 and 6, one of each punch, grading and base: {} scenes",
+        scenes.len()
+    );
     scenes
 }
 
@@ -74,6 +80,14 @@ fn the_figures_of_the_documents_are_what_the_program_draws() {
         let tractions = || slipzone::report::svg(&solution).expect("a figure");
         let curve = || slipzone::report::curve_svg(&solution).expect("a figure");
         compared += drawn(format!("punch_{stem}"), &tractions);
+        let layer = || {
+            let depths = DepthProfile::new(&scene.layer).expect("a law");
+            let flexibility = FlexibilityProfile::new(&*response(&scene).expect("a response")).expect("numbers");
+            slipzone::report::layer_svg(&scene, depths.as_ref(), Some(&flexibility)).expect("a figure")
+        };
+        if stem.starts_with("layer_") {
+            compared += drawn(stem.into(), &layer);
+        }
         if stem == "flat" {
             compared += drawn(stem.into(), &tractions);
         }
@@ -81,7 +95,7 @@ fn the_figures_of_the_documents_are_what_the_program_draws() {
             compared += drawn(stem.into(), &curve);
         }
     }
-    assert_eq!(compared, 11, "nine punches, the flat one again in the README, and a loading curve");
+    assert_eq!(compared, 24, "nine punches, the flat one again in the README, a loading curve, thirteen layers");
 }
 
 #[test]

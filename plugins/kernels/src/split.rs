@@ -196,6 +196,10 @@ impl Split {
         let slope_aim =
             columns.iter().map(|c| if c.component == Component::Depth { DEPTH_GAIN * c.aim } else { c.aim });
         let (mut cut, settled) = Cut::choose(&tail, depth, slope_aim.fold(f64::INFINITY, f64::min));
+        if response.pole() != 0.0 {
+            // What is left of a column without its pole `c/s` is `-c/s`: the series' first term, whatever the tail says.
+            cut.terms = cut.terms.max(tail.len().min(1));
+        }
         if let Some(cutoff) = self.cutoff {
             cut.cutoff = cutoff.get() / depth;
         }

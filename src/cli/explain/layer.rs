@@ -104,6 +104,9 @@ fn base(text: &mut String, scene: &Scene) -> Result {
     };
     match (moves, scene.layer.datum) {
         (false, _) => writeln!(text, "# base         {what}: the indentation is counted from it"),
+        (true, None) if scene.layer.has_depths() => {
+            writeln!(text, "# base         {what} and stiffens: the indentation is counted from far below")
+        }
         (true, Some(datum)) => {
             writeln!(text, "# base         {what}: the indentation is counted from depth {}  (length)", datum.get())
         }
