@@ -176,3 +176,59 @@ fn thin_or_incompressible_layers_that_slip_outwards() {
     assert_eq!(all.len(), 3, "the whole file is compared");
     assert_honest(&all);
 }
+
+/// The layers of `other_layers.json`, in its order.
+const OTHER_LAYERS: [&str; 6] = [
+    "thickness = 5.0\npoisson = 0.3\ngrading = { type = \"power-law\", surface = 1.0, length = 2.0, exponent = 2.0 }",
+    "thickness = 2.0\npoisson = 0.3\nbase = { type = \"half-plane\", shear = 2.0, poisson = 0.25 }\n\
+     grading = { type = \"exponential\", surface = 1.0, base = 4.0 }",
+    "thickness = 1.5\npoisson = 0.3\nbase = { type = \"half-plane\", shear = 5.0, poisson = 0.2 }\n\
+     grading = { type = \"homogeneous\", modulus = 1.0 }",
+    // A third, to the last bit.
+    "thickness = 3.0\npoisson = 0.2\nbase = { type = \"frictionless\" }\n\
+     grading = { type = \"exponential\", surface = 1.0, base = 0.3333333333333333 }",
+    "thickness = 5.0\npoisson = 0.3\nplane = \"stress\"\n\
+     grading = { type = \"exponential\", surface = 1.0, base = 0.125 }",
+    "poisson = 0.3\ngrading = { type = \"stack\", layers = [\
+     { thickness = 0.5, grading = { type = \"homogeneous\", modulus = 1.0 } }, \
+     { thickness = 1.0, poisson = 0.25, grading = { type = \"homogeneous\", modulus = 3.0 } }, \
+     { thickness = 0.8, poisson = 0.35, grading = { type = \"homogeneous\", modulus = 0.5 } }] }",
+];
+
+#[test]
+fn other_gradings_and_bases() {
+    let references = References::read(include_str!("../data/other_layers.json"));
+    assert_eq!(references.cases.len(), OTHER_LAYERS.len(), "the whole file is compared");
+    let mut all = Vec::new();
+    for (case, layer) in references.cases.iter().zip(OTHER_LAYERS) {
+        let name = case["layer"].as_str().expect("a text");
+        let flat = Sketch::on(layer).with(TIGHT);
+        let solution = converged(&flat);
+        // On a half-plane there is none, and the file has none.
+        assert_eq!(solution.load.indentation.is_some(), case["flat"]["delta"].is_number(), "{name}");
+        let numbers = [
+            ("edge.ratio", solution.edge.ratio, &case["flat"]["edge"]),
+            ("load.indentation", solution.load.indentation, &case["flat"]["delta"]),
+            ("pressure.centre", solution.pressure.centre, &case["flat"]["p0"]),
+        ];
+        all.extend(references.compare(name, &solution, &numbers));
+        let round = converged(&flat.clone().cylinder());
+        let numbers = [
+            ("load.force", round.load.force, &case["cylinder"]["P"]),
+            ("pressure.centre", round.pressure.centre, &case["cylinder"]["p0"]),
+        ];
+        all.extend(references.compare(&format!("{name}, cylinder"), &round, &numbers));
+        for (eta, ratio) in case["stick"].as_object().expect("a table").iter().filter(|(_, ratio)| !ratio.is_null()) {
+            let solution = converged(&flat.clone().rubbing(eta.parse().expect("a number")));
+            let got = solution.stick.as_ref().and_then(|s| s.ratio);
+            all.extend(references.compare(&format!("{name}, eta = {eta}"), &solution, &[("stick.ratio", got, ratio)]));
+        }
+    }
+    // 16 of the flat punch, 12 of the cylinder, 10 stick zones.
+    assert_eq!(all.len(), 38, "the whole file is compared");
+    assert_honest(&all);
+    for Compared { what, error, digits, .. } in &all {
+        // A unit of the last digit, as two programs may round it; or the tolerance where more digits are printed.
+        assert!(*error <= (2.0 * digits).max(1e-10), "{what}: error {error:.1e}, digits {digits:.1e}");
+    }
+}

@@ -9,6 +9,8 @@ mod examples;
 mod flexibilities;
 mod friction;
 mod gradings;
+mod hard_layers;
+mod layers;
 mod limits;
 mod loading_curve;
 mod marching;

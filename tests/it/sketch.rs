@@ -13,6 +13,8 @@ pub(crate) struct Sketch {
     pub(crate) nu: f64,
     pub(crate) flat: bool,
     pub(crate) eta: Option<f64>,
+    /// Lines of `[layer]` in place of those that thickness, ratio and Poisson's ratio make.
+    pub(crate) layer: Option<String>,
     /// `key = value` of the load.
     pub(crate) load: String,
     /// Further lines: `[solver]`, `[output]`.
@@ -21,11 +23,25 @@ pub(crate) struct Sketch {
 
 impl Sketch {
     pub(crate) fn flat(h: f64, ratio: f64, nu: f64) -> Self {
-        Self { h: Some(h), ratio, nu, flat: true, eta: None, load: "force = 1.0".into(), rest: String::new() }
+        Self {
+            h: Some(h),
+            ratio,
+            nu,
+            flat: true,
+            eta: None,
+            layer: None,
+            load: "force = 1.0".into(),
+            rest: String::new(),
+        }
     }
 
     pub(crate) fn half_plane(nu: f64) -> Self {
         Self { h: None, ..Self::flat(1.0, 1.0, nu) }
+    }
+
+    /// A flat punch on the layer that these lines describe.
+    pub(crate) fn on(layer: impl Into<String>) -> Self {
+        Self { layer: Some(layer.into()), ..Self::half_plane(0.3) }
     }
 
     pub(crate) fn cylinder(self) -> Self {
@@ -59,13 +75,12 @@ impl Sketch {
         } else {
             format!("type = \"exponential\", surface = 1.0, base = {:?}", 1.0 / self.ratio)
         };
+        let own = || format!("{layer}\npoisson = {:?}\ngrading = {{ {grading} }}", self.nu);
+        let layer = self.layer.clone().unwrap_or_else(own);
         let punch = if self.flat { "type = \"flat\"\nhalf_width = 1.0" } else { "type = \"cylinder\"\nradius = 1.0" };
         let friction =
             self.eta.map_or(String::new(), |eta| format!("[friction]\ntype = \"goodman\"\ncoefficient = {eta:?}\n"));
-        format!(
-            "format = 1\n[layer]\n{layer}\npoisson = {:?}\ngrading = {{ {grading} }}\n[punch]\n{punch}\n{friction}[load]\n{}\n{}",
-            self.nu, self.load, self.rest
-        )
+        format!("format = 1\n[layer]\n{layer}\n[punch]\n{punch}\n{friction}[load]\n{}\n{}", self.load, self.rest)
     }
 
     pub(crate) fn scene(&self) -> Scene {

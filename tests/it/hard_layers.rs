@@ -1,0 +1,162 @@
+//! Layers at the ends of what the scene format allows: no panic, no number that is not one, and what converges is true.
+
+use crate::sketch::Sketch;
+use slipzone::api::Flexibility;
+use slipzone::engine::{Solution, Status};
+use slipzone_flexibilities::Compliance;
+use std::fmt::Write;
+use std::sync::Arc;
+
+const STEEP: &str = "{ type = \"exponential\", surface = 1.0, base = 3.0 }";
+
+fn homogeneous(modulus: f64) -> String {
+    format!("{{ type = \"homogeneous\", modulus = {modulus:?} }}")
+}
+
+fn layer(thickness: f64, nu: f64, grading: &str) -> String {
+    format!("thickness = {thickness:?}\npoisson = {nu:?}\ngrading = {grading}\n")
+}
+
+fn coating(thickness: f64, grading: &str, shear: f64) -> String {
+    format!("{}base = {{ type = \"half-plane\", shear = {shear:?}, poisson = 0.25 }}\n", layer(thickness, 0.3, grading))
+}
+
+fn stack(sublayers: &[(f64, f64)]) -> String {
+    let one = |(thickness, modulus): &(f64, f64)| {
+        format!("{{ thickness = {thickness:?}, grading = {} }}", homogeneous(*modulus))
+    };
+    let all: Vec<String> = sublayers.iter().map(one).collect();
+    format!("poisson = 0.3\ngrading = {{ type = \"stack\", layers = [{}] }}\n", all.join(", "))
+}
+
+fn formula(modulus: &str) -> String {
+    format!("{{ type = \"formula\", modulus = \"{modulus}\" }}")
+}
+
+fn sigmoid(below: f64, width: f64) -> String {
+    format!("{{ type = \"sigmoid\", above = 1.0, below = {below:?}, centre = 1.0, width = {width:?} }}")
+}
+
+/// Name, lines of `[layer]`.
+fn layers() -> Vec<(String, String)> {
+    let mut all = Vec::new();
+    let mut add = |name: String, layer: String| all.push((name, layer));
+    for nu in [0.5, -0.99] {
+        add(format!("linear, nu = {nu}"), layer(3.0, nu, "{ type = \"linear\", surface = 1.0, base = 4.0 }"));
+        add(format!("steep, sliding, nu = {nu}"), layer(2.0, nu, STEEP) + "base = { type = \"frictionless\" }\n");
+    }
+    for modulus in [1e-6, 1e-3, 1e3, 1e6] {
+        add(format!("two layers, 1 and {modulus:e}"), stack(&[(1.0, 1.0), (2.0, modulus)]));
+        add(format!("one of {modulus:e} between"), stack(&[(1.0, 1.0), (0.5, modulus), (1.0, 1.0)]));
+        add(format!("coating on {modulus:e}"), coating(1.5, &homogeneous(1.0), modulus));
+        add(format!("exponential to {modulus:e}"), layer(5.0, 0.3, &formula(&format!("exp(y/h*log({modulus:?}))"))));
+        add(format!("interface to {modulus:e}"), layer(3.0, 0.3, &sigmoid(modulus, 0.3)));
+    }
+    add("from 1/2 to -0.9".into(), {
+        let grading = "{ type = \"formula\", modulus = \"1 + y\", poisson = \"0.5 - 1.4*y/h\" }";
+        layer(3.0, 0.3, grading)
+    });
+    for below in [0.2, 5.0] {
+        add(format!("interface of h/100 to {below}"), layer(2.0, 0.3, &sigmoid(below, 0.02)));
+        add(format!("coating of b/10 on {below}"), coating(0.1, &homogeneous(1.0), below));
+        add(format!("thick on {below}"), coating(1e4, &homogeneous(1.0), below));
+    }
+    add("sheet of a millionth".into(), stack(&[(1.0, 1.0), (2e-6, 3.0), (1.0, 2.0)]));
+    add("soft sheet of a millionth".into(), stack(&[(1.0, 1.0), (2e-6, 1e-5), (1.0, 2.0)]));
+    add("kink told".into(), layer(3.0, 0.3, &formula("1 + abs(y - 1)")));
+    add("kink untold".into(), layer(3.0, 0.3, &formula("1 + sqrt((y - 1)^2)")));
+    add("branch point above the surface".into(), layer(3.0, 0.3, &formula("1 + sqrt(y + 0.05)")));
+    add("waves".into(), layer(3.0, 0.3, &formula("2 + sin(20*y)")));
+    add("thick, graded at the surface".into(), layer(1e3, 0.3, &formula("2 - exp(-y)")));
+    all
+}
+
+#[test]
+fn flexibilities_are_numbers_at_every_wave_number() {
+    let bases = ["", "base = { type = \"frictionless\" }\n"];
+    for (name, layer) in layers() {
+        for base in bases.iter().take(if layer.contains("base = { type") { 1 } else { 2 }) {
+            let model = Sketch::on(format!("{base}{layer}")).scene().layer.model().expect("a model");
+            let response = Compliance {}.respond(&Arc::new(model)).unwrap_or_else(|why| panic!("{name}: {why}"));
+            for s in [0.0, 1e-12, 1e-6, 1e-3, 0.1, 1.0, 4.0, 30.0, 1e3, 1e6] {
+                let f = response.surface(s).unwrap_or_else(|why| panic!("{name}: {why}"));
+                assert!([f.vv, f.uu, f.uv].iter().all(|f| f.is_finite()), "{name}: {f:?} at s = {s}");
+                // Energy is positive; where the layer is all but incompressible the determinant is lost in rounding.
+                assert!(
+                    s == 0.0 || (f.vv > 0.0 && f.uu > 0.0 && f.vv * f.uu > 0.999_999 * f.uv * f.uv),
+                    "{name}: {f:?} at s = {s}"
+                );
+            }
+        }
+    }
+}
+
+/// The numbers of a solution, by their path.
+fn numbers(solution: &Solution) -> Vec<(&'static str, f64)> {
+    let stick = solution.stick.as_ref();
+    [
+        ("load.force", solution.load.force),
+        ("load.indentation", solution.load.indentation),
+        ("pressure.centre", solution.pressure.centre),
+        ("edge.ratio", solution.edge.ratio),
+        ("stick.ratio", stick.and_then(|s| s.ratio)),
+        ("stick.one_minus_ratio", stick.and_then(|s| s.one_minus_ratio)),
+    ]
+    .into_iter()
+    .filter_map(|(path, value)| Some((path, value?)))
+    .collect()
+}
+
+/// Every layer under a flat punch, with friction and without, and under a cylinder, at the default tolerance against another
+/// quadrature at a hundredth of it: what converges is true, what does not knows its error.
+#[test]
+fn what_converges_is_true() {
+    let mut failed = String::new();
+    for (name, layer) in layers() {
+        let flat = Sketch::on(layer);
+        for (punch, sketch) in
+            [("flat", flat.clone()), ("rubbing", flat.clone().rubbing(0.3)), ("cylinder", flat.cylinder())]
+        {
+            let solution = sketch.solve();
+            // Friction takes the panels seconds at a hundredth.
+            let judge = if punch == "rubbing" {
+                "[solver]\ntolerance = 1e-10"
+            } else {
+                "[solver]\ntolerance = 1e-10\nquadrature = { type = \"graded-panels\" }"
+            };
+            let judge = sketch.with(judge).solve();
+            let converged = solution.status == Status::Converged;
+            let mut worst = 0.0_f64;
+            for ((path, found), (_, exact)) in numbers(&solution).into_iter().zip(numbers(&judge)) {
+                let error = if exact == 0.0 { 0.0 } else { (found / exact - 1.0).abs() };
+                worst = worst.max(error);
+                let allowed = if converged { 1e-8 } else { solution.error.each[path].max(1e-8) };
+                if error.is_nan() || error > 3.0 * allowed + judge.error.each[path] {
+                    writeln!(failed, "{name}, {punch}: {path} is off by {error:.1e}").expect("a string");
+                }
+            }
+            if solution.status == Status::Refused {
+                writeln!(failed, "{name}, {punch}: {:?}", solution.reason).expect("a string");
+            }
+            let (status, estimate) = (solution.status, solution.error.estimate.unwrap_or(f64::NAN));
+            println!("{name:32} {punch:8} {status:?}: error {worst:.1e}, estimate {estimate:.1e}");
+        }
+    }
+    assert!(failed.is_empty(), "{failed}");
+}
+
+/// A thousand sublayers take no more wave numbers than one graded layer does: counted, not timed.
+#[test]
+fn a_thousand_sublayers_cost_no_wave_numbers() {
+    let steps: Vec<(f64, f64)> = (0..1000).map(|i| (0.003, 1.0 + f64::from(i) / 500.0)).collect();
+    let many = Sketch::on(stack(&steps)).solve();
+    let smooth = Sketch::on(layer(3.0, 0.3, "{ type = \"linear\", surface = 0.999, base = 2.999 }")).solve();
+    assert_eq!(many.status, Status::Converged, "{:?}", many.reason);
+    println!("{} against {}", many.plan.flexibility_evaluations, smooth.plan.flexibility_evaluations);
+    // The first step lies h/1000 deep, beyond which the kernel is sampled at as many scales as lie between: ten octaves.
+    assert!(many.plan.flexibility_evaluations < 10 * smooth.plan.flexibility_evaluations);
+    // Steps of a thousandth about a line, which they meet in their middles: to second order.
+    for ((path, many), (_, smooth)) in numbers(&many).into_iter().zip(numbers(&smooth)) {
+        assert!((many / smooth - 1.0).abs() < 2e-3, "{path}: {many} against {smooth}");
+    }
+}

@@ -1,0 +1,438 @@
+//! Layers that can imitate each other do: the same flexibility, the same numbers.
+
+use crate::sketch::Sketch;
+use slipzone::api::reference::{flat_punch, partial_slip};
+use slipzone::api::{Flexibility, LayerResponse, SurfaceFlexibility};
+use slipzone::engine::{Solution, Status};
+use slipzone_flexibilities::Compliance;
+use std::f64::consts::{LN_2, PI};
+use std::sync::Arc;
+
+const STEEP: &str = "grading = { type = \"exponential\", surface = 1.0, base = 5.0 }";
+const PLAIN: &str = "grading = { type = \"homogeneous\", modulus = 1.0 }";
+
+/// Every base under which a layer has a thickness.
+const BASES: [&str; 3] =
+    ["", "base = { type = \"frictionless\" }\n", "base = { type = \"half-plane\", shear = 3.0, poisson = 0.2 }\n"];
+
+/// Wave numbers in units of `1/h`: where the base is all, where it is felt, and where it is forgotten.
+const WAVES: [f64; 17] = [1e-12, 1e-6, 1e-3, 0.03, 0.1, 0.3, 0.7, 1.0, 1.5, 2.3, 3.5, 5.0, 8.0, 13.0, 30.0, 200.0, 1e6];
+
+/// What two ways to the same flexibility may differ by: each promises 1e-11 of whatever law.
+const SAME: f64 = 1e-11;
+
+fn lines(thickness: f64, grading: &str) -> String {
+    format!("thickness = {thickness:?}\npoisson = 0.3\n{grading}")
+}
+
+/// Sublayers, written as `thickness, [poisson,] grading`.
+fn stack(sublayers: &[(f64, &str)]) -> String {
+    let one = |(thickness, grading): &(f64, &str)| format!("{{ thickness = {thickness:?}, {grading} }}");
+    let all: Vec<String> = sublayers.iter().map(one).collect();
+    format!("grading = {{ type = \"stack\", layers = [{}] }}", all.join(", "))
+}
+
+fn response(layer: &str) -> Box<dyn LayerResponse> {
+    let model = Arc::new(Sketch::on(layer).scene().layer.model().expect("a model"));
+    Compliance {}.respond(&model).unwrap_or_else(|refusal| panic!("{refusal}\n{layer}"))
+}
+
+/// `vv` and `uu` relative to themselves, `uv`, which may pass through zero, to their mean.
+fn distance(a: SurfaceFlexibility, b: SurfaceFlexibility) -> f64 {
+    let each = [a.vv / b.vv - 1.0, a.uu / b.uu - 1.0, (a.uv - b.uv) / (b.vv * b.uu).sqrt()];
+    // NaN is worst.
+    each.into_iter().fold(0.0, |worst, error| if error.abs() <= worst { worst } else { error.abs() })
+}
+
+/// The largest difference of two flexibilities; `scale` is what the second's unit of length is to the first's.
+fn difference(one: &dyn LayerResponse, other: &dyn LayerResponse, scale: f64) -> f64 {
+    let at = |s: f64| distance(one.surface(s).expect("a number"), other.surface(s * scale).expect("a number"));
+    WAVES.into_iter().map(at).fold(0.0, f64::max)
+}
+
+fn assert_same_flexibility(one: &str, other: &str) {
+    let difference = difference(&*response(one), &*response(other), 1.0);
+    println!("{difference:.1e} {}", one.replace('\n', " "));
+    assert!(difference <= SAME, "{difference:.1e} between\n{one}\nand\n{other}");
+}
+
+/// The numbers of a solution, those that the load gives left out.
+fn numbers(solution: &Solution) -> Vec<f64> {
+    let stick = solution.stick.as_ref();
+    let all = [
+        solution.load.force,
+        solution.load.indentation,
+        solution.pressure.centre,
+        solution.edge.ratio,
+        stick.and_then(|s| s.ratio),
+        stick.and_then(|s| s.one_minus_ratio),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+fn solved(sketch: Sketch, tolerance: f64) -> Vec<f64> {
+    let sketch = sketch.with(&format!("[solver]\ntolerance = {tolerance:e}"));
+    let solution = sketch.solve();
+    assert_eq!(solution.status, Status::Converged, "{:?}\n{}", solution.reason, sketch.text());
+    numbers(&solution)
+}
+
+/// What a thing solved two ways may differ by: a few digits above rounding, under friction one more.
+const FINE: f64 = 1e-11;
+
+/// Two digits finer than the default.
+const TIGHT: f64 = 1e-10;
+
+/// Friction on a homogeneous layer that slides on its base is not found: the kernel's pole is left out beyond the cut.
+fn is_left_out(layer: &str) -> bool {
+    layer.contains("frictionless") && !layer.contains("exponential")
+}
+
+/// A flat punch without friction and with it, and a cylinder, on both: within the tolerances of both, `FINE` as a rule.
+fn assert_same_numbers(one: &str, other: &str, tolerance: f64) {
+    let punches: [fn(&str) -> Sketch; 3] =
+        [|layer| Sketch::on(layer), |layer| Sketch::on(layer).rubbing(0.3), |layer| Sketch::on(layer).cylinder()];
+    for (i, punch) in punches.into_iter().enumerate() {
+        if i == 1 && is_left_out(one) && is_left_out(other) {
+            continue;
+        }
+        let (one, other) = (solved(punch(one), tolerance), (solved(punch(other), tolerance), other));
+        assert_eq!(one.len(), other.0.len());
+        for (a, b) in one.iter().zip(&other.0) {
+            assert!((a / b - 1.0).abs() <= 2.0 * tolerance || a == b, "{a} against {b} on\n{}", other.1);
+        }
+    }
+}
+
+fn assert_same(one: &str, other: &str) {
+    assert_same_flexibility(one, other);
+    assert_same_numbers(one, other, FINE);
+}
+
+#[test]
+fn formulas_imitate_the_exponential() {
+    let formula = "grading = { type = \"formula\", modulus = \"m*exp(y/h*log(5))\", parameters = { m = 1.0 } }";
+    for base in BASES {
+        assert_same(&lines(2.0, &format!("{base}{formula}")), &lines(2.0, &format!("{base}{STEEP}")));
+    }
+}
+
+#[test]
+fn laws_of_one_family_imitate_each_other() {
+    let pairs = [
+        (
+            "{ type = \"linear\", surface = 1.0, base = 4.0 }",
+            "{ type = \"power-law\", surface = 1.0, length = 1.0, exponent = 1.0 }",
+        ),
+        (
+            "{ type = \"power-law\", surface = 1.0, length = 2.0, exponent = 2.5 }",
+            "{ type = \"formula\", modulus = \"(1 + y/2)^2.5\" }",
+        ),
+        (
+            "{ type = \"sigmoid\", above = 1.0, below = 4.0, centre = 1.0, width = 0.5 }",
+            "{ type = \"formula\", modulus = \"2.5 + 1.5*tanh((y - 1)/0.5)\" }",
+        ),
+        (
+            "{ type = \"volume-fraction\", surface = { modulus = 1.0, poisson = 0.3 }, \
+             base = { modulus = 4.0, poisson = 0.2 }, exponent = 2.0, rule = \"mixture\" }",
+            "{ type = \"formula\", modulus = \"1 + 3*(y/h)^2\", poisson = \"0.3 - 0.1*(y/h)^2\" }",
+        ),
+        // Poisson's ratio told twice.
+        (
+            "{ type = \"formula\", modulus = \"1 + y^2\" }",
+            "{ type = \"formula\", modulus = \"1 + y^2\", poisson = \"0.3 + 0*y\" }",
+        ),
+    ];
+    for (one, other) in pairs {
+        assert_same(&lines(3.0, &format!("grading = {one}")), &lines(3.0, &format!("grading = {other}")));
+    }
+}
+
+#[test]
+fn stacks_of_equal_sublayers_are_one_layer() {
+    let plain = format!("poisson = 0.3, {PLAIN}");
+    // Pieces of 1 to 5 over [0, 2]: powers of 5 at their depths.
+    let piece = |from: f64, to: f64| {
+        let [from, to] = [from, to].map(|y: f64| 5.0_f64.powf(y / 2.0));
+        format!("grading = {{ type = \"exponential\", surface = {from:?}, base = {to:?} }}")
+    };
+    let (first, second, third) = (piece(0.0, 0.3), piece(0.3, 1.1), piece(1.1, 2.0));
+    let inner = stack(&[(0.8, &second), (0.9, &third)]);
+    for base in BASES {
+        let homogeneous = lines(2.0, &format!("{base}{PLAIN}"));
+        let steep = lines(2.0, &format!("{base}{STEEP}"));
+        let of = |sublayers: &[(f64, &str)]| lines(2.0, &format!("{base}{}", stack(sublayers)));
+        assert_same_flexibility(&of(&[(0.3, &plain), (0.7, &plain), (1.0, PLAIN)]), &homogeneous);
+        assert_same(&of(&[(2.0, PLAIN)]), &homogeneous);
+        assert_same(&of(&[(2.0, STEEP)]), &steep);
+        assert_same(&of(&[(0.3, &first), (0.8, &second), (0.9, &third)]), &steep);
+        assert_same(&of(&[(0.3, &first), (1.7, &inner)]), &steep);
+        // A skin of a millionth.
+        let rest = piece(2e-6, 2.0);
+        assert_same_flexibility(&of(&[(2e-6, &piece(0.0, 2e-6)), (2.0 - 2e-6, &rest)]), &steep);
+    }
+}
+
+#[test]
+fn tables_pass_through_their_law() {
+    let table = |points: usize, law: fn(f64) -> f64| {
+        let rows: Vec<String> = (0..points)
+            .map(|i| 2.0 * i as f64 / (points - 1) as f64)
+            .map(|y| format!("[{y:?}, {:?}]", law(y)))
+            .collect();
+        lines(2.0, &format!("grading = {{ type = \"table\", points = [{}] }}", rows.join(", ")))
+    };
+    // What is interpolated is the logarithm.
+    assert_same(&table(7, |y| 5.0_f64.powf(y / 2.0)), &lines(2.0, STEEP));
+    let exact =
+        response(&lines(2.0, "grading = { type = \"power-law\", surface = 1.0, length = 1.0, exponent = 2.0 }"));
+    let law = |y: f64| (1.0 + y).powi(2);
+    let errors: Vec<f64> =
+        [11, 21, 41, 81].iter().map(|points| difference(&*response(&table(*points, law)), &*exact, 1.0)).collect();
+    let orders: Vec<f64> = errors.windows(2).map(|e| (e[0] / e[1]).log2()).collect();
+    println!("{errors:?} {orders:?}");
+    // Blends of cubics: fourth order; equally spaced rows of a smooth law gain about one more.
+    assert!(orders.iter().all(|order| *order > 3.8), "{errors:?} {orders:?}");
+    assert!(errors[3] < 1e-7, "{errors:?}");
+}
+
+#[test]
+fn a_coating_of_its_substrates_material_is_a_half_plane() {
+    let beta = 2.0 / 7.0;
+    let exact = partial_slip::stick(0.3, beta);
+    for h in [0.05, 0.7, 3.0, 100.0] {
+        let of = |grading: &str| {
+            lines(h, &format!("base = {{ type = \"half-plane\", shear = 1.0, poisson = 0.3 }}\n{grading}"))
+        };
+        let formula = of("grading = { type = \"formula\", modulus = \"1 + 0*y\" }");
+        for layer in [of(PLAIN), formula] {
+            let all = response(&layer);
+            let plain = SurfaceFlexibility { vv: 1.0, uu: 1.0, uv: -beta };
+            for s in WAVES {
+                let difference = distance(all.surface(s).expect("a number"), plain);
+                assert!(difference < 1e-13, "{difference:.1e} at s = {s}, h = {h}");
+            }
+            // The kernels of a contact twenty times as wide as the coating are proved to 2e-10 and no better.
+            let tolerance = if h < 0.1 { 1e-9 } else { FINE };
+            let flat = solved(Sketch::on(&layer).rubbing(0.3), tolerance);
+            // Rounding of the kernels, which should be zeros, grows with the width of the contact.
+            let allowed = FINE * (1.0 + 1.0 / h);
+            let expected = [1.0, 1.0 / PI, flat_punch::EDGE_RATIO, exact.ratio, exact.one_minus_ratio];
+            assert_eq!(flat.len(), expected.len(), "no indentation");
+            for (found, expected) in flat.iter().zip(expected) {
+                assert!((found / expected - 1.0).abs() < allowed, "{found} against {expected} at h = {h}");
+            }
+            // P = pi b^2/(2 A0 R), p(0) = b/(A0 R).
+            let round = solved(Sketch::on(&layer).cylinder(), tolerance);
+            for (found, expected) in round.iter().zip([PI / 1.4, 1.0 / 0.7]) {
+                assert!((found / expected - 1.0).abs() < allowed, "{found} against {expected} at h = {h}");
+            }
+        }
+    }
+}
+
+/// `2 sinh^2 w/(2w + sinh 2w)`, whatever Poisson's ratio.
+#[test]
+fn a_homogeneous_layer_that_slides_on_its_base_has_a_closed_form() {
+    for nu in [-0.99, 0.0, 0.3, 0.5] {
+        let all =
+            response(&format!("thickness = 2.0\npoisson = {nu:?}\nbase = {{ type = \"frictionless\" }}\n{PLAIN}"));
+        for w in WAVES {
+            // In decaying exponentials.
+            let once = -(-2.0 * w).exp_m1();
+            let exact = once * once / (once * (1.0 + (-2.0 * w).exp()) + 4.0 * w * (-2.0 * w).exp());
+            let found = all.surface(w).expect("a number").vv;
+            // Slices are good to a few roundings; below w = 1e-6 the closed form itself is w/2.
+            assert!((found / exact - 1.0).abs() < 1e-13, "{found} against {exact} at w = {w}, nu = {nu}");
+        }
+    }
+}
+
+#[test]
+fn youngs_moduli_are_shear_moduli_converted() {
+    let young = |rest: &str| format!("moduli = \"young\"\n{rest}");
+    for base in BASES {
+        let formula = |modulus: &str| {
+            format!("{base}grading = {{ type = \"formula\", modulus = \"{modulus}\", poisson = \"0.4 - 0.1*y\" }}")
+        };
+        assert_same(&young(&lines(2.0, &formula("2*(1 + y)*(1.4 - 0.1*y)"))), &lines(2.0, &formula("1 + y")));
+    }
+    assert_same_flexibility(
+        &young(&lines(2.0, "grading = { type = \"homogeneous\", modulus = 2.6 }")),
+        &lines(2.0, PLAIN),
+    );
+    let [two, six] = ["surface = 2.6, base = 13.0", "surface = 1.0, base = 5.0"]
+        .map(|ends| lines(2.0, &format!("grading = {{ type = \"exponential\", {ends} }}")));
+    assert_same_flexibility(&young(&two), &six);
+}
+
+#[test]
+fn mixtures_of_one_phase_are_homogeneous() {
+    for rule in ["mixture", "mori-tanaka"] {
+        let mixed = format!(
+            "grading = {{ type = \"volume-fraction\", surface = {{ modulus = 1.0, poisson = 0.3 }}, \
+             base = {{ modulus = 1.0, poisson = 0.3 }}, exponent = 2.5, rule = \"{rule}\" }}"
+        );
+        assert_same(&lines(2.0, &mixed), &lines(2.0, PLAIN));
+    }
+}
+
+/// Within `y << width` both blurred interfaces are straight lines but for a cube of `y/width`.
+#[test]
+fn wide_interfaces_are_linear_to_third_order() {
+    for (name, slope) in [("sigmoid", 1.0), ("error-function", 2.0 / PI.sqrt())] {
+        let errors = [20.0, 40.0, 80.0].map(|width: f64| {
+            let wide =
+                format!("grading = {{ type = \"{name}\", above = 1.0, below = 4.0, centre = 1.0, width = {width:?} }}");
+            let [top, bottom] = [-1.0, 1.0].map(|y| 2.5 + 1.5 * slope * y / width);
+            let line = format!("grading = {{ type = \"linear\", surface = {top:?}, base = {bottom:?} }}");
+            difference(&*response(&lines(2.0, &wide)), &*response(&lines(2.0, &line)), 1.0)
+        });
+        println!("{name} {errors:?}");
+        for pair in errors.windows(2) {
+            assert!((pair[0] / pair[1]).log2() > 2.9, "{name} {errors:?}");
+        }
+    }
+}
+
+#[test]
+fn a_thick_coating_is_a_half_plane_of_its_own() {
+    let deviation = |h: f64, what: usize| {
+        let layer = lines(h, &format!("base = {{ type = \"half-plane\", shear = 3.0, poisson = 0.2 }}\n{PLAIN}"));
+        solved(Sketch::on(layer), 1e-12)[what]
+    };
+    let limits = [1.0 / PI, flat_punch::EDGE_RATIO];
+    for (i, limit) in limits.into_iter().enumerate() {
+        let all = [10.0, 100.0, 1000.0].map(|h| (deviation(h, i + 1) / limit - 1.0).abs());
+        println!("{all:?}");
+        // To second order in b/h: the last is 1e-7 of it all, four digits above the tolerance.
+        for pair in all.windows(2) {
+            assert!(((pair[0] / pair[1]).log10() - 2.0).abs() < 0.1, "{all:?}");
+        }
+    }
+}
+
+#[test]
+fn an_infinite_exponential_is_a_thick_layer_of_it() {
+    let infinite = |gradient: f64| {
+        format!(
+            "poisson = 0.3\nbase = {{ type = \"infinite\" }}\n\
+             grading = {{ type = \"exponential\", surface = 1.0, gradient = {gradient:?} }}"
+        )
+    };
+    // exp(-60) of the surface is left at the base, and of what is left of long waves nothing below s = 1e-3.
+    let thick = lines(60.0, "grading = { type = \"exponential\", surface = 1.0, gradient = 1.0 }");
+    let (endless, layer) = (response(&infinite(1.0)), response(&thick));
+    for s in [1e-3, 0.01, 0.1, 0.5, 1.0, 2.0, 5.0, 30.0, 1e4] {
+        let difference = distance(endless.surface(s).expect("a number"), layer.surface(60.0 * s).expect("a number"));
+        assert!(difference < SAME, "{difference:.1e} at s = {s}");
+    }
+    assert_same_numbers(&infinite(1.0), &thick, FINE);
+    // gamma -> 0: to first order.
+    let deviations = [1e-2, 1e-3, 1e-4]
+        .map(|gradient| (solved(Sketch::on(infinite(gradient)), 1e-11)[3] / flat_punch::EDGE_RATIO - 1.0).abs());
+    println!("{deviations:?}");
+    for pair in deviations.windows(2) {
+        assert!(((pair[0] / pair[1]).log10() - 1.0).abs() < 0.15, "{deviations:?}");
+    }
+}
+
+/// `A0 mu1` at nu = 0.3, plane strain.
+const A0: f64 = 0.7;
+
+/// Displacement of the middle of a flat punch of half-width 1 under unit force, less that at depth `d` below it, on a
+/// half-plane: `(A0/pi) int (1 - exp(-s d) (1 + 2 s d/(kappa + 1))) J0(s)/s ds`.
+fn sinking(d: f64) -> f64 {
+    A0 / PI * (d.asinh() - 2.0 / (4.0 * A0) * d / d.hypot(1.0))
+}
+
+/// `1 - exp(-s d) (1 + 2 s d/(kappa + 1))`, wherever the solid is cut into a layer and its base.
+#[test]
+#[ignore = "what reaches the datum, exp(-s d), is forgotten at s d = 20.5, as if it came back: 2e-8"]
+fn what_a_wave_sinks_against_the_datum_has_a_closed_form() {
+    for datum in [0.3, 1.0, 5.0, 1e3] {
+        for h in [0.2, 1.0, 5.0, 80.0] {
+            let base = "base = { type = \"half-plane\", shear = 1.0, poisson = 0.3 }";
+            let layer = lines(h, &format!("{base}\ndatum = {datum:?}\n{PLAIN}"));
+            let response = response(&layer).against_datum().expect("a datum is named");
+            for phase in [1e-6, 1e-4, 0.01, 0.1, 0.3, 1.0, 3.0, 8.0, 20.0, 21.0, 25.0, 30.0, 100.0_f64] {
+                let found = response.surface(phase * h / datum).expect("a number").vv;
+                let exact = -(-phase).exp_m1() - (-phase).exp() * phase / (2.0 * A0);
+                // The depth's kernel is the integral of this over the wave number: it is to be known relative to itself, of
+                // which the difference of two depths leaves a rounding over the phase.
+                let allowed = 1e-13 * (1.0 + 1.0 / phase);
+                assert!(
+                    (found / exact - 1.0).abs() < allowed,
+                    "{:.1e} at phase {phase}, datum {datum}, h = {h}",
+                    found / exact - 1.0
+                );
+            }
+        }
+    }
+}
+
+#[test]
+#[ignore = "converged at 1e-11 with an error of 1e-10, or bounds up to 1e55: see the flexibility against the datum"]
+fn depths_on_a_half_plane_count_from_the_datum() {
+    for datum in [0.3, 1.0, 5.0, 1e3, 1e6] {
+        let infinite = format!("poisson = 0.3\nbase = {{ type = \"infinite\" }}\ndatum = {datum:?}\n{PLAIN}");
+        let coated = |h: f64| {
+            let base = "base = { type = \"half-plane\", shear = 1.0, poisson = 0.3 }";
+            lines(h, &format!("{base}\ndatum = {datum:?}\n{PLAIN}"))
+        };
+        // The same solid cut at any depth: the datum in the substrate, at the interface, in the coating.
+        let layers = [infinite, coated(0.2), coated(1.0), coated(5.0), coated(80.0)];
+        for layer in layers {
+            let found = solved(Sketch::on(&layer), TIGHT)[1];
+            let exact = sinking(datum);
+            assert!((found / exact - 1.0).abs() < 3.0 * TIGHT, "{found} against {exact}, datum {datum}\n{layer}");
+        }
+    }
+}
+
+#[test]
+fn far_data_differ_by_what_the_substrate_gives_between_them() {
+    let base = "base = { type = \"half-plane\", shear = 3.0, poisson = 0.2 }";
+    let depth = |datum: f64, grading: &str, cylinder: bool| {
+        let sketch = Sketch::on(lines(1.5, &format!("{base}\ndatum = {datum:?}\n{grading}")));
+        let sketch = if cylinder { sketch.cylinder().loaded("force = 1.0") } else { sketch };
+        solved(sketch, 1e-11)[1]
+    };
+    // (A0/pi) ln 2 of the substrate, whatever lies above and presses.
+    let expected = (1.0 - 0.2) / 3.0 / PI * LN_2;
+    for (grading, cylinder) in [(PLAIN, false), (STEEP, false), (STEEP, true)] {
+        let deviations = [1e2, 1e3, 1e4]
+            .map(|datum| (depth(2.0 * datum, grading, cylinder) - depth(datum, grading, cylinder)) / expected - 1.0);
+        println!("{deviations:?}");
+        // The coating stiffens or softens the surface: to first order in its thickness over the depth.
+        for pair in deviations.windows(2) {
+            assert!(((pair[0] / pair[1]).log10() - 1.0).abs() < 0.05, "{deviations:?}");
+        }
+    }
+}
+
+#[test]
+#[ignore = "no stick zone: the kernel's pole is left out beyond the cut where the series has no terms"]
+fn friction_on_a_layer_that_slides_is_continuous_in_the_gradient() {
+    let ratio = |grading: &str| {
+        let layer = lines(3.0, &format!("base = {{ type = \"frictionless\" }}\n{grading}"));
+        solved(Sketch::on(layer).rubbing(0.3), 1e-9)[3]
+    };
+    let graded = |base: f64| ratio(&format!("grading = {{ type = \"exponential\", surface = 1.0, base = {base:?} }}"));
+    // To second order in the gradient.
+    let middle = 0.5 * (graded(1.0 - 1e-5) + graded(1.0 + 1e-5));
+    assert!((ratio(PLAIN) / middle - 1.0).abs() < 3e-9, "{} against {middle}", ratio(PLAIN));
+}
+
+/// One engine solves a contact that grows without friction, another one with it; Goodman's pressure is the same.
+#[test]
+fn both_engines_count_from_the_datum() {
+    let base = "base = { type = \"half-plane\", shear = 3.0, poisson = 0.2 }";
+    for datum in [0.7, 1.5, 40.0] {
+        let sketch = Sketch::on(lines(1.5, &format!("{base}\ndatum = {datum:?}\n{STEEP}"))).cylinder();
+        let (free, rubbing) = (solved(sketch.clone(), 1e-9), solved(sketch.rubbing(0.3), 1e-9));
+        for (free, rubbing) in free.iter().zip(&rubbing).take(3) {
+            assert!((free / rubbing - 1.0).abs() < 2e-9, "{free} against {rubbing}, datum {datum}");
+        }
+    }
+}
