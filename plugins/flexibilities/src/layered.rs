@@ -33,7 +33,7 @@ const TERMS_BY_VALUES: usize = 8;
 const SMOOTH_DEPTH: f64 = 4.0;
 
 /// No law is taken to have finer structure at its surface: one that has shows it in the kernel's bound.
-const LEAST_DEPTH: f64 = 1.0 / 1024.0;
+const LEAST_DEPTH: f64 = 1.0 / 32.0;
 
 /// The compliance `d = C t`, carried from the base to the surface slice by slice.
 #[derive(Clone, Debug)]
@@ -68,7 +68,8 @@ impl Layered {
     /// The same, and what a traction on the surface displaces at the depth `datum`.
     fn compliance_and_datum(&self, s: f64, datum: f64) -> (Compliances<1>, Matrix2<f64>) {
         let s = [s];
-        let reach = self.reach(&s);
+        // What a load does at a depth y falls like exp(-s y), what it does there and back like the square.
+        let reach = 2.0 * self.reach(&s);
         if reach <= datum {
             return (self.compliance(&s), Matrix2::zeros());
         }
