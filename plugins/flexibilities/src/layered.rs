@@ -28,8 +28,8 @@ const MOST_TERMS: usize = 24;
 /// Terms of the surface series that the values of a law give, where it does not tell them itself.
 const TERMS_BY_VALUES: usize = 8;
 
-/// How many thicknesses of its first panel deep a law is no different from what its surface promises: polynomials fit
-/// where the nearest singularity is about as far away as that.
+/// By how many of its thicknesses below its top a panel shows a law to be no different from what is above: polynomials
+/// fit where the nearest singularity is about as far away as that.
 const SMOOTH_DEPTH: f64 = 4.0;
 
 /// No law is taken to have finer structure at its surface: one that has shows it in the kernel's bound.
@@ -185,12 +185,12 @@ impl LayerResponse for Layered {
     }
 
     fn depth(&self) -> Option<f64> {
-        let Panel { thickness, matter, .. } = &self.panels.all[0];
-        let smooth = match matter {
+        let promised = |panel: &Panel| match panel.matter {
             Matter::Exponential(..) => 1.0,
-            Matter::Smooth(_) => (SMOOTH_DEPTH * thickness).max(LEAST_DEPTH),
+            Matter::Smooth(_) => panel.top + SMOOTH_DEPTH * panel.thickness,
         };
-        Some(self.panels.first_break.min(smooth))
+        let smooth = self.panels.all.iter().map(promised).fold(1.0, f64::min);
+        Some(self.panels.first_break.min(smooth.max(LEAST_DEPTH)))
     }
 }
 

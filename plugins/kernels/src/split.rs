@@ -59,6 +59,8 @@ slipzone_api::register!(Kernel, "split", "Fourier integral up to a wave number, 
 const FEW_TERMS: usize = 16;
 /// Times the aim is tightened when the bound misses the accuracy, and by how much.
 const ATTEMPTS: (u32, f64) = (3, 0.1);
+/// By how much nearer structure is looked for when the cut leaves too much.
+const NEARER: f64 = 0.4;
 /// Rounding of a sum: this times the sum of its terms' sizes.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Rounding of `s F` that a flexibility may bring, over its size.
@@ -77,12 +79,16 @@ impl KernelStrategy for Split {
                 remedy: "solve it by its Cauchy part alone".into(),
             });
         };
-        let (mut accuracy, mut evaluations) = (request.accuracy, 0);
+        let (mut depth, mut accuracy, mut evaluations) = (depth, request.accuracy, 0);
         let mut best: Option<Draft> = None;
         for _ in 0..ATTEMPTS.0 {
             let draft = self.draft(response, request, depth, accuracy)?;
             evaluations += draft.evaluations;
             let rounded = draft.rounding > 0.5 * request.accuracy;
+            // The grading has structure closer to the surface than it seemed.
+            if draft.error.is_finite() && draft.beyond > 0.5 * request.accuracy {
+                depth *= NEARER;
+            }
             if best.as_ref().is_none_or(|best| draft.error < best.error) {
                 best = Some(draft);
             }
@@ -128,6 +134,8 @@ struct Draft {
     error: f64,
     /// The part of it that no effort removes.
     rounding: f64,
+    /// The part that a cut further out removes.
+    beyond: f64,
     evaluations: usize,
 }
 
@@ -163,13 +171,14 @@ impl Split {
             let is_local = response.surface(0.0)? == SurfaceFlexibility::default() && response.pole() == 0.0;
             interpolated(&columns, &spectrum, &beyond, &rounded, depth, (reach, is_local))
         };
-        let (mut error, mut rounding) = (0.0_f64, 0.0_f64);
+        let (mut error, mut rounding, mut left) = (0.0_f64, 0.0_f64, 0.0_f64);
         for (i, column) in columns.iter().enumerate() {
             let scale = if column.component == Component::Depth { 1.0 } else { reach };
             rounding = rounding.max(scale * (rounded[i] + pieces.kernels[i].noise + spectrum.noise[i]));
+            left = left.max(scale * beyond_error[i]);
             error = error.max(scale * (beyond_error[i] + spectrum.error[i] + pieces.kernels[i].error + rounded[i]));
         }
-        Ok(Draft { pieces, length, error, rounding, evaluations: spectrum.evaluations + beyond::CHECKS })
+        Ok(Draft { pieces, length, error, rounding, beyond: left, evaluations: spectrum.evaluations + beyond::CHECKS })
     }
 }
 
