@@ -85,7 +85,7 @@ const TIGHT: f64 = 1e-10;
 
 /// Friction on a homogeneous layer that slides on its base is not found: the kernel's pole is left out beyond the cut.
 fn is_left_out(layer: &str) -> bool {
-    layer.contains("frictionless") && !layer.contains("exponential")
+    layer.contains("frictionless") && layer.contains("homogeneous")
 }
 
 /// A flat punch without friction and with it, and a cylinder, on both: within the tolerances of both, `FINE` as a rule.
@@ -99,7 +99,7 @@ fn assert_same_numbers(one: &str, other: &str, tolerance: f64) {
         let (one, other) = (solved(punch(one), tolerance), (solved(punch(other), tolerance), other));
         assert_eq!(one.len(), other.0.len());
         for (a, b) in one.iter().zip(&other.0) {
-            assert!((a / b - 1.0).abs() <= 2.0 * tolerance || a == b, "{a} against {b} on\n{}", other.1);
+            assert!((a - b).abs() <= 2.0 * tolerance * b.abs(), "{a} against {b} on\n{}", other.1);
         }
     }
 }
