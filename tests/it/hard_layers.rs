@@ -66,6 +66,21 @@ fn layers() -> Vec<(String, String)> {
     add("kink told".into(), layer(3.0, 0.3, &formula("1 + abs(y - 1)")));
     add("kink untold".into(), layer(3.0, 0.3, &formula("1 + sqrt((y - 1)^2)")));
     add("branch point above the surface".into(), layer(3.0, 0.3, &formula("1 + sqrt(y + 0.05)")));
+    for step in [1e-3, 1e3] {
+        let tanh = format!("1 + ({step:?} - 1)*(1 + tanh((y - 1)/0.3))/2");
+        add(format!("a step to {step:e} that rounds"), layer(3.0, 0.3, &formula(&tanh)));
+    }
+    add("interface of h/1000".into(), layer(2.0, 0.3, &sigmoid(5.0, 0.002)));
+    add("a cube".into(), layer(3.0, 0.3, &formula("1 + y^3")));
+    add("a fifth power".into(), layer(3.0, 0.3, &formula("1 + 0.1*y^5")));
+    add("a thousandfold mixture".into(), {
+        let phases = "surface = { modulus = 1.0, poisson = 0.3 }, base = { modulus = 1000.0, poisson = 0.2 }";
+        layer(5.0, 0.3, &format!("{{ type = \"volume-fraction\", {phases}, exponent = 2, rule = \"mori-tanaka\" }}"))
+    });
+    add("a mixture that is not analytic".into(), {
+        let phases = "surface = { modulus = 1.0, poisson = 0.3 }, base = { modulus = 5.0, poisson = 0.2 }";
+        layer(5.0, 0.3, &format!("{{ type = \"volume-fraction\", {phases}, exponent = 2.5, rule = \"mixture\" }}"))
+    });
     add("waves".into(), layer(3.0, 0.3, &formula("2 + sin(20*y)")));
     add("thick, graded at the surface".into(), layer(1e3, 0.3, &formula("2 - exp(-y)")));
     all

@@ -83,19 +83,11 @@ const FINE: f64 = 1e-11;
 /// Two digits finer than the default.
 const TIGHT: f64 = 1e-10;
 
-/// Friction on a homogeneous layer that slides on its base is not found: the kernel's pole is left out beyond the cut.
-fn is_left_out(layer: &str) -> bool {
-    layer.contains("frictionless") && layer.contains("homogeneous")
-}
-
 /// A flat punch without friction and with it, and a cylinder, on both: within the tolerances of both, `FINE` as a rule.
 fn assert_same_numbers(one: &str, other: &str, tolerance: f64) {
     let punches: [fn(&str) -> Sketch; 3] =
         [|layer| Sketch::on(layer), |layer| Sketch::on(layer).rubbing(0.3), |layer| Sketch::on(layer).cylinder()];
-    for (i, punch) in punches.into_iter().enumerate() {
-        if i == 1 && is_left_out(one) && is_left_out(other) {
-            continue;
-        }
+    for punch in punches {
         let (one, other) = (solved(punch(one), tolerance), (solved(punch(other), tolerance), other));
         assert_eq!(one.len(), other.0.len());
         for (a, b) in one.iter().zip(&other.0) {
@@ -348,7 +340,6 @@ fn sinking(d: f64) -> f64 {
 
 /// `1 - exp(-s d) (1 + 2 s d/(kappa + 1))`, wherever the solid is cut into a layer and its base.
 #[test]
-#[ignore = "what reaches the datum, exp(-s d), is forgotten at s d = 20.5, as if it came back: 2e-8"]
 fn what_a_wave_sinks_against_the_datum_has_a_closed_form() {
     for datum in [0.3, 1.0, 5.0, 1e3] {
         for h in [0.2, 1.0, 5.0, 80.0] {
@@ -372,7 +363,6 @@ fn what_a_wave_sinks_against_the_datum_has_a_closed_form() {
 }
 
 #[test]
-#[ignore = "converged at 1e-11 with an error of 1e-10, or bounds up to 1e55: see the flexibility against the datum"]
 fn depths_on_a_half_plane_count_from_the_datum() {
     for datum in [0.3, 1.0, 5.0, 1e3, 1e6] {
         let infinite = format!("poisson = 0.3\nbase = {{ type = \"infinite\" }}\ndatum = {datum:?}\n{PLAIN}");
@@ -412,7 +402,6 @@ fn far_data_differ_by_what_the_substrate_gives_between_them() {
 }
 
 #[test]
-#[ignore = "no stick zone: the kernel's pole is left out beyond the cut where the series has no terms"]
 fn friction_on_a_layer_that_slides_is_continuous_in_the_gradient() {
     let ratio = |grading: &str| {
         let layer = lines(3.0, &format!("base = {{ type = \"frictionless\" }}\n{grading}"));

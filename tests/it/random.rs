@@ -24,8 +24,7 @@ fn sketches() -> impl Strategy<Value = Sketch> {
 
 /// Gradings and bases of every kind, stacks of them too; Poisson's ratio at the surface as given.
 ///
-/// Left out are what is known to be out of reach (see `layers.rs`): volume fractions of an exponent that is no small whole
-/// number, and friction on homogeneous layers that slide.
+/// Left out is what is known to be out of reach: volume fractions of an exponent that is no whole number.
 fn any_layer() -> impl Strategy<Value = String> {
     let log = |least: f64, most: f64| (least.ln()..most.ln()).prop_map(f64::exp);
     let grading = |thickness: f64, kind: usize, [m, a, b]: [f64; 3], nu: f64| match kind {
@@ -102,11 +101,10 @@ fn any_layer() -> impl Strategy<Value = String> {
 fn any_sketches() -> impl Strategy<Value = Sketch> {
     let friction = proptest::option::weighted(0.5, 0.05..0.8_f64);
     (any_layer(), any::<bool>(), friction).prop_map(|(layer, flat, eta)| {
-        let slides = layer.contains("frictionless");
         let sketch = Sketch::on(layer);
         match (flat, eta) {
             (false, _) => sketch.cylinder(),
-            (true, Some(eta)) if !slides => sketch.rubbing(eta),
+            (true, Some(eta)) => sketch.rubbing(eta),
             (true, _) => sketch,
         }
     })
