@@ -83,11 +83,11 @@ pub(super) fn solution(
 fn load(load: Load, problem: &Problem, numbers: &Numbers) -> LoadReport {
     let (length, stress) = (problem.length, problem.stress);
     let number = |quantity, unit: f64| numbers.get(quantity).map(|value| value * unit);
-    // What the scene gives is reported as given, not after its way through the layer's units.
+    // What the scene and the punch give is reported as given, not after its way through the layer's units.
     let given = |kind| (load.kind() == kind).then_some(load.value().get());
     LoadReport {
         force: given(LoadKind::Force).or(number(Quantity::Force, stress * length)),
-        half_width: given(LoadKind::HalfWidth).or(number(Quantity::HalfWidth, length)),
+        half_width: given(LoadKind::HalfWidth).or(problem.width_of_corners()).or(number(Quantity::HalfWidth, length)),
         indentation: given(LoadKind::Indentation).or(number(Quantity::Indentation, length)),
     }
 }

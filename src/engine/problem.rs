@@ -171,6 +171,11 @@ impl Problem {
         self.shape.fixed_half_width().map(|b| b / self.length)
     }
 
+    /// The same in the scene's unit, as the punch gives it.
+    pub(crate) fn width_of_corners(&self) -> Option<f64> {
+        self.shape.fixed_half_width()
+    }
+
     /// `g(x)` in layer units.
     pub(crate) fn height(&self, x: f64) -> f64 {
         self.shape.height(x * self.length) / self.length
