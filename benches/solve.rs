@@ -11,9 +11,14 @@ pub(crate) const TOLERANCES: [f64; 3] = [1e-4, 1e-6, 1e-10];
 
 /// `solve/SCENE` at the default tolerance and `solve/SCENE/TOLERANCE`, see [`scenes`].
 pub(crate) fn benchmarks(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("solve");
+    whole(criterion, "solve", all());
+}
+
+/// Solves of scenes, each of which must converge.
+pub(crate) fn whole(criterion: &mut Criterion, group: &str, scenes: Vec<(String, Scene)>) {
+    let mut group = criterion.benchmark_group(group);
     group.sampling_mode(SamplingMode::Flat).sample_size(10);
-    for (name, scene) in all() {
+    for (name, scene) in scenes {
         let work = || {
             let solution = solve(&scene);
             assert_eq!(solution.status, Status::Converged, "{name}: {:?}", solution.reason);

@@ -84,6 +84,5 @@ pub(crate) fn choose(scene: &Scene) -> Chosen {
 
 /// Whether the flexibility of a layer is known in closed form.
 fn has_closed_form(layer: &Layer) -> bool {
-    let is_exponential = layer.model().is_ok_and(|model| model.exponent().is_some());
-    is_exponential && matches!(layer.base, Base::Rigid | Base::Infinite)
+    matches!(layer.base, Base::Rigid | Base::Infinite) && layer.model().is_ok_and(|model| model.exponent().is_some())
 }

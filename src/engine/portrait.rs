@@ -2,7 +2,7 @@
 
 use crate::plan;
 use crate::scene::{Layer, Scene};
-use slipzone_api::{Base, LayerModel, LayerResponse, Moduli, ModulusLaw, Refusal, SurfaceFlexibility};
+use slipzone_api::{Base, LayerModel, LayerResponse, Moduli, Refusal, Stretch, SurfaceFlexibility};
 use std::sync::Arc;
 
 /// How the surface of a scene's layer answers, by the flexibility that would solve it; wave numbers in units of
@@ -56,17 +56,6 @@ pub struct DepthProfile {
     pub substrate: Option<(f64, f64)>,
 }
 
-/// A part of a law without kinks or jumps.
-struct Stretch<'l> {
-    law: &'l dyn ModulusLaw,
-    /// Depth of the law's own beginning and its thickness, in units of the whole.
-    top: f64,
-    thickness: f64,
-    /// Ends, in the law's own depth.
-    from: f64,
-    to: f64,
-}
-
 impl DepthProfile {
     /// `None` for a homogeneous solid without a base, which has no depth to draw; the exponential one is shown over a few
     /// of its lengths.
@@ -83,13 +72,16 @@ impl DepthProfile {
         /// Samples of the whole, and most of them in one stretch.
         const SAMPLES: usize = 1024;
         const MOST: usize = 256;
-        let mut stretches = Vec::new();
-        let sublayers = collect(&*model.law, 0.0, 1.0, end, &mut stretches);
+        let mut stretches = model.law.stretches();
+        if let Some(last) = stretches.last_mut() {
+            last.to *= end;
+        }
+        let sublayers = stretches.iter().filter(|stretch| stretch.from == 0.0).count();
         let mut profile = Self { sublayers, substrate: substrate(model), ..Self::default() };
         let count = (SAMPLES / stretches.len()).clamp(2, MOST);
         for (index, stretch) in stretches.iter().enumerate() {
             if index > 0 {
-                profile.interfaces.push(length * (stretch.top + stretch.thickness * stretch.from));
+                profile.interfaces.push(length * stretch.in_whole(stretch.from));
             }
             profile.sample(stretch, model, length, end, count);
         }
@@ -111,7 +103,7 @@ impl DepthProfile {
             } else {
                 depth.clamp(stretch.from + BESIDE * span, stretch.to - BESIDE * span)
             };
-            self.depth.push(length * (stretch.top + stretch.thickness * depth));
+            self.depth.push(length * stretch.in_whole(depth));
             self.modulus.push(stretch.law.modulus(looked));
             self.poisson.push(stretch.law.poisson(looked).unwrap_or(model.solid.poisson.get()));
         }
@@ -133,24 +125,6 @@ impl DepthProfile {
     }
 }
 
-/// The stretches of a law that begins at `top`, from the surface downwards; the number of its sublayers.
-fn collect<'l>(law: &'l dyn ModulusLaw, top: f64, thickness: f64, end: f64, out: &mut Vec<Stretch<'l>>) -> usize {
-    let mut above = top;
-    let mut sublayers = 0;
-    for sublayer in law.sublayers() {
-        let part = sublayer.thickness * thickness;
-        sublayers += collect(&*sublayer.law, above, part, 1.0, out);
-        above += part;
-    }
-    if sublayers > 0 {
-        return sublayers;
-    }
-    let inside = law.breakpoints().iter().copied().filter(|depth| *depth > 0.0 && *depth < end);
-    let ends: Vec<f64> = [0.0].into_iter().chain(inside).chain([end]).collect();
-    out.extend(ends.windows(2).map(|ends| Stretch { law, top, thickness, from: ends[0], to: ends[1] }));
-    1
-}
-
 /// The half-plane below, in the kind of modulus that the scene speaks of.
 fn substrate(model: &LayerModel) -> Option<(f64, f64)> {
     let Base::HalfPlane { shear, poisson } = model.base else { return None };
@@ -168,7 +142,7 @@ fn range(values: &[f64]) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slipzone_api::{Plane, Poisson, Positive, Solid, Sublayer};
+    use slipzone_api::{ModulusLaw, Plane, Poisson, Positive, Solid, Sublayer};
 
     /// Steps from 1 to 2 half way down, by a jump of its own.
     #[derive(Debug)]

@@ -176,8 +176,7 @@ const SAME: f64 = 1e-9;
 
 /// A datum is asked for where the base leaves the indentation undefined.
 fn datum(document: &Document, scene: &Scene) -> Result<(), SceneError> {
-    let is_grounded = scene.layer.model().is_ok_and(|model| model.is_grounded());
-    if scene.layer.datum.is_some() && is_grounded {
+    if scene.layer.datum.is_some() && scene.layer.is_grounded() {
         return Err(document
             .error(document.key(&["layer", "datum"]), "a datum where the indentation is defined already")
             .found("`datum` over a base that does not move, or a solid that stiffens without end")

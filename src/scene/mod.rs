@@ -161,7 +161,12 @@ impl Layer {
 
     /// Whether an indentation is defined: by what lies far below, or by a datum.
     pub fn has_depths(&self) -> bool {
-        self.datum.is_some() || self.model().is_ok_and(|model| model.is_grounded())
+        self.datum.is_some() || self.is_grounded()
+    }
+
+    /// Whether what lies far below does not give way; of a grading that gives no law it counts as giving way.
+    pub fn is_grounded(&self) -> bool {
+        self.base.is_grounded(|| self.law().map_or(Some(0.0), |law| law.exponent()))
     }
 
     /// What the flexibilities see of it.

@@ -54,6 +54,31 @@ impl References {
         });
         compared.collect()
     }
+
+    /// A flat punch, a cylinder and the stick zones of one layer, beside the numbers of its case.
+    fn all_of(&self, name: &str, flat: &Sketch, case: &Value) -> Vec<Compared> {
+        let solution = converged(flat);
+        // On a half-plane there is none, and the file has none.
+        assert_eq!(solution.load.indentation.is_some(), case["flat"]["delta"].is_number(), "{name}");
+        let numbers = [
+            ("edge.ratio", solution.edge.ratio, &case["flat"]["edge"]),
+            ("load.indentation", solution.load.indentation, &case["flat"]["delta"]),
+            ("pressure.centre", solution.pressure.centre, &case["flat"]["p0"]),
+        ];
+        let mut all = self.compare(name, &solution, &numbers);
+        let round = converged(&flat.clone().cylinder());
+        let numbers = [
+            ("load.force", round.load.force, &case["cylinder"]["P"]),
+            ("pressure.centre", round.pressure.centre, &case["cylinder"]["p0"]),
+        ];
+        all.extend(self.compare(&format!("{name}, cylinder"), &round, &numbers));
+        for (eta, ratio) in case["stick"].as_object().expect("a table").iter().filter(|(_, ratio)| !ratio.is_null()) {
+            let solution = converged(&flat.clone().rubbing(eta.parse().expect("a number")));
+            let got = solution.stick.as_ref().and_then(|s| s.ratio);
+            all.extend(self.compare(&format!("{name}, eta = {eta}"), &solution, &[("stick.ratio", got, ratio)]));
+        }
+        all
+    }
 }
 
 fn converged(sketch: &Sketch) -> Solution {
@@ -94,25 +119,7 @@ fn layers_of_moderate_thickness() {
     for case in &references.cases {
         let flat = References::flat(case);
         let name = format!("h/b = {}, mu1/mu3 = {}, nu = {}", case["h_over_b"], case["mu1_over_mu3"], case["nu"]);
-        let solution = converged(&flat);
-        let numbers = [
-            ("edge.ratio", solution.edge.ratio, &case["flat"]["edge"]),
-            ("load.indentation", solution.load.indentation, &case["flat"]["delta"]),
-            ("pressure.centre", solution.pressure.centre, &case["flat"]["p0"]),
-        ];
-        all.extend(references.compare(&name, &solution, &numbers));
-        let round = converged(&flat.clone().cylinder());
-        let numbers = [
-            ("load.force", round.load.force, &case["cylinder"]["P"]),
-            ("pressure.centre", round.pressure.centre, &case["cylinder"]["p0"]),
-        ];
-        all.extend(references.compare(&format!("{name}, cylinder"), &round, &numbers));
-        for (eta, ratio) in case["stick"].as_object().expect("a table").iter().filter(|(_, ratio)| !ratio.is_null()) {
-            let solution = converged(&flat.clone().rubbing(eta.parse().expect("a number")));
-            let got = solution.stick.as_ref().and_then(|s| s.ratio);
-            let name = format!("{name}, eta = {eta}");
-            all.extend(references.compare(&name, &solution, &[("stick.ratio", got, ratio)]));
-        }
+        all.extend(references.all_of(&name, &flat, case));
     }
     assert!(all.len() > 80, "the whole file is compared, {} entries", all.len());
     assert_honest(&all);
@@ -202,27 +209,7 @@ fn other_gradings_and_bases() {
     let mut all = Vec::new();
     for (case, layer) in references.cases.iter().zip(OTHER_LAYERS) {
         let name = case["layer"].as_str().expect("a text");
-        let flat = Sketch::on(layer).with(TIGHT);
-        let solution = converged(&flat);
-        // On a half-plane there is none, and the file has none.
-        assert_eq!(solution.load.indentation.is_some(), case["flat"]["delta"].is_number(), "{name}");
-        let numbers = [
-            ("edge.ratio", solution.edge.ratio, &case["flat"]["edge"]),
-            ("load.indentation", solution.load.indentation, &case["flat"]["delta"]),
-            ("pressure.centre", solution.pressure.centre, &case["flat"]["p0"]),
-        ];
-        all.extend(references.compare(name, &solution, &numbers));
-        let round = converged(&flat.clone().cylinder());
-        let numbers = [
-            ("load.force", round.load.force, &case["cylinder"]["P"]),
-            ("pressure.centre", round.pressure.centre, &case["cylinder"]["p0"]),
-        ];
-        all.extend(references.compare(&format!("{name}, cylinder"), &round, &numbers));
-        for (eta, ratio) in case["stick"].as_object().expect("a table").iter().filter(|(_, ratio)| !ratio.is_null()) {
-            let solution = converged(&flat.clone().rubbing(eta.parse().expect("a number")));
-            let got = solution.stick.as_ref().and_then(|s| s.ratio);
-            all.extend(references.compare(&format!("{name}, eta = {eta}"), &solution, &[("stick.ratio", got, ratio)]));
-        }
+        all.extend(references.all_of(name, &Sketch::on(layer).with(TIGHT), case));
     }
     // 16 of the flat punch, 12 of the cylinder, 10 stick zones.
     assert_eq!(all.len(), 38, "the whole file is compared");

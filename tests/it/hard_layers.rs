@@ -1,8 +1,8 @@
 //! Layers at the ends of what the scene format allows: no panic, no number that is not one, and what converges is true.
 
-use crate::sketch::Sketch;
+use crate::sketch::{Sketch, numbers};
 use slipzone::api::Flexibility;
-use slipzone::engine::{Solution, Status};
+use slipzone::engine::Status;
 use slipzone_flexibilities::Compliance;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -104,22 +104,6 @@ fn flexibilities_are_numbers_at_every_wave_number() {
             }
         }
     }
-}
-
-/// The numbers of a solution, by their path.
-fn numbers(solution: &Solution) -> Vec<(&'static str, f64)> {
-    let stick = solution.stick.as_ref();
-    [
-        ("load.force", solution.load.force),
-        ("load.indentation", solution.load.indentation),
-        ("pressure.centre", solution.pressure.centre),
-        ("edge.ratio", solution.edge.ratio),
-        ("stick.ratio", stick.and_then(|s| s.ratio)),
-        ("stick.one_minus_ratio", stick.and_then(|s| s.one_minus_ratio)),
-    ]
-    .into_iter()
-    .filter_map(|(path, value)| Some((path, value?)))
-    .collect()
 }
 
 /// Every layer under a flat punch, with friction and without, and under a cylinder, at the default tolerance against another

@@ -2,11 +2,11 @@
 //!
 //! `PROPTEST_CASES=2000 cargo test --release --test it random -- --nocapture` is the long run.
 
-use crate::sketch::Sketch;
+use crate::sketch::{Sketch, numbers};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use slipzone::api::reference::partial_slip;
-use slipzone::engine::{Solution, Status};
+use slipzone::engine::Status;
 
 /// Layers from thin to thick, from soft skins to stiff ones; either punch; friction or none.
 fn sketches() -> impl Strategy<Value = Sketch> {
@@ -125,22 +125,6 @@ fn growing() -> impl Strategy<Value = Sketch> {
     let log = |least: f64, most: f64| (least.ln()..most.ln()).prop_map(f64::exp);
     (log(0.5, 100.0), log(0.02, 50.0), 0.0..0.45_f64, log(0.05, 0.8))
         .prop_map(|(h, ratio, nu, eta)| Sketch::flat(h, ratio, nu).cylinder().rubbing(eta))
-}
-
-/// The numbers of a solution that are not given by the scene, by their path.
-fn numbers(solution: &Solution) -> Vec<(&'static str, f64)> {
-    let stick = solution.stick.as_ref();
-    [
-        ("load.force", solution.load.force),
-        ("load.indentation", solution.load.indentation),
-        ("pressure.centre", solution.pressure.centre),
-        ("edge.ratio", solution.edge.ratio),
-        ("stick.ratio", stick.and_then(|s| s.ratio)),
-        ("stick.one_minus_ratio", stick.and_then(|s| s.one_minus_ratio)),
-    ]
-    .into_iter()
-    .filter_map(|(path, value)| Some((path, value?)))
-    .collect()
 }
 
 /// 24 scenes, always the same, unless `PROPTEST_CASES` asks for a number of others.

@@ -98,6 +98,18 @@ pub enum Base {
     Infinite,
 }
 
+impl Base {
+    /// Whether what lies far below does not give way: rigid bases, and infinite solids that stiffen. Only of an infinite
+    /// solid the exponent of its law is asked for.
+    pub fn is_grounded(self, exponent: impl FnOnce() -> Option<f64>) -> bool {
+        match self {
+            Self::Rigid | Self::Frictionless => true,
+            Self::HalfPlane { .. } => false,
+            Self::Infinite => exponent() != Some(0.0),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

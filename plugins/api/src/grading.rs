@@ -118,3 +118,46 @@ pub struct Sublayer {
     /// Its law, over its own depth.
     pub law: Box<dyn ModulusLaw>,
 }
+
+/// A part of a law without the kinks and jumps that it tells.
+#[derive(Clone, Copy, Debug)]
+pub struct Stretch<'l> {
+    /// A law that is no stack.
+    pub law: &'l dyn ModulusLaw,
+    /// Where that law begins in the whole, and its part of the whole thickness.
+    pub top: f64,
+    /// See `top`.
+    pub thickness: f64,
+    /// Where the stretch begins and ends, in the law's own depth.
+    pub from: f64,
+    /// See `from`.
+    pub to: f64,
+}
+
+impl Stretch<'_> {
+    /// Depth in the whole of a depth of the law's own.
+    pub fn in_whole(&self, depth: f64) -> f64 {
+        self.top + depth * self.thickness
+    }
+}
+
+impl dyn ModulusLaw {
+    /// The stretches of the law, or of all the sublayers of a stack, from the surface downwards.
+    pub fn stretches(&self) -> Vec<Stretch<'_>> {
+        let mut stretches = Vec::new();
+        collect(self, 0.0, 1.0, &mut stretches);
+        stretches
+    }
+}
+
+fn collect<'l>(law: &'l dyn ModulusLaw, top: f64, thickness: f64, out: &mut Vec<Stretch<'l>>) {
+    let mut above = 0.0;
+    for sublayer in law.sublayers() {
+        collect(&*sublayer.law, top + above * thickness, sublayer.thickness * thickness, out);
+        above += sublayer.thickness;
+    }
+    if law.sublayers().is_empty() {
+        let ends: Vec<f64> = [0.0].into_iter().chain(law.breakpoints().iter().copied()).chain([1.0]).collect();
+        out.extend(ends.windows(2).map(|ends| Stretch { law, top, thickness, from: ends[0], to: ends[1] }));
+    }
+}

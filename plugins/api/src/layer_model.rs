@@ -1,6 +1,6 @@
 //! The elastic layer as the flexibility plugins see it.
 
-use crate::{Base, Elastic, Flaw, Moduli, ModulusLaw, Plane, Poisson, short};
+use crate::{Base, Elastic, Flaw, Moduli, ModulusLaw, Plane, Poisson, Stretch, short};
 
 /// How a scene's numbers are to be read: what does not vary with depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,42 +68,26 @@ impl LayerModel {
     /// Whether a load's depth has a meaning of its own: what lies far below does not give way. On an elastic half-plane it is
     /// fixed up to a constant only, until a [`Self::datum`] is named.
     pub fn is_grounded(&self) -> bool {
-        match self.base {
-            Base::Rigid | Base::Frictionless => true,
-            Base::HalfPlane { .. } => false,
-            Base::Infinite => self.exponent() != Some(0.0),
-        }
+        self.base.is_grounded(|| self.exponent())
     }
 
     /// The first depth found (in units of the thickness) at which the law gives no elastic solid: a modulus that is not
     /// finite and positive, or a Poisson's ratio out of range.
     pub fn flaw(&self) -> Option<Flaw> {
-        flaw(&*self.law, 0.0, 1.0)
+        self.law.stretches().iter().find_map(flaw)
     }
 }
 
-/// Depths at which each smooth stretch of a law is looked at.
+/// Depths at which each stretch of a law is looked at.
 const LOOKS: u32 = 64;
 
-/// [`LayerModel::flaw`] of a law that begins at depth `top` and is `thickness` thick.
-fn flaw(law: &dyn ModulusLaw, top: f64, thickness: f64) -> Option<Flaw> {
-    let mut above = 0.0;
-    for sublayer in law.sublayers() {
-        if let Some(flaw) = flaw(&*sublayer.law, top + above * thickness, sublayer.thickness * thickness) {
-            return Some(flaw);
-        }
-        above += sublayer.thickness;
-    }
-    if !law.sublayers().is_empty() {
-        return None;
-    }
-    let ends: Vec<f64> = [0.0].into_iter().chain(law.breakpoints().iter().copied()).chain([1.0]).collect();
-    let within = |ends: &[f64]| {
-        let (from, to) = (ends[0], ends[1]);
-        (1..LOOKS).map(move |i| from + (to - from) * f64::from(i) / f64::from(LOOKS))
-    };
-    // The ends of the whole belong to it; those of a stretch may belong to the next.
-    let mut looks = [0.0].into_iter().chain(ends.windows(2).flat_map(within)).chain([1.0]);
+/// [`LayerModel::flaw`] of one stretch.
+fn flaw(stretch: &Stretch) -> Option<Flaw> {
+    let Stretch { law, from, to, .. } = *stretch;
+    let within = (1..LOOKS).map(|i| from + (to - from) * f64::from(i) / f64::from(LOOKS));
+    // The ends of the whole law belong to it; those of a stretch may belong to the next.
+    let surface = Some(0.0).filter(|_| from == 0.0);
+    let mut looks = surface.into_iter().chain(within).chain(Some(1.0).filter(|end| to >= *end));
     looks.find_map(|depth| {
         let modulus = law.modulus(depth);
         let what = if modulus > 0.0 && modulus < f64::INFINITY {
@@ -112,6 +96,6 @@ fn flaw(law: &dyn ModulusLaw, top: f64, thickness: f64) -> Option<Flaw> {
         } else {
             format!("the modulus is {}", short(modulus))
         };
-        Some(Flaw { what, x: top + depth * thickness })
+        Some(Flaw { what, x: stretch.in_whole(depth) })
     })
 }

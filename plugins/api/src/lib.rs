@@ -36,7 +36,7 @@ pub use elastic::{Base, Elastic, Moduli, Plane};
 pub use files::{Fault, Files, LARGEST_FILE, NoFiles, Place};
 pub use flexibility::{Flexibility, LayerResponse, SurfaceFlexibility};
 pub use friction::{Friction, FrozenStrain};
-pub use grading::{Grading, ModulusLaw, Setting, Sublayer};
+pub use grading::{Grading, ModulusLaw, Setting, Stretch, Sublayer};
 pub use kernel::{Component, KernelRequest, KernelStrategy, KernelTable, Parts, PartsMut, PartsVec};
 pub use layer_model::{LayerModel, Material, Solid};
 pub use number::{Finite, NotAllowed, Poisson, Positive, short};

@@ -8,9 +8,9 @@ pub(crate) const MOST: usize = 16;
 /// Most orders of a series in the depth.
 const ORDERS: usize = 44;
 
-/// Terms of a series below this, times the fourth power of the wave number in units of the slice, are left out: no
-/// compliance is smaller than that power, and each keeps its relative precision.
-const NEGLIGIBLE: f64 = f64::EPSILON / 32.0;
+/// Terms of a series in the depth below this, times the fourth power of the wave number in units of the slice, are left out:
+/// no compliance and no entry of a propagator is smaller than that power, and each keeps its relative precision.
+pub(crate) const NEGLIGIBLE: f64 = f64::EPSILON / 32.0;
 
 /// A polynomial, constant first.
 #[derive(Clone, Copy, Debug)]

@@ -181,7 +181,8 @@ impl LayerResponse for Layered {
     }
 
     fn against_datum(&self) -> Option<Box<dyn LayerResponse>> {
-        Some(Box::new(AgainstDatum { layer: self.clone(), datum: self.layer.datum? }))
+        let datum = self.layer.datum?;
+        Some(Box::new(AgainstDatum { layer: self.clone(), datum }))
     }
 
     fn depth(&self) -> Option<f64> {

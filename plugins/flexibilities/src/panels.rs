@@ -1,7 +1,7 @@
 //! A layer as panels of depth on each of which its elastic constants are polynomials.
 
 use crate::coefficients::{Coefficients, MOST, Polynomial};
-use slipzone_api::{LayerModel, Material, ModulusLaw};
+use slipzone_api::{LayerModel, Material, ModulusLaw, Stretch};
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
@@ -66,68 +66,51 @@ impl Panels {
     pub(crate) fn new(layer: &LayerModel) -> Option<Self> {
         let mut panels = Self { first_break: 1.0, ..Self::default() };
         let mut extremes = (f64::INFINITY, 0.0_f64);
-        panels.add(layer, &*layer.law, (0.0, 1.0), &mut extremes)?;
+        for stretch in layer.law.stretches() {
+            if !panels.all.is_empty() {
+                panels.first_break = panels.first_break.min(stretch.in_whole(stretch.from));
+            }
+            panels.add(layer, &stretch, |shear| extremes = (extremes.0.min(shear), extremes.1.max(shear)))?;
+        }
         panels.contrast = (extremes.1 / extremes.0).ln();
         panels.contrast.is_finite().then_some(panels)
     }
 
-    /// Adds a law that begins at `top`.
-    fn add(
-        &mut self,
-        layer: &LayerModel,
-        law: &dyn ModulusLaw,
-        (top, thickness): (f64, f64),
-        extremes: &mut (f64, f64),
-    ) -> Option<()> {
-        let mut above = 0.0;
-        for sublayer in law.sublayers() {
-            let place = (top + above * thickness, sublayer.thickness * thickness);
-            self.add(layer, &*sublayer.law, place, extremes)?;
-            above += sublayer.thickness;
-        }
-        if !law.sublayers().is_empty() {
-            return Some(());
-        }
-        if !self.all.is_empty() {
-            self.first_break = self.first_break.min(top);
-        }
-        let mut see = |shear: f64| *extremes = (extremes.0.min(shear), extremes.1.max(shear));
+    /// Adds a stretch, and shows `see` the moduli that it meets.
+    fn add(&mut self, layer: &LayerModel, stretch: &Stretch, mut see: impl FnMut(f64)) -> Option<()> {
+        let Stretch { law, thickness, from, to, .. } = *stretch;
         if let Some(gamma) = law.exponent() {
-            let material = layer.material(law, 0.0);
+            let (material, span) = (layer.material(law, from), to - from);
             see(material.shear);
-            see(layer.material(law, 1.0).shear);
-            self.all.push(Panel { top, thickness, unit: material.shear, matter: Matter::Exponential(material, gamma) });
+            see(layer.material(law, to).shear);
+            let matter = Matter::Exponential(material, gamma * span);
+            let top = stretch.in_whole(from);
+            self.all.push(Panel { top, thickness: span * thickness, unit: material.shear, matter });
             return Some(());
         }
-        let ends: Vec<f64> = [0.0].into_iter().chain(law.breakpoints().iter().copied()).chain([1.0]).collect();
-        for pair in ends.windows(2) {
-            if pair[0] > 0.0 {
-                self.first_break = self.first_break.min(top + pair[0] * thickness);
+        // Depths over the law's own range, deepest on the stack first.
+        let mut stack = vec![(from, to - from, f64::INFINITY)];
+        while let Some((start, width, before)) = stack.pop() {
+            let fit = Fit::of(layer, law, start, width)?;
+            let (top, wide) = (stretch.in_whole(start), width * thickness);
+            let is_thinnest = wide <= THINNEST || width <= THINNEST;
+            let is_noise = fit.error < NOISE.0 && fit.error > NOISE.1 * before;
+            if !fit.is_smooth && !is_noise && !is_thinnest {
+                let half = 0.5 * width;
+                stack.push((start + half, half, fit.error));
+                stack.push((start, half, fit.error));
+                continue;
             }
-            // Depths over the law's own range, deepest on the stack first.
-            let mut stack = vec![(pair[0], pair[1] - pair[0], f64::INFINITY)];
-            while let Some((start, width, before)) = stack.pop() {
-                let fit = Fit::of(layer, law, start, width)?;
-                let (from, wide) = (top + start * thickness, width * thickness);
-                let is_thinnest = wide <= THINNEST || width <= THINNEST;
-                let is_noise = fit.error < NOISE.0 && fit.error > NOISE.1 * before;
-                if !fit.is_smooth && !is_noise && !is_thinnest {
-                    let half = 0.5 * width;
-                    stack.push((start + half, half, fit.error));
-                    stack.push((start, half, fit.error));
-                    continue;
-                }
-                // At the surface itself nothing can be split off but what its derivatives tell.
-                if width < KINK && from > KINK * thickness {
-                    self.first_break = self.first_break.min(from);
-                }
-                see(fit.extremes.0);
-                see(fit.extremes.1);
-                let matter = Matter::Smooth(Box::new(fit.coefficients));
-                self.all.push(Panel { top: from, thickness: wide, unit: fit.unit, matter });
-                if self.all.len() > MOST_PANELS {
-                    return None;
-                }
+            // At the surface itself nothing can be split off but what its derivatives tell.
+            if width < KINK && top > KINK * thickness {
+                self.first_break = self.first_break.min(top);
+            }
+            see(fit.extremes.0);
+            see(fit.extremes.1);
+            let matter = Matter::Smooth(Box::new(fit.coefficients));
+            self.all.push(Panel { top, thickness: wide, unit: fit.unit, matter });
+            if self.all.len() > MOST_PANELS {
+                return None;
             }
         }
         Some(())

@@ -1,15 +1,11 @@
 //! A slice of the layer as a two-port between its faces, and how slices are stacked.
 
-use crate::coefficients::Coefficients;
+use crate::coefficients::{Coefficients, NEGLIGIBLE};
 use nalgebra::{Matrix2, Matrix4};
 use slipzone_api::Material;
 
 /// Largest `max(s, |gamma|) delta` of a slice: its growing solutions, hidden in the propagator, take no digits.
 pub(crate) const THIN: f64 = 0.5;
-
-/// Terms of the propagator's series below this, times the fourth power of `s delta`, are left out: no entry is smaller
-/// than that power, and each keeps its relative precision.
-const NEGLIGIBLE: f64 = f64::EPSILON / 32.0;
 
 /// Most terms of that series.
 const MOST_TERMS: u32 = 40;

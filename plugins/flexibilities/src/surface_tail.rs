@@ -19,6 +19,7 @@
 
 use crate::coefficients::Coefficients;
 use nalgebra::Matrix2;
+use slipzone_api::taylor::Taylor;
 use slipzone_api::{Elastic, LayerModel, Moduli, Plane, Solid, SurfaceFlexibility};
 
 /// `s F/A0` of a homogeneous half-plane, the limit of every layer as `s` grows: `1`, `1`, `-beta`.
@@ -67,8 +68,11 @@ pub(crate) fn of(layer: &LayerModel, terms: usize) -> Option<Vec<SurfaceFlexibil
     if count < 2 && terms > 0 {
         return None;
     }
-    let Constants { plane_modulus, beta } = constants(layer.solid, &modulus[..count], &poisson[..count]);
-    Some(smooth(layer.elastic, &plane_modulus, &beta, terms))
+    let (modulus, nu) = (Taylor::new(modulus), Taylor::new(poisson[..count].to_vec()));
+    let (plane_modulus, beta) = constants(layer.solid, modulus, &nu);
+    let plane_modulus = plane_modulus.coefficients();
+    let relative: Vec<f64> = plane_modulus.iter().map(|c| c / plane_modulus[0]).collect();
+    Some(smooth(layer.elastic, &relative, beta.coefficients(), terms))
 }
 
 /// The same from the constants as polynomials in the depth.
@@ -85,49 +89,21 @@ pub(crate) fn by_values(elastic: Elastic, coefficients: &Coefficients, terms: us
     smooth(elastic, &modulus, &beta, terms)
 }
 
-/// Taylor coefficients of what the series asks for.
-struct Constants {
-    /// `mu/A0`, the first coefficient 1.
-    plane_modulus: Vec<f64>,
-    beta: Vec<f64>,
-}
-
-/// From those of the modulus and of Poisson's ratio.
-fn constants(solid: Solid, modulus: &[f64], poisson: &[f64]) -> Constants {
-    let linear = |constant: f64, slope: f64| -> Vec<f64> {
-        let shifted = |(k, nu): (usize, &f64)| slope * nu + if k == 0 { constant } else { 0.0 };
-        poisson.iter().enumerate().map(shifted).collect()
-    };
+/// `mu/A0`, but for a factor, and `beta`, given the modulus and Poisson's ratio.
+fn constants(solid: Solid, modulus: Taylor, nu: &Taylor) -> (Taylor, Taylor) {
+    let one_plus = || nu.clone() + 1.0;
     let shear = match solid.moduli {
-        Moduli::Shear => modulus.to_vec(),
-        Moduli::Young => quotient(modulus, &linear(1.0, 1.0)),
+        Moduli::Shear => modulus,
+        Moduli::Young => modulus / one_plus(),
     };
     // A0 = 1 - nu, beta = (1 - 2 nu)/(2 - 2 nu); in plane stress 1/(1 + nu), (1 - nu)/2.
-    let (plane_modulus, beta) = match solid.plane {
+    match solid.plane {
         Plane::Strain => {
-            let a0 = linear(1.0, -1.0);
-            let twice: Vec<f64> = a0.iter().map(|c| 2.0 * c).collect();
-            (quotient(&shear, &a0), quotient(&linear(1.0, -2.0), &twice))
+            let a0 = -nu.clone() + 1.0;
+            (shear / a0.clone(), (nu.clone() * -2.0 + 1.0) / (a0 * 2.0))
         }
-        Plane::Stress => (product(&shear, &linear(1.0, 1.0)), linear(0.5, -0.5)),
-    };
-    let first = plane_modulus[0];
-    Constants { plane_modulus: plane_modulus.iter().map(|c| c / first).collect(), beta }
-}
-
-/// Product of two series of one length, cut there.
-fn product(one: &[f64], other: &[f64]) -> Vec<f64> {
-    (0..one.len()).map(|k| one[..=k].iter().zip(other[..=k].iter().rev()).map(|(a, b)| a * b).sum()).collect()
-}
-
-/// Their quotient.
-fn quotient(numerator: &[f64], denominator: &[f64]) -> Vec<f64> {
-    let mut quotient: Vec<f64> = Vec::with_capacity(numerator.len());
-    for (k, n) in numerator.iter().enumerate() {
-        let known: f64 = quotient.iter().zip(denominator[1..=k].iter().rev()).map(|(q, d)| q * d).sum();
-        quotient.push((n - known) / denominator[0]);
+        Plane::Stress => (shear * one_plus(), nu.clone() * -0.5 + 0.5),
     }
-    quotient
 }
 
 /// The same under any law that is smooth at the surface, from the Taylor coefficients of `mu/A0`, the first of them 1,

@@ -47,6 +47,32 @@ pub(crate) enum Function {
     Tanh,
 }
 
+/// A function of a value of any kind that has them all as methods.
+macro_rules! apply {
+    ($function:expr, $value:expr) => {
+        match $function {
+            Function::Abs => $value.abs(),
+            Function::Acos => $value.acos(),
+            Function::Acosh => $value.acosh(),
+            Function::Asin => $value.asin(),
+            Function::Asinh => $value.asinh(),
+            Function::Atan => $value.atan(),
+            Function::Atanh => $value.atanh(),
+            Function::Cbrt => $value.cbrt(),
+            Function::Cos => $value.cos(),
+            Function::Cosh => $value.cosh(),
+            Function::Exp => $value.exp(),
+            Function::Ln => $value.ln(),
+            Function::Log10 => $value.log10(),
+            Function::Sin => $value.sin(),
+            Function::Sinh => $value.sinh(),
+            Function::Sqrt => $value.sqrt(),
+            Function::Tan => $value.tan(),
+            Function::Tanh => $value.tanh(),
+        }
+    };
+}
+
 impl Function {
     /// The function of that name, if it has one argument.
     pub(crate) fn named(name: &str) -> Option<Self> {
@@ -74,49 +100,11 @@ impl Function {
     }
 
     fn of(self, u: Dual) -> Dual {
-        match self {
-            Self::Abs => u.abs(),
-            Self::Acos => u.acos(),
-            Self::Acosh => u.acosh(),
-            Self::Asin => u.asin(),
-            Self::Asinh => u.asinh(),
-            Self::Atan => u.atan(),
-            Self::Atanh => u.atanh(),
-            Self::Cbrt => u.cbrt(),
-            Self::Cos => u.cos(),
-            Self::Cosh => u.cosh(),
-            Self::Exp => u.exp(),
-            Self::Ln => u.ln(),
-            Self::Log10 => u.log10(),
-            Self::Sin => u.sin(),
-            Self::Sinh => u.sinh(),
-            Self::Sqrt => u.sqrt(),
-            Self::Tan => u.tan(),
-            Self::Tanh => u.tanh(),
-        }
+        apply!(self, u)
     }
 
     fn series(self, u: Taylor) -> Taylor {
-        match self {
-            Self::Abs => u.abs(),
-            Self::Acos => u.acos(),
-            Self::Acosh => u.acosh(),
-            Self::Asin => u.asin(),
-            Self::Asinh => u.asinh(),
-            Self::Atan => u.atan(),
-            Self::Atanh => u.atanh(),
-            Self::Cbrt => u.cbrt(),
-            Self::Cos => u.cos(),
-            Self::Cosh => u.cosh(),
-            Self::Exp => u.exp(),
-            Self::Ln => u.ln(),
-            Self::Log10 => u.log10(),
-            Self::Sin => u.sin(),
-            Self::Sinh => u.sinh(),
-            Self::Sqrt => u.sqrt(),
-            Self::Tan => u.tan(),
-            Self::Tanh => u.tanh(),
-        }
+        apply!(self, u)
     }
 }
 
