@@ -101,6 +101,8 @@ pub fn svg(solution: &Solution) -> Result<String, FigureError> {
 const LINE: f64 = 20.0;
 /// Height of the legend, px.
 const LEGEND: f64 = 28.0;
+/// Faces of the letters, the first that is there.
+const FONTS: &str = "Helvetica, Arial, 'DejaVu Sans', sans-serif";
 /// Size of letters beside the axes, px.
 const LETTERS: u32 = 14;
 
@@ -127,7 +129,7 @@ fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
         .with_tick_format(TickFormat::Custom(Arc::new(|v| format!("{v:.1}").replace('-', "\u{2212}"))))
         .with_box_axes()
         .with_show_grid(false)
-        .with_font_family("Helvetica, Arial, 'DejaVu Sans', sans-serif")
+        .with_font_family(FONTS)
         .with_title(literal(&title))
         .with_title_size(17)
         .with_title_wrap(52)
@@ -332,6 +334,20 @@ fn outline(scene: &mut Scene, computed: &ComputedLayout) {
         stroke_width: Some(1.0),
         opacity: None,
     });
+}
+
+/// Puts a drawing of its own into a figure, its clip path under that name; the first brings paper and letters.
+fn place(figure: &mut Scene, mut drawn: Scene, name: &str, (x, y): (f64, f64)) {
+    name_clip(&mut drawn, name);
+    if figure.font_family.is_none() {
+        (figure.background_color, figure.text_color) = (drawn.background_color.take(), drawn.text_color.take());
+        figure.font_family = drawn.font_family.take();
+    }
+    let transform = Some(format!("translate({x},{y})"));
+    figure.add(Primitive::GroupStart { transform, title: None, extra_attrs: None });
+    figure.elements.append(&mut drawn.elements);
+    figure.defs.append(&mut drawn.defs);
+    figure.add(Primitive::GroupEnd);
 }
 
 /// kuva numbers its clip paths through the life of the process; the same solution shall give the same text.

@@ -5,13 +5,13 @@ mod scale;
 
 use super::curves::Stroke;
 use super::head::Head;
-use super::{FigureError, SIZE, name_clip};
+use super::{FigureError, SIZE, place};
 use crate::engine::{DepthProfile, FlexibilityProfile};
 use crate::report::labels::Labels;
 use crate::report::scene_line::{GREEK, layer_parts};
 use crate::scene::Scene;
 use kuva::backend::svg::SvgBackend;
-use kuva::render::render::{Primitive, Scene as Canvas};
+use kuva::render::render::Scene as Canvas;
 use panel::Panel;
 use scale::Scale;
 use slipzone_api::{Base, Moduli};
@@ -58,18 +58,9 @@ pub fn layer_svg(
     for (index, panel) in columns.iter().enumerate() {
         let margin = panel.iter().map(Panel::margin).fold(0.0, f64::max);
         for panel in panel {
-            let mut drawn = panel.draw(margin);
-            name_clip(&mut drawn, &format!("frame{index}{}", if panel.place.1 > 0.0 { "below" } else { "" }));
-            if figure.font_family.is_none() {
-                (figure.background_color, figure.text_color) = (drawn.background_color.take(), drawn.text_color.take());
-                figure.font_family = drawn.font_family.take();
-            }
-            let (x, y) = (SIZE.0 * index as f64 + panel.place.0, head.height + panel.place.1);
-            let transform = Some(format!("translate({x},{y})"));
-            figure.add(Primitive::GroupStart { transform, title: None, extra_attrs: None });
-            figure.elements.append(&mut drawn.elements);
-            figure.defs.append(&mut drawn.defs);
-            figure.add(Primitive::GroupEnd);
+            let name = format!("frame{index}{}", if panel.place.1 > 0.0 { "below" } else { "" });
+            let at = (SIZE.0 * index as f64 + panel.place.0, head.height + panel.place.1);
+            place(&mut figure, panel.draw(margin), &name, at);
         }
     }
     figure.elements.extend(head.lines);

@@ -4,7 +4,7 @@ mod trace;
 
 use super::axis::Axis;
 use super::head::Head;
-use super::{FigureError, GRID, LEGEND, LETTERS, SIZE, alarm, legend, literal, name_clip, outline};
+use super::{FONTS, FigureError, GRID, LEGEND, LETTERS, SIZE, alarm, legend, literal, outline, place};
 use crate::engine::{Curve, Solution, Status, first_not_finite};
 use crate::report::labels::Labels;
 use crate::report::scene_line::{GREEK, constant_parts};
@@ -52,17 +52,8 @@ pub fn curve_svg(solution: &Solution) -> Result<String, FigureError> {
     let head = Head::new(title, "Loading curve", &parts, &alarm, panels.len());
     let mut figure = Scene::new(SIZE.0 * panels.len() as f64, head.height + PANEL);
     for (index, panel) in panels.into_iter().enumerate() {
-        let mut drawn = draw(&panel, &force);
-        name_clip(&mut drawn, &format!("frame{index}"));
-        if index == 0 {
-            (figure.background_color, figure.text_color) = (drawn.background_color.take(), drawn.text_color.take());
-            figure.font_family = drawn.font_family.take();
-        }
-        let transform = Some(format!("translate({},{})", SIZE.0 * index as f64, head.height));
-        figure.add(Primitive::GroupStart { transform, title: None, extra_attrs: None });
-        figure.elements.append(&mut drawn.elements);
-        figure.defs.append(&mut drawn.defs);
-        figure.add(Primitive::GroupEnd);
+        let at = (SIZE.0 * index as f64, head.height);
+        place(&mut figure, draw(&panel, &force), &format!("frame{index}"), at);
     }
     figure.elements.extend(head.lines);
     Ok(SvgBackend::new().with_pretty(true).render_scene(&figure))
@@ -115,7 +106,7 @@ fn draw(panel: &Panel, force: &Axis) -> Scene {
         .with_y_tick_format(force.ticks())
         .with_box_axes()
         .with_show_grid(false)
-        .with_font_family("Helvetica, Arial, 'DejaVu Sans', sans-serif")
+        .with_font_family(FONTS)
         .with_label_size(15)
         .with_tick_size(LETTERS)
         .with_body_size(LETTERS)

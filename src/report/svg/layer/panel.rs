@@ -2,7 +2,7 @@
 
 use super::scale::Scale;
 use crate::report::svg::curves::{Stroke, thinned};
-use crate::report::svg::{GRID, INK, LEGEND, LETTERS, legend, literal, outline};
+use crate::report::svg::{FONTS, GRID, INK, LEGEND, LETTERS, legend, literal, outline};
 use kuva::plot::{LinePlot, LineStyle};
 use kuva::render::annotations::ShadedRegion;
 use kuva::render::color::Color;
@@ -42,7 +42,7 @@ impl Panel {
             .with_height(self.size.1)
             .with_box_axes()
             .with_show_grid(false)
-            .with_font_family("Helvetica, Arial, 'DejaVu Sans', sans-serif")
+            .with_font_family(FONTS)
             .with_label_size(15)
             .with_tick_size(LETTERS)
             .with_body_size(LETTERS)
