@@ -2,7 +2,7 @@ use super::*;
 use crate::Compliance;
 use crate::fixtures::{Exponential, Opaque, Smooth, at, bonded, exponential as exponential_layer};
 use nalgebra::{Matrix4, Vector4};
-use slipzone_api::{Flexibility, LayerModel, Plane, Poisson};
+use slipzone_api::{Base, Flexibility, LayerModel, ModulusLaw, Plane, Poisson};
 use std::sync::Arc;
 
 const MATERIALS: [(Plane, f64); 5] =
@@ -145,4 +145,37 @@ fn as_many_terms_as_the_derivatives_give() {
         smooth(elastic, &modulus[..3], &[elastic.beta()], 2)
     );
     assert_eq!(exponential(elastic, 0.0, 3), [SurfaceFlexibility::default(); 3]);
+}
+
+#[test]
+fn the_series_knows_how_poisson_s_ratio_varies() {
+    #[derive(Debug)]
+    struct Varying;
+    impl ModulusLaw for Varying {
+        fn modulus(&self, depth: f64) -> f64 {
+            1.0 + depth
+        }
+        fn poisson(&self, depth: f64) -> Option<f64> {
+            Some(0.2 + 0.25 * depth)
+        }
+        fn surface_series(&self, terms: usize) -> Vec<f64> {
+            [1.0, 1.0].into_iter().chain(std::iter::repeat(0.0)).take(terms).collect()
+        }
+        fn poisson_series(&self, terms: usize) -> Vec<f64> {
+            [0.2, 0.25].into_iter().chain(std::iter::repeat(0.0)).take(terms).collect()
+        }
+    }
+    let poisson = Poisson::new(0.2).unwrap();
+    let kinds = [Plane::Strain, Plane::Stress].map(|plane| [Moduli::Shear, Moduli::Young].map(|kind| (plane, kind)));
+    for (plane, moduli) in kinds.into_iter().flatten() {
+        let layer = Arc::new(LayerModel::new(Box::new(Varying), Solid { plane, poisson, moduli }, Base::Rigid));
+        let tail = of(&layer, 12).expect("all coefficients are told");
+        assert_eq!(tail.len(), 12);
+        for rest in rest(&layer, &tail, 80.0) {
+            // The thirteenth term, 13!/(2 80)^13 at most as the moduli vary over lengths of 1, and round-off.
+            assert!(rest.abs() < 1e-14, "{plane:?}, {moduli:?}: {rest:e}");
+        }
+        // Without the last terms it would be seen.
+        assert!(self::rest(&layer, &tail[..3], 80.0).iter().any(|rest| rest.abs() > 1e-10), "{plane:?}, {moduli:?}");
+    }
 }
