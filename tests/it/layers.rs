@@ -150,6 +150,12 @@ fn stacks_of_equal_sublayers_are_one_layer() {
     };
     let (first, second, third) = (piece(0.0, 0.3), piece(0.3, 1.1), piece(1.1, 2.0));
     let inner = stack(&[(0.8, &second), (0.9, &third)]);
+    // Pieces of a law that is known by its polynomials alone.
+    let line = |from: f64, to: f64| {
+        let [from, to] = [from, to].map(|y| 1.0 + 2.0 * y);
+        format!("grading = {{ type = \"linear\", surface = {from:?}, base = {to:?} }}")
+    };
+    let (upper, lower) = (line(0.0, 0.3), stack(&[(0.8, &line(0.3, 1.1)), (0.9, &line(1.1, 2.0))]));
     for base in BASES {
         let homogeneous = lines(2.0, &format!("{base}{PLAIN}"));
         let steep = lines(2.0, &format!("{base}{STEEP}"));
@@ -159,6 +165,7 @@ fn stacks_of_equal_sublayers_are_one_layer() {
         assert_same(&of(&[(2.0, STEEP)]), &steep);
         assert_same(&of(&[(0.3, &first), (0.8, &second), (0.9, &third)]), &steep);
         assert_same(&of(&[(0.3, &first), (1.7, &inner)]), &steep);
+        assert_same(&of(&[(0.3, &upper), (1.7, &lower)]), &lines(2.0, &format!("{base}{}", line(0.0, 2.0))));
         // A skin of a millionth.
         let rest = piece(2e-6, 2.0);
         assert_same_flexibility(&of(&[(2e-6, &piece(0.0, 2e-6)), (2.0 - 2e-6, &rest)]), &steep);
