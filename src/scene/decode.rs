@@ -1,9 +1,10 @@
 //! From the tree to a [`Scene`]; errors of the decoder are put back where they belong.
 
+use super::SceneError;
 use super::complaint::Complaint;
-use super::document::{Document, clip, dotted, one_of, section};
+use super::document::{Document, clip, dotted, one_of};
 use super::load_keys::LOAD;
-use super::{Scene, SceneError};
+use serde::de::DeserializeOwned;
 use serde_path_to_error::{Path, Segment};
 use slipzone_api::{Family, PluginInfo, plugins};
 use toml::Spanned;
@@ -13,7 +14,7 @@ use toml::de::{DeTable, DeValue};
 const FORMAT: &str = "1";
 
 /// Checks `format` before anything else: the rest is read by its rules.
-pub(super) fn format(document: &Document) -> Result<(), SceneError> {
+pub(crate) fn format(document: &Document) -> Result<(), SceneError> {
     let expected = "`format = 1`, the only version so far";
     match document.value(&["format"]).map(Spanned::get_ref) {
         Some(DeValue::Integer(version)) if version.to_string() == FORMAT => Ok(()),
@@ -26,14 +27,14 @@ pub(super) fn format(document: &Document) -> Result<(), SceneError> {
             let first = document.table(&[]).and_then(|table| table.keys().next());
             Err(document
                 .error(first.map_or(0..0, Spanned::span), "missing key `format`")
-                .found("a scene that does not say its format")
+                .found(format!("a {} that does not say its format", document.what))
                 .expected(format!("{expected}, on top")))
         }
     }
 }
 
-/// Decodes the whole scene.
-pub(super) fn scene(document: &Document) -> Result<Scene, SceneError> {
+/// Decodes the whole document.
+pub(crate) fn decode<T: DeserializeOwned>(document: &Document) -> Result<T, SceneError> {
     let mut tree = document.tree();
     type_first(tree.get_mut());
     serde_path_to_error::deserialize(toml::Deserializer::from(tree))
@@ -133,7 +134,7 @@ fn missing_key(document: &Document, path: &[&str], key: &str) -> SceneError {
     let what = if path.is_empty() && sections.contains(&key) {
         format!("missing section [{key}]")
     } else {
-        format!("missing key `{key}` in {}", section(path))
+        format!("missing key `{key}` in {}", document.section(path))
     };
     let present: Vec<_> =
         document.table(path).into_iter().flat_map(DeTable::keys).map(|key| format!("`{}`", key.get_ref())).collect();
@@ -174,7 +175,7 @@ fn clip_list(list: &str) -> String {
     if short.len() == list.len() { short } else { short + "..." }
 }
 
-pub(super) fn wrong_type(document: &Document, path: &[&str], expected: &str) -> SceneError {
+pub(crate) fn wrong_type(document: &Document, path: &[&str], expected: &str) -> SceneError {
     let found = document.found(path);
     let found = match document.value(path).map(Spanned::get_ref) {
         Some(DeValue::Table(_) | DeValue::Array(_)) | None => found,

@@ -6,23 +6,50 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// A scene's text, parsed but not yet understood.
-pub(super) struct Document<'a> {
+/// A scene's or a study's text, parsed but not yet understood.
+pub(crate) struct Document<'a> {
+    /// What errors call it: a scene, a study.
+    pub(super) what: &'static str,
     name: &'a str,
     text: &'a str,
     tree: Spanned<DeTable<'a>>,
 }
 
 impl<'a> Document<'a> {
-    /// Parses the TOML; the first syntax error, if there is one.
+    /// Parses the TOML of a scene; the first syntax error, if there is one.
     pub(super) fn parse(name: &'a str, text: &'a str) -> Result<Self, SceneError> {
+        Self::parse_as("scene", "at least `format`, `[layer]`, `[punch]` and `[load]`", name, text)
+    }
+
+    /// Parses the TOML of something else, of which at least some keys are expected.
+    pub(crate) fn parse_as(
+        what: &'static str,
+        expected: &str,
+        name: &'a str,
+        text: &'a str,
+    ) -> Result<Self, SceneError> {
         let tree = DeTable::parse(text).map_err(|error| syntax(name, text, &error))?;
         if tree.get_ref().is_empty() {
-            return Err(SceneError::whole(name, "the scene is empty")
-                .found("no key")
-                .expected("at least `format`, `[layer]`, `[punch]` and `[load]`"));
+            let error = SceneError::whole(name, format!("the {what} is empty"));
+            return Err(error.found("no key").expected(expected));
         }
-        Ok(Self { name, text, tree })
+        Ok(Self { what, name, text, tree })
+    }
+
+    /// A scene whose values come from several places: its errors have none.
+    pub(super) fn of_scene(name: &'a str, tree: Spanned<DeTable<'a>>) -> Self {
+        Self { what: "scene", name, text: "", tree }
+    }
+
+    /// A table of this document as a document of its own, whose errors have their places in the same text.
+    pub(super) fn part(&self, what: &'static str, key: &str) -> Self {
+        let table = self.table(&[key]).cloned().unwrap_or_default();
+        Self { what, name: self.name, text: self.text, tree: Spanned::new(self.key(&[key]), table) }
+    }
+
+    /// The file's name, as it was given.
+    pub(super) fn name(&self) -> &'a str {
+        self.name
     }
 
     /// The tree, to be decoded.
@@ -31,7 +58,7 @@ impl<'a> Document<'a> {
     }
 
     /// The table at a path; the root at an empty one.
-    pub(super) fn table(&self, path: &[&str]) -> Option<&DeTable<'a>> {
+    pub(crate) fn table(&self, path: &[&str]) -> Option<&DeTable<'a>> {
         match path {
             [] => Some(self.tree.get_ref()),
             _ => self.value(path)?.get_ref().as_table(),
@@ -39,7 +66,7 @@ impl<'a> Document<'a> {
     }
 
     /// The value at a path of keys and, in arrays, of indices.
-    pub(super) fn value(&self, path: &[&str]) -> Option<&Spanned<DeValue<'a>>> {
+    pub(crate) fn value(&self, path: &[&str]) -> Option<&Spanned<DeValue<'a>>> {
         let (first, rest) = path.split_first()?;
         rest.iter().try_fold(self.tree.get_ref().get(*first)?, |value, key| match value.get_ref() {
             DeValue::Array(array) => array.get(key.parse::<usize>().ok()?),
@@ -49,7 +76,7 @@ impl<'a> Document<'a> {
 
     /// Where the key at the end of a path stands; an element of an array stands for itself, and the end
     /// of the text for the root.
-    pub(super) fn key(&self, path: &[&str]) -> Range<usize> {
+    pub(crate) fn key(&self, path: &[&str]) -> Range<usize> {
         let Some((last, parents)) = path.split_last() else {
             let end = self.text.trim_end().len();
             return end..end;
@@ -61,7 +88,7 @@ impl<'a> Document<'a> {
     }
 
     /// The value at the end of a path, or its key when the value is a table or an array.
-    pub(super) fn best(&self, path: &[&str]) -> Range<usize> {
+    pub(crate) fn best(&self, path: &[&str]) -> Range<usize> {
         match self.value(path) {
             Some(value) if !value.get_ref().is_table() && !value.get_ref().is_array() => value.span(),
             _ => self.key(path),
@@ -69,7 +96,7 @@ impl<'a> Document<'a> {
     }
 
     /// An error about a stretch of the text.
-    pub(super) fn error(&self, span: Range<usize>, message: impl Into<String>) -> SceneError {
+    pub(crate) fn error(&self, span: Range<usize>, message: impl Into<String>) -> SceneError {
         SceneError::at(self.name, self.text, span, message)
     }
 
@@ -110,7 +137,7 @@ impl<'a> Document<'a> {
     }
 
     /// A number that is not allowed: what it is, where it stands.
-    pub(super) fn not_allowed(&self, path: &[&str], expected: impl Into<String>) -> SceneError {
+    pub(crate) fn not_allowed(&self, path: &[&str], expected: impl Into<String>) -> SceneError {
         self.error(self.best(path), format!("`{}` is not allowed", dotted(path)))
             .found(self.found(path))
             .expected(expected)
@@ -123,7 +150,7 @@ impl<'a> Document<'a> {
         let message = if is_section {
             format!("unknown section [{key}]")
         } else {
-            format!("unknown key `{key}` in {}", section(path))
+            format!("unknown key `{key}` in {}", self.section(path))
         };
         self.error(self.key(&full), message)
             .found(format!("`{}`", clip(key)))
@@ -131,8 +158,13 @@ impl<'a> Document<'a> {
             .nearest(key, known)
     }
 
+    /// The name of the table at a path, as it would be written.
+    pub(super) fn section(&self, path: &[&str]) -> String {
+        if path.is_empty() { format!("the {}", self.what) } else { format!("[{}]", dotted(path)) }
+    }
+
     /// The source of the value at a path, for messages; in words when it is long.
-    pub(super) fn found(&self, path: &[&str]) -> String {
+    pub(crate) fn found(&self, path: &[&str]) -> String {
         match self.value(path) {
             None => "nothing".into(),
             Some(value) => match value.get_ref() {
@@ -140,25 +172,36 @@ impl<'a> Document<'a> {
                 DeValue::Table(_) => "a table".into(),
                 DeValue::Array(array) if array.is_empty() => "an empty array".into(),
                 DeValue::Array(_) => "an array".into(),
-                _ => format!("`{}`", clip(self.text.get(value.span()).unwrap_or_default())),
+                plain => match self.text.get(value.span()) {
+                    Some(source) if !source.is_empty() => format!("`{}`", clip(source)),
+                    _ => format!("`{}`", clip(&written(plain))),
+                },
             },
         }
     }
 }
 
+/// A value that is no table and no array, as it would be written.
+pub(crate) fn written(value: &DeValue) -> String {
+    match value {
+        DeValue::String(string) => format!("{string:?}"),
+        DeValue::Integer(integer) => integer.to_string(),
+        DeValue::Float(float) => float.as_str().into(),
+        DeValue::Boolean(boolean) => boolean.to_string(),
+        DeValue::Datetime(datetime) => datetime.to_string(),
+        DeValue::Array(_) => "an array".into(),
+        DeValue::Table(_) => "a table".into(),
+    }
+}
+
 /// A path as it would be written, indices in brackets.
-pub(super) fn dotted(path: &[&str]) -> String {
+pub(crate) fn dotted(path: &[&str]) -> String {
     let is_index = |segment: &str| !segment.is_empty() && segment.bytes().all(|byte| byte.is_ascii_digit());
     let written: String = path
         .iter()
         .map(|segment| if is_index(segment) { format!("[{segment}]") } else { format!(".{segment}") })
         .collect();
     written.trim_start_matches('.').to_owned()
-}
-
-/// A table's name as it would be written.
-pub(super) fn section(path: &[&str]) -> String {
-    if path.is_empty() { "the scene".into() } else { format!("[{}]", path.join(".")) }
 }
 
 /// Names as a list in words.

@@ -35,7 +35,7 @@ const MARGIN: usize = 80;
 
 impl SceneError {
     /// An error about a stretch of the text.
-    pub(super) fn at(file: &str, text: &str, span: Range<usize>, message: impl Into<String>) -> Self {
+    pub(crate) fn at(file: &str, text: &str, span: Range<usize>, message: impl Into<String>) -> Self {
         let start = floor(text, span.start.min(text.len()));
         let end = floor(text, span.end.clamp(start, text.len()));
         let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
@@ -66,31 +66,38 @@ impl SceneError {
     }
 
     /// An error about the file as a whole.
-    pub(super) fn whole(file: &str, message: impl Into<String>) -> Self {
+    pub(crate) fn whole(file: &str, message: impl Into<String>) -> Self {
         Self::at(file, "", 0..0, message)
     }
 
-    pub(super) fn found(mut self, found: impl Into<String>) -> Self {
+    pub(crate) fn found(mut self, found: impl Into<String>) -> Self {
         self.found = Some(printable(&found.into()));
         self
     }
 
-    pub(super) fn expected(mut self, expected: impl Into<String>) -> Self {
+    pub(crate) fn expected(mut self, expected: impl Into<String>) -> Self {
         self.expected = Some(printable(&expected.into()));
         self
     }
 
-    pub(super) fn hint(mut self, hint: impl Into<String>) -> Self {
+    pub(crate) fn hint(mut self, hint: impl Into<String>) -> Self {
         self.hint = Some(printable(&hint.into()));
         self
     }
 
     /// Adds "did you mean" when one of the known names is close.
-    pub(super) fn nearest(self, name: &str, known: &[&str]) -> Self {
+    pub(crate) fn nearest(self, name: &str, known: &[&str]) -> Self {
         match super::nearest(name, known) {
             Some(near) => self.hint(format!("did you mean `{near}`?")),
             None => self,
         }
+    }
+
+    /// What is wrong in one line, without its place.
+    pub fn in_one_line(&self) -> String {
+        let notes = [("found", &self.found), ("expected", &self.expected), ("help", &self.hint)];
+        let notes = notes.into_iter().filter_map(|(name, note)| Some(format!("; {name}: {}", note.as_ref()?)));
+        notes.fold(self.message.clone(), |line, note| line + &note)
     }
 
     fn in_words(&self) -> String {

@@ -8,19 +8,21 @@
 
 mod check;
 mod complaint;
-mod decode;
-mod document;
+pub(crate) mod decode;
+pub(crate) mod document;
 mod error;
 mod load_keys;
 mod load_path;
 mod names;
 mod table;
 mod tagged;
+mod template;
 mod text;
 
 pub use error::SceneError;
 pub use load_path::{LoadKind, LoadPath, PathError};
 pub use names::nearest;
+pub(crate) use template::{Replacement, Template, plain};
 pub use text::{LARGEST, text, too_large};
 
 use document::Document;
@@ -77,16 +79,20 @@ pub fn parse_with(name: &str, text: &str, files: &dyn Files) -> Result<Scene, Sc
     if text.len() > LARGEST {
         return Err(too_large(name));
     }
-    let document = Document::parse(name, text)?;
-    decode::format(&document)?;
-    load_keys::load(&document)?;
-    let mut scene = decode::scene(&document)?;
+    checked(&Document::parse(name, text)?, files)
+}
+
+/// The scene that a document describes, every check passed.
+fn checked(document: &Document, files: &dyn Files) -> Result<Scene, SceneError> {
+    decode::format(document)?;
+    load_keys::load(document)?;
+    let mut scene: Scene = decode::decode(document)?;
     scene.layer.grading.read(files).map_err(|fault| document.fault(&["layer", "grading"], fault))?;
     scene.punch.read(files).map_err(|fault| document.fault(&["punch"], fault))?;
     if scene.layer.base != Base::Infinite {
         scene.layer.thickness = scene.layer.thickness.or(scene.layer.grading.thickness());
     }
-    check::all(&document, &scene)?;
+    check::all(document, &scene)?;
     Ok(scene)
 }
 

@@ -1,0 +1,116 @@
+//! A scene of which some values are replaced: what the scenes of a study have in common.
+
+use super::document::Document;
+use super::{Scene, SceneError, checked};
+use slipzone_api::Files;
+use std::borrow::Cow;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// The text of a scene that is valid as it stands.
+#[derive(Debug)]
+pub(crate) struct Template {
+    name: String,
+    text: String,
+}
+
+/// A place in the scene, and what is to stand there.
+#[derive(Debug)]
+pub(crate) struct Replacement<'a> {
+    /// Keys and indices that lead there: `["layer", "grading", "base"]`.
+    pub(crate) path: &'a [String],
+    /// A value as TOML writes it.
+    pub(crate) value: Cow<'a, str>,
+}
+
+impl Template {
+    /// A scene file.
+    pub(crate) fn parse(name: &str, text: String, files: &dyn Files) -> Result<(Self, Scene), SceneError> {
+        let scene = super::parse_with(name, &text, files)?;
+        Ok((Self { name: name.into(), text }, scene))
+    }
+
+    /// A table of another document, in which its errors have their places.
+    pub(crate) fn within(document: &Document, table: &str, files: &dyn Files) -> Result<(Self, Scene), SceneError> {
+        let part = document.part("scene", table);
+        let scene = checked(&part, files)?;
+        // Places are not needed any more: replaced values have none in this text.
+        let mut whole = toml::Table::new();
+        for (key, value) in part.tree().get_ref() {
+            whole.insert(key.get_ref().to_string(), plain(value.get_ref()));
+        }
+        Ok((Self { name: part.name().into(), text: whole.to_string() }, scene))
+    }
+
+    /// The scene with some values replaced, or set where nothing stood. Its errors have no place.
+    pub(crate) fn with(&self, replacements: &[Replacement], files: &dyn Files) -> Result<Scene, SceneError> {
+        let whole = |what: String| SceneError::whole(&self.name, what);
+        let mut tree = DeTable::parse(&self.text).map_err(|error| whole(error.message().into()))?;
+        for Replacement { path, value } in replacements {
+            let value = DeValue::parse(value).map_err(|error| whole(error.message().into()))?;
+            set(tree.get_mut(), path, value).map_err(|at| {
+                whole(format!("the scene has no place for `{}`", path.join(".")))
+                    .found(format!("no table and no array at `{}`", path[..at].join(".")))
+                    .expected("a path of keys, in arrays of indices, of the base scene")
+            })?;
+        }
+        checked(&Document::of_scene(&self.name, tree), files)
+    }
+
+    /// The scene as text.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+}
+
+/// Puts a value where a path leads, making tables on the way; tells how far it came otherwise.
+fn set<'a>(table: &mut DeTable<'a>, path: &[String], value: Spanned<DeValue<'a>>) -> Result<(), usize> {
+    let Some((first, rest)) = path.split_first() else { return Err(0) };
+    if rest.is_empty() {
+        table.insert(key(first), value);
+        return Ok(());
+    }
+    if !table.contains_key(first.as_str()) {
+        table.insert(key(first), Spanned::new(0..0, DeValue::Table(DeTable::new())));
+    }
+    let Some(next) = table.get_mut(first.as_str()) else { return Err(0) };
+    set_within(next, rest, value).map_err(|at| at + 1)
+}
+
+fn set_within<'a>(place: &mut Spanned<DeValue<'a>>, path: &[String], value: Spanned<DeValue<'a>>) -> Result<(), usize> {
+    let Some((first, rest)) = path.split_first() else {
+        *place = value;
+        return Ok(());
+    };
+    match place.get_mut() {
+        DeValue::Table(table) => set(table, path, value),
+        DeValue::Array(array) => {
+            let index: usize = first.parse().map_err(|_| 0_usize)?;
+            let next = array.iter_mut().nth(index).ok_or(0_usize)?;
+            set_within(next, rest, value).map_err(|at| at + 1)
+        }
+        _ => Err(0),
+    }
+}
+
+fn key(name: &str) -> Spanned<Cow<'static, str>> {
+    Spanned::new(0..0, Cow::Owned(name.to_owned()))
+}
+
+/// A value without its place.
+pub(crate) fn plain(value: &DeValue) -> toml::Value {
+    match value {
+        DeValue::Table(table) => {
+            toml::Value::Table(table.iter().map(|(k, v)| (k.get_ref().to_string(), plain(v.get_ref()))).collect())
+        }
+        DeValue::Array(array) => toml::Value::Array(array.iter().map(|value| plain(value.get_ref())).collect()),
+        DeValue::Boolean(boolean) => toml::Value::Boolean(*boolean),
+        DeValue::Datetime(datetime) => toml::Value::Datetime(*datetime),
+        DeValue::String(string) => toml::Value::String(string.to_string()),
+        DeValue::Integer(integer) => match i64::from_str_radix(integer.as_str(), integer.radix()) {
+            Ok(integer) => toml::Value::Integer(integer),
+            Err(_) => toml::Value::Float(f64::NAN),
+        },
+        DeValue::Float(float) => toml::Value::Float(float.as_str().parse().unwrap_or(f64::NAN)),
+    }
+}

@@ -1,0 +1,69 @@
+//! The question that a study may ask of each of its scenes: which value of a field gives a result that is wanted.
+
+use serde::Deserialize;
+
+/// An inverse question: the value of one field at which a number of the result is as wanted.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(try_from = "FindTable")]
+pub struct Find {
+    /// Path of the field in the scene that is looked for.
+    pub field: String,
+    /// Where the search begins.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// Number of the result that decides, by its path, such as `stick.ratio`.
+    pub quantity: String,
+    /// What is wanted of it.
+    pub wanted: Wanted,
+}
+
+/// What is wanted of the number that decides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Wanted {
+    /// A value.
+    Target(f64),
+    /// The least value within the range.
+    Minimum,
+    /// The largest value within the range.
+    Maximum,
+    /// To be within this share of what the homogeneous half-plane of the surface's modulus gives, from there on to the
+    /// end of the range.
+    HalfPlaneWithin(f64),
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FindTable {
+    field: String,
+    from: f64,
+    to: f64,
+    quantity: String,
+    #[serde(default)]
+    target: Option<f64>,
+    #[serde(default)]
+    minimum: Option<bool>,
+    #[serde(default)]
+    maximum: Option<bool>,
+    #[serde(default)]
+    half_plane_within: Option<f64>,
+}
+
+impl TryFrom<FindTable> for Find {
+    type Error = &'static str;
+
+    fn try_from(table: FindTable) -> Result<Self, Self::Error> {
+        let FindTable { field, from, to, quantity, target, minimum, maximum, half_plane_within } = table;
+        let wishes = [
+            target.map(Wanted::Target),
+            minimum.filter(|is| *is).map(|_| Wanted::Minimum),
+            maximum.filter(|is| *is).map(|_| Wanted::Maximum),
+            half_plane_within.map(Wanted::HalfPlaneWithin),
+        ];
+        let mut wishes = wishes.into_iter().flatten();
+        let (Some(wanted), None) = (wishes.next(), wishes.next()) else {
+            return Err("expected exactly one of `target`, `minimum = true`, `maximum = true`, `half_plane_within`");
+        };
+        Ok(Self { field, from, to, quantity, wanted })
+    }
+}

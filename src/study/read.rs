@@ -1,0 +1,432 @@
+//! From the text of a study to a [`Study`]; errors say where.
+
+use super::axis::{Axis, Cell, Column, Values};
+use super::files::{Kept, Reading};
+use super::find::Find;
+use super::plot::Plot;
+use super::{LARGEST_STUDY, Study};
+use crate::scene::document::{Document, dotted};
+use crate::scene::{Replacement, SceneError, Template, decode, plain};
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+use slipzone_api::Files;
+use std::path::{Path, PathBuf};
+use toml::de::DeValue;
+
+/// The sections of a study, its scene and its lists of values left to the document.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StudyTable {
+    #[allow(dead_code)] // checked before
+    format: u32,
+    #[serde(default)]
+    title: Option<String>,
+    #[allow(dead_code)] // read from the document
+    scene: IgnoredAny,
+    #[serde(default)]
+    axes: Vec<AxisTable>,
+    #[serde(default)]
+    plots: Vec<Plot>,
+    #[serde(default)]
+    find: Option<Find>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct AxisTable {
+    #[serde(default)]
+    field: Option<String>,
+    #[serde(default)]
+    label: Option<String>,
+    #[serde(default)]
+    values: Option<IgnoredAny>,
+    #[serde(default)]
+    names: Option<Vec<String>>,
+    #[serde(default)]
+    linear: Option<Range>,
+    #[serde(default)]
+    log: Option<Range>,
+    #[serde(default)]
+    zip: Option<Vec<ColumnTable>>,
+    #[serde(default)]
+    random: Option<Random>,
+}
+
+/// A field among several that change together.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ColumnTable {
+    field: String,
+    #[serde(default)]
+    label: Option<String>,
+    #[serde(default)]
+    values: Option<IgnoredAny>,
+    #[serde(default)]
+    names: Option<Vec<String>>,
+    #[serde(default)]
+    linear: Option<Range>,
+    #[serde(default)]
+    log: Option<Range>,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Range {
+    from: f64,
+    to: f64,
+    #[serde(default)]
+    count: Option<u64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Random {
+    count: u64,
+    seed: u64,
+    fields: Vec<ColumnTable>,
+}
+
+/// Reads and checks a study.
+pub(super) fn study(name: &str, text: &str, files: &dyn Files) -> Result<Study, SceneError> {
+    let document = Document::parse_as("study", "at least `format`, `scene` and `[[axes]]`", name, text)?;
+    decode::format(&document)?;
+    let table: StudyTable = decode::decode(&document)?;
+    let (text, folder) = base_file(&document, files)?;
+    let files = Reading::new(files, folder);
+    let (base, scene) = match text {
+        Some((name, text)) => Template::parse(&name, text, &files)?,
+        None => Template::within(&document, "scene", &files)?,
+    };
+    let mut axes = Vec::new();
+    for (index, axis) in table.axes.into_iter().enumerate() {
+        axes.push(read_axis(&document, &["axes", &index.to_string()], axis)?);
+    }
+    distinct(&document, &axes)?;
+    let rows = axes.iter().try_fold(1_u64, |rows, axis| rows.checked_mul(axis.count));
+    if rows.is_none_or(|rows| rows > LARGEST_STUDY) {
+        let counts: Vec<String> = axes.iter().map(|axis| axis.count.to_string()).collect();
+        return Err(document
+            .error(document.key(&["axes"]), "too many scenes")
+            .found(counts.join(" x "))
+            .expected(format!("at most {LARGEST_STUDY} scenes in one study"))
+            .hint("take fewer steps, or `random` in place of a grid"));
+    }
+    let (title, plots, find) = (table.title, table.plots, table.find);
+    let mut study = Study { title, axes, plots, find, base, scene, files: Kept::default() };
+    check_values(&document, &study, &files)?;
+    check_find(&document, &study, &files)?;
+    study.files = files.kept();
+    Ok(study)
+}
+
+/// Name and text of the scene that the others differ from, where it is a file beside the study, and its folder.
+fn base_file(document: &Document, files: &dyn Files) -> Result<(Option<(String, String)>, PathBuf), SceneError> {
+    let path = ["scene"];
+    match document.value(&path).map(toml::Spanned::get_ref) {
+        Some(DeValue::String(name)) => {
+            let bytes = files.read(name).map_err(|why| {
+                let error = document.error(document.best(&path), "the scene of the study cannot be read");
+                error.found(why).expected("a scene file, named relative to the study")
+            })?;
+            let text = crate::scene::text(name, bytes)?;
+            let folder = Path::new(name.as_ref()).parent().unwrap_or(Path::new("")).to_path_buf();
+            Ok((Some((name.to_string(), text)), folder))
+        }
+        Some(DeValue::Table(_)) => Ok((None, PathBuf::new())),
+        _ => Err(decode::wrong_type(document, &path, "the name of a scene file, or a table [scene]")),
+    }
+}
+
+fn read_axis(document: &Document, path: &[&str; 2], axis: AxisTable) -> Result<Axis, SceneError> {
+    let AxisTable { field, label, values, names, linear, log, zip, random } = axis;
+    match (field, zip, random) {
+        (Some(field), None, None) => {
+            let column = ColumnTable { field, label, values, names, linear, log };
+            let (column, count) = stepped(document, path, column)?;
+            Ok(Axis { columns: vec![column], count })
+        }
+        (None, Some(zip), None) => {
+            let mut columns = Vec::new();
+            let mut steps: Option<u64> = None;
+            for (index, column) in zip.into_iter().enumerate() {
+                let index = index.to_string();
+                let place = [path[0], path[1], "zip", &index];
+                let (column, count) = stepped(document, &place, column)?;
+                if steps.is_some_and(|steps| steps != count) {
+                    let error = document.error(document.key(&place), "fields zipped together have as many values each");
+                    return Err(error
+                        .found(format!("{count} values of `{}`", column.field))
+                        .expected(format!("{} of them, as many as of the first", steps.unwrap_or_default())));
+                }
+                steps = Some(count);
+                columns.push(column);
+            }
+            let count = steps.ok_or_else(|| empty(document, &[path[0], path[1], "zip"], "`zip` lists no field"))?;
+            Ok(Axis { columns, count })
+        }
+        (None, None, Some(random)) => {
+            let place = [path[0], path[1], "random"];
+            if random.count == 0 {
+                return Err(document.not_allowed(&[path[0], path[1], "random", "count"], "at least 1"));
+            }
+            let mut columns = Vec::new();
+            for (index, column) in random.fields.into_iter().enumerate() {
+                let own = index.to_string();
+                let place = [place[0], place[1], place[2], "fields", &own];
+                columns.push(drawn(document, &place, column, random.seed.wrapping_add(index as u64 * 0x1_0000_0001))?);
+            }
+            if columns.is_empty() {
+                return Err(empty(document, &place, "`random` lists no field"));
+            }
+            Ok(Axis { columns, count: random.count })
+        }
+        _ => Err(document
+            .error(document.key(path), "an axis needs exactly one of `field`, `zip` and `random`")
+            .found(document.found(path))
+            .expected("`field` with its values, `zip = [{ field = ..., values = ... }, ...]` or `random = { ... }`")),
+    }
+}
+
+/// A field that takes one value after another, and how many.
+fn stepped(document: &Document, path: &[&str], column: ColumnTable) -> Result<(Column, u64), SceneError> {
+    let ColumnTable { field, label, values, names, linear, log } = column;
+    let within = |key| path.iter().copied().chain([key]).collect::<Vec<&str>>();
+    let (values, count) = match (values.is_some(), linear, log) {
+        (true, None, None) => {
+            let listed = listed(document, &within("values"), names.as_deref())?;
+            let count = listed.len() as u64;
+            (Values::Listed(listed), count)
+        }
+        (false, Some(range), None) => steps(document, &within("linear"), range, false)?,
+        (false, None, Some(range)) => steps(document, &within("log"), range, true)?,
+        _ => {
+            return Err(document
+                .error(document.key(path), format!("the values of `{field}` are to be given in exactly one way"))
+                .found(document.found(path))
+                .expected("one of `values = [...]`, `linear = { from, to, count }`, `log = { from, to, count }`"));
+        }
+    };
+    if names.is_some() && !matches!(values, Values::Listed(_)) {
+        return Err(document.error(document.key(&within("names")), "`names` go with `values` only"));
+    }
+    Ok((column_of(document, path, field, label, values)?, count))
+}
+
+/// A field that is drawn at random.
+fn drawn(document: &Document, path: &[&str], column: ColumnTable, seed: u64) -> Result<Column, SceneError> {
+    let ColumnTable { field, label, values, names, linear, log } = column;
+    let within = |key| path.iter().copied().chain([key]).collect::<Vec<&str>>();
+    let (range, key) = match (values.is_some() || names.is_some(), linear, log) {
+        (false, Some(range), None) => (range, "linear"),
+        (false, None, Some(range)) => (range, "log"),
+        _ => {
+            return Err(document
+                .error(document.key(path), format!("`{field}` is to be drawn in exactly one way"))
+                .found(document.found(path))
+                .expected("`linear = { from, to }`, or `log = { from, to }` to draw its logarithm"));
+        }
+    };
+    if range.count.is_some() {
+        let place = within(key).into_iter().chain(["count"]).collect::<Vec<_>>();
+        return Err(document.error(document.key(&place), "the draws are counted once, by `random.count`"));
+    }
+    let by_factors = key == "log";
+    ends(document, &within(key), range, by_factors)?;
+    let values = Values::Drawn { from: range.from, to: range.to, by_factors, seed };
+    column_of(document, path, field, label, values)
+}
+
+fn column_of(
+    document: &Document,
+    path: &[&str],
+    field: String,
+    label: Option<String>,
+    values: Values,
+) -> Result<Column, SceneError> {
+    let keys: Vec<String> = field.split('.').map(|key| key.trim().to_owned()).collect();
+    if keys.iter().any(String::is_empty) || keys[0] == "format" {
+        let place: Vec<&str> = path.iter().copied().chain(["field"]).collect();
+        return Err(document.not_allowed(&place, "the path of a field of the scene, such as `layer.grading.base`"));
+    }
+    Ok(Column { label: label.unwrap_or_else(|| field.clone()), path: keys, field, values })
+}
+
+/// Values one by one, as TOML and as they are shown.
+fn listed(document: &Document, path: &[&str], names: Option<&[String]>) -> Result<Vec<(String, Cell)>, SceneError> {
+    let Some(DeValue::Array(values)) = document.value(path).map(toml::Spanned::get_ref) else {
+        return Err(decode::wrong_type(document, path, "an array of values"));
+    };
+    if values.is_empty() {
+        return Err(empty(document, path, "an axis without values"));
+    }
+    if let Some(names) = names.filter(|names| names.len() != values.len()) {
+        let place: Vec<&str> = path[..path.len() - 1].iter().copied().chain(["names"]).collect();
+        let error = document.error(document.key(&place), "as many names as values are needed");
+        return Err(error.found(format!("{} names", names.len())).expected(format!("{} of them", values.len())));
+    }
+    let one = |(index, value): (usize, &toml::Spanned<DeValue>)| {
+        let value = plain(value.get_ref());
+        let shown = match (names, &value) {
+            (Some(names), _) => Cell::Text(names[index].clone()),
+            (None, toml::Value::Integer(integer)) => Cell::Number(*integer as f64),
+            (None, toml::Value::Float(float)) if float.is_finite() => Cell::Number(*float),
+            (None, toml::Value::String(text)) => Cell::Text(text.clone()),
+            (None, toml::Value::Table(table)) if table.get("type").is_some_and(toml::Value::is_str) => {
+                Cell::Text(table["type"].as_str().unwrap_or_default().into())
+            }
+            (None, other) => Cell::Text(other.to_string()),
+        };
+        (value.to_string(), shown)
+    };
+    Ok(values.iter().enumerate().map(one).collect())
+}
+
+/// Steps from one number to another.
+fn steps(document: &Document, path: &[&str], range: Range, by_factors: bool) -> Result<(Values, u64), SceneError> {
+    ends(document, path, range, by_factors)?;
+    let within = |key| path.iter().copied().chain([key]).collect::<Vec<&str>>();
+    let Some(count) = range.count else {
+        let error = document.error(document.key(path), "missing key `count`: how many steps?");
+        return Err(error.found("only `from`, `to`").expected("`count`, at least 2"));
+    };
+    if count < 2 {
+        return Err(document.not_allowed(&within("count"), "at least 2, both ends included"));
+    }
+    let is_whole = |key| document.value(&within(key)).is_some_and(|value| value.get_ref().is_integer());
+    let whole = is_whole("from") && is_whole("to") && (range.to - range.from).abs() >= (count - 1) as f64 && {
+        // Of equal steps each is whole only if one is.
+        by_factors || ((range.to - range.from) / (count - 1) as f64).fract() == 0.0
+    };
+    let whole = whole && !by_factors;
+    Ok((Values::Steps { from: range.from, to: range.to, count, by_factors, whole }, count))
+}
+
+fn ends(document: &Document, path: &[&str], range: Range, by_factors: bool) -> Result<(), SceneError> {
+    let wrong = |end: f64| !end.is_finite() || by_factors && end <= 0.0;
+    let expected = if by_factors { "a finite number above 0" } else { "a finite number" };
+    for (key, end) in [("from", range.from), ("to", range.to)] {
+        if wrong(end) {
+            let place: Vec<&str> = path.iter().copied().chain([key]).collect();
+            return Err(document.not_allowed(&place, expected));
+        }
+    }
+    Ok(())
+}
+
+fn empty(document: &Document, path: &[&str], what: &str) -> SceneError {
+    document.error(document.key(path), what).found(document.found(path)).expected("at least one")
+}
+
+/// No field is set twice, no two columns have one name.
+fn distinct(document: &Document, axes: &[Axis]) -> Result<(), SceneError> {
+    let mut seen: Vec<&Column> = Vec::new();
+    for (index, axis) in axes.iter().enumerate() {
+        for column in &axis.columns {
+            let place = ["axes", &index.to_string()];
+            let overlaps = |other: &&&Column| {
+                let both = other.path.iter().zip(&column.path);
+                both.clone().all(|(one, other)| one == other)
+            };
+            if let Some(other) = seen.iter().find(overlaps) {
+                let error = document.error(document.key(&place), "two axes set the same field");
+                return Err(error
+                    .found(format!("`{}` and `{}`", other.field, column.field))
+                    .expected("each field once; fields that change together are a `zip`"));
+            }
+            if seen.iter().any(|other| other.label == column.label) || column.label == "index" {
+                let error = document.error(document.key(&place), format!("two columns named `{}`", column.label));
+                return Err(error.expected("a `label` of its own for each field"));
+            }
+            seen.push(column);
+        }
+    }
+    Ok(())
+}
+
+/// Each value makes a scene of the base, the other axes at their first values.
+fn check_values(document: &Document, study: &Study, files: &dyn Files) -> Result<(), SceneError> {
+    for (a, axis) in study.axes.iter().enumerate() {
+        for (c, column) in axis.columns.iter().enumerate() {
+            for step in column.checked() {
+                let mut steps = vec![0; study.axes.len()];
+                steps[a] = step;
+                let Err(error) = study.made(&steps, None, files) else { continue };
+                let number = a.to_string();
+                // The first scene may be wrong because of any of its values: the one that its error names.
+                let blamed = if step == 0 { blamed(study, &error) } else { Some((a, c)) };
+                let Some((a, c)) = blamed else {
+                    return Err(placed(document, &["axes", &number], &error, "the first scene of the study"));
+                };
+                let (a, c) = (a.to_string(), c.to_string());
+                let column = &study.axes[a.parse::<usize>().unwrap_or(0)].columns[c.parse::<usize>().unwrap_or(0)];
+                let mut place = vec!["axes", a.as_str()];
+                if document.value(&["axes", &a, "zip"]).is_some() {
+                    place.extend(["zip", c.as_str()]);
+                } else if document.value(&["axes", &a, "random"]).is_some() {
+                    place.extend(["random", "fields", c.as_str()]);
+                }
+                let index = step.to_string();
+                let is_field = error.message.starts_with("unknown key")
+                    || error.message.starts_with("unknown section")
+                    || error.message.starts_with("the scene has no place");
+                match &column.values {
+                    _ if is_field => place.push("field"),
+                    Values::Listed(_) => place.extend(["values", index.as_str()]),
+                    _ => {
+                        let key = ["linear", "log"].into_iter().find(|key| {
+                            let place: Vec<&str> = place.iter().copied().chain([*key]).collect();
+                            document.value(&place).is_some()
+                        });
+                        place.extend(key);
+                        place.push(if step == 0 { "from" } else { "to" });
+                    }
+                }
+                return Err(placed(document, &place, &error, &format!("`{}`", column.field)));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The column whose field an error of the first scene names.
+fn blamed(study: &Study, error: &SceneError) -> Option<(usize, usize)> {
+    let columns = study
+        .axes
+        .iter()
+        .enumerate()
+        .flat_map(|(a, axis)| axis.columns.iter().enumerate().map(move |(c, column)| (a, c, column)));
+    let named = |column: &Column| {
+        let keys: Vec<&str> = column.path.iter().map(String::as_str).collect();
+        let last = keys.last().copied().unwrap_or_default();
+        error.message.contains(&format!("`{}`", dotted(&keys))) || error.message.contains(&format!("`{last}`"))
+    };
+    columns.clone().find(|(_, _, column)| named(column)).or_else(|| columns.clone().next()).map(|(a, c, _)| (a, c))
+}
+
+/// An error of a scene at the place of the study that is to blame.
+fn placed(document: &Document, path: &[&str], error: &SceneError, of: &str) -> SceneError {
+    let mut placed = document.error(document.best(path), format!("{of}: {}", error.message));
+    placed.found.clone_from(&error.found);
+    placed.expected.clone_from(&error.expected);
+    placed.hint.clone_from(&error.hint);
+    placed
+}
+
+/// The question can be asked of the first scene.
+fn check_find(document: &Document, study: &Study, files: &dyn Files) -> Result<(), SceneError> {
+    let Some(find) = &study.find else { return Ok(()) };
+    for (key, end) in [("from", find.from), ("to", find.to)] {
+        if !end.is_finite() {
+            return Err(document.not_allowed(&["find", key], "a finite number"));
+        }
+        let path: Vec<String> = find.field.split('.').map(str::to_owned).collect();
+        let value = Replacement { path: &path, value: format!("{end:?}").into() };
+        if let Err(error) = study.made(&vec![0; study.axes.len()], Some(value), files) {
+            return Err(placed(document, &["find", key], &error, &format!("`{}`", find.field)));
+        }
+    }
+    if find.from >= find.to {
+        return Err(document.not_allowed(&["find", "to"], format!("a number above `from`, which is {}", find.from)));
+    }
+    Ok(())
+}

@@ -1,0 +1,115 @@
+//! One line of a sweep's results.
+
+use super::{Cell, Study};
+use crate::engine::{EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Solution, Status, StickReport};
+use crate::scene::SceneError;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+use serde_json::Value;
+
+/// A scene of a study, solved: what changed in it, and the numbers of its result under the keys of a result.
+#[derive(Clone, Debug, Serialize)]
+pub struct Record {
+    /// Number of the scene, from 0.
+    pub index: u64,
+    /// What changed: labels of the axes and their values.
+    #[serde(serialize_with = "as_map")]
+    pub axes: Vec<(String, Cell)>,
+    /// How the solve ended.
+    pub status: RecordStatus,
+    /// Why it did not converge.
+    pub reason: Option<String>,
+    /// Force, contact size, indentation.
+    pub load: LoadReport,
+    /// Pressure at a few points.
+    pub pressure: PressureReport,
+    /// Stress intensity at the contact's edge.
+    pub edge: EdgeReport,
+    /// The stick zone; `None` without friction.
+    pub stick: Option<StickReport>,
+    /// How sure the numbers are.
+    pub error: ErrorReport,
+    /// Tractions, where the study asks for them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub profile: Option<Profile>,
+    /// The answer to the study's question.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub found: Option<f64>,
+}
+
+/// How a scene of a study ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(untagged)]
+pub enum RecordStatus {
+    /// It was solved.
+    Solved(Status),
+    /// Its values make no scene together.
+    #[serde(serialize_with = "invalid")]
+    Invalid,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref)] // serde's signature
+fn invalid<S: Serializer>(serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str("invalid")
+}
+
+fn as_map<S: Serializer>(axes: &[(String, Cell)], serializer: S) -> Result<S::Ok, S::Error> {
+    let mut map = serializer.serialize_map(Some(axes.len()))?;
+    axes.iter().try_for_each(|(label, cell)| map.serialize_entry(label, cell))?;
+    map.end()
+}
+
+impl Record {
+    /// A scene that was solved.
+    pub(super) fn solved(study: &Study, row: u64, solution: Solution, with_profile: bool) -> Self {
+        let Solution { status, reason, load, pressure, edge, stick, error, profile, .. } = solution;
+        let status = RecordStatus::Solved(status);
+        let profile = with_profile.then_some(profile);
+        let error = ErrorReport { how: String::new(), ..error };
+        Self {
+            index: row,
+            axes: axes(study, row),
+            status,
+            reason,
+            load,
+            pressure,
+            edge,
+            stick,
+            error,
+            profile,
+            found: None,
+        }
+    }
+
+    /// Values that make no scene.
+    pub(super) fn invalid(study: &Study, row: u64, error: &SceneError) -> Self {
+        Self {
+            index: row,
+            axes: axes(study, row),
+            status: RecordStatus::Invalid,
+            reason: Some(error.in_one_line()),
+            load: LoadReport::default(),
+            pressure: PressureReport::default(),
+            edge: EdgeReport::default(),
+            stick: None,
+            error: ErrorReport::default(),
+            profile: None,
+            found: None,
+        }
+    }
+
+    /// Whether it converged.
+    pub fn is_converged(&self) -> bool {
+        self.status == RecordStatus::Solved(Status::Converged)
+    }
+
+    /// A number of the result by its path, such as `stick.ratio`.
+    pub fn number(&self, path: &str) -> Option<f64> {
+        let value = serde_json::to_value(self).ok()?;
+        value.pointer(&format!("/{}", path.replace('.', "/"))).and_then(Value::as_f64)
+    }
+}
+
+fn axes(study: &Study, row: u64) -> Vec<(String, Cell)> {
+    study.columns().map(|column| column.label.clone()).zip(study.cells(row)).collect()
+}

@@ -1,0 +1,73 @@
+//! All scenes of a study, solved on all cores.
+
+use super::Study;
+use super::record::Record;
+use crate::engine::{Layer, Solution, Solver, solve};
+use crate::scene::Scene;
+use rayon::iter::{ParallelBridge, ParallelIterator};
+use std::ops::ControlFlow;
+use std::sync::mpsc::sync_channel;
+
+/// Records that may wait to be taken.
+const WAITING: usize = 1024;
+
+/// Solves each scene of a study that is not `done` yet, on all cores, and gives the records to `take` as they are found,
+/// nearly in order, until that breaks off.
+///
+/// Scenes that share a layer share its tables. Which ones do is decided by the study alone: a record has the same bits
+/// whatever the number of threads, and whatever was done before.
+pub fn sweep(study: &Study, done: &(dyn Fn(u64) -> bool + Sync), mut take: impl FnMut(Record) -> ControlFlow<()>) {
+    let (sender, receiver) = sync_channel(WAITING);
+    std::thread::scope(|scope| {
+        scope.spawn(move || {
+            // Of a range bridged, chunks are taken in order.
+            let _ = (0..study.chunks()).par_bridge().try_for_each_with(sender, |sender, chunk| {
+                solve_chunk(study, chunk, done, |record| sender.send(record).ok())
+            });
+        });
+        // Dropped when it breaks off: then the senders stop, too.
+        let _ = receiver.into_iter().try_for_each(&mut take);
+    });
+}
+
+/// Solves the scenes of a chunk that are not done, and those before them, whose tables they share.
+fn solve_chunk(
+    study: &Study,
+    chunk: u64,
+    done: &(dyn Fn(u64) -> bool + Sync),
+    send: impl Fn(Record) -> Option<()>,
+) -> Option<()> {
+    let rows = study.chunk_rows(chunk);
+    let Some(last) = rows.clone().rev().find(|row| !done(*row)) else { return Some(()) };
+    let mut layer = None;
+    for row in rows.start..=last {
+        let record = match study.scene(row) {
+            Ok(scene) => {
+                let with_profile = true;
+                Record::solved(study, row, solve_on(&mut layer, &scene), with_profile)
+            }
+            Err(error) => Record::invalid(study, row, &error),
+        };
+        if !done(row) {
+            send(record)?;
+        }
+    }
+    Some(())
+}
+
+/// Solves a scene on the layer that is there, and leaves it there.
+fn solve_on(layer: &mut Option<Layer>, scene: &Scene) -> Solution {
+    let prepared = match layer.take() {
+        Some(layer) => Solver::on(layer, scene),
+        None => Solver::new(scene),
+    };
+    match prepared {
+        Ok(mut solver) => {
+            let solution = solver.solve();
+            *layer = Some(solver.into_layer());
+            solution
+        }
+        // Of another layer, or refused: by itself it says which.
+        Err(_) => solve(scene),
+    }
+}
