@@ -13,8 +13,8 @@ pub(super) struct Arguments {
 
 const EXIT_CODES: &str = "Exit codes:
   0    done
-  1    the result is written, but its status is not `converged`
-  2    bad input: arguments or scene
+  1    the result is written, but its status is not `converged` (of a sweep: that of some scene)
+  2    bad input: arguments, scene or study
   3    a file or the system failed
   130  interrupted";
 
@@ -29,6 +29,8 @@ pub(super) enum Command {
     },
     /// Show a scene with defaults filled in, and how it would be solved
     Explain(Explain),
+    /// Solve all scenes of a study, and go on where an earlier run was interrupted
+    Sweep(Sweep),
     /// List the plugins, or describe one
     Plugins {
         /// Name of a plugin, as in `type = "..."`
@@ -70,4 +72,16 @@ pub(super) struct Solve {
     #[cfg(feature = "plot")]
     #[arg(long, value_name = "FILE")]
     pub(super) curve_svg: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct Sweep {
+    /// Study file (TOML); `-` reads standard input
+    pub(super) study: PathBuf,
+    /// Folder of the results and of the journal; it is made if need be [default: the study's name with `.results`]
+    #[arg(long, value_name = "FOLDER")]
+    pub(super) out: Option<PathBuf>,
+    /// Throw the journal of an earlier run away and begin anew
+    #[arg(long)]
+    pub(super) fresh: bool,
 }

@@ -1,8 +1,9 @@
-//! Reads a scene from a file or from standard input.
+//! Reads a scene or a study from a file or from standard input.
 
 use super::Failure;
 use slipzone::api::{Files, LARGEST_FILE};
 use slipzone::scene::{self, Scene};
+use slipzone::study::Study;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -14,17 +15,36 @@ pub(super) fn is_dash(path: &Path) -> bool {
 
 /// Reads and checks a scene.
 pub(super) fn scene(path: &Path) -> Result<Scene, Failure> {
+    let (name, text) = text(path, "scene")?;
+    Ok(scene::parse_with(&name, &text, &Folder::of(path))?)
+}
+
+/// Reads and checks a study.
+pub(super) fn study(path: &Path) -> Result<Study, Failure> {
+    let (name, text) = text(path, "study")?;
+    Ok(Study::parse(&name, &text, &Folder::of(path))?)
+}
+
+/// What errors call a file, and its text.
+fn text(path: &Path, what: &str) -> Result<(String, String), Failure> {
     let name = if is_dash(path) { "<stdin>".into() } else { path.to_string_lossy() };
     let most = scene::LARGEST;
     let bytes = if is_dash(path) { limited(std::io::stdin().lock(), most) } else { file(path, most) };
-    let bytes = bytes.map_err(|error| Failure::System(format!("cannot read the scene {name}: {error}")))?;
+    let bytes = bytes.map_err(|error| Failure::System(format!("cannot read the {what} {name}: {error}")))?;
     let text = scene::text(&name, bytes)?;
-    let folder = if is_dash(path) { None } else { path.parent() };
-    Ok(scene::parse_with(&name, &text, &Folder(folder.unwrap_or(Path::new(""))))?)
+    Ok((name.into_owned(), text))
 }
 
-/// The folder of a scene, which the files that it names are relative to.
+/// The folder of a scene or a study, which the files that it names are relative to.
 struct Folder<'a>(&'a Path);
+
+impl<'a> Folder<'a> {
+    /// Of a file; of standard input the current one.
+    fn of(path: &'a Path) -> Self {
+        let folder = if is_dash(path) { None } else { path.parent() };
+        Self(folder.unwrap_or(Path::new("")))
+    }
+}
 
 impl Files for Folder<'_> {
     fn read(&self, name: &str) -> Result<Vec<u8>, String> {

@@ -5,10 +5,13 @@ mod check;
 mod explain;
 mod failure;
 mod input;
+mod interrupt;
+mod journal;
 mod output;
 mod plugins;
 mod print;
 mod solve;
+mod sweep;
 
 use args::{Arguments, Command};
 use clap::Parser;
@@ -25,15 +28,9 @@ enum Outcome {
     NotConverged,
 }
 
-/// Exit code of a run that the user stopped (128 + SIGINT).
-const INTERRUPTED: i32 = 130;
-
 /// Runs one command.
 pub(crate) fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    // Without the handler the program would end by the signal, with no exit code of its own.
-    if let Err(error) = ctrlc::set_handler(|| std::process::exit(INTERRUPTED)) {
-        print::note(&format!("interrupting will not be tidy: {error}"));
-    }
+    interrupt::watch();
     slipzone::link_plugins();
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
@@ -61,6 +58,7 @@ fn dispatch(command: &Command) -> Result<Outcome, Failure> {
         Command::Solve(arguments) => solve::run(arguments),
         Command::Check { scene } => check::run(scene),
         Command::Explain(arguments) => explain::run(arguments),
+        Command::Sweep(arguments) => sweep::run(arguments),
         Command::Plugins { name, json } => plugins::run(name.as_deref(), *json),
     }
 }

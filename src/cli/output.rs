@@ -3,7 +3,7 @@
 use super::Failure;
 use super::input::is_dash;
 use std::fs::{self, Permissions};
-use std::io::Write;
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
@@ -73,8 +73,76 @@ impl Target {
         Ok(Staged::File(file, self))
     }
 
+    /// A file to be written bit by bit, which replaces the target only when it is kept.
+    pub(super) fn begin(&self) -> Result<Pending<'_>, Failure> {
+        let file = if self.special {
+            Writing::Special(fs::OpenOptions::new().write(true).open(&self.real).map_err(|e| self.failed(&e))?)
+        } else {
+            Writing::File(self.temporary().map_err(|error| self.failed(&error))?)
+        };
+        Ok(Pending { file: BufWriter::new(file), target: self })
+    }
+
     fn failed(&self, error: &dyn std::fmt::Display) -> Failure {
         Failure::System(format!("cannot write {}: {error}", self.shown.display()))
+    }
+}
+
+/// A file that is being written.
+pub(super) struct Pending<'a> {
+    file: BufWriter<Writing>,
+    target: &'a Target,
+}
+
+/// A file that is written to the end.
+pub(super) struct Finished<'a> {
+    file: Writing,
+    target: &'a Target,
+}
+
+enum Writing {
+    File(NamedTempFile),
+    Special(fs::File),
+}
+
+impl Write for Writing {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        match self {
+            Self::File(file) => file.write(bytes),
+            Self::Special(file) => file.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+impl<'a> Pending<'a> {
+    pub(super) fn write(&mut self, bytes: &[u8]) -> Result<(), Failure> {
+        self.file.write_all(bytes).map_err(|error| self.target.failed(&error))
+    }
+
+    /// Everything is on the disk: what is left is to rename it.
+    pub(super) fn finished(self) -> Result<Finished<'a>, Failure> {
+        let target = self.target;
+        let file = self.file.into_inner().map_err(|error| target.failed(error.error()))?;
+        if let Writing::File(file) = &file {
+            file.as_file().sync_all().map_err(|error| target.failed(&error))?;
+        }
+        Ok(Finished { file, target })
+    }
+}
+
+impl Finished<'_> {
+    /// Puts the file in its place.
+    pub(super) fn keep(self) -> Result<(), Failure> {
+        match self.file {
+            Writing::File(file) => {
+                file.persist(&self.target.real).map(drop).map_err(|error| self.target.failed(&error.error))
+            }
+            Writing::Special(_) => Ok(()),
+        }
     }
 }
 

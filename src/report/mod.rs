@@ -6,6 +6,7 @@ mod json;
 mod labels;
 mod number;
 mod scene_line;
+mod study_table;
 #[cfg(feature = "plot")]
 mod svg;
 mod text;
@@ -13,6 +14,7 @@ mod text;
 pub use csv::csv;
 pub use curve_csv::curve_csv;
 pub use json::json;
+pub use study_table::{StudyTable, record_line};
 #[cfg(feature = "plot")]
 pub use svg::{FigureError, curve_svg, layer_svg, svg};
 pub use text::text;

@@ -23,6 +23,12 @@ impl Axis {
         };
         self.columns.iter().any(|column| decides(&column.path))
     }
+
+    /// Whether scenes along it differ in nothing but the load or the friction coefficient.
+    fn is_of_load(&self) -> bool {
+        let loads = ["load.force", "load.half_width", "load.indentation", "friction.coefficient"];
+        self.columns.iter().all(|column| loads.contains(&column.field.as_str()))
+    }
 }
 
 impl Study {
@@ -41,6 +47,12 @@ impl Study {
             rest /= self.axes[a].count;
         }
         steps
+    }
+
+    /// Whether two scenes differ in nothing but the load or the friction coefficient.
+    pub(super) fn differ_in_load(&self, one: u64, other: u64) -> bool {
+        let both = self.steps(one).into_iter().zip(self.steps(other));
+        self.axes.iter().zip(both).all(|(axis, (one, other))| one == other || axis.is_of_load())
     }
 
     /// Scenes in a row that are on one layer.

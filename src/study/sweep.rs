@@ -2,7 +2,7 @@
 
 use super::Study;
 use super::record::Record;
-use crate::engine::{Layer, Solution, Solver, solve};
+use crate::engine::{Solution, Solver, solve};
 use crate::scene::Scene;
 use rayon::iter::{ParallelBridge, ParallelIterator};
 use std::ops::ControlFlow;
@@ -39,12 +39,12 @@ fn solve_chunk(
 ) -> Option<()> {
     let rows = study.chunk_rows(chunk);
     let Some(last) = rows.clone().rev().find(|row| !done(*row)) else { return Some(()) };
-    let mut layer = None;
+    let mut known = None;
     for row in rows.start..=last {
         let record = match study.scene(row) {
             Ok(scene) => {
-                let with_profile = true;
-                Record::solved(study, row, solve_on(&mut layer, &scene), with_profile)
+                let only_pressed = row > rows.start && study.differ_in_load(row - 1, row);
+                Record::solved(study, row, solve_after(&mut known, &scene, only_pressed), asks_for_profile(study))
             }
             Err(error) => Record::invalid(study, row, &error),
         };
@@ -55,16 +55,24 @@ fn solve_chunk(
     Some(())
 }
 
-/// Solves a scene on the layer that is there, and leaves it there.
-fn solve_on(layer: &mut Option<Layer>, scene: &Scene) -> Solution {
-    let prepared = match layer.take() {
-        Some(layer) => Solver::on(layer, scene),
+/// Solves a scene with what is known of the one before it on the same layer: all, where it is only pressed or rubbed
+/// otherwise, or the layer.
+fn solve_after(known: &mut Option<Solver>, scene: &Scene, only_pressed: bool) -> Solution {
+    let prepared = match known.take() {
+        Some(mut solver) if only_pressed => {
+            solver.press(scene.load);
+            if let Some(friction) = scene.friction {
+                solver.rub(friction);
+            }
+            Ok(solver)
+        }
+        Some(solver) => Solver::on(solver.into_layer(), scene),
         None => Solver::new(scene),
     };
     match prepared {
         Ok(mut solver) => {
             let solution = solver.solve();
-            *layer = Some(solver.into_layer());
+            *known = Some(solver);
             solution
         }
         // Of another layer, or refused: by itself it says which.

@@ -1,0 +1,128 @@
+//! `slipzone sweep`: all scenes of a study.
+
+use super::args::Sweep;
+use super::input::{self, is_dash};
+use super::journal::Journal;
+use super::output::Target;
+use super::{Failure, Outcome, interrupt, print};
+use indicatif::{ProgressBar, ProgressStyle};
+use slipzone::report::{self, StudyTable};
+use slipzone::study::{Study, sweep};
+use std::fs;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Scenes that failed and are named on the terminal.
+const NAMED: usize = 10;
+
+pub(super) fn run(arguments: &Sweep) -> Result<Outcome, Failure> {
+    let study = input::study(&arguments.study)?;
+    let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.study));
+    fs::create_dir_all(&folder)
+        .map_err(|error| Failure::System(format!("cannot make the folder {}: {error}", folder.display())))?;
+    let table = Target::new(&folder.join("results.csv"))?;
+    let lines = Target::new(&folder.join("results.jsonl"))?;
+    let mut journal = Journal::open(&folder.join("journal.jsonl"), &study, arguments.fresh)?;
+    solve(&study, &mut journal, &folder)?;
+    write_results(&study, &journal, &table, &lines)?;
+    let failed = journal.tally().failed;
+    print::result(&summary(&study, &folder, failed))?;
+    Ok(if failed == 0 { Outcome::Done } else { Outcome::NotConverged })
+}
+
+/// Beside where it is called from, named after the study.
+fn default_folder(study: &Path) -> PathBuf {
+    let stem = if is_dash(study) { None } else { study.file_stem() };
+    let mut name = stem.unwrap_or("study".as_ref()).to_os_string();
+    name.push(".results");
+    name.into()
+}
+
+/// Solves what is missing in the journal.
+fn solve(study: &Study, journal: &mut Journal, folder: &Path) -> Result<(), Failure> {
+    let rows = study.rows();
+    let before = journal.tally().count();
+    if before > 0 && before < rows {
+        print::note(&format!("going on: {before} of {rows} scenes are in {} already", folder.display()));
+    }
+    if before == rows {
+        return Ok(());
+    }
+    let finished = Arc::new(AtomicU64::new(before));
+    let seen = Arc::clone(&finished);
+    let shown = folder.display().to_string();
+    interrupt::say(move || {
+        let finished = seen.load(Ordering::Relaxed);
+        format!("interrupted: {finished} of {rows} scenes are safe in {shown}; the same command goes on from there")
+    });
+    let bar = ProgressBar::new(rows).with_position(before);
+    bar.set_style(style());
+    bar.reset_eta();
+    let done = journal.tally().clone();
+    let mut failure = None;
+    let mut named = 0;
+    sweep(study, &|row| done.has(row), |record| {
+        if let Err(error) = journal.append(&record) {
+            failure = Some(error);
+            return ControlFlow::Break(());
+        }
+        finished.fetch_add(1, Ordering::Relaxed);
+        bar.inc(1);
+        if !record.is_converged() && named < NAMED {
+            named += 1;
+            bar.suspend(|| print::note(&report::record_line(&record)));
+        }
+        ControlFlow::Continue(())
+    });
+    bar.finish_and_clear();
+    interrupt::be_silent();
+    match failure {
+        None => Ok(()),
+        Some(Failure::System(why)) => {
+            let count = journal.tally().count();
+            Err(Failure::System(format!(
+                "{why}; {count} of {rows} scenes are safe, the same command goes on from there"
+            )))
+        }
+        Some(other) => Err(other),
+    }
+}
+
+/// A bar with what is left to do and how long that will take; on a terminal only.
+fn style() -> ProgressStyle {
+    ProgressStyle::with_template("{wide_bar} {human_pos} of {human_len} scenes, {eta} left")
+        .unwrap_or_else(|_| ProgressStyle::default_bar())
+}
+
+/// The records in the order of the study, as a table and as JSON lines: both or neither.
+fn write_results(study: &Study, journal: &Journal, table: &Target, lines: &Target) -> Result<(), Failure> {
+    let of_journal = |error: std::io::Error| Failure::System(format!("cannot read the journal: {error}"));
+    let columns = StudyTable::new(study);
+    let (mut csv, mut jsonl) = (table.begin()?, lines.begin()?);
+    csv.write(columns.head().as_bytes())?;
+    let mut records = journal.in_order().map_err(of_journal)?;
+    while let Some(line) = records.next_line().map_err(of_journal)? {
+        let record = serde_json::from_slice(&line).map_err(|error| of_journal(error.into()))?;
+        csv.write(columns.row(&record).as_bytes())?;
+        jsonl.write(&line)?;
+    }
+    let (csv, jsonl) = (csv.finished()?, jsonl.finished()?);
+    csv.keep()?;
+    jsonl.keep()
+}
+
+fn summary(study: &Study, folder: &Path, failed: u64) -> String {
+    let rows = study.rows();
+    let title = study.title.as_ref().map_or(String::new(), |title| format!("{title}: "));
+    let failures = match failed {
+        0 => "all converged".to_owned(),
+        1 => "1 did not converge (its `reason` is in the results)".to_owned(),
+        _ => format!("{failed} did not converge (their `reason` is in the results)"),
+    };
+    let scenes = if rows == 1 { "scene" } else { "scenes" };
+    let mut files = vec!["results.csv", "results.jsonl"];
+    files.extend(study.plots.iter().map(|plot| plot.file.as_str()));
+    format!("{title}{rows} {scenes}, {failures}\n{}: {}\n", folder.display(), files.join(", "))
+}

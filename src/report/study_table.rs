@@ -1,0 +1,110 @@
+//! The results of a study as a table, and its failures in a line each.
+
+use super::csv::cell;
+use crate::study::{Cell, Record, Study};
+use serde_json::Value;
+use slipzone_api::{Friction, FrozenStrain};
+
+/// Numbers of a result, by their paths; a study may leave some out.
+const NUMBERS: [&str; 12] = [
+    "load.force",
+    "load.half_width",
+    "load.indentation",
+    "pressure.centre",
+    "pressure.mean",
+    "pressure.peak",
+    "edge.stress_intensity",
+    "edge.ratio",
+    "stick.half_width",
+    "stick.ratio",
+    "stick.one_minus_ratio",
+    "stick.strain_rate",
+];
+
+/// The columns of a study's CSV: `index`, what changed, `status`, the numbers by their paths in a result, the direction of
+/// slip, the largest error estimate, and why a scene failed.
+pub struct StudyTable {
+    labels: Vec<String>,
+    numbers: Vec<&'static str>,
+    has_slip: bool,
+    has_answer: bool,
+}
+
+impl StudyTable {
+    /// The columns that a study fills.
+    pub fn new(study: &Study) -> Self {
+        let changes = |section: &str| study.columns().any(|column| column.field.split('.').next() == Some(section));
+        let rubs = study.scene.friction.is_some() || changes("friction");
+        let is_linear = matches!(study.scene.friction, Some(Friction::Goodman { strain: FrozenStrain::Linear, .. }));
+        let is_filled = |number: &&str| match *number {
+            "stick.strain_rate" => is_linear || changes("friction"),
+            number => rubs || !number.starts_with("stick."),
+        };
+        Self {
+            labels: study.columns().map(|column| column.label.clone()).collect(),
+            numbers: NUMBERS.into_iter().filter(is_filled).collect(),
+            has_slip: rubs,
+            has_answer: study.find.is_some(),
+        }
+    }
+
+    /// The first line.
+    pub fn head(&self) -> String {
+        let labels = self.labels.iter().map(String::as_str);
+        let after = [("stick.slip", self.has_slip), ("found", self.has_answer)];
+        let after = after.into_iter().filter(|(_, is_there)| *is_there).map(|(name, _)| name);
+        let names = ["index"].into_iter().chain(labels).chain(["status"]).chain(self.numbers.iter().copied());
+        line(names.chain(after).chain(["error", "reason"]).map(str::to_owned))
+    }
+
+    /// A record, as the results have it in JSON, as a line that belongs to [`Self::head`].
+    pub fn row(&self, record: &Value) -> String {
+        let number = |path: &str| cell(at(record, path).and_then(Value::as_f64));
+        let text = |path: &str| at(record, path).and_then(Value::as_str).unwrap_or_default().to_owned();
+        let mut cells = vec![record["index"].to_string()];
+        cells.extend(self.labels.iter().map(|label| match &record["axes"][label] {
+            Value::String(text) => text.clone(),
+            other => cell(other.as_f64()),
+        }));
+        cells.push(text("status"));
+        cells.extend(self.numbers.iter().map(|path| number(path)));
+        if self.has_slip {
+            cells.push(text("stick.slip"));
+        }
+        if self.has_answer {
+            cells.push(number("found"));
+        }
+        cells.push(number("error.estimate"));
+        cells.push(text("reason"));
+        line(cells)
+    }
+}
+
+/// What stands at a path of a record.
+fn at<'a>(record: &'a Value, path: &str) -> Option<&'a Value> {
+    path.split('.').try_fold(record, |value, key| value.get(key))
+}
+
+/// A line of comma-separated values, in quotes where need be.
+fn line(cells: impl IntoIterator<Item = String>) -> String {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(cells).expect("memory takes any text");
+    let bytes = writer.into_inner().expect("memory takes any text");
+    String::from_utf8(bytes).expect("text in, text out")
+}
+
+/// A scene that failed, in one line.
+pub fn record_line(record: &Record) -> String {
+    let values: Vec<String> = record
+        .axes
+        .iter()
+        .map(|(label, value)| match value {
+            Cell::Number(number) => format!("{label} = {number:?}"),
+            Cell::Text(text) => format!("{label} = {text}"),
+        })
+        .collect();
+    let status = serde_json::to_value(record.status).ok();
+    let status = status.as_ref().and_then(Value::as_str).unwrap_or_default();
+    let reason = record.reason.as_deref().unwrap_or("no reason is known");
+    format!("scene {} ({}): {status}: {}", record.index, values.join(", "), reason.replace('\n', " "))
+}
