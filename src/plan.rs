@@ -1,6 +1,7 @@
 //! Which methods solve a scene: what the scene leaves open, the solver chooses here and says why.
 
-use crate::scene::{Layer, Scene};
+use crate::engine::friction_needed;
+use crate::scene::{Layer, LoadKind, Scene};
 use serde::Serialize;
 use slipzone_api::{Base, Flexibility, KernelStrategy, Quadrature};
 use slipzone_flexibilities::{ClosedForm, Compliance};
@@ -71,6 +72,7 @@ pub(crate) fn choose(scene: &Scene) -> Chosen {
         Box::new(DeSinc::default())
     });
     let methods = Methods { flexibility: flexibility.clone(), kernel: kernel.clone(), quadrature: quadrature.clone() };
+    reasons.extend(left_out(&scene));
     let plan = Plan {
         grading: scene.layer.grading.typetag_name().into(),
         flexibility: methods.flexibility.typetag_name().into(),
@@ -80,6 +82,29 @@ pub(crate) fn choose(scene: &Scene) -> Chosen {
         ..Plan::default()
     };
     Chosen { scene, methods, plan }
+}
+
+/// What is not computed because nobody asks for it.
+fn left_out(scene: &Scene) -> Vec<String> {
+    if scene.output.quantities.is_none() {
+        return Vec::new();
+    }
+    let mut reasons = Vec::new();
+    if scene.friction.is_some() && friction_needed(scene).is_none() {
+        reasons
+            .push("frictionless: nothing that is asked for depends on the shear, which does not change the pressure");
+    }
+    let by_depth = scene.load.kind() == LoadKind::Indentation;
+    if !scene.output.asks("load.indentation") && !by_depth && scene.layer.has_depths() {
+        reasons.push("no kernel of the depth: the indentation is not asked for");
+    }
+    if !scene.output.asks("pressure.peak") {
+        reasons.push("no search for the peak of the pressure: it is not asked for");
+    }
+    if !scene.output.asks("profile") {
+        reasons.push("no samples of the tractions: no profile is asked for");
+    }
+    reasons.into_iter().map(str::to_owned).collect()
 }
 
 /// Whether the flexibility of a layer is known in closed form.

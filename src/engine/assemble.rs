@@ -26,10 +26,15 @@ pub(super) fn solution(
     (status, reason): (Status, Option<String>),
 ) -> Result<Solution, Refusal> {
     let (length, stress) = (problem.length, problem.stress);
-    let number = |quantity, unit: f64| judged.outcome.numbers.get(quantity).map(|value| value * unit);
+    let wishes = problem.wishes;
+    let number = |quantity, unit: f64| {
+        judged.outcome.numbers.get(quantity).filter(|_| wishes.reports(quantity)).map(|value| value * unit)
+    };
     let b = judged.outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
     let load = load(scene.load, problem, &judged.outcome.numbers);
-    let mut profile = profile(scene, problem, stage, b);
+    let mean = load.force.zip(load.half_width).map(|(force, b)| force / (2.0 * b));
+    let reported = |quantity, value: Option<f64>| value.filter(|_| wishes.reports(quantity));
+    let mut profile = if wishes.profile { profile(scene, problem, stage, b) } else { Profile::default() };
     if scene.output.strain {
         profile.strain = judged.outcome.rubbing.as_ref().and_then(|rubbing| {
             let relative = profile.x.iter().map(|x| x / (length * b));
@@ -41,24 +46,33 @@ pub(super) fn solution(
         reason,
         pressure: PressureReport {
             centre: number(Quantity::Centre, stress),
-            mean: load.force.zip(load.half_width).map(|(force, b)| force / (2.0 * b)),
+            mean: reported(Quantity::Mean, mean),
             peak: number(Quantity::Peak, stress),
         },
         edge: EdgeReport {
             stress_intensity: number(Quantity::StressIntensity, stress * length.sqrt()),
             ratio: number(Quantity::EdgeRatio, 1.0),
         },
-        stick: judged.outcome.rubbing.as_ref().map(|_| StickReport {
+        stick: judged.outcome.rubbing.as_ref().filter(|_| wishes.reports_stick()).map(|_| StickReport {
             half_width: number(Quantity::StickHalfWidth, length),
             ratio: number(Quantity::StickRatio, 1.0),
             one_minus_ratio: number(Quantity::OneMinusRatio, 1.0),
             slip: slip(stage, judged),
             strain_rate: number(Quantity::StrainRate, 1.0 / length),
         }),
-        load,
+        load: LoadReport {
+            force: reported(Quantity::Force, load.force),
+            half_width: reported(Quantity::HalfWidth, load.half_width),
+            indentation: reported(Quantity::Indentation, load.indentation),
+        },
         error: ErrorReport {
             estimate: judged.errors.worst().map(|(_, error)| error),
-            each: judged.errors.iter().map(|(quantity, error)| (quantity.path().to_owned(), error)).collect(),
+            each: judged
+                .errors
+                .iter()
+                .filter(|(quantity, _)| wishes.reports(*quantity))
+                .map(|(quantity, error)| (quantity.path().to_owned(), error))
+                .collect(),
             how: how(judged.how),
         },
         profile,

@@ -229,7 +229,9 @@ mod tests {
         let chosen = plan::choose(&parse("spurious.toml", text).expect("a good scene"));
         let problem = Problem::new(&chosen.scene).expect("a flat punch");
         let mut layer = Layer::new(&problem, &chosen.methods).expect("a bonded layer");
-        layer.tabulate(Wanted { half_width: 2.0, frictional: true, accuracy: 1e-8, level: 2 }).expect("kernels");
+        layer
+            .tabulate(Wanted { half_width: 2.0, frictional: true, deep: true, accuracy: 1e-8, level: 2 })
+            .expect("kernels");
         // 256 nodes resolve the slip zone of the spurious root.
         let quadrature = chosen.methods.quadrature.refined(5);
         let mut normal = Normal::new(quadrature.as_ref(), Edge::Sharp).expect("a rule");

@@ -26,6 +26,8 @@ const CHECKED: usize = 4;
 /// Flat punches that carry a unit force each, at one resolution, in layer units.
 pub(crate) struct Family {
     friction: Option<f64>,
+    /// Whether the depths of its members are known, where the base defines them.
+    is_deep: bool,
     accuracy: f64,
     /// For what the pressure tells, and for what the shear tells.
     blend: Blend,
@@ -147,6 +149,7 @@ impl Family {
         let count = ((POINTS.0 + POINTS.1 * n as f64) * (1.0 + POINTS.2 * octaves)) as usize;
         let mut family = Self {
             friction: flat.friction,
+            is_deep: task.problem.wants_depth(),
             accuracy: task.wanted.accuracy,
             blend: Blend::new((face, widest), count, 2)?,
             of_shear: Blend::new((face, widest), count, 1)?,
@@ -168,6 +171,7 @@ impl Family {
     pub(crate) fn serves(&self, task: Task, friction: bool, half_width: f64) -> bool {
         let asked = task.problem.friction.filter(|_| friction);
         self.friction.map(f64::to_bits) == asked.map(f64::to_bits)
+            && (self.is_deep || !task.problem.wants_depth())
             && self.accuracy <= task.wanted.accuracy
             && self.blend.narrowest() <= task.problem.face()
             && (self.blend.widest() / 4.0..=self.blend.widest()).contains(&half_width)

@@ -196,10 +196,10 @@ impl Growing {
         numbers.set(Quantity::StressIntensity, 0.0);
         numbers.set(Quantity::EdgeRatio, 0.0);
         let corners: Vec<f64> = problem.corners().filter(|corner| *corner < b).collect();
-        if corners.first().is_none_or(|corner| *corner > 0.0) {
+        if problem.wishes.judges(Quantity::Centre) && corners.first().is_none_or(|corner| *corner > 0.0) {
             numbers.set(Quantity::Centre, stack.pressure(problem, family, b, 0.0));
         }
-        if corners.is_empty() {
+        if problem.wishes.reports(Quantity::Peak) && corners.is_empty() {
             numbers.set(Quantity::Peak, peak(b, |at, out| stack.pressure_into(problem, family, b, at, out)));
         }
         numbers
@@ -388,7 +388,7 @@ fn sizes(layer: &Layer, problem: &Problem, family: &mut Family, stack: &mut Stac
     let mut numbers = Numbers::default();
     numbers.set(Quantity::Force, stack.force(problem, b));
     numbers.set(Quantity::HalfWidth, b);
-    if layer.has_depths() {
+    if layer.has_depths() && problem.wants_depth() {
         numbers.set(Quantity::Indentation, stack.depth(problem, family, b));
     }
     numbers

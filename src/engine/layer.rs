@@ -32,6 +32,7 @@ struct Tables {
     depth: Option<Box<dyn KernelTable>>,
     reach: f64,
     frictional: bool,
+    deep: bool,
     accuracy: f64,
     level: u32,
 }
@@ -50,6 +51,8 @@ pub(crate) struct Wanted {
     pub(crate) half_width: f64,
     /// Whether shear is asked for.
     pub(crate) frictional: bool,
+    /// Whether the depth of the punch is, where the base defines it.
+    pub(crate) deep: bool,
     /// Error wanted of the numbers.
     pub(crate) accuracy: f64,
     /// Refinement of strategies that do not know their own error.
@@ -108,29 +111,34 @@ impl Layer {
             } else {
                 tables.level == wanted.level
             };
-            precise && reach <= tables.reach && (tables.frictional || !wanted.frictional)
+            let complete = (tables.frictional || !wanted.frictional) && (tables.deep || !wanted.deep);
+            precise && reach <= tables.reach && complete
         };
-        if self.is_plain() && !self.has_depths() || self.tables.as_ref().is_some_and(serves) {
+        if self.is_plain() && !(self.has_depths() && wanted.deep) || self.tables.as_ref().is_some_and(serves) {
             return Ok(());
         }
         let strategy = self.strategy.refined(wanted.level);
         let tabulate = |response: &dyn LayerResponse, components| {
             strategy.tabulate(response, &KernelRequest { reach, components, accuracy: wanted.accuracy })
         };
-        let components = &ALL[usize::from(!self.is_grounded)..if wanted.frictional { 4 } else { 2 }];
+        let components = &ALL[usize::from(!(self.is_grounded && wanted.deep))..if wanted.frictional { 4 } else { 2 }];
         let kernels = if self.is_plain() { None } else { Some(tabulate(&*self.response, components)?) };
-        let depth = self.against_datum.as_deref().map(|response| tabulate(response, &ALL[..1])).transpose()?;
+        let from_datum = self.against_datum.as_deref().filter(|_| wanted.deep);
+        let depth = from_datum.map(|response| tabulate(response, &ALL[..1])).transpose()?;
         self.flexibility_evaluations +=
             kernels.iter().chain(&depth).map(|table| table.flexibility_evaluations()).sum::<usize>();
-        let Wanted { frictional, accuracy, level, .. } = wanted;
-        self.tables = Some(Tables { kernels, depth, reach, frictional, accuracy, level });
+        let Wanted { frictional, deep, accuracy, level, .. } = wanted;
+        self.tables = Some(Tables { kernels, depth, reach, frictional, deep, accuracy, level });
         Ok(())
     }
 
     /// A kernel for the quadratures; `None` on a homogeneous half-plane, which has none, and for the depth where that
-    /// has no meaning.
+    /// has no meaning or was not wanted.
     pub(crate) fn kernel(&self, component: Component) -> Option<(&dyn KernelTable, Component)> {
         let tables = self.tables.as_ref()?;
+        if component == Component::Depth && !tables.deep {
+            return None;
+        }
         let is_apart = component == Component::Depth && !self.is_grounded;
         let table = if is_apart { &tables.depth } else { &tables.kernels };
         table.as_deref().map(|table| (table, component))

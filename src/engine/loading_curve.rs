@@ -1,9 +1,9 @@
 //! Force, depth and sizes of a contact on the way to its last load.
 
 use super::quantity::{Numbers, Quantity};
-use super::solution::{LoadReport, Solution, Status};
+use super::solution::{LoadReport, Status};
 use super::solver::Solver;
-use crate::scene::{Load, LoadKind, LoadPath};
+use crate::scene::{Load, LoadKind, LoadPath, Scene};
 use serde::Serialize;
 use slipzone_api::{Base, Refusal};
 
@@ -22,7 +22,7 @@ pub struct Curve {
     pub force: Vec<Option<f64>>,
     /// Half-width of the contact.
     pub half_width: Vec<Option<f64>>,
-    /// Depth of the punch; `None` as a whole on a half-plane.
+    /// Depth of the punch; `None` as a whole on a half-plane, and like the two below where it is not asked for.
     pub indentation: Option<Vec<Option<f64>>>,
     /// Half-width of the stick zone; `None` as a whole without friction.
     pub stick_half_width: Option<Vec<Option<f64>>>,
@@ -36,7 +36,10 @@ impl Curve {
         self.force.len()
     }
 
-    fn of(points: &[Point], loads: &LoadPath, has_depth: bool, has_stick: bool) -> Self {
+    fn of(points: &[Point], loads: &LoadPath, scene: &Scene) -> Self {
+        let asks = |quantity: Quantity| scene.output.asks(quantity.path());
+        let has_depth = scene.layer.base != Base::Infinite && asks(Quantity::Indentation);
+        let sticks = |quantity: Quantity| scene.friction.is_some() && asks(quantity);
         let column = |of: fn(&Point) -> Option<f64>| points.iter().map(of).collect::<Vec<_>>();
         let status = points.iter().map(|point| point.status).max_by_key(|status| gravity(*status));
         Self {
@@ -46,8 +49,8 @@ impl Curve {
             force: column(|point| point.load.force),
             half_width: column(|point| point.load.half_width),
             indentation: has_depth.then(|| column(|point| point.load.indentation)),
-            stick_half_width: has_stick.then(|| column(|point| point.stick_half_width)),
-            stick_ratio: has_stick.then(|| column(|point| point.stick_ratio)),
+            stick_half_width: sticks(Quantity::StickHalfWidth).then(|| column(|point| point.stick_half_width)),
+            stick_ratio: sticks(Quantity::StickRatio).then(|| column(|point| point.stick_ratio)),
         }
     }
 }
@@ -96,20 +99,6 @@ impl Point {
         Self { load, stick_half_width: None, stick_ratio: None, error: None, status: Status::Refused, reason }
     }
 
-    /// The load that a solution is for.
-    fn reported(solution: &Solution) -> Self {
-        let stick = solution.stick.as_ref();
-        let error_of = |quantity: Quantity| solution.error.each.get(quantity.path()).copied();
-        Self {
-            load: solution.load.clone(),
-            stick_half_width: stick.and_then(|stick| stick.half_width),
-            stick_ratio: stick.and_then(|stick| stick.ratio),
-            error: ON_THE_CURVE.into_iter().filter_map(error_of).reduce(f64::max),
-            status: solution.status,
-            reason: solution.reason.clone(),
-        }
-    }
-
     /// The same, refused where one of its numbers is not finite.
     fn insisting(self, load: Load) -> Self {
         let LoadReport { force, half_width, indentation } = &self.load;
@@ -132,17 +121,14 @@ pub(super) fn curve(solver: &mut Solver, loads: &LoadPath) -> Curve {
     let mut points = on_the_way(solver, loads);
     points.push(last);
     solver.press(loads.last());
-    let scene = solver.scene();
-    Curve::of(&points, loads, scene.layer.base != Base::Infinite, scene.friction.is_some())
+    Curve::of(&points, loads, solver.scene())
 }
 
-/// The curve that ends in a solution, found last: its last point has the solution's own numbers. The solver is left
-/// pressed by some load on the way.
-pub(super) fn curve_to(solver: &mut Solver, loads: &LoadPath, solution: &Solution) -> Curve {
+/// The curve that ends in the load found last. The solver is left pressed by some load on the way.
+pub(super) fn curve_to(solver: &mut Solver, loads: &LoadPath, last: Point) -> Curve {
     let mut points = on_the_way(solver, loads);
-    points.push(Point::reported(solution));
-    let scene = &solution.scene;
-    Curve::of(&points, loads, scene.layer.base != Base::Infinite, scene.friction.is_some())
+    points.push(last);
+    Curve::of(&points, loads, solver.scene())
 }
 
 /// All points but the last, whose load was found before: by the stack of flat punches that found it, or one by one.

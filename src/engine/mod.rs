@@ -39,6 +39,7 @@ pub(crate) use finite::insist;
 pub use layer::Layer;
 pub use loading_curve::Curve;
 pub use portrait::{DepthProfile, FlexibilityProfile, response};
+pub(crate) use quantity::friction_needed;
 pub use solution::{
     EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Program, Slip, Solution, Status, StickReport,
 };

@@ -1,6 +1,6 @@
 //! A scene in the layer's own units: lengths in the thickness, stresses in the surface modulus.
 
-use super::quantity::Quantity;
+use super::quantity::{Quantity, Wishes, friction_needed};
 use crate::scene::{Load, Scene};
 use slipzone_api::{Base, Elastic, Friction, FrozenStrain, LayerModel, PunchShape, Refusal};
 use std::sync::Arc;
@@ -23,6 +23,8 @@ pub(crate) struct Problem {
     pub(crate) friction: Option<f64>,
     /// Whether the strain in the stick zone is taken to be `C|x|`, whatever the contact's history.
     pub(crate) is_linear: bool,
+    /// What is asked for.
+    pub(crate) wishes: Wishes,
 }
 
 /// The load: force in `mu1 h`, lengths in `h`.
@@ -60,8 +62,9 @@ impl Problem {
         let length = layer.length()?.unwrap_or_else(|| shape.natural_length());
         let stress = model.surface_shear;
         let load = LoadInLayerUnits::new(scene.load, length, stress);
-        let friction = scene.friction.map(coefficient);
-        let is_linear = matches!(scene.friction, Some(Friction::Goodman { strain: FrozenStrain::Linear, .. }));
+        let needed = friction_needed(scene);
+        let friction = needed.map(coefficient);
+        let is_linear = matches!(needed, Some(Friction::Goodman { strain: FrozenStrain::Linear, .. }));
         if is_linear && (shape.fixed_half_width().is_some() || shape.face() > 0.0 || !shape.kinks().is_empty()) {
             return Err(Refusal::NotBuilt {
                 what: "a strain C|x| in the stick zone under a punch that has corners, a face or kinks".into(),
@@ -71,7 +74,8 @@ impl Problem {
                         .into(),
             });
         }
-        Ok(Self { elastic: model.elastic, layer: model, shape, length, stress, load, friction, is_linear })
+        let wishes = Wishes::of(scene);
+        Ok(Self { elastic: model.elastic, layer: model, shape, length, stress, load, friction, is_linear, wishes })
     }
 
     /// The same layer and friction under another shape, with a unit force.
@@ -85,6 +89,7 @@ impl Problem {
             load: LoadInLayerUnits::Force(1.0),
             friction: self.friction,
             is_linear: false,
+            wishes: self.wishes.of_member(self.wants_depth()),
         }
     }
 
@@ -150,6 +155,11 @@ impl Problem {
     /// Whether the solid stands on something, so that depths are defined.
     pub(crate) fn has_base(&self) -> bool {
         self.layer.base != Base::Infinite
+    }
+
+    /// Whether the depth of the punch is of any use.
+    pub(crate) fn wants_depth(&self) -> bool {
+        self.wishes.reports(Quantity::Indentation) || matches!(self.load, LoadInLayerUnits::Indentation(_))
     }
 
     /// The numbers of the result that the scene itself gives.

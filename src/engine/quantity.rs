@@ -1,6 +1,7 @@
 //! The numbers that a result reports and that errors are estimated for.
 
-use slipzone_api::Station;
+use crate::scene::Scene;
+use slipzone_api::{Friction, Station};
 
 /// A reported number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,6 +60,63 @@ impl Quantity {
     }
 }
 
+/// What a scene asks for: nothing else is computed that costs anything.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Wishes {
+    /// Numbers that are reported, each with its error.
+    reported: [bool; Quantity::ALL.len()],
+    /// Whether the tractions are sampled: they are known as well as the numbers that they are judged by.
+    pub(crate) profile: bool,
+    /// Whether a loading curve is asked for, which has a force and a half-width at every point.
+    curve: bool,
+}
+
+impl Wishes {
+    pub(crate) fn of(scene: &Scene) -> Self {
+        let reported = Quantity::ALL.map(|quantity| scene.output.asks(quantity.path()));
+        Self { reported, profile: scene.output.asks("profile"), curve: scene.path.is_some() }
+    }
+
+    /// Of a flat punch in a stack: its tractions, and its depth where that of the contact is wanted.
+    pub(crate) fn of_member(self, deep: bool) -> Self {
+        let mut reported = [true; Quantity::ALL.len()];
+        reported[Quantity::Indentation as usize] = deep;
+        Self { reported, ..self }
+    }
+
+    /// The same where a loading curve is taken.
+    pub(crate) fn along_curve(self) -> Self {
+        Self { curve: true, ..self }
+    }
+
+    /// Whether a number is reported.
+    pub(crate) fn reports(self, quantity: Quantity) -> bool {
+        self.reported[quantity as usize]
+    }
+
+    /// Whether a number of the shear, or the shear itself, is.
+    pub(crate) fn needs_friction(self) -> bool {
+        self.profile || self.reports_stick()
+    }
+
+    /// Whether a number of the stick zone is reported.
+    pub(crate) fn reports_stick(self) -> bool {
+        Quantity::ALL.into_iter().any(|quantity| quantity.is_of_shear() && self.reports(quantity))
+    }
+
+    /// Whether the error of a number has to meet the tolerance.
+    pub(crate) fn judges(self, quantity: Quantity) -> bool {
+        let by_profile = !matches!(quantity, Quantity::Indentation | Quantity::Peak | Quantity::StrainRate);
+        let on_curve = matches!(quantity, Quantity::Force | Quantity::HalfWidth);
+        self.reports(quantity) || self.profile && by_profile || self.curve && on_curve
+    }
+}
+
+/// The friction that a scene has to be solved with: none where nothing is asked for that depends on it.
+pub(crate) fn friction_needed(scene: &Scene) -> Option<Friction> {
+    scene.friction.filter(|_| Wishes::of(scene).needs_friction())
+}
+
 /// One number for each quantity that a scene has: values in layer units, or their relative errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Numbers([Option<f64>; Quantity::ALL.len()]);
@@ -81,6 +139,16 @@ impl Numbers {
     pub(crate) fn change_from(&self, others: &Self) -> f64 {
         let change = |(quantity, value): (Quantity, f64)| Some((others.get(quantity)? / value - 1.0).abs());
         self.iter().filter_map(change).fold(0.0, f64::max)
+    }
+
+    /// Those that are to meet the tolerance.
+    pub(crate) fn judged_by(&self, wishes: Wishes) -> Self {
+        let mut judged = *self;
+        Quantity::ALL
+            .into_iter()
+            .filter(|quantity| !wishes.judges(*quantity))
+            .for_each(|q| judged.0[q as usize] = None);
+        judged
     }
 
     /// Those that there are.

@@ -47,7 +47,10 @@ pub(super) struct Judged {
     pub(super) outcome: Outcome,
     /// Which stage of the ladder holds its tractions.
     pub(super) stage: usize,
+    /// Of the numbers that have to meet the tolerance.
     pub(super) errors: Numbers,
+    /// How uncertain the pressure itself is; `None` where no number tells.
+    pub(super) doubt: Option<f64>,
     pub(super) how: How,
     /// Why refinement ended before the tolerance was met.
     pub(super) stopped: Option<Refusal>,
@@ -112,7 +115,7 @@ impl Ladder {
             let task = Self::task(problem, tolerance, kernel_level);
             self.stages[0].settle(layer, task, &mut outcome)?;
             let errors = judged_by_twin(&outcome.numbers, &twin.numbers);
-            Judged { outcome, stage: 0, errors, how: How::Twin, stopped: None }
+            Judged { outcome, stage: 0, errors, doubt: None, how: How::Twin, stopped: None }
         } else {
             self.refined(layer, problem, methods, tolerance)?
         };
@@ -124,6 +127,8 @@ impl Ladder {
         for given in problem.given() {
             judged.errors.set(given, 0.0);
         }
+        judged.doubt = doubt(problem, &judged.errors);
+        judged.errors = judged.errors.judged_by(problem.wishes);
         Ok(judged)
     }
 
@@ -198,9 +203,9 @@ impl Ladder {
             history.push(outcome.seen());
             let mut done = false;
             if let Some(estimate) = extrapolated(&history) {
-                let before = errors.worst().map_or(f64::INFINITY, |(_, error)| error);
+                let before = judged(problem, &errors).map_or(f64::INFINITY, |(_, error)| error);
                 errors = estimate;
-                let now = errors.worst().map_or(0.0, |(_, error)| error);
+                let now = judged(problem, &errors).map_or(0.0, |(_, error)| error);
                 let met = now + beside_differences(layer, &outcome) <= tolerance || now <= 2.0 * ROUNDING;
                 stalled = if now < ROUNDED && now > 0.5 * before { stalled + 1 } else { 0 };
                 done = met || stalled >= STALLED;
@@ -234,7 +239,7 @@ impl Ladder {
             outcome.numbers.iter().for_each(|(quantity, _)| errors.set(quantity, 1.0));
         }
         let how = How::Sequence { count: stage + 1, kernels_proven: layer.kernel_error(0.0).is_some() };
-        Ok(Judged { outcome, stage, errors, how, stopped })
+        Ok(Judged { outcome, stage, errors, doubt: None, how, stopped })
     }
 
     /// Solves on one stage, made when first asked for.
@@ -277,6 +282,7 @@ impl Ladder {
         let wanted = Wanted {
             half_width: 0.0,
             frictional: problem.friction.is_some(),
+            deep: problem.wants_depth(),
             accuracy: KERNEL_SHARE * tolerance,
             level,
         };
@@ -299,6 +305,20 @@ impl Ladder {
             && of_pressure.peek().is_some()
             && of_pressure.all(|(_, error)| error < SHOWN)
     }
+}
+
+/// The largest error of a number that has to meet the tolerance.
+fn judged(problem: &Problem, errors: &Numbers) -> Option<(Quantity, f64)> {
+    errors.judged_by(problem.wishes).worst()
+}
+
+/// How uncertain the pressure is: by its value in the middle, or by all that is known of it where that is not asked for.
+fn doubt(problem: &Problem, errors: &Numbers) -> Option<f64> {
+    if problem.wishes.judges(Quantity::Centre) {
+        return errors.get(Quantity::Centre);
+    }
+    let of_pressure = errors.iter().filter(|(quantity, _)| !quantity.is_of_shear());
+    of_pressure.map(|(_, error)| error).reduce(f64::max)
 }
 
 /// The coarsest level worth solving.

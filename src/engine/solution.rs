@@ -1,6 +1,7 @@
 //! The result of a scene (docs: `docs/formats.md`). Lengths, stresses and forces in the scene's units.
 
 use super::loading_curve::Curve;
+use super::quantity::friction_needed;
 use crate::plan::Plan;
 use crate::scene::{Scene, Units};
 use serde::Serialize;
@@ -189,6 +190,9 @@ fn assumptions(scene: &Scene) -> Vec<String> {
         None => "the indentation is undefined on an elastic half-plane: no datum is named".into(),
     };
     let friction = match scene.friction {
+        Some(Friction::Goodman { .. }) if friction_needed(scene).is_none() => {
+            "Goodman: q does not change p; the shear is not asked for"
+        }
         Some(Friction::Goodman { strain: FrozenStrain::Linear, .. }) => {
             "Goodman: q does not change p; one stick zone, slip in one direction on either side; strain C|x| in the stick \
              zone (CC13 eq. 63), whatever the history"

@@ -93,13 +93,16 @@ impl Solver {
     /// # Panics
     /// When the scene was prepared without friction: there are no kernels for it.
     pub fn rub(&mut self, friction: Friction) {
-        assert!(self.problem.friction.is_some(), "the scene was prepared without friction");
+        assert!(self.chosen.scene.friction.is_some(), "the scene was prepared without friction");
         let Friction::Goodman { coefficient, .. } = friction;
         if let Some(Friction::Goodman { coefficient: present, .. }) = &mut self.chosen.scene.friction {
             *present = coefficient;
         }
-        self.problem.rub(friction);
-        self.judged = None;
+        // Of a scene that asks for nothing of the shear nothing depends on it.
+        if self.problem.friction.is_some() {
+            self.problem.rub(friction);
+            self.judged = None;
+        }
     }
 
     /// Finds the numbers, and keeps them for [`Self::solve`]; writes no report.
@@ -123,7 +126,8 @@ impl Solver {
             }
         };
         if let Some(path) = self.chosen.scene.path.clone() {
-            solution.path = Some(loading_curve::curve_to(self, &path, &solution));
+            let last = self.point();
+            solution.path = Some(loading_curve::curve_to(self, &path, last));
             self.press(path.last());
             self.chosen.scene.path = Some(path);
         }
@@ -148,7 +152,12 @@ impl Solver {
     /// assert!(curve.force.is_sorted(), "a wider contact takes more force");
     /// ```
     pub fn curve(&mut self, loads: &LoadPath) -> Curve {
-        loading_curve::curve(self, loads)
+        let wishes = self.problem.wishes;
+        self.problem.wishes = wishes.along_curve();
+        let curve = loading_curve::curve(self, loads);
+        self.problem.wishes = wishes;
+        self.judged = None;
+        curve
     }
 
     /// The scene as it is solved.

@@ -582,18 +582,20 @@ impl Rubbing {
 /// The numbers of the pressure alone.
 pub(crate) fn normal_numbers(layer: &Layer, problem: &Problem, normal: &mut Normal) -> Numbers {
     let mut numbers = Numbers::default();
-    let depth = normal.depth(layer, problem);
+    let depth = if problem.wants_depth() { normal.depth(layer, problem) } else { None };
     let b = normal.half_width;
     numbers.set(Quantity::Force, normal.force);
     numbers.set(Quantity::HalfWidth, b);
-    numbers.set(Quantity::Centre, normal.at(Station { x: 0.0, gap: b }));
+    if problem.wishes.judges(Quantity::Centre) {
+        numbers.set(Quantity::Centre, normal.at(Station { x: 0.0, gap: b }));
+    }
     numbers.set(Quantity::Mean, normal.mean());
     numbers.set(Quantity::StressIntensity, normal.edge_factor / b.sqrt());
     numbers.set(Quantity::EdgeRatio, normal.edge_factor / normal.force);
     if let Some(depth) = depth {
         numbers.set(Quantity::Indentation, depth);
     }
-    if !normal.is_sharp() {
+    if problem.wishes.reports(Quantity::Peak) && !normal.is_sharp() {
         numbers.set(Quantity::Peak, peak(b, |at, out| normal.values_into(at, out)));
     }
     numbers

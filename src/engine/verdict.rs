@@ -28,7 +28,7 @@ fn objection(problem: &Problem, stage: &mut Stage, judged: &Judged, tolerance: f
     if let Some(why) = problem.flaw(judged.outcome.numbers.get(Quantity::HalfWidth)?) {
         return Some((Status::AssumptionViolated, why));
     }
-    let (worst, error) = judged.errors.worst()?;
+    let (worst, error) = judged.errors.worst().unwrap_or((Quantity::Force, 0.0));
     let inexact = || {
         let why = if error < ROUNDED { "; double precision allows no more" } else { "" };
         let name = worst.path();
@@ -37,7 +37,7 @@ fn objection(problem: &Problem, stage: &mut Stage, judged: &Judged, tolerance: f
             format!("estimated error {error:.1e} of {name} exceeds the tolerance {tolerance:.1e}{why}"),
         )
     };
-    if judged.errors.get(Quantity::Centre).is_some_and(|e| e > UNRESOLVED) {
+    if judged.doubt.is_some_and(|doubt| doubt > UNRESOLVED) {
         return Some(inexact());
     }
     if let Some((x, p)) = stage.tension(problem, &judged.outcome) {

@@ -4,6 +4,7 @@ use crate::engine::{Curve, Slip, Solution, Status};
 use crate::report::labels::{Labels, one_line, with_unit};
 use crate::report::number::{digits, short, significant};
 use crate::report::scene_line::{ASCII, scene_parts};
+use crate::scene::Asked;
 use slipzone_api::Base;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -105,6 +106,12 @@ fn rows(solution: &Solution) -> Vec<Row> {
         let absent = if solution.scene.friction.is_none() { "none: frictionless" } else { "not computed" };
         rows.push(row("stick", "stick zone", "", None, absent, none()));
     }
+    let output = &solution.scene.output;
+    let asked = |row: &Row| match row.path {
+        "stick" => Asked::NAMES.iter().any(|name| name.starts_with("stick") && output.asks(name)),
+        path => output.asks(path),
+    };
+    rows.retain(asked);
     rows
 }
 

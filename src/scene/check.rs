@@ -10,8 +10,8 @@ type Check = fn(&Document, &Scene) -> Result<(), SceneError>;
 
 /// All checks; the first that fails.
 pub(super) fn all(document: &Document, scene: &Scene) -> Result<(), SceneError> {
-    const CHECKS: [Check; 10] =
-        [labels, friction, tolerance, output, magnitudes, thickness, grading, datum, load, ratios];
+    const CHECKS: [Check; 11] =
+        [labels, friction, tolerance, output, quantities, magnitudes, thickness, grading, datum, load, ratios];
     CHECKS.iter().try_for_each(|check| check(document, scene))
 }
 
@@ -265,6 +265,28 @@ fn output(document: &Document, scene: &Scene) -> Result<(), SceneError> {
             .not_allowed(&["output", "x", &index.to_string()], "a number from -1 to 1")
             .hint("`x` is in units of the contact's half-width")),
     }
+}
+
+/// Something is asked for, nothing twice, and the strain only along a profile.
+fn quantities(document: &Document, scene: &Scene) -> Result<(), SceneError> {
+    const PLACE: [&str; 2] = ["output", "quantities"];
+    let Some(asked) = &scene.output.quantities else { return Ok(()) };
+    if asked.is_empty() {
+        return Err(document
+            .not_allowed(&PLACE, "at least one quantity")
+            .hint("left out, `quantities` asks for everything"));
+    }
+    let twice = (1..asked.len()).find(|index| asked[..*index].contains(&asked[*index]));
+    if let Some(index) = twice {
+        return Err(document.not_allowed(&[&PLACE[..], &[&index.to_string()]].concat(), "each quantity once"));
+    }
+    if scene.output.strain && !scene.output.asks("profile") {
+        return Err(document
+            .error(document.key(&["output", "strain"]), "a strain without the profile that it belongs to")
+            .found("`strain = true` beside `quantities` without `profile`")
+            .expected("`profile` among the quantities, or no `strain`"));
+    }
+    Ok(())
 }
 
 /// Lengths must be comparable: beyond these ratios no digit of the smaller one is left.

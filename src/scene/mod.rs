@@ -6,6 +6,7 @@
 // An error ends the reading of a scene: its size costs nothing.
 #![allow(clippy::result_large_err)]
 
+mod asked;
 mod check;
 mod complaint;
 pub(crate) mod decode;
@@ -19,6 +20,7 @@ mod tagged;
 mod template;
 mod text;
 
+pub use asked::Asked;
 pub use error::SceneError;
 pub use load_path::{LoadKind, LoadPath, PathError};
 pub use names::nearest;
@@ -237,15 +239,25 @@ pub struct Output {
     pub x: Option<Vec<f64>>,
     /// Whether the strain left in the stick zone is written, too.
     pub strain: bool,
+    /// What is computed and written; everything when absent.
+    pub quantities: Option<Vec<Asked>>,
+}
+
+impl Output {
+    /// Whether what stands at a path of the result is asked for, such as `edge.ratio` or `profile`.
+    #[must_use]
+    pub fn asks(&self, path: &str) -> bool {
+        self.quantities.as_ref().is_none_or(|asked| asked.iter().any(|asked| asked.covers(path)))
+    }
 }
 
 impl Default for Output {
     fn default() -> Self {
-        Self { points: 201, x: None, strain: false }
+        Self { points: 201, x: None, strain: false, quantities: None }
     }
 }
 
-/// The keys of `[output]`: one of the first two.
+/// The keys of `[output]`: one of the first two, and the rest.
 #[derive(Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct OutputTable {
@@ -255,22 +267,24 @@ struct OutputTable {
     x: Option<Vec<f64>>,
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     strain: bool,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    quantities: Option<Vec<Asked>>,
 }
 
 impl TryFrom<OutputTable> for Output {
     type Error = &'static str;
 
-    fn try_from(OutputTable { points, x, strain }: OutputTable) -> Result<Self, Self::Error> {
+    fn try_from(OutputTable { points, x, strain, quantities }: OutputTable) -> Result<Self, Self::Error> {
         if points.is_some() && x.is_some() {
             return Err("expected one of `points` and `x`, found both");
         }
-        Ok(Self { points: points.unwrap_or(Self::default().points), x, strain })
+        Ok(Self { points: points.unwrap_or(Self::default().points), x, strain, quantities })
     }
 }
 
 impl From<Output> for OutputTable {
-    fn from(Output { points, x, strain }: Output) -> Self {
-        Self { points: x.is_none().then_some(points), x, strain }
+    fn from(Output { points, x, strain, quantities }: Output) -> Self {
+        Self { points: x.is_none().then_some(points), x, strain, quantities }
     }
 }
 
