@@ -21,6 +21,9 @@ const NUMBERS: [&str; 12] = [
     "stick.strain_rate",
 ];
 
+/// The answer to an inverse question, and its error.
+const ANSWER: [&str; 2] = ["found.value", "found.error"];
+
 /// The columns of a study's CSV: `index`, what changed, `status`, the numbers by their paths in a result, the direction of
 /// slip, the largest error estimate, and why a scene failed.
 pub struct StudyTable {
@@ -36,14 +39,17 @@ impl StudyTable {
         let changes = |section: &str| study.columns().any(|column| column.field.split('.').next() == Some(section));
         let rubs = study.scene.friction.is_some() || changes("friction");
         let is_linear = matches!(study.scene.friction, Some(Friction::Goodman { strain: FrozenStrain::Linear, .. }));
-        let is_filled = |number: &&str| match *number {
-            "stick.strain_rate" => is_linear || changes("friction"),
-            number => rubs || !number.starts_with("stick."),
+        let is_filled = |number: &&str| {
+            let exists = match *number {
+                "stick.strain_rate" => is_linear || changes("friction.strain"),
+                number => rubs || !number.starts_with("stick."),
+            };
+            exists && study.asks(number)
         };
         Self {
             labels: study.columns().map(|column| column.label.clone()).collect(),
             numbers: NUMBERS.into_iter().filter(is_filled).collect(),
-            has_slip: rubs,
+            has_slip: rubs && study.asks("stick.slip"),
             has_answer: study.find.is_some(),
         }
     }
@@ -51,7 +57,7 @@ impl StudyTable {
     /// The first line.
     pub fn head(&self) -> String {
         let labels = self.labels.iter().map(String::as_str);
-        let after = [("stick.slip", self.has_slip), ("found", self.has_answer)];
+        let after = [("stick.slip", self.has_slip), (ANSWER[0], self.has_answer), (ANSWER[1], self.has_answer)];
         let after = after.into_iter().filter(|(_, is_there)| *is_there).map(|(name, _)| name);
         let names = ["index"].into_iter().chain(labels).chain(["status"]).chain(self.numbers.iter().copied());
         line(names.chain(after).chain(["error", "reason"]).map(str::to_owned))
@@ -72,7 +78,7 @@ impl StudyTable {
             cells.push(text("stick.slip"));
         }
         if self.has_answer {
-            cells.push(number("found"));
+            cells.extend(ANSWER.map(number));
         }
         cells.push(number("error.estimate"));
         cells.push(text("reason"));

@@ -205,7 +205,7 @@ pub(crate) fn dotted(path: &[&str]) -> String {
 }
 
 /// Names as a list in words.
-pub(super) fn one_of(names: &[&str]) -> String {
+pub(crate) fn one_of(names: &[&str]) -> String {
     let quoted: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
     match quoted.as_slice() {
         [] => "no key here".into(),

@@ -7,6 +7,7 @@ mod axis;
 mod chunks;
 mod files;
 mod find;
+mod inverse;
 mod plot;
 mod read;
 mod record;
@@ -15,10 +16,10 @@ mod sweep;
 pub use axis::{Axis, Cell, Column};
 pub use find::{Find, Wanted};
 pub use plot::{Line, OneOrMore, Over, Plot, PlotKind, Scale};
-pub use record::{Record, RecordStatus};
+pub use record::{Found, Record, RecordStatus};
 pub use sweep::sweep;
 
-use crate::scene::{Replacement, Scene, SceneError, Template};
+use crate::scene::{Asked, Replacement, Scene, SceneError, Template};
 use files::Kept;
 use slipzone_api::Files;
 use std::fmt::Write;
@@ -113,7 +114,24 @@ impl Study {
         let columns = self.axes.iter().zip(steps).flat_map(|(axis, step)| axis.columns.iter().map(move |c| (c, *step)));
         let replaced = columns.map(|(column, step)| Replacement { path: &column.path, value: column.toml(step) });
         let replaced: Vec<Replacement> = replaced.chain(more).collect();
-        self.base.with(&replaced, files)
+        let mut scene = self.base.with(&replaced, files)?;
+        scene.output.quantities.get_or_insert_with(|| self.quantities());
+        Ok(scene)
+    }
+
+    /// What is asked for where the scene leaves it open: all numbers, and tractions where there is a use for them.
+    fn quantities(&self) -> Vec<Asked> {
+        let draws = self.plots.iter().any(|plot| plot.kind == PlotKind::Tractions);
+        let tractions = (draws || self.scene.output.strain).then_some("profile");
+        ["load", "pressure", "edge", "stick"].into_iter().chain(tractions).filter_map(Asked::named).collect()
+    }
+
+    /// Whether what stands at a path of a result is asked for.
+    pub fn asks(&self, path: &str) -> bool {
+        match &self.scene.output.quantities {
+            Some(_) => self.scene.output.asks(path),
+            None => self.quantities().iter().any(|asked| asked.covers(path)),
+        }
     }
 
     /// What decides the numbers, and nothing else, in lines that can be compared: two studies with the same description
@@ -137,6 +155,7 @@ impl Study {
             let names: Vec<&str> = axis.columns.iter().map(|column| column.label.as_str()).collect();
             let _ = writeln!(text, "axis {index} = {} x {}", names.join(" with "), axis.count);
         }
+        let _ = writeln!(text, "tractions = {}", self.asks("profile"));
         if let Some(find) = &self.find {
             let _ = writeln!(text, "find: {find:?}");
         }

@@ -5,8 +5,8 @@ use super::files::{Kept, Reading};
 use super::find::Find;
 use super::plot::Plot;
 use super::{LARGEST_STUDY, Study};
-use crate::scene::document::{Document, dotted};
-use crate::scene::{Replacement, SceneError, Template, decode, plain};
+use crate::scene::document::{Document, dotted, one_of};
+use crate::scene::{Asked, Replacement, SceneError, Template, decode, plain};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use slipzone_api::Files;
@@ -415,6 +415,16 @@ fn placed(document: &Document, path: &[&str], error: &SceneError, of: &str) -> S
 /// The question can be asked of the first scene.
 fn check_find(document: &Document, study: &Study, files: &dyn Files) -> Result<(), SceneError> {
     let Some(find) = &study.find else { return Ok(()) };
+    let place = ["find", "quantity"];
+    let numbers: Vec<&str> = Asked::NAMES.into_iter().filter(|name| name.contains('.')).collect();
+    if !numbers.contains(&find.quantity.as_str()) {
+        let error = document.not_allowed(&place, one_of(&numbers));
+        return Err(error.nearest(&find.quantity, &numbers));
+    }
+    if !study.asks(&find.quantity) {
+        let error = document.error(document.best(&place), "the number that decides is not asked for");
+        return Err(error.found("`output.quantities` without it").expected("it among them, or no `quantities`"));
+    }
     for (key, end) in [("from", find.from), ("to", find.to)] {
         if !end.is_finite() {
             return Err(document.not_allowed(&["find", key], "a finite number"));

@@ -34,7 +34,22 @@ pub struct Record {
     pub profile: Option<Profile>,
     /// The answer to the study's question.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub found: Option<f64>,
+    pub found: Option<Found>,
+}
+
+/// The answer to a study's question; the numbers of its record are those of the scene with this value.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Found {
+    /// Path of the field that was looked for.
+    pub field: String,
+    /// Its value.
+    pub value: f64,
+    /// Error of the value, relative, by the error of the number that decides.
+    pub error: f64,
+    /// Other values that answer the question as well.
+    pub others: Vec<f64>,
+    /// Whether the least or largest value lies at an end of the range: further out there may be a better one.
+    pub is_at_end: bool,
 }
 
 /// How a scene of a study ended.

@@ -1,7 +1,7 @@
 //! All scenes of a study, solved on all cores.
 
-use super::Study;
 use super::record::Record;
+use super::{Study, inverse};
 use crate::engine::{Solution, Solver, solve};
 use crate::scene::Scene;
 use rayon::iter::{ParallelBridge, ParallelIterator};
@@ -39,14 +39,16 @@ fn solve_chunk(
 ) -> Option<()> {
     let rows = study.chunk_rows(chunk);
     let Some(last) = rows.clone().rev().find(|row| !done(*row)) else { return Some(()) };
+    let with_profile = study.asks("profile");
     let mut known = None;
     for row in rows.start..=last {
-        let record = match study.scene(row) {
-            Ok(scene) => {
+        let record = match (&study.find, study.scene(row)) {
+            (Some(find), Ok(_)) => inverse::answer(study, row, find),
+            (None, Ok(scene)) => {
                 let only_pressed = row > rows.start && study.differ_in_load(row - 1, row);
-                Record::solved(study, row, solve_after(&mut known, &scene, only_pressed), asks_for_profile(study))
+                Record::solved(study, row, solve_after(&mut known, &scene, only_pressed), with_profile)
             }
-            Err(error) => Record::invalid(study, row, &error),
+            (_, Err(error)) => Record::invalid(study, row, &error),
         };
         if !done(row) {
             send(record)?;

@@ -1,0 +1,288 @@
+//! Inverse questions: the value of a field at which a number of the result is as wanted.
+//!
+//! The range is looked over in steps first, so that every crossing wider than a step is seen; then the crossing is closed in
+//! upon between two steps, always bracketed (Alefeld, Potra, Shi, ACM TOMS algorithm 748), a least value by Brent's method.
+
+use super::Study;
+use super::find::{Find, Wanted};
+use super::record::{Found, Record};
+use crate::engine::{Plan, Solution, Status, solve};
+use crate::scene::{Asked, Load, Replacement, Scene};
+use basin::{
+    BoxBounds, Brent, ConstraintDescription, ConstraintSet, Constraints, CostFunction, Executor, PointState,
+    Toms748Root,
+};
+use slipzone_api::{Base, Moduli, Plane, Poisson, Positive};
+use slipzone_gradings::Homogeneous;
+
+/// Steps in which a range is looked over.
+const STEPS: u32 = 24;
+/// Ranges wider than this factor are stepped by factors.
+const WIDE: f64 = 4.0;
+/// Iterations of a search that has a bracket.
+const MOST: u64 = 100;
+
+/// The scene of a study with the field at the value that answers the study's question.
+pub(super) fn answer(study: &Study, row: u64, find: &Find) -> Record {
+    let path: Vec<String> = find.field.split('.').map(str::to_owned).collect();
+    let question = Question { study, row, find, path: &path };
+    match question.search() {
+        Ok((found, solution)) => {
+            let with_profile = study.asks("profile");
+            Record { found: Some(found), ..Record::solved(study, row, solution, with_profile) }
+        }
+        Err(reason) => match study.scene(row) {
+            Ok(scene) => Record::solved(study, row, Solution::refused(&scene, Plan::default(), reason), false),
+            Err(error) => Record::invalid(study, row, &error),
+        },
+    }
+}
+
+struct Question<'a> {
+    study: &'a Study,
+    row: u64,
+    find: &'a Find,
+    path: &'a [String],
+}
+
+/// How far an error of the number moves the place, over the range taken as 0 to 1.
+#[derive(Clone, Copy, Debug)]
+enum Moved {
+    /// Where it crosses what is wanted, by its slope.
+    BySlope(f64),
+    /// Where it is least, by its second derivative.
+    ByRoot(f64),
+}
+
+impl Moved {
+    fn by(self, error: f64) -> f64 {
+        match self {
+            Self::BySlope(slope) => error / slope.abs(),
+            Self::ByRoot(bend) => (2.0 * error / bend.abs()).sqrt(),
+        }
+        .min(1.0)
+    }
+}
+
+/// What was seen at one value of the field: the number that decides, less what is wanted of it.
+#[derive(Clone, Copy)]
+struct Point {
+    at: f64,
+    excess: f64,
+}
+
+impl Question<'_> {
+    /// The field's value, and the solution there.
+    fn search(&self) -> Result<(Found, Solution), String> {
+        let points = self.look_over()?;
+        let mut places = match self.find.wanted {
+            Wanted::Minimum | Wanted::Maximum => vec![self.least(&points)?],
+            Wanted::Target(_) | Wanted::HalfPlaneWithin(_) => self.crossings(&points)?,
+        };
+        if matches!(self.find.wanted, Wanted::HalfPlaneWithin(_)) {
+            // From the last crossing on it stays within.
+            places.reverse();
+        }
+        let (at, moved) = places[0];
+        let value = self.value(at);
+        let solution = self.solution(value, false)?;
+        let tolerance = solution.scene.solver.tolerance.get();
+        let number_error = solution.error.each.get(&self.find.quantity).copied().unwrap_or(tolerance);
+        let size = self.number(&solution).map_or(1.0, f64::abs);
+        let error = self.relative(value) * (moved.by(number_error * size) + tolerance);
+        let others = places[1..].iter().map(|(at, _)| self.value(*at)).collect();
+        let is_at_end = matches!(moved, Moved::ByRoot(_)) && (at <= 0.0 || at >= 1.0);
+        Ok((Found { field: self.find.field.clone(), value, error, others, is_at_end }, solution))
+    }
+
+    /// Values of the field at equal steps, those that could be solved.
+    fn look_over(&self) -> Result<Vec<Point>, String> {
+        let mut failure = None;
+        let mut points = Vec::new();
+        for step in 0..=STEPS {
+            let at = f64::from(step) / f64::from(STEPS);
+            match self.excess(at) {
+                Ok(excess) => points.push(Point { at, excess }),
+                Err(why) => failure = Some(format!("{} = {:?}: {why}", self.find.field, self.value(at))),
+            }
+        }
+        match failure {
+            Some(failure) if points.len() < 2 => Err(failure),
+            _ => Ok(points),
+        }
+    }
+
+    /// Where the number is as wanted, over the range taken as 0 to 1.
+    fn crossings(&self, points: &[Point]) -> Result<Vec<(f64, Moved)>, String> {
+        let crosses = |pair: &&[Point]| {
+            let (one, other) = (pair[0].excess, pair[1].excess);
+            let adjacent = pair[1].at - pair[0].at < 1.5 / f64::from(STEPS);
+            adjacent && (one < 0.0 && other > 0.0 || one > 0.0 && other < 0.0)
+        };
+        let mut found: Vec<(f64, Moved)> = Vec::new();
+        let slope = |one: &Point, other: &Point| Moved::BySlope((other.excess - one.excess) / (other.at - one.at));
+        for pair in points.windows(2).filter(crosses) {
+            let tolerance = self.study.scene.solver.tolerance.get();
+            let root = Toms748Root::new(pair[0].at, pair[1].at).with_absolute_position_tolerance(tolerance);
+            let root = root.solve(|at| self.excess(at)).map_err(|error| error.to_string())?;
+            found.push((root.root(), slope(&pair[0], &pair[1])));
+        }
+        // Steps may hit it.
+        let hit = points.windows(2).filter(|pair| pair[0].excess == 0.0 || pair[1].excess == 0.0);
+        found.extend(hit.map(|pair| (pair[usize::from(pair[0].excess != 0.0)].at, slope(&pair[0], &pair[1]))));
+        found.sort_by(|one, other| one.0.total_cmp(&other.0));
+        found.dedup_by(|one, other| one.0.to_bits() == other.0.to_bits());
+        let Find { field, quantity, from, to, .. } = self.find;
+        if found.is_empty() {
+            let (least, most) = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), point| {
+                (least.min(point.excess), most.max(point.excess))
+            });
+            let range = format!("for {field} from {from:?} to {to:?}");
+            return Err(match self.find.wanted {
+                Wanted::HalfPlaneWithin(share) => {
+                    let side = if most < 0.0 { "never further" } else { "never nearer" };
+                    let off = if most < 0.0 { share + most } else { share + least };
+                    format!(
+                        "{quantity} is {side} than {off:.3e} from that of the half-plane {range}; wanted is {share:?}"
+                    )
+                }
+                Wanted::Target(target) => format!(
+                    "{quantity} stays between {:.6e} and {:.6e} {range}; wanted is {target:?}",
+                    target + least,
+                    target + most
+                ),
+                Wanted::Minimum | Wanted::Maximum => unreachable!("no crossing is looked for"),
+            });
+        }
+        if matches!(self.find.wanted, Wanted::HalfPlaneWithin(_)) && points.last().is_some_and(|p| p.excess > 0.0) {
+            return Err(format!("{quantity} is not within what is wanted at the end of the range, {field} = {to:?}"));
+        }
+        Ok(found)
+    }
+
+    /// Where the number is least, over the range taken as 0 to 1.
+    fn least(&self, points: &[Point]) -> Result<(f64, Moved), String> {
+        let order = |one: &&[Point], other: &&[Point]| one[1].excess.total_cmp(&other[1].excess);
+        let around = points.windows(3).min_by(order).ok_or("too little of the range can be solved")?;
+        let lowest = points.iter().min_by(|one, other| one.excess.total_cmp(&other.excess)).map_or(0.0, |p| p.at);
+        let step = f64::from(STEPS).recip();
+        let (lower, upper) = ((lowest - step).max(0.0), (lowest + step).min(1.0));
+        let valley = Valley { question: self, lower, upper };
+        let found = Executor::new(valley, Brent::new(), PointState::new(0.5 * (lower + upper)))
+            .max_iter(MOST)
+            .run()
+            .map_err(|error| error.to_string())?;
+        // A value that falls to the very end of the range has its least there.
+        let inside = (*found.param(), found.cost());
+        let ends = points.iter().filter(|point| point.at <= 0.0 || point.at >= 1.0).map(|p| (p.at, p.excess));
+        let best = ends.chain([inside]).min_by(|one, other| one.1.total_cmp(&other.1)).unwrap_or(inside);
+        let half = 0.5 * (around[2].at - around[0].at);
+        let bend = (around[0].excess - 2.0 * around[1].excess + around[2].excess) / (half * half);
+        Ok((best.0, Moved::ByRoot(bend)))
+    }
+
+    fn by_factors(&self) -> bool {
+        self.find.from > 0.0 && self.find.to / self.find.from > WIDE
+    }
+
+    /// The value of the field at a share of the range.
+    fn value(&self, at: f64) -> f64 {
+        let Find { from, to, .. } = *self.find;
+        match at {
+            0.0 => from,
+            1.0 => to,
+            _ if self.by_factors() => from * (to / from).powf(at),
+            _ => from + (to - from) * at,
+        }
+    }
+
+    /// The width of the range, relative to a value in it.
+    fn relative(&self, value: f64) -> f64 {
+        let Find { from, to, .. } = *self.find;
+        if self.by_factors() { (to / from).ln() } else { (to - from) / value.abs().max(f64::MIN_POSITIVE) }
+    }
+
+    fn excess(&self, at: f64) -> Result<f64, String> {
+        let solution = self.solution(self.value(at), true)?;
+        let number = self.number(&solution).ok_or_else(|| format!("{} is undefined", self.find.quantity))?;
+        Ok(match self.find.wanted {
+            Wanted::Target(target) => number - target,
+            Wanted::Minimum => number,
+            Wanted::Maximum => -number,
+            Wanted::HalfPlaneWithin(share) => {
+                let plane = solve(&half_plane(&solution.scene)?);
+                let reference = self.number(&plane).filter(|reference| *reference != 0.0);
+                let reference = reference
+                    .ok_or_else(|| format!("{} has no value on a half-plane to compare with", self.find.quantity))?;
+                (number / reference - 1.0).abs() - share
+            }
+        })
+    }
+
+    /// The scene solved with the field at a value, for nothing but the number that decides where `alone`; an error where it
+    /// does not converge.
+    fn solution(&self, value: f64, alone: bool) -> Result<Solution, String> {
+        let replacement = Replacement { path: self.path, value: format!("{value:?}").into() };
+        let mut scene = self.study.scene_where(self.row, replacement).map_err(|error| error.in_one_line())?;
+        scene.path = None;
+        if alone {
+            scene.output.quantities = Asked::named(&self.find.quantity).map(|asked| vec![asked]);
+            scene.output.strain = false;
+        }
+        let solution = solve(&scene);
+        match solution.status {
+            Status::Converged => Ok(solution),
+            _ => Err(solution.reason.unwrap_or_else(|| "it does not converge".into())),
+        }
+    }
+
+    fn number(&self, solution: &Solution) -> Option<f64> {
+        Record::solved(self.study, self.row, solution.clone(), false).number(&self.find.quantity)
+    }
+}
+
+/// The scene on a homogeneous half-plane of the surface's modulus.
+fn half_plane(scene: &Scene) -> Result<Scene, String> {
+    if matches!(scene.load, Load::Indentation(_)) {
+        return Err("an indentation is undefined on a half-plane: prescribe the force or the half-width".into());
+    }
+    let refused = |refusal: slipzone_api::Refusal| refusal.to_string();
+    let model = scene.layer.model().map_err(refused)?;
+    let kappa = model.elastic.kappa;
+    let poisson = match scene.layer.plane {
+        Plane::Strain => (3.0 - kappa) / 4.0,
+        Plane::Stress => (3.0 - kappa) / (1.0 + kappa),
+    };
+    let mut scene = scene.clone();
+    let layer = &mut scene.layer;
+    (layer.base, layer.thickness, layer.datum, layer.moduli) = (Base::Infinite, None, None, Moduli::Shear);
+    layer.poisson = Poisson::new(poisson).map_err(|error| error.to_string())?;
+    layer.grading =
+        Box::new(Homogeneous { modulus: Positive::new(model.surface_shear).map_err(|error| error.to_string())? });
+    Ok(scene)
+}
+
+/// A stretch of the range in which the least value lies.
+struct Valley<'a> {
+    question: &'a Question<'a>,
+    lower: f64,
+    upper: f64,
+}
+
+impl Constraints for Valley<'_> {
+    type Set = ConstraintSet<BoxBounds<f64>>;
+
+    fn constraints(&self) -> <Self::Set as ConstraintDescription>::Borrowed<'_> {
+        ConstraintSet::new().with_bounds(BoxBounds::new(Some(&self.lower), Some(&self.upper)))
+    }
+}
+
+impl CostFunction for Valley<'_> {
+    type Param = f64;
+    type Output = f64;
+    type Error = std::io::Error;
+
+    fn cost(&self, at: &f64) -> Result<f64, Self::Error> {
+        self.question.excess(*at).map_err(std::io::Error::other)
+    }
+}
