@@ -25,3 +25,5 @@ mod run;
 mod scene;
 mod sketch;
 mod strain;
+#[cfg(feature = "cli")]
+mod sweep;

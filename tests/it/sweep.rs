@@ -1,0 +1,394 @@
+//! Studies on the command line: nothing is lost, nothing is half written, and the results are those of the scenes.
+
+use crate::run::{GOOD, files, program, run, told};
+use serde_json::Value;
+use slipzone::api::NoFiles;
+use slipzone::engine::solve;
+use slipzone::study::Study;
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::Stdio;
+
+/// 60 scenes on three layers.
+const STUDY: &str = r#"format = 1
+title = "Friction on three layers"
+scene = "good.toml"
+
+[[axes]]
+field = "friction.coefficient"
+log = { from = 0.2, to = 1.0, count = 20 }
+
+[[axes]]
+field = "layer.grading.base"
+label = "mu1/mu3"
+values = [8.0, 1.0, 0.125]
+names = ["1/8", "1", "8"]
+"#;
+
+fn folder_with(study: &str) -> tempfile::TempDir {
+    let folder = crate::run::folder();
+    fs::write(folder.path().join("study.toml"), study).unwrap();
+    folder
+}
+
+fn read(folder: &Path, name: &str) -> String {
+    fs::read_to_string(folder.join(name)).unwrap()
+}
+
+/// The study's results, got in one go.
+fn whole(study: &str) -> (tempfile::TempDir, String, String) {
+    let folder = folder_with(study);
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+    let (table, lines) = (read(folder.path(), "out/results.csv"), read(folder.path(), "out/results.jsonl"));
+    (folder, table, lines)
+}
+
+#[test]
+fn records_are_the_solutions_of_the_scenes_in_order() {
+    let (folder, table, lines) = whole(STUDY);
+    struct Beside;
+    impl slipzone::api::Files for Beside {
+        fn read(&self, _: &str) -> Result<Vec<u8>, String> {
+            Ok(GOOD.into())
+        }
+    }
+    let study = Study::parse("study.toml", STUDY, &Beside).unwrap();
+    assert_eq!((study.rows(), lines.lines().count(), table.lines().count()), (60, 60, 61));
+    for (row, line) in (0..).zip(lines.lines()) {
+        let record: Value = serde_json::from_str(line).unwrap();
+        assert_eq!(record["index"], row);
+        let alone = solve(&study.scene(row).unwrap());
+        let (ratio, error) = (alone.stick.unwrap().ratio.unwrap(), alone.error.each["stick.ratio"]);
+        let swept = record["stick"]["ratio"].as_f64().unwrap();
+        // Tables made for several loads have other last bits; both are within their estimates.
+        assert!((swept / ratio - 1.0).abs() <= 2.0 * error, "scene {row}: {swept} and {ratio}");
+        assert_eq!(record["axes"]["mu1/mu3"], ["1/8", "1", "8"][row / 20], "the layer changes slowest");
+    }
+    insta::assert_snapshot!("table_head", table.lines().next().unwrap());
+    assert_eq!(files(&folder.path().join("out")).len(), 3, "the journal and two files of results");
+}
+
+#[test]
+fn the_same_bytes_on_one_thread() {
+    let (_, table, lines) = whole(STUDY);
+    let folder = folder_with(STUDY);
+    let output = program(folder.path())
+        .args(["sweep", "study.toml", "--out", "out"])
+        .env("RAYON_NUM_THREADS", "1")
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert!(read(folder.path(), "out/results.csv") == table);
+    assert!(read(folder.path(), "out/results.jsonl") == lines);
+}
+
+/// Wherever the end of the program or a full disk cut the journal, what is whole is kept and the rest is solved.
+#[test]
+fn a_journal_cut_anywhere_is_gone_on_with() {
+    let (folder, table, _) = whole(STUDY);
+    let journal = fs::read(folder.path().join("out/journal.jsonl")).unwrap();
+    let head = journal.iter().position(|byte| *byte == b'\n').unwrap() + 1;
+    for cut in [0, 1, head - 1, head, head + 1, journal.len() / 3, journal.len() / 2, journal.len() - 1] {
+        let out = folder.path().join("out");
+        fs::write(out.join("journal.jsonl"), &journal[..cut]).unwrap();
+        fs::remove_file(out.join("results.csv")).unwrap();
+        let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+        assert_eq!(output.status.code(), Some(0), "cut at {cut}: {}", told(&output));
+        assert!(read(folder.path(), "out/results.csv") == table, "cut at {cut}");
+        let again = fs::read(out.join("journal.jsonl")).unwrap();
+        let kept = journal[..cut].iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
+        assert!(again.starts_with(&journal[..kept]), "cut at {cut}: what was whole has changed");
+        assert_eq!(again.iter().filter(|byte| **byte == b'\n').count(), 61, "each scene once");
+    }
+}
+
+#[test]
+fn a_killed_sweep_loses_no_finished_scene() {
+    let study = STUDY.replace("count = 20", "count = 400");
+    let folder = folder_with(&study);
+    let mut child = program(folder.path())
+        .args(["sweep", "study.toml", "--out", "out"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let journal = folder.path().join("out/journal.jsonl");
+    let lines = || fs::read_to_string(&journal).map_or(0, |text| text.lines().count());
+    while lines() < 40 && child.try_wait().unwrap().is_none() {
+        std::thread::yield_now();
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let before = fs::read(&journal).unwrap();
+    let kept = before.iter().rposition(|byte| *byte == b'\n').unwrap() + 1;
+    assert!(!folder.path().join("out/results.csv").exists() || before.len() == kept, "no results before the end");
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+    assert!(fs::read(&journal).unwrap().starts_with(&before[..kept]));
+    assert!(read(folder.path(), "out/results.csv") == whole(&study).1);
+}
+
+/// A limit on the size of files stands for a full disk.
+#[cfg(unix)]
+#[test]
+fn a_full_disk_is_told_and_nothing_is_lost() {
+    let folder = folder_with(STUDY);
+    let limited = format!("ulimit -f 40; exec '{}' sweep study.toml --out out", env!("CARGO_BIN_EXE_slipzone"));
+    let output = std::process::Command::new("sh").args(["-c", &limited]).current_dir(folder.path()).output().unwrap();
+    let words = told(&output);
+    assert_eq!(output.status.code(), Some(3), "{words}");
+    assert!(words.contains("scenes are safe, the same command goes on"), "{words}");
+    assert!(!folder.path().join("out/results.csv").exists());
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+    assert!(read(folder.path(), "out/results.csv") == whole(STUDY).1);
+}
+
+/// The results go to a device that is always full.
+#[cfg(target_os = "linux")]
+#[test]
+fn results_that_cannot_be_written_leave_the_journal() {
+    let folder = folder_with(STUDY);
+    let out = folder.path().join("out");
+    fs::create_dir(&out).unwrap();
+    std::os::unix::fs::symlink("/dev/full", out.join("results.jsonl")).unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(3), "{}", told(&output));
+    assert!(!out.join("results.csv").exists(), "both or neither");
+    fs::remove_file(out.join("results.jsonl")).unwrap();
+    assert_eq!(run(folder.path(), ["sweep", "study.toml", "--out", "out"]).status.code(), Some(0));
+}
+
+#[test]
+fn folders_that_cannot_be_used() {
+    let folder = folder_with(STUDY);
+    for (out, word) in [("good.toml", "cannot make the folder"), ("good.toml/within", "cannot make the folder")] {
+        let output = run(folder.path(), ["sweep", "study.toml", "--out", out]);
+        assert_eq!(output.status.code(), Some(3), "{out}");
+        assert!(told(&output).contains(word), "{out}: {}", told(&output));
+    }
+    fs::create_dir_all(folder.path().join("out/journal.jsonl")).unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(3), "{}", told(&output));
+}
+
+#[test]
+fn a_changed_study_is_refused_with_the_difference() {
+    let (folder, table, _) = whole(STUDY);
+    let changed = STUDY.replace("to = 1.0", "to = 1.5");
+    fs::write(folder.path().join("study.toml"), &changed).unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(2));
+    insta::assert_snapshot!("changed_study", told(&output));
+    assert!(read(folder.path(), "out/results.csv") == table, "results of yesterday stay");
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out", "--fresh"]);
+    assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+    assert!(read(folder.path(), "out/results.csv") == whole(&changed).1);
+    // What is called otherwise is no other study.
+    fs::write(folder.path().join("study.toml"), changed.replace("three layers", "3 layers")).unwrap();
+    assert_eq!(run(folder.path(), ["sweep", "study.toml", "--out", "out"]).status.code(), Some(0));
+}
+
+#[test]
+fn a_scene_file_that_changed_is_another_study() {
+    let (folder, ..) = whole(STUDY);
+    fs::write(folder.path().join("good.toml"), GOOD.replace("force = 1.0", "force = 2.0")).unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(told(&output).contains("force = 2.0"), "{}", told(&output));
+}
+
+#[test]
+fn two_sweeps_do_not_share_a_journal() {
+    let (folder, ..) = whole(STUDY);
+    let held = fs::File::open(folder.path().join("out/journal.jsonl")).unwrap();
+    held.lock().unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(3));
+    assert!(told(&output).contains("another sweep is writing it"), "{}", told(&output));
+}
+
+#[test]
+fn a_journal_that_is_none_is_not_touched() {
+    let folder = folder_with(STUDY);
+    let out = folder.path().join("out");
+    fs::create_dir(&out).unwrap();
+    for (text, line) in [("a diary\n", 1), ("{\"index\":0}\n", 1)] {
+        fs::write(out.join("journal.jsonl"), text).unwrap();
+        let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+        assert_eq!(output.status.code(), Some(3));
+        assert!(told(&output).contains(&format!("line {line} is")), "{}", told(&output));
+        assert_eq!(read(folder.path(), "out/journal.jsonl"), text);
+    }
+    let (folder, ..) = whole(STUDY);
+    let path = folder.path().join("out/journal.jsonl");
+    fs::OpenOptions::new().append(true).open(&path).unwrap().write_all(b"scribbles\n").unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(3));
+    assert!(told(&output).contains("line 62 is"), "{}", told(&output));
+}
+
+/// One scene whose values do not go together, and some that are beyond the model: the rest is solved.
+#[test]
+fn failures_are_lines_and_stop_nothing() {
+    let study = r#"format = 1
+scene = "good.toml"
+[[axes]]
+field = "punch.half_width"
+values = [1.0, 1e-9]
+[[axes]]
+field = "layer.thickness"
+values = [5.0, 1e2]
+"#;
+    let folder = folder_with(study);
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(1), "{}", told(&output));
+    insta::assert_snapshot!("failures", told(&output));
+    let table = read(folder.path(), "out/results.csv");
+    let states: Vec<&str> = table.lines().skip(1).map(|line| line.split(',').nth(3).unwrap()).collect();
+    assert_eq!(states, ["converged", "converged", "converged", "invalid"]);
+}
+
+#[test]
+fn random_scenes_repeat_and_differ() {
+    let study = r#"format = 1
+scene = "good.toml"
+[[axes]]
+random = { count = 12, seed = 7, fields = [
+    { field = "layer.poisson", linear = { from = 0.0, to = 0.5 } },
+    { field = "layer.thickness", log = { from = 1.0, to = 100.0 } },
+] }
+"#;
+    let (_, table, _) = whole(study);
+    assert!(whole(study).1 == table);
+    assert!(whole(&study.replace("seed = 7", "seed = 8")).1 != table);
+    let column = |line: &str, i: usize| line.split(',').nth(i).unwrap().parse::<f64>().unwrap();
+    for line in table.lines().skip(1) {
+        assert!((0.0..0.5).contains(&column(line, 1)) && (1.0..100.0).contains(&column(line, 2)), "{line}");
+    }
+}
+
+#[test]
+fn fields_zipped_change_together() {
+    let study = r#"format = 1
+scene = "good.toml"
+[[axes]]
+zip = [
+    { field = "punch.half_width", values = [1.0, 2.0, 3.0] },
+    { field = "load.force", linear = { from = 10, to = 30, count = 3 } },
+]
+"#;
+    let (_, table, _) = whole(study);
+    let pairs: Vec<(&str, &str)> = table
+        .lines()
+        .skip(1)
+        .map(|line| {
+            let mut cells = line.split(',').skip(1);
+            (cells.next().unwrap(), cells.next().unwrap())
+        })
+        .collect();
+    assert_eq!(pairs, [("1.0", "10.0"), ("2.0", "20.0"), ("3.0", "30.0")]);
+}
+
+/// A table is a value like any other.
+#[test]
+fn a_whole_punch_is_an_axis() {
+    let study = r#"format = 1
+scene = "good.toml"
+[[axes]]
+field = "punch"
+values = [{ type = "flat", half_width = 1.0 }, { type = "cylinder", radius = 10.0 }]
+"#;
+    let (_, _, lines) = whole(study);
+    let records: Vec<Value> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!(records[0]["axes"]["punch"], "flat");
+    assert_eq!(records[1]["axes"]["punch"], "cylinder");
+    assert!(records[0]["edge"]["ratio"].as_f64() > Some(0.2), "a sharp edge");
+    assert_eq!(records[1]["edge"]["ratio"].as_f64(), Some(0.0), "a smooth one");
+}
+
+#[test]
+fn every_broken_study_says_what_is_wrong_and_where() {
+    insta::glob!("../data/bad_studies", "*.toml", |path| {
+        let folder = crate::run::folder();
+        let name = path.file_name().unwrap().to_str().unwrap();
+        fs::copy(path, folder.path().join(name)).unwrap();
+        let before = files(folder.path());
+        let output = run(folder.path(), ["sweep", name]);
+        assert_eq!(output.status.code(), Some(2), "{name}: {}", told(&output));
+        assert_eq!(files(folder.path()), before, "nothing is made for a study that is none");
+        insta::assert_snapshot!("bad_study", told(&output));
+    });
+}
+
+/// The question of a study, asked by the library.
+fn found(scene: &str, find: &str) -> Value {
+    let text = format!("format = 1\n[find]\n{find}\n[scene]\n{}", scene.replace('[', "[scene."));
+    let study = Study::parse("study.toml", &text, &NoFiles).unwrap();
+    let mut answer = None;
+    slipzone::study::sweep(&study, &|_| false, |record| {
+        answer = Some(serde_json::to_value(record).unwrap());
+        std::ops::ControlFlow::Continue(())
+    });
+    answer.unwrap()
+}
+
+/// On a half-plane `eta = beta K(k)/K'(k)` with `k = a/b` (docs/theory.md), and `K = K'` at `k = 1/sqrt 2`.
+#[test]
+fn the_friction_for_a_stick_ratio() {
+    let scene = GOOD
+        .replace("thickness = 5.0\n", "base = { type = \"infinite\" }\n")
+        .replace("type = \"exponential\", surface = 1.0, base = 8.0", "type = \"homogeneous\", modulus = 1.0");
+    let record = found(
+        &scene,
+        "field = \"friction.coefficient\"\nfrom = 0.01\nto = 10.0\nquantity = \"stick.ratio\"\ntarget = 0.7071067811865476",
+    );
+    let (value, error) = (record["found"]["value"].as_f64().unwrap(), record["found"]["error"].as_f64().unwrap());
+    let beta = 2.0 / 7.0; // kappa = 1.8
+    assert!((value / beta - 1.0).abs() <= error, "{value}, {beta}: {error}");
+    assert!(error < 1e-6);
+    let none = found(
+        &scene,
+        "field = \"friction.coefficient\"\nfrom = 0.01\nto = 0.02\nquantity = \"stick.ratio\"\ntarget = 0.5",
+    );
+    assert_eq!(none["status"], "refused");
+    assert!(none["reason"].as_str().unwrap().contains("stick.ratio stays between"), "{none}");
+}
+
+/// The paper's own question. Frictionless quantities tend to the half-plane's like `(b/h)^2`: a quarter of the difference
+/// takes twice the thickness, nearly.
+#[test]
+fn the_thickness_from_which_the_half_plane_is_right() {
+    let thickness = |within: f64| {
+        let find = format!(
+            "field = \"layer.thickness\"\nfrom = 1.0\nto = 1000.0\nquantity = \"edge.ratio\"\nhalf_plane_within = {within}"
+        );
+        let scene =
+            GOOD.replace("[friction]\ntype = \"goodman\"\ncoefficient = 0.3\n", "").replace("base = 8.0", "base = 1.0");
+        found(&scene, &find)["found"]["value"].as_f64().unwrap()
+    };
+    let (loose, strict) = (thickness(4e-4), thickness(1e-4));
+    // The next term is of relative order (b/h)^2.
+    assert!((strict / loose - 2.0).abs() < 3.0 / (loose * loose), "{loose}, {strict}");
+}
+
+/// `f(b)` of a flat punch over Poisson's ratio has its least where its derivative changes sign: neighbours lie above.
+#[test]
+fn the_least_of_a_number() {
+    let find = "field = \"layer.poisson\"\nfrom = -0.5\nto = 0.49\nquantity = \"edge.ratio\"\nmaximum = true";
+    let scene = GOOD.replace("thickness = 5.0", "thickness = 2.0");
+    let record = found(&scene, find);
+    assert_eq!(record["status"], "converged", "{record}");
+    let at = record["found"]["value"].as_f64().unwrap();
+    let best = record["edge"]["ratio"].as_f64().unwrap();
+    for step in [-0.05, 0.05] {
+        let beside = GOOD.replace("thickness = 5.0", "thickness = 2.0");
+        let poisson = (at + step).clamp(-0.5, 0.49);
+        let beside =
+            slipzone::scene::parse("beside", &beside.replace("0.3\ngrad", &format!("{poisson:?}\ngrad"))).unwrap();
+        let ratio = solve(&beside).edge.ratio.unwrap();
+        assert!(ratio <= best * (1.0 + 1e-8), "{ratio} at {poisson}, {best} at {at}");
+    }
+}
