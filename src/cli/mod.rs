@@ -2,12 +2,15 @@
 
 mod args;
 mod check;
+mod completions;
 mod explain;
 mod failure;
+mod init;
 mod input;
 mod output;
 mod plugins;
 mod print;
+mod schema;
 mod solve;
 
 use args::{Arguments, Command};
@@ -62,5 +65,8 @@ fn dispatch(command: &Command) -> Result<Outcome, Failure> {
         Command::Check { scene } => check::run(scene),
         Command::Explain(arguments) => explain::run(arguments),
         Command::Plugins { name, json } => plugins::run(name.as_deref(), *json),
+        Command::Init(arguments) => init::run(arguments),
+        Command::Schema => schema::run(),
+        Command::Completions { shell } => completions::run(*shell),
     }
 }

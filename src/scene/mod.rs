@@ -11,16 +11,20 @@ mod complaint;
 mod decode;
 mod document;
 mod error;
+mod keys;
 mod load_keys;
 mod load_path;
 mod names;
+mod schema;
 mod table;
 mod tagged;
 mod text;
 
 pub use error::SceneError;
+pub use keys::KEYS;
 pub use load_path::{LoadKind, LoadPath, PathError};
 pub use names::nearest;
+pub use schema::schema;
 pub use text::{LARGEST, text, too_large};
 
 use document::Document;
