@@ -186,7 +186,7 @@ fn stand_in(key: &Parameter) -> String {
 }
 
 /// Columns of the comments, and of the whole.
-const WIDTH: (usize, usize) = (40, 118);
+const WIDTH: (usize, usize) = (34, 118);
 
 /// A line with its comment behind it, or above where that would be too wide.
 fn line(text: &mut String, code: &str, comment: &str) -> fmt::Result {
