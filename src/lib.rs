@@ -27,9 +27,9 @@
 //! | to | start with |
 //! |---|---|
 //! | read a scene | [`scene::parse`]; [`scene::parse_with`] if it names data files |
-//! | solve it | [`engine::solve`]; of many scenes on one layer, [`engine::Solver`] |
+//! | solve it | [`engine::solve`]; many at once, [`engine::solve_all`]; one after another on one layer, [`engine::Solver`] |
 //! | know beforehand how, or why not | [`engine::plan`], [`engine::refusal`] |
-//! | write it down | [`report::text`], [`report::json`], [`report::csv`] |
+//! | write it down | [`report::text()`], [`report::json()`], [`report::csv()`] |
 //! | list what a scene can name | [`link_plugins`], then [`api::plugins`] |
 //! | add a punch or a grading | [`api::PunchProfile`], [`api::Grading`], [`api::register`] |
 //!

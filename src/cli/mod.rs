@@ -42,7 +42,14 @@ pub(crate) fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(arguments) => arguments,
         Err(error) => {
             // Help and version arrive here too, with exit code 0. A closed pipe is no reason to complain.
-            let _ = error.print();
+            let printed = error.print();
+            if let (0, Err(why)) = (error.exit_code(), printed)
+                && why.kind() != std::io::ErrorKind::BrokenPipe
+            {
+                let failure = Failure::System(format!("cannot write to standard output: {why}"));
+                failure.print();
+                return ExitCode::from(failure.exit_code());
+            }
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
     };

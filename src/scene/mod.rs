@@ -1,8 +1,8 @@
 //! The scene: what is to be solved, checked.
 //!
 //! [`text()`] makes text of a file's bytes, [`parse`] a [`Scene`] of the text, [`parse_with`] one of a text that names
-//! files. All say what is wrong in a [`SceneError`] that knows the line; none opens a file. [`schema()`] describes a scene for
-//! editors, [`KEYS`] for forms and templates.
+//! files. All say what is wrong in a [`SceneError`] that knows the line; none opens a file. Start with [`parse`].
+//! [`schema()`] describes a scene for editors, [`KEYS`] for forms and templates.
 
 // An error ends the reading of a scene: its size costs nothing.
 #![allow(clippy::result_large_err)]
