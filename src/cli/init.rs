@@ -165,7 +165,8 @@ fn written(value: &Value, columns: usize) -> String {
     match value {
         Value::Float(number) if *number != 0.0 && number.abs() < 1e-4 => format!("{number:e}"),
         Value::Array(entries) if columns + value.to_string().len() > WIDTH.1 => {
-            format!("[\n{}]", entries.iter().map(|entry| format!("  {entry},\n")).collect::<String>())
+            let entries: Vec<_> = entries.iter().map(Value::to_string).collect();
+            format!("[\n  {},\n]", entries.join(",\n  "))
         }
         _ => value.to_string(),
     }

@@ -17,7 +17,9 @@ pub fn schema() -> Value {
     crate::link_plugins();
     let mut schema = object(KEYS, None);
     let layer = &mut schema["properties"]["layer"];
-    thickness().into_iter().for_each(|(key, value)| layer[key] = value);
+    for (key, value) in thickness() {
+        layer[key] = value;
+    }
     let families = Family::ALL.map(|family| (family.name(), json!({ "oneOf": family_of(family) })));
     schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
     schema["title"] = json!("slipzone scene, format 1");
