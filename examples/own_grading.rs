@@ -42,8 +42,8 @@ struct Told {
 slipzone_api::register!(Grading, "told", "one of three laws, and how much of it is told",
     example: "type = \"told\"\nshape = \"smooth\"\ntells = \"modulus\"",
     parameters: [
-        ("shape", "\"smooth\", \"kink\" or \"jump\"", true, []),
-        ("tells", "\"modulus\", \"series\", \"breakpoints\" or \"all\"", true, []),
+        ("shape", "\"smooth\", \"kink\" or \"jump\"", true, [], OneOf(&["smooth", "kink", "jump"])),
+        ("tells", "\"modulus\", \"series\", \"breakpoints\" or \"all\"", true, [], OneOf(&["modulus", "series", "breakpoints", "all"])),
     ],
     source: "examples/own_grading.rs");
 

@@ -30,8 +30,8 @@ struct Crowned {
 slipzone_api::register!(Punch, "crowned", "slightly convex face between sharp corners",
     example: "type = \"crowned\"\nhalf_width = 1.0\nradius = 10.0",
     parameters: [
-        ("half_width", "half the punch's width (length)", true, [0.1, 1.0, 10.0]),
-        ("radius", "radius of the face (length)", true, [1.0, 10.0, 100.0]),
+        ("half_width", "half the punch's width (length)", true, [0.1, 1.0, 10.0], Positive),
+        ("radius", "radius of the face (length)", true, [1.0, 10.0, 100.0], Positive),
     ],
     source: "examples/own_punch.rs");
 

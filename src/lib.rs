@@ -1,7 +1,7 @@
 //! Partial-slip contact between a rigid punch and an elastic graded layer of finite thickness.
 //!
-//! A scene goes in, a solution comes out; both are plain data. Lengths, stresses and forces per length
-//! are in any consistent units.
+//! A [`scene::Scene`] goes in, an [`engine::Solution`] comes out; both are plain data. Lengths, stresses and forces per
+//! length are in any consistent units.
 //!
 //! ```
 //! use slipzone::engine::{Status, solve};
@@ -16,14 +16,24 @@
 //! let solution = solve(&scene);
 //! assert_eq!(solution.status, Status::Converged);
 //!
+//! // Every number of it is an option: what does not exist, or was refused, is `None`, never NaN.
+//! print!("{}", slipzone::report::text(&solution));
 //! // a/b of an independent program, ten digits of it: within what the solution claims of itself.
 //! let ratio = solution.stick.unwrap().ratio.unwrap();
 //! assert!((ratio - 0.9726279998).abs() <= solution.error.each["stick.ratio"] * ratio + 0.5e-10);
 //! assert!(solution.error.estimate.unwrap() <= 1e-8, "the default tolerance");
 //! ```
 //!
-//! [`scene`] reads and checks, [`engine`] solves, [`report`] writes text, JSON, CSV and figures. What a
-//! scene can name are plugins of five families, whose contracts are in [`api`]; the repository's `docs/`
+//! | to | start with |
+//! |---|---|
+//! | read a scene | [`scene::parse`]; [`scene::parse_with`] if it names data files |
+//! | solve it | [`engine::solve`]; many at once, [`engine::solve_all`]; one after another on one layer, [`engine::Solver`] |
+//! | know beforehand how, or why not | [`engine::plan`], [`engine::refusal`] |
+//! | write it down | [`report::text()`], [`report::json()`], [`report::csv()`] |
+//! | list what a scene can name | [`link_plugins`], then [`api::plugins`] |
+//! | add a punch or a grading | [`api::PunchProfile`], [`api::Grading`], [`api::register`] |
+//!
+//! What a scene can name are plugins of five families, whose contracts are in [`api`]; the repository's `docs/`
 //! has their formulas, the theory and a worked example of a new one.
 
 #[cfg(any(test, doctest))]

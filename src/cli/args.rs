@@ -1,28 +1,38 @@
 //! What can be asked for.
 
 use clap::{Args, Parser, Subcommand};
+use clap_complete::Shell;
 use std::path::PathBuf;
 
 /// Partial-slip contact between a rigid punch and an elastic graded layer.
 #[derive(Debug, Parser)]
-#[command(name = "slipzone", version, about, after_help = EXIT_CODES, arg_required_else_help = true)]
+#[command(name = "slipzone", version, about, after_help = START, arg_required_else_help = true)]
 pub(super) struct Arguments {
     #[command(subcommand)]
     pub(super) command: Command,
 }
 
-const EXIT_CODES: &str = "Exit codes:
+const START: &str = "To begin with:
+  slipzone init               write a commented scene into scene.toml
+  slipzone solve scene.toml   solve it
+
+Exit codes:
   0    done
   1    the result is written, but its status is not `converged` (of a sweep: that of some scene)
   2    bad input: arguments, scene or study
   3    a file or the system failed
-  130  interrupted";
+  130  interrupted
+
+`slipzone COMMAND --help` has examples of each command.";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
+    /// Write a commented scene that runs, to start from
+    Init(Init),
     /// Solve a scene and report the result
     Solve(Solve),
     /// Check a scene without solving it
+    #[command(after_help = CHECK)]
     Check {
         /// Scene file (TOML); `-` reads standard input
         scene: PathBuf,
@@ -30,8 +40,10 @@ pub(super) enum Command {
     /// Show a scene with defaults filled in, and how it would be solved
     Explain(Explain),
     /// Solve all scenes of a study, and go on where an earlier run was interrupted
+    #[command(after_help = SWEEP)]
     Sweep(Sweep),
     /// List the plugins, or describe one
+    #[command(after_help = PLUGINS)]
     Plugins {
         /// Name of a plugin, as in `type = "..."`
         name: Option<String>,
@@ -39,9 +51,43 @@ pub(super) enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Print the JSON schema of a scene, for editors
+    #[command(after_help = SCHEMA)]
+    Schema,
+    /// Print a script that completes commands and options in a shell
+    #[command(after_help = COMPLETIONS)]
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = INIT)]
+pub(super) struct Init {
+    /// File to write, which must not be there yet; `-` prints the scene
+    #[arg(default_value = "scene.toml")]
+    pub(super) file: PathBuf,
+    /// Punch of the scene, by its name in `slipzone plugins`
+    #[arg(long, value_name = "NAME", default_value = "flat")]
+    pub(super) punch: String,
+    /// Grading of the scene, by its name in `slipzone plugins`
+    #[arg(long, value_name = "NAME", default_value = "exponential")]
+    pub(super) grading: String,
+}
+
+const INIT: &str = "Examples:
+  slipzone init
+  slipzone init tip.toml --punch cylinder --grading power-law
+  slipzone init - --punch wedge | slipzone solve -
+
+Exit codes:
+  0  the scene is written
+  2  the file is there already, or there is no plugin of that name
+  3  the file cannot be written";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXPLAIN)]
 pub(super) struct Explain {
     /// Scene file (TOML); `-` reads standard input
     pub(super) scene: PathBuf,
@@ -51,7 +97,17 @@ pub(super) struct Explain {
     pub(super) svg: Option<PathBuf>,
 }
 
+const EXPLAIN: &str = "Examples:
+  slipzone explain scene.toml
+  slipzone explain scene.toml --svg layer.svg
+
+Exit codes:
+  0  explained, a scene that would be refused too
+  2  bad input: arguments or scene
+  3  a file or the system failed";
+
 #[derive(Debug, Args)]
+#[command(after_help = SOLVE)]
 pub(super) struct Solve {
     /// Scene file (TOML); `-` reads standard input
     pub(super) scene: PathBuf,
@@ -85,3 +141,69 @@ pub(super) struct Sweep {
     #[arg(long)]
     pub(super) fresh: bool,
 }
+const SOLVE: &str = "Examples:
+  slipzone solve scene.toml
+  slipzone solve scene.toml --svg tractions.svg --csv tractions.csv
+  slipzone solve scene.toml --json - | jq .stick.ratio
+
+A file is written whole or not at all.
+
+Exit codes:
+  0    solved: the status is `converged`
+  1    the result is written; its status is another, and `reason` says why
+  2    bad input: arguments or scene
+  3    a file or the system failed
+  130  interrupted: nothing is written";
+
+const SWEEP: &str = "Examples:
+  slipzone sweep study.toml
+  slipzone sweep study.toml --out results --fresh
+
+Each finished scene is in the folder's journal at once; the same command goes on from there.
+
+Exit codes:
+  0    all scenes converged
+  1    the results are written; some scene has another status, and its `reason` says why
+  2    bad input: arguments, study or scene, or a journal of another study
+  3    a file or the system failed; no finished scene is lost
+  130  interrupted; no finished scene is lost";
+
+const CHECK: &str = "Examples:
+  slipzone check scene.toml
+  slipzone check - < scene.toml
+
+Exit codes:
+  0  a scene, even one that solving would refuse: that is said
+  2  bad input: what is wrong, with line and column
+  3  the file cannot be read";
+
+const PLUGINS: &str = "Examples:
+  slipzone plugins
+  slipzone plugins cylinder
+  slipzone plugins --json
+
+Exit codes:
+  0  listed
+  2  there is no plugin of that name
+  3  standard output cannot be written";
+
+const SCHEMA: &str = "It is made from the plugins of this program. Examples:
+  slipzone schema > scene.schema.json
+
+An editor that knows TOML schemas (taplo; in VS Code, Even Better TOML) then checks and
+completes every scene that begins with the line
+  #:schema ./scene.schema.json
+
+Exit codes:
+  0  printed
+  3  standard output cannot be written";
+
+const COMPLETIONS: &str = "Examples:
+  slipzone completions bash > ~/.local/share/bash-completion/completions/slipzone
+  slipzone completions zsh > \"${fpath[1]}/_slipzone\"
+  slipzone completions fish > ~/.config/fish/completions/slipzone.fish
+
+Exit codes:
+  0  printed
+  2  there is no such shell
+  3  standard output cannot be written";

@@ -2,14 +2,17 @@
 
 mod args;
 mod check;
+mod completions;
 mod explain;
 mod failure;
+mod init;
 mod input;
 mod interrupt;
 mod journal;
 mod output;
 mod plugins;
 mod print;
+mod schema;
 mod solve;
 mod sweep;
 
@@ -36,7 +39,14 @@ pub(crate) fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(arguments) => arguments,
         Err(error) => {
             // Help and version arrive here too, with exit code 0. A closed pipe is no reason to complain.
-            let _ = error.print();
+            let printed = error.print();
+            if let (0, Err(why)) = (error.exit_code(), printed)
+                && why.kind() != std::io::ErrorKind::BrokenPipe
+            {
+                let failure = Failure::System(format!("cannot write to standard output: {why}"));
+                failure.print();
+                return ExitCode::from(failure.exit_code());
+            }
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
     };
@@ -60,5 +70,8 @@ fn dispatch(command: &Command) -> Result<Outcome, Failure> {
         Command::Explain(arguments) => explain::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Plugins { name, json } => plugins::run(name.as_deref(), *json),
+        Command::Init(arguments) => init::run(arguments),
+        Command::Schema => schema::run(),
+        Command::Completions { shell } => completions::run(*shell),
     }
 }

@@ -3,7 +3,7 @@
 use super::Failure;
 use super::input::is_dash;
 use std::fs::{self, Permissions};
-use std::io::{BufWriter, Write};
+use std::io::{BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
@@ -165,6 +165,30 @@ pub(super) fn write(files: &[(Target, String)]) -> Result<(), Failure> {
         }
     }
     Ok(())
+}
+
+/// Refuses a file that is there already; a folder is left to [`Target::new`].
+pub(super) fn absent(path: &Path) -> Result<(), Failure> {
+    match fs::symlink_metadata(path) {
+        Ok(found) if !found.is_dir() => Err(exists(path)),
+        _ => Ok(()),
+    }
+}
+
+/// Writes a file that must not be there yet, not even since it was looked for.
+pub(super) fn create(target: &Target, text: &str) -> Result<(), Failure> {
+    match target.stage(text).map_err(|error| target.failed(&error))? {
+        Staged::File(file, target) => match file.persist_noclobber(&target.real) {
+            Err(error) if error.error.kind() == ErrorKind::AlreadyExists => Err(exists(&target.shown)),
+            written => written.map(drop).map_err(|error| target.failed(&error.error)),
+        },
+        Staged::Special(_, target) => Err(exists(&target.shown)),
+    }
+}
+
+fn exists(path: &Path) -> Failure {
+    let hint = "it is left as it is: give another name, or `-` to print";
+    Failure::Usage(format!("{} is there already", path.display()), Some(hint.into()))
 }
 
 /// Refuses standard output where a file is needed; the hint says what else there is.

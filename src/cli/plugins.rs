@@ -13,11 +13,7 @@ pub(super) fn run(name: Option<&str>, json: bool) -> Result<Outcome, Failure> {
         // A name may stand in two families.
         chosen.retain(|info| info.name == name);
         if chosen.is_empty() {
-            let hint = match nearest(name, &known) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => format!("known are {}", known.join(", ")),
-            };
-            return Err(Failure::Usage(format!("unknown plugin `{name}`"), Some(hint)));
+            return Err(unknown("plugin", name, &known));
         }
     }
     let mut text = String::new();
@@ -29,6 +25,21 @@ pub(super) fn run(name: Option<&str>, json: bool) -> Result<Outcome, Failure> {
     };
     print::result(&text)?;
     Ok(Outcome::Done)
+}
+
+/// The plugin of a family with that name.
+pub(super) fn named(family: Family, name: &str) -> Result<&'static PluginInfo, Failure> {
+    let own = slipzone::api::plugins().into_iter().filter(|info| info.family == family);
+    let known: Vec<_> = own.map(|info| info.name).collect();
+    slipzone::api::find(family, name).ok_or_else(|| unknown(family.name(), name, &known))
+}
+
+fn unknown(what: &str, name: &str, known: &[&str]) -> Failure {
+    let hint = match nearest(name, known) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("known are {}", known.join(", ")),
+    };
+    Failure::Usage(format!("unknown {what} `{name}`"), Some(hint))
 }
 
 /// All plugins by family.
@@ -56,7 +67,11 @@ fn describe(text: &mut String, info: &PluginInfo) -> fmt::Result {
     for key in info.parameters {
         let samples: Vec<_> = key.samples.iter().map(f64::to_string).collect();
         let samples = if samples.is_empty() { String::new() } else { format!("; such as {}", samples.join(", ")) };
-        let required = if key.required { "" } else { " (optional)" };
+        let required = match (key.required, key.in_place_of) {
+            (true, _) => String::new(),
+            (false, None) => " (optional)".into(),
+            (false, Some(other)) => format!(" (in place of `{other}`)"),
+        };
         writeln!(text, "  {}: {}{required}{samples}", key.name, key.summary)?;
     }
     writeln!(text, "\nexample\n  [{}]", info.family.place())?;

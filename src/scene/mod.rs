@@ -1,7 +1,8 @@
 //! The scene: what is to be solved, checked.
 //!
 //! [`text()`] makes text of a file's bytes, [`parse`] a [`Scene`] of the text, [`parse_with`] one of a text that names
-//! files. All say what is wrong in a [`SceneError`] that knows the line; none opens a file.
+//! files. All say what is wrong in a [`SceneError`] that knows the line; none opens a file. Start with [`parse`].
+//! [`schema()`] describes a scene for editors, [`KEYS`] for forms and templates.
 
 // An error ends the reading of a scene: its size costs nothing.
 #![allow(clippy::result_large_err)]
@@ -12,9 +13,11 @@ mod complaint;
 pub(crate) mod decode;
 pub(crate) mod document;
 mod error;
+mod keys;
 mod load_keys;
 mod load_path;
 mod names;
+mod schema;
 mod table;
 mod tagged;
 mod template;
@@ -22,9 +25,11 @@ mod text;
 
 pub use asked::Asked;
 pub use error::SceneError;
+pub use keys::KEYS;
 pub use load_path::{LoadKind, LoadPath, PathError};
 pub use names::nearest;
 pub(crate) use template::{Replacement, Template, plain};
+pub use schema::schema;
 pub use text::{LARGEST, text, too_large};
 
 use document::Document;

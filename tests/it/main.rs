@@ -10,6 +10,8 @@ mod flexibilities;
 mod friction;
 mod gradings;
 mod hard_layers;
+#[cfg(feature = "cli")]
+mod interfaces;
 mod layers;
 mod limits;
 mod loading_curve;

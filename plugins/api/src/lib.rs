@@ -31,6 +31,7 @@ pub mod rows;
 pub mod taylor;
 #[cfg(feature = "testkit")]
 pub mod testkit;
+mod values;
 
 pub use elastic::{Base, Elastic, Moduli, Plane};
 pub use files::{Fault, Files, LARGEST_FILE, NoFiles, Place};
@@ -44,6 +45,7 @@ pub use punch::{FlatFace, Flaw, PunchProfile, PunchShape};
 pub use quadrature::{Density, Edge, Parity, Quadrature, Rule, Span, Station};
 pub use refusal::Refusal;
 pub use registry::{Family, Parameter, PluginInfo, find, plugins};
+pub use values::{Kind, Values};
 
 #[doc(hidden)]
 pub use inventory;

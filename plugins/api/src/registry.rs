@@ -1,5 +1,6 @@
 //! Which plugins are linked into this program.
 
+use crate::Values;
 use serde::Serialize;
 
 /// The five families of plugins.
@@ -56,6 +57,10 @@ pub struct Parameter {
     pub required: bool,
     /// Values that make sense, smallest first.
     pub samples: &'static [f64],
+    /// What it may hold.
+    pub values: Values,
+    /// The key that it excludes and whose absence it makes up for.
+    pub in_place_of: Option<&'static str>,
 }
 
 /// The record beside each plugin.
@@ -92,10 +97,13 @@ pub fn find(family: Family, name: &str) -> Option<&'static PluginInfo> {
 
 /// Records a plugin: put it beside the `#[typetag::serde]` implementation.
 ///
+/// A key is its name, its meaning and unit, whether it is required, samples, and what it may hold: a variant of
+/// [`Values`], which may be left out; `in_place_of "..."` behind that names a key for which it may stand.
+///
 /// ```
 /// slipzone_api::register!(Punch, "needle", "a punch with no width",
 ///     example: "type = \"needle\"\nlength = 1.0",
-///     parameters: [("length", "length of the needle", true, [0.5, 1.0])],
+///     parameters: [("length", "length of the needle", true, [0.5, 1.0], Positive)],
 ///     source: "none");
 /// assert!(slipzone_api::find(slipzone_api::Family::Punch, "needle").is_some());
 /// ```
@@ -103,7 +111,10 @@ pub fn find(family: Family, name: &str) -> Option<&'static PluginInfo> {
 macro_rules! register {
     ($family:ident, $name:literal, $summary:literal,
      example: $example:literal,
-     parameters: [$(($key:literal, $about:literal, $required:literal, [$($sample:expr),* $(,)?])),* $(,)?],
+     parameters: [$((
+        $key:literal, $about:literal, $required:literal, [$($sample:expr),* $(,)?]
+        $(, $values:ident $(($($of:tt)*))? $(, in_place_of $other:literal)?)? $(,)?
+     )),* $(,)?],
      source: $source:literal $(,)?) => {
         $crate::inventory::submit! {
             $crate::PluginInfo {
@@ -113,10 +124,15 @@ macro_rules! register {
                 example: $example,
                 parameters: &[$($crate::Parameter {
                     name: $key, summary: $about, required: $required, samples: &[$($sample),*],
+                    values: $crate::register!(@values $($values $(($($of)*))?)?),
+                    in_place_of: $crate::register!(@other $($($other)?)?),
                 }),*],
                 source: $source,
                 krate: env!("CARGO_PKG_NAME"),
             }
         }
-    };
+    };    (@values) => { $crate::Values::Unstated };
+    (@values $($values:tt)+) => { $crate::Values::$($values)+ };
+    (@other) => { None };
+    (@other $other:literal) => { Some($other) };
 }

@@ -1,6 +1,7 @@
 //! Checks that each plugin crate runs over its own plugins: `testkit::check_crate(env!("CARGO_PKG_NAME"))`.
 
 mod contracts;
+mod forbidden;
 #[cfg(test)]
 mod tests;
 
@@ -22,7 +23,7 @@ pub fn check_crate(krate: &str) {
 ///
 /// Its name is unique in its family and equals the tag; its example parses, survives writing and reading
 /// back, and refuses an unknown key; the documented keys are those that exist, required where they say so,
-/// and each sample value is accepted. A grading or a punch must also keep its contract: a finite and
+/// each sample value is accepted, and what [`crate::Values`] rules out is refused. A grading or a punch must also keep its contract: a finite and
 /// positive modulus, an even height whose derivative is the slope.
 pub fn check_plugin(info: &PluginInfo) -> Result<(), String> {
     let twins = plugins().iter().filter(|other| (other.family, other.name) == (info.family, info.name)).count();
@@ -45,9 +46,17 @@ pub fn check_plugin(info: &PluginInfo) -> Result<(), String> {
 
 fn check_parameter(family: Family, example: &toml::Table, parameter: &crate::Parameter) -> Result<(), String> {
     let name = parameter.name;
-    ensure(!parameter.samples.is_empty() || example.contains_key(name), || {
-        format!("key `{name}` has neither a sample nor a place in the example")
-    })?;
+    let mut example = example.clone();
+    if let Some(other) = parameter.in_place_of {
+        ensure(!parameter.required, || format!("key `{name}` cannot be required where `{other}` may stand"))?;
+        ensure(example.remove(other).is_some(), || {
+            format!("key `{name}` stands for `{other}`, which the example lacks")
+        })?;
+    } else {
+        ensure(!parameter.samples.is_empty() || example.contains_key(name), || {
+            format!("key `{name}` has neither a sample nor a place in the example")
+        })?;
+    }
     let refusal = |table: &toml::Table| Parsed::new(family, &table.to_string()).err();
     let decodes = |table: &toml::Table| Parsed::decode(family, &table.to_string()).map(|_| ());
     for &sample in parameter.samples {
@@ -62,6 +71,17 @@ fn check_parameter(family: Family, example: &toml::Table, parameter: &crate::Par
         if let Some(fault) = refusal(&changed) {
             return Err(format!("sample {name} = {sample} fails: {fault}"));
         }
+    }
+    for value in forbidden::values(parameter.values) {
+        let mut changed = example.clone();
+        changed.insert(name.into(), value.clone());
+        // What cannot be told while decoding is told with the contract.
+        ensure(refusal(&changed).is_some(), || {
+            format!("`{name} = {value}` passes, which is not among {:?}", parameter.values)
+        })?;
+    }
+    if parameter.in_place_of.is_some() {
+        return ensure(decodes(&example).is_err(), || format!("key `{name}` stands for one that may be left out"));
     }
     let mut without = example.clone();
     without.remove(name);

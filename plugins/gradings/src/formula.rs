@@ -3,7 +3,7 @@
 use crate::thickness;
 use serde::{Deserialize, Serialize};
 use slipzone_api::taylor::Taylor;
-use slipzone_api::{Fault, Files, Grading, ModulusLaw, Refusal, Setting, short};
+use slipzone_api::{Fault, Files, Grading, ModulusLaw, Refusal, Setting, Values, short};
 use slipzone_formula as formula;
 use std::collections::BTreeMap;
 
@@ -25,9 +25,9 @@ pub struct Formula {
 slipzone_api::register!(Grading, "formula", "modulus by a formula in y with named parameters",
     example: "type = \"formula\"\nmodulus = \"m*(1 + (y/h)^2)\"\npoisson = \"0.3 - 0.1*y/h\"\nparameters = { m = 2.0 }",
     parameters: [
-        ("modulus", "formula (stress) in the depth `y` and the thickness `h` (length)", true, []),
-        ("poisson", "formula for Poisson's ratio; left out, it is the layer's", false, []),
-        ("parameters", "values of the names in the formulas", false, []),
+        ("modulus", "formula (stress) in the depth `y` and the thickness `h` (length)", true, [], Text),
+        ("poisson", "formula for Poisson's ratio; left out, it is the layer's", false, [], Text),
+        ("parameters", "values of the names in the formulas", false, [], ByName(&Values::Number)),
     ],
     source: "docs/plugins.md");
 

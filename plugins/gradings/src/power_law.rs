@@ -21,9 +21,9 @@ pub struct PowerLaw {
 slipzone_api::register!(Grading, "power-law", "modulus like a power of depth: surface (1 + y/length)^exponent",
     example: "type = \"power-law\"\nsurface = 1.0\nlength = 2.0\nexponent = 1.5",
     parameters: [
-        ("surface", "modulus at the surface (stress)", true, [0.5, 1.0, 100.0]),
-        ("length", "depth at which the modulus is 2^exponent times that at the surface (length)", true, [0.5, 2.0, 10.0]),
-        ("exponent", "power, a number of either sign", true, [-1.0, 0.5, 1.0, 2.0]),
+        ("surface", "modulus at the surface (stress)", true, [0.5, 1.0, 100.0], Positive),
+        ("length", "depth at which the modulus is 2^exponent times that at the surface (length)", true, [0.5, 2.0, 10.0], Positive),
+        ("exponent", "power, a number of either sign", true, [-1.0, 0.5, 1.0, 2.0], Number),
     ],
     source: "docs/plugins.md");
 

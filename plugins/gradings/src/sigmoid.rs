@@ -13,10 +13,10 @@ pub struct Sigmoid(pub Transition);
 slipzone_api::register!(Grading, "sigmoid", "two materials, their interface blurred like a hyperbolic tangent",
     example: "type = \"sigmoid\"\nabove = 1.0\nbelow = 4.0\ncentre = 1.0\nwidth = 0.5",
     parameters: [
-        ("above", "modulus far above the interface (stress)", true, [0.5, 1.0, 100.0]),
-        ("below", "modulus far below it (stress)", true, [0.25, 1.0, 4.0]),
-        ("centre", "depth of the interface (length)", true, [0.0, 1.0, 2.0]),
-        ("width", "distance from it at which tanh(1) = 76 % of the change is reached (length)", true, [0.2, 0.5, 2.0]),
+        ("above", "modulus far above the interface (stress)", true, [0.5, 1.0, 100.0], Positive),
+        ("below", "modulus far below it (stress)", true, [0.25, 1.0, 4.0], Positive),
+        ("centre", "depth of the interface (length)", true, [0.0, 1.0, 2.0], Number),
+        ("width", "distance from it at which tanh(1) = 76 % of the change is reached (length)", true, [0.2, 0.5, 2.0], Positive),
     ],
     source: "DLMF 4.28.4");
 

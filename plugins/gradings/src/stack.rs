@@ -6,7 +6,9 @@ use crate::own_poisson::OwnPoisson;
 use crate::thickness;
 use law::Law;
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Fault, Files, Grading, ModulusLaw, Poisson, Positive, Refusal, Setting, Sublayer};
+use slipzone_api::{
+    Family, Fault, Files, Grading, ModulusLaw, Parameter, Poisson, Positive, Refusal, Setting, Sublayer, Values,
+};
 
 /// Sublayers, each with a grading of its own, bonded to each other. The layer is as thick as all of them.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -33,9 +35,20 @@ slipzone_api::register!(Grading, "stack", "sublayers on top of each other, each 
     example: "type = \"stack\"\nlayers = [\n  { thickness = 0.5, poisson = 0.25, grading = { type = \"homogeneous\", modulus = 2.0 } },\n  \
               { thickness = 1.5, grading = { type = \"exponential\", surface = 1.0, base = 3.0 } },\n]",
     parameters: [
-        ("layers", "[{ thickness (length), poisson (left out: the layer's), grading }, ...], top first, 1 to 10000 of them", true, []),
+        ("layers", "[{ thickness (length), poisson (left out: the layer's), grading }, ...], top first, 1 to 10000 of them", true, [], List(&Values::Table(SUBLAYER), 1, MOST)),
     ],
     source: "docs/plugins.md");
+
+/// Keys of a sublayer.
+const SUBLAYER: &[Parameter] = &[
+    Parameter::required("thickness", "that of the sublayer (length)", Values::Positive),
+    Parameter::optional(
+        "poisson",
+        "Poisson's ratio where the grading names none; left out, the layer's",
+        Values::Poisson,
+    ),
+    Parameter::required("grading", "modulus over the sublayer's own depth", Values::Plugin(Family::Grading)),
+];
 
 /// The most sublayers.
 const MOST: usize = 10_000;

@@ -7,7 +7,7 @@ mod rows;
 use crate::thickness;
 use profile::Profile;
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Fault, Files, Grading, ModulusLaw, NoFiles, Positive, Refusal, Setting};
+use slipzone_api::{Fault, Files, Grading, ModulusLaw, NoFiles, Positive, Refusal, Setting, Values};
 use std::sync::Arc;
 
 /// Moduli, and Poisson's ratios, at depths.
@@ -79,9 +79,10 @@ impl From<Table> for Written {
 slipzone_api::register!(Grading, "table", "measured or computed moduli at depths, with a smooth curve through them",
     example: "type = \"table\"\npoints = [[0.0, 1.0], [1.0, 1.5], [2.0, 2.2], [3.0, 3.1], [5.0, 5.5]]",
     parameters: [
-        ("points", "[[depth, modulus], ...] or [[depth, modulus, poisson], ...], from depth 0 to the base at least, at least 4 rows (depth_unit, modulus_unit, no unit); `file`, the name of a file with such rows, may stand in its place", true, []),
-        ("depth_unit", "unit of the depths (length); default 1", false, [1.0, 1000.0]),
-        ("modulus_unit", "unit of the moduli (stress); default 1", false, [0.001, 1.0, 1000.0]),
+        ("points", "[[depth, modulus], ...] or [[depth, modulus, poisson], ...], from depth 0 to the base at least, at least 4 rows (depth_unit, modulus_unit, no unit); `file`, the name of a file with such rows, may stand in its place", true, [], List(&Values::List(&Values::Number, 2, 3), 4, rows::MOST)),
+        ("file", "name of a file with such rows, relative to the scene's folder", false, [], Text, in_place_of "points"),
+        ("depth_unit", "unit of the depths (length); default 1", false, [1.0, 1000.0], Positive),
+        ("modulus_unit", "unit of the moduli (stress); default 1", false, [0.001, 1.0, 1000.0], Positive),
     ],
     source: "M. Floater, K. Hormann, Numer. Math. 107 (2007) 315, eqs. 11, 18");
 

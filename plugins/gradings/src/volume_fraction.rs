@@ -11,7 +11,7 @@ use law::Law;
 pub use phase::Phase;
 pub use rule::MixingRule;
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Grading, ModulusLaw, Positive, Refusal, Setting};
+use slipzone_api::{Grading, ModulusLaw, Parameter, Positive, Refusal, Setting, Values};
 
 /// A volume fraction `(y/h)^exponent` of the base's material in that of the surface, and a rule for what the mixture is.
 ///
@@ -35,12 +35,18 @@ slipzone_api::register!(Grading, "volume-fraction", "two materials mixed, the sh
     example: "type = \"volume-fraction\"\nsurface = { modulus = 1.0, poisson = 0.3 }\nbase = { modulus = 4.0, poisson = 0.2 }\n\
               exponent = 2.0\nrule = \"mori-tanaka\"",
     parameters: [
-        ("surface", "{ modulus, poisson } of the material at the surface (stress, no unit)", true, []),
-        ("base", "{ modulus, poisson } of the material at the base (stress, no unit)", true, []),
-        ("exponent", "power of the depth in the volume fraction of the base's material; at least 1", true, [1.0, 2.0, 2.5]),
-        ("rule", "\"mixture\" (modulus and Poisson's ratio in proportion) or \"mori-tanaka\" (spheres of the base's material in that of the surface)", true, []),
+        ("surface", "{ modulus, poisson } of the material at the surface (stress, no unit)", true, [], Table(PHASE)),
+        ("base", "{ modulus, poisson } of the material at the base (stress, no unit)", true, [], Table(PHASE)),
+        ("exponent", "power of the depth in the volume fraction of the base's material; at least 1", true, [1.0, 2.0, 2.5], Positive),
+        ("rule", "\"mixture\" (modulus and Poisson's ratio in proportion) or \"mori-tanaka\" (spheres of the base's material in that of the surface)", true, [], OneOf(&["mixture", "mori-tanaka"])),
     ],
     source: "Y. Benveniste, Mech. Mater. 6 (1987) 147, eqs. 21, 22 for spheres");
+
+/// Keys of a material.
+const PHASE: &[Parameter] = &[
+    Parameter::required("modulus", "its modulus (stress)", Values::Positive),
+    Parameter::required("poisson", "its Poisson's ratio (no unit)", Values::Poisson),
+];
 
 #[typetag::serde(name = "volume-fraction")]
 impl Grading for VolumeFraction {

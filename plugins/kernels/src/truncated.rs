@@ -30,7 +30,7 @@ pub struct Truncated {
 
 slipzone_api::register!(Kernel, "truncated", "Fourier integral cut at a finite wave number, leading tail in closed form",
     example: "type = \"truncated\"\ncutoff = 80.0",
-    parameters: [("cutoff", "wave number times thickness at which the integral is cut", false, [40.0, 80.0, 320.0])],
+    parameters: [("cutoff", "wave number times thickness at which the integral is cut", false, [40.0, 80.0, 320.0], Positive)],
     source: "CC13 eqs. 43, 44");
 
 /// Cut-off at level 0, over the depth: `exp(-2 S d)` is then below round-off.

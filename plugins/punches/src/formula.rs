@@ -3,7 +3,7 @@
 mod shape;
 
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Fault, Files, PunchProfile, PunchShape, Refusal};
+use slipzone_api::{Fault, Files, PunchProfile, PunchShape, Refusal, Values};
 use slipzone_formula as formula;
 use std::collections::BTreeMap;
 
@@ -75,8 +75,9 @@ impl From<Formula> for Written {
 slipzone_api::register!(Punch, "formula", "height or slope by a formula in x with named parameters",
     example: "type = \"formula\"\nheight = \"x^2/(2*R)\"\nparameters = { R = 10.0 }",
     parameters: [
-        ("height", "formula in `x` (length); `slope` (no unit) may stand in its place", true, []),
-        ("parameters", "values of the names in the formula", false, []),
+        ("height", "formula in `x` (length); `slope` (no unit) may stand in its place", true, [], Text),
+        ("slope", "formula in `x` (no unit)", false, [], Text, in_place_of "height"),
+        ("parameters", "values of the names in the formula", false, [], ByName(&Values::Number)),
     ],
     source: "docs/plugins.md");
 

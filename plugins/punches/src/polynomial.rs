@@ -2,7 +2,7 @@
 
 use crate::examine;
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Flaw, PunchProfile, PunchShape, Refusal};
+use slipzone_api::{Flaw, PunchProfile, PunchShape, Refusal, Values};
 
 /// `g(x) = c2 x^2 + c4 x^4 + c6 x^6 + ...`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -21,7 +21,6 @@ impl TryFrom<Vec<f64>> for Coefficients {
     type Error = String;
 
     fn try_from(values: Vec<f64>) -> Result<Self, String> {
-        const MOST: usize = 16;
         if values.is_empty() || values.len() > MOST {
             return Err(format!("expected from 1 to {MOST} `coefficients`, found {}", values.len()));
         }
@@ -44,9 +43,12 @@ impl From<Coefficients> for Vec<f64> {
     }
 }
 
+/// The most coefficients that are taken.
+const MOST: usize = 16;
+
 slipzone_api::register!(Punch, "polynomial", "even polynomial: c2 x^2 + c4 x^4 + ...",
     example: "type = \"polynomial\"\ncoefficients = [0.05, 0.001]",
-    parameters: [("coefficients", "[c2, c4, c6, ...], up to 16 (1/length, 1/length^3, 1/length^5, ...)", true, [])],
+    parameters: [("coefficients", "[c2, c4, c6, ...], up to 16 (1/length, 1/length^3, 1/length^5, ...)", true, [], List(&Values::Number, 1, MOST))],
     source: "half-plane: P = (pi/A0) (c2 b^2 + (3/2) c4 b^4 + (15/8) c6 b^6 + ...), from P = (1/A0) int x g'(x)/sqrt(b^2 - x^2) dx");
 
 #[typetag::serde(name = "polynomial")]

@@ -47,8 +47,8 @@ impl From<Exponent> for f64 {
 slipzone_api::register!(Punch, "power", "height growing like a power of |x|: from a wedge to nearly flat",
     example: "type = \"power\"\ncoefficient = 0.05\nexponent = 3.0",
     parameters: [
-        ("coefficient", "height at |x| = 1 (length^(1 - exponent))", true, [0.01, 0.1, 1.0]),
-        ("exponent", "power of |x|, from 1 to 64", true, [1.0, 1.5, 2.0, 4.0, 10.0]),
+        ("coefficient", "height at |x| = 1 (length^(1 - exponent))", true, [0.01, 0.1, 1.0], Positive),
+        ("exponent", "power of |x|, from 1 to 64", true, [1.0, 1.5, 2.0, 4.0, 10.0], Between(1.0, 64.0)),
     ],
     source: "half-plane: P = m coefficient b^m B((m + 1)/2, 1/2)/A0, from P = (1/A0) int x g'(x)/sqrt(b^2 - x^2) dx");
 

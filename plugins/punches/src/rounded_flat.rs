@@ -16,8 +16,8 @@ pub struct RoundedFlat {
 slipzone_api::register!(Punch, "rounded-flat", "flat face with rounded edges: the contact begins as wide as the face",
     example: "type = \"rounded-flat\"\nhalf_width = 0.5\nradius = 5.0",
     parameters: [
-        ("half_width", "half-width of the flat face alone (length)", true, [0.1, 0.5, 1.0]),
-        ("radius", "radius of the edges (length)", true, [1.0, 5.0, 100.0]),
+        ("half_width", "half-width of the flat face alone (length)", true, [0.1, 0.5, 1.0], Positive),
+        ("radius", "radius of the edges (length)", true, [1.0, 5.0, 100.0], Positive),
     ],
     source: "M. Ciavarella, D. A. Hills, G. Monno, J. Mech. Eng. Sci. 212 (1998) 319");
 

@@ -17,8 +17,8 @@ pub struct RoundedWedge {
 slipzone_api::register!(Punch, "rounded-wedge", "straight flanks from a rounded tip",
     example: "type = \"rounded-wedge\"\nslope = 0.1\nradius = 5.0",
     parameters: [
-        ("slope", "slope of the flanks (no unit)", true, [0.01, 0.1, 0.5]),
-        ("radius", "radius of the tip (length)", true, [1.0, 5.0, 100.0]),
+        ("slope", "slope of the flanks (no unit)", true, [0.01, 0.1, 0.5], Positive),
+        ("radius", "radius of the tip (length)", true, [1.0, 5.0, 100.0], Positive),
     ],
     source: "M. Ciavarella, D. A. Hills, G. Monno, Int. J. Mech. Sci. 40 (1998) 977");
 

@@ -8,7 +8,7 @@ mod tests;
 
 use fit::Profile;
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Fault, Files, Positive, PunchProfile, PunchShape, Refusal};
+use slipzone_api::{Fault, Files, Positive, PunchProfile, PunchShape, Refusal, Values};
 
 /// Heights at points `x`, smoothed by the convex spline that comes closest to them.
 ///
@@ -99,9 +99,10 @@ impl From<Table> for Written {
 slipzone_api::register!(Punch, "table", "measured or computed heights, smoothed by the nearest convex spline",
     example: "type = \"table\"\npoints = [[0.0, 0.0], [1.0, 0.05], [2.0, 0.2], [3.0, 0.45], [4.0, 0.8]]",
     parameters: [
-        ("points", "[[x, height], ...], x ascending, at least 4 rows (x_unit, height_unit); `file`, the name of a file with such rows, may stand in its place", true, []),
-        ("x_unit", "unit of x (length); default 1", false, [0.001, 1.0, 1000.0]),
-        ("height_unit", "unit of the heights (length); default 1", false, [0.001, 1.0, 1000.0]),
+        ("points", "[[x, height], ...], x ascending, at least 4 rows (x_unit, height_unit); `file`, the name of a file with such rows, may stand in its place", true, [], List(&Values::List(&Values::Number, 2, 2), 4, rows::MOST)),
+        ("file", "name of a file with such rows, relative to the scene's folder", false, [], Text, in_place_of "points"),
+        ("x_unit", "unit of x (length); default 1", false, [0.001, 1.0, 1000.0], Positive),
+        ("height_unit", "unit of the heights (length); default 1", false, [0.001, 1.0, 1000.0], Positive),
     ],
     source: "docs/plugins.md");
 

@@ -102,8 +102,8 @@ impl From<Reach> for f64 {
 
 slipzone_api::register!(Quadrature, "de-sinc", "double-exponential sinc collocation; exact with jumps, logarithms and unknown edge behaviour",
     example: "type = \"de-sinc\"\nn = 32",
-    parameters: [("n", "steps over half the contact", false, [8.0, 32.0, 128.0]),
-                 ("u_max", "where the grid ends, x = c tanh((pi/2) sinh u)", false, [3.4, 4.0, 4.6])],
+    parameters: [("n", "steps over half the contact", false, [8.0, 32.0, 128.0], Whole(LEAST_STEPS as u64, MOST_PINNED as u64)),
+                 ("u_max", "where the grid ends, x = c tanh((pi/2) sinh u)", false, [3.4, 4.0, 4.6], Between(LEAST_REACH, MOST_REACH))],
     source: "H. Takahasi, M. Mori (1974); F. Stenger (1993); docs/theory.md section 3");
 
 /// Fewest steps that a scene may ask for.

@@ -76,8 +76,8 @@ impl<const LEAST: usize, const MOST: usize> From<Count<LEAST, MOST>> for usize {
 slipzone_api::register!(Quadrature, "graded-panels", "graded panels; jump and logarithm of the kernel integrated exactly",
     example: "type = \"graded-panels\"\nnodes = 12\npanels = 8",
     parameters: [
-        ("nodes", "degree and collocation points of each panel", false, [4.0, 12.0, 32.0]),
-        ("panels", "panels from the middle to the end", false, [2.0, 8.0, 64.0]),
+        ("nodes", "degree and collocation points of each panel", false, [4.0, 12.0, 32.0], Whole(4, 32)),
+        ("panels", "panels from the middle to the end", false, [2.0, 8.0, 64.0], Whole(2, 64)),
     ],
     source: "product integration: K. E. Atkinson (1997) sec. 4.2; geometric grading: C. Schwab (1998)");
 

@@ -4,7 +4,7 @@ use slipzone_api::rows::{self, Columns, Wrong};
 use slipzone_api::{Fault, Files};
 
 /// The most rows that are taken.
-const MOST: usize = 1_000_000;
+pub(super) const MOST: usize = 1_000_000;
 
 /// Points with ascending `x`.
 pub(super) type Rows = Vec<[f64; 2]>;

@@ -1,0 +1,8 @@
+//! `slipzone schema`: the scene file described for editors.
+
+use super::{Failure, Outcome, print};
+
+pub(super) fn run() -> Result<Outcome, Failure> {
+    print::result(&format!("{:#}", slipzone::scene::schema()))?;
+    Ok(Outcome::Done)
+}

@@ -1,0 +1,134 @@
+//! The keys of a scene, described: what editors and new scenes are told. A new key is one line here.
+
+use slipzone_api::{Family, Kind, Parameter, Values};
+
+/// Every key of a scene, in the order in which scenes are written. What a plugin may hold is in the registry.
+pub const KEYS: &[Parameter] = &[
+    Parameter::required("format", "version of this file's format", Values::Whole(1, 1)),
+    Parameter::optional("title", "one line that names the scene in reports and figures", LABEL),
+    Parameter::required("layer", "the elastic solid", Values::Table(LAYER)),
+    Parameter::required("punch", "the rigid punch", Values::Plugin(Family::Punch)),
+    Parameter::optional("friction", "how the punch rubs; left out, it does not", Values::Choice(FRICTIONS)),
+    Parameter::required("load", "how hard the punch is pressed", Values::Table(LOAD)),
+    Parameter::optional(
+        "solver",
+        "how the scene is solved; what is left out, the solver chooses",
+        Values::Table(SOLVER),
+    ),
+    Parameter::optional("output", "what is written", Values::Table(OUTPUT)),
+    Parameter::optional("units", "labels of the units; they change no number", Values::Table(UNITS)),
+];
+
+const LAYER: &[Parameter] = &[
+    Parameter::optional("thickness", "depth of the base (length); none if the base is infinite", Values::Positive),
+    Parameter::required(
+        "poisson",
+        "Poisson's ratio where the grading names none, above -1 and up to 0.5",
+        Values::Poisson,
+    ),
+    Parameter::optional("plane", "plane strain (default) or plane stress", Values::OneOf(&["strain", "stress"])),
+    Parameter::optional(
+        "moduli",
+        "what the grading's moduli are: shear moduli (default) or Young's",
+        Values::OneOf(&["shear", "young"]),
+    ),
+    Parameter::optional("base", "what the layer stands on (default rigid)", Values::Choice(BASES)),
+    Parameter::optional(
+        "datum",
+        "depth at which displacements are called 0, where the base leaves that open (length)",
+        Values::Positive,
+    ),
+    Parameter::required("grading", "modulus over depth", Values::Plugin(Family::Grading)),
+];
+
+const BASES: &[Kind] = &[
+    Kind { name: "rigid", summary: "rigid, the layer bonded to it", parameters: &[] },
+    Kind { name: "frictionless", summary: "rigid, the layer free to slide on it", parameters: &[] },
+    Kind { name: "half-plane", summary: "an elastic half-plane, the layer bonded to it", parameters: SUBSTRATE },
+    Kind { name: "infinite", summary: "none: the solid goes on without end", parameters: &[] },
+];
+
+const SUBSTRATE: &[Parameter] = &[
+    Parameter::required("shear", "its shear modulus (stress)", Values::Positive),
+    Parameter::optional("young", "its Young's modulus (stress)", Values::Positive).in_place_of("shear"),
+    Parameter::required("poisson", "its Poisson's ratio, above -1 and up to 0.5", Values::Poisson),
+];
+
+const FRICTIONS: &[Kind] = &[Kind {
+    name: "goodman",
+    summary: "Coulomb friction in Goodman's approximation: the shear does not change the pressure",
+    parameters: &[
+        Parameter::required(
+            "coefficient",
+            "Coulomb's coefficient (no unit), above 0 and up to 1000",
+            Values::UpTo(1e3),
+        ),
+        Parameter::optional(
+            "strain",
+            "strain frozen in the stick zone: by the contact's history (default), or linear, C|x|",
+            Values::OneOf(&["history", "linear"]),
+        ),
+    ],
+}];
+
+const LOAD: &[Parameter] = &[
+    Parameter::required("force", "force per unit length out of plane (stress times length)", Values::Positive),
+    Parameter::optional("half_width", "half-width of a contact that grows (length)", Values::Positive)
+        .in_place_of("force"),
+    Parameter::optional(
+        "indentation",
+        "depth of the punch, where the base or a datum defines it (length)",
+        Values::Positive,
+    )
+    .in_place_of("force"),
+    Parameter::optional("path", "a loading curve: growing loads of one kind", Values::Table(PATH)).in_place_of("force"),
+    Parameter::optional("until", "a loading curve in equal steps up to a load", Values::Table(UNTIL))
+        .in_place_of("force"),
+];
+
+const LOADS: Values = Values::List(&Values::Positive, 1, 100_000);
+
+const PATH: &[Parameter] = &[
+    Parameter::required("force", "forces, each above the one before it", LOADS),
+    Parameter::optional("half_width", "half-widths, each above the one before it", LOADS).in_place_of("force"),
+    Parameter::optional("indentation", "indentations, each above the one before it", LOADS).in_place_of("force"),
+];
+
+const UNTIL: &[Parameter] = &[
+    Parameter::required("force", "the last force", Values::Positive),
+    Parameter::optional("half_width", "the last half-width", Values::Positive).in_place_of("force"),
+    Parameter::optional("indentation", "the last indentation", Values::Positive).in_place_of("force"),
+    Parameter::optional("points", "how many loads (default 60)", Values::Whole(2, 100_000)),
+];
+
+const SOLVER: &[Parameter] = &[
+    Parameter::optional(
+        "tolerance",
+        "relative error wanted of each number (default 1e-8)",
+        Values::Between(1e-14, 0.5),
+    ),
+    Parameter::optional("flexibility", "how the layer's flexibility is got", Values::Plugin(Family::Flexibility)),
+    Parameter::optional("kernel", "how the kernels are got from it", Values::Plugin(Family::Kernel)),
+    Parameter::optional("quadrature", "how the integral equations are discretised", Values::Plugin(Family::Quadrature)),
+];
+
+const OUTPUT: &[Parameter] = &[
+    Parameter::optional(
+        "points",
+        "samples of pressure and shear, equally spaced over the contact (default 201)",
+        Values::Whole(2, 1_000_000),
+    ),
+    Parameter::optional(
+        "x",
+        "the samples themselves, in units of the contact's half-width",
+        Values::List(&Values::Between(-1.0, 1.0), 1, 1_000_000),
+    )
+    .in_place_of("points"),
+    Parameter::optional("strain", "the strain left in the stick zone, too (default false)", Values::Flag),
+];
+
+const UNITS: &[Parameter] =
+    &[Parameter::optional("length", "unit of length", LABEL), Parameter::optional("stress", "unit of stress", LABEL)];
+
+/// What goes into reports and figures.
+const LABEL: Values = Values::Line(200);
