@@ -14,7 +14,7 @@ pub use csv::csv;
 pub use curve_csv::curve_csv;
 pub use json::json;
 #[cfg(feature = "plot")]
-pub use svg::{FigureError, curve_svg, layer_svg, svg};
+pub use svg::{FigureError, curve_svg, layer_svg, study_svg, svg};
 pub use text::text;
 
 #[cfg(test)]
