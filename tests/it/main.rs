@@ -3,6 +3,7 @@
 mod accuracy;
 #[cfg(feature = "cli")]
 mod bad_input;
+mod cc13;
 #[cfg(feature = "cli")]
 mod command_line;
 mod examples;
