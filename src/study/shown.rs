@@ -425,6 +425,9 @@ fn marks(plot: &Plot) -> Result<(), PlotFault> {
             }
         }
     }
+    if plot.kind == PlotKind::Tractions && !plot.points.is_empty() {
+        return Err(PlotFault::new(&["points"], "points go with curves only", "no `points` beside tractions"));
+    }
     if plot.kind == PlotKind::Map && !(plot.lines.is_empty() && plot.points.is_empty()) {
         let key = if plot.lines.is_empty() { "points" } else { "lines" };
         return Err(PlotFault::new(&[key], "a map has no ordinate of numbers", format!("no `{key}`")));

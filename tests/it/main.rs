@@ -25,3 +25,4 @@ mod run;
 mod scene;
 mod sketch;
 mod strain;
+mod study_plots;

@@ -28,7 +28,7 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
     let Groups { study, plot, shown, .. } = *groups;
     let mut profiles: Vec<Profile> = Vec::new();
     let (scenes, failed) = groups.each(records, |shot| {
-        if profiles.len() > groups.panels() * groups.members() {
+        if profiles.len() == groups.panels() * groups.members() {
             return Err(FigureError::NotOfTheStudy("a scene stands in them twice".into()));
         }
         profiles.extend(profile(groups, &shot));
