@@ -7,6 +7,8 @@ mod cc13;
 #[cfg(feature = "cli")]
 mod command_line;
 mod examples;
+#[cfg(feature = "plot")]
+mod figures;
 mod flexibilities;
 mod friction;
 mod gradings;
