@@ -51,6 +51,7 @@ pub(crate) enum Source {
 }
 
 /// A figure whose names are found.
+#[cfg_attr(not(feature = "plot"), allow(dead_code))] // what is drawn of it
 #[derive(Clone, Debug)]
 pub(crate) struct Shown {
     /// The abscissa; `x/b` under tractions.
@@ -128,10 +129,15 @@ impl Study {
         Ok(shown)
     }
 
-    /// The steps of an axis that a figure shows.
-    pub(crate) fn shown_steps(&self, shown: &Shown, axis: usize) -> Vec<u64> {
-        let listed = shown.only.iter().find(|only| only.0 == axis);
-        listed.map_or_else(|| (0..self.axes[axis].count).collect(), |only| only.1.clone())
+    #[cfg(feature = "plot")]
+    /// The steps of an axis that a figure shows, some of them left out where they are more than so many.
+    pub(crate) fn shown_steps(&self, shown: &Shown, axis: usize, most: u64) -> Vec<u64> {
+        let stride = self.shown_count(shown, axis).div_ceil(most).max(1);
+        let stride = usize::try_from(stride).unwrap_or(usize::MAX);
+        match shown.only.iter().find(|only| only.0 == axis) {
+            Some((_, listed)) => listed.iter().copied().step_by(stride).collect(),
+            None => (0..self.axes[axis].count).step_by(stride).collect(),
+        }
     }
 
     fn shown_count(&self, shown: &Shown, axis: usize) -> u64 {

@@ -84,6 +84,11 @@ fn a_figure_that_does_not_fit_is_refused_with_its_line() {
 fn a_misspelt_name_is_recognised() {
     let error = read(&format!("{FILE}x = \"eta\"\ny = \"stick.rato\"\n")).expect_err("no such number");
     assert_eq!(error.hint.as_deref(), Some("did you mean `stick.ratio`?"));
+    // The page shows it.
+    let page = include_str!("../../docs/study-plots.md");
+    for line in error.to_string().lines().filter(|line| line.starts_with("error") || line.contains("   = ")) {
+        assert!(page.contains(line.trim()), "docs/study-plots.md does not say: {line}");
+    }
 }
 
 /// The numbers that figures know are those of a result: each path leads to a number, or to one that may be missing.

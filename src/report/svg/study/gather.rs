@@ -31,7 +31,8 @@ pub(super) struct Shot {
 
 impl<'a> Groups<'a> {
     pub(super) fn new(study: &'a Study, plot: &'a Plot, shown: &'a Shown) -> Self {
-        let steps = |axis: usize| study.shown_steps(shown, axis);
+        // Few, as the description was checked.
+        let steps = |axis: usize| study.shown_steps(shown, axis, u64::MAX);
         let panels = shown.panels.map_or_else(Vec::new, |place| steps(place.axis));
         let family = shown.family.iter().map(|place| (*place, steps(place.axis))).collect();
         Self { study, plot, shown, panels, family }

@@ -22,9 +22,11 @@ const ROW: f64 = 24.0;
 /// Width of an average letter in its height; the viewer chooses the font, so nobody knows better.
 const LETTER: f64 = 0.58;
 
-/// Entries in rows, each centred.
+/// Entries in a row, or in columns where they are too many for one.
 pub(super) struct Legend<'e> {
-    rows: Vec<Vec<&'e Entry>>,
+    rows: Vec<&'e [Entry]>,
+    /// Width of a column, where there are some.
+    column: Option<f64>,
     width: f64,
     pub(super) height: f64,
 }
@@ -35,29 +37,34 @@ impl Entry {
     }
 }
 
-fn total(row: &[&Entry]) -> f64 {
-    row.iter().map(|entry| entry.width()).sum::<f64>() + BETWEEN * (row.len() as f64 - 1.0)
+/// Of entries beside each other, each as wide as it is, or as a column.
+fn total(row: &[Entry], column: Option<f64>) -> f64 {
+    let widths = row.iter().map(|entry| column.unwrap_or_else(|| entry.width()));
+    widths.sum::<f64>() + BETWEEN * (row.len() as f64 - 1.0)
 }
 
 impl<'e> Legend<'e> {
     pub(super) fn new(entries: &'e [Entry], width: f64) -> Self {
         const SIDES: f64 = 20.0;
-        let mut rows: Vec<Vec<&Entry>> = Vec::new();
-        for entry in entries {
-            match rows.last_mut() {
-                Some(row) if total(row) + BETWEEN + entry.width() <= width - 2.0 * SIDES => row.push(entry),
-                _ => rows.push(vec![entry]),
-            }
-        }
+        let room = width - 2.0 * SIDES;
+        let widest = entries.iter().map(Entry::width).fold(1.0, f64::max);
+        let is_one_row = total(entries, None) <= room;
+        // As many columns as fit, then as few as the rows need.
+        let most = (1..=entries.len()).rev().find(|n| widest * *n as f64 + BETWEEN * (*n as f64 - 1.0) <= room);
+        let rows = entries.len().div_ceil(most.unwrap_or(1).max(1)).max(1);
+        let columns = if is_one_row { entries.len() } else { entries.len().div_ceil(rows) };
+        let rows: Vec<&[Entry]> = entries.chunks(columns.max(1)).collect();
         let height = if rows.is_empty() { 0.0 } else { ROW * rows.len() as f64 + 8.0 };
-        Self { rows, width, height }
+        Self { rows, column: (!is_one_row).then_some(widest), width, height }
     }
 
     pub(super) fn draw(&self, figure: &mut Scene, top: f64) {
         for (index, row) in self.rows.iter().enumerate() {
             let y = top + (index as f64 + 0.5) * ROW;
-            let mut x = (self.width - total(row)) / 2.0;
-            for entry in row {
+            // Columns begin under each other.
+            let widest = self.rows.first().map_or(&row[..], |first| first);
+            let mut x = (self.width - total(widest, self.column)) / 2.0;
+            for entry in *row {
                 if entry.is_line {
                     figure.add(Primitive::Line {
                         x1: x,
@@ -83,7 +90,7 @@ impl<'e> Legend<'e> {
                     bold: false,
                     color: Some(Color::from(INK)),
                 });
-                x += entry.width() + BETWEEN;
+                x += self.column.unwrap_or_else(|| entry.width()) + BETWEEN;
             }
         }
     }

@@ -121,13 +121,12 @@ impl Grid {
         let name = label.map_or(name, names::with_symbols);
         let refused = |what: &str| FigureError::Plot(format!("an axis of a map {what}: {name}"));
         let column = &groups.study.axes[place.axis].columns[place.column];
-        let all = groups.study.shown_steps(groups.shown, place.axis);
-        let stride = all.len().div_ceil(usize::try_from(MOST).unwrap_or(usize::MAX)).max(1);
+        let all = groups.study.shown_steps(groups.shown, place.axis, MOST);
         let value = |step: &u64| match column.cell(*step) {
             Cell::Number(number) => Some((*step, number)),
             Cell::Text(_) => None,
         };
-        let mut middles: Vec<(u64, f64)> = all.iter().step_by(stride).filter_map(value).collect();
+        let mut middles: Vec<(u64, f64)> = all.iter().filter_map(value).collect();
         middles.sort_by(|one, other| one.1.total_cmp(&other.1));
         middles.dedup_by(|one, other| one.1 == other.1);
         if middles.len() < 2 {
