@@ -5,6 +5,8 @@ mod curves;
 mod head;
 mod layer;
 mod loading;
+mod scale;
+mod study;
 
 use crate::engine::first_not_finite;
 use crate::engine::{Slip, Solution, Status, StickReport};
@@ -22,6 +24,7 @@ use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 pub use layer::layer_svg;
 pub use loading::curve_svg;
 use std::sync::Arc;
+pub use study::study_svg;
 
 /// Why there is no figure.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -44,6 +47,15 @@ pub enum FigureError {
     /// Neither constants over depth nor flexibilities are known.
     #[error("nothing is known of the layer")]
     NoLayer,
+    /// The description of a study's figure does not fit the study.
+    #[error("{0}")]
+    Plot(String),
+    /// A line of results that no scene of the study has.
+    #[error("the results are not of this study: {0}")]
+    NotOfTheStudy(String),
+    /// None of the scenes that the figure shows has the number.
+    #[error("no scene has numbers to show: {0}")]
+    NothingToShow(String),
 }
 
 /// Canvas in px; the letters are legible when it is printed 85 mm wide, the column of a journal.

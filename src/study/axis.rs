@@ -1,6 +1,7 @@
 //! What changes from scene to scene.
 
 use std::borrow::Cow;
+use std::fmt;
 
 /// Fields of a scene that change together, step by step.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,6 +43,15 @@ pub enum Cell {
     Number(f64),
     /// Anything else: text, the name that the study gives, or the `type` of a table.
     Text(String),
+}
+
+impl fmt::Display for Cell {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Number(number) => write!(f, "{number:?}"),
+            Self::Text(text) => write!(f, "`{text}`"),
+        }
+    }
 }
 
 impl Column {

@@ -39,7 +39,7 @@ impl Study {
     }
 
     /// The step of each axis in one scene, in the order of the list.
-    pub(super) fn steps(&self, row: u64) -> Vec<u64> {
+    pub(crate) fn steps(&self, row: u64) -> Vec<u64> {
         let mut steps = vec![0; self.axes.len()];
         let mut rest = row;
         for a in self.nested().rev() {

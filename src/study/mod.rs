@@ -11,12 +11,15 @@ mod inverse;
 mod plot;
 mod read;
 mod record;
+mod shown;
 mod sweep;
 
 pub use axis::{Axis, Cell, Column};
 pub use find::{Find, Wanted};
-pub use plot::{Line, OneOrMore, Over, Plot, PlotKind, Scale};
+pub use plot::{Line, OneOrMore, Over, Plot, PlotKind, Points, Scale};
 pub use record::{Found, Record, RecordStatus};
+#[cfg(feature = "plot")]
+pub(crate) use shown::{Place, Shown, Source};
 pub use sweep::sweep;
 
 use crate::scene::{Asked, Replacement, Scene, SceneError, Template};

@@ -1,9 +1,10 @@
 //! Figures that a study asks for.
 
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// A figure of a study: what is drawn over what.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Plot {
     /// Name of the SVG file in the folder of the results.
@@ -14,18 +15,27 @@ pub struct Plot {
     /// Title above the figure; the study's unless it has one of its own.
     #[serde(default)]
     pub title: Option<String>,
+    /// A line under the title: what all curves have in common.
+    #[serde(default)]
+    pub note: Option<String>,
     /// The abscissa: an axis (its field or label) or a number of the result, such as `load.force`. Of tractions it is
     /// `x/b`, and left out.
     #[serde(default)]
     pub x: Option<String>,
-    /// The ordinate: an axis or a number of the result; of tractions `pressure`, `shear` or both.
-    pub y: OneOrMore,
+    /// The ordinate: numbers of the result, side by side where there are several; of a map its second axis; of tractions
+    /// `pressure`, `shear`, or both where it is left out.
+    #[serde(default)]
+    pub y: Option<OneOrMore>,
     /// The number that a map shows over two axes.
     #[serde(default)]
     pub z: Option<String>,
-    /// Axes whose values have a curve each; all that are neither `x` nor `y`, unless some are listed.
+    /// Axes whose values have a curve each; unless some are listed, all that are neither drawn at random nor the abscissa
+    /// nor the panels. (Over a number of the result a curve follows the last axis.)
     #[serde(default)]
     pub family: Option<OneOrMore>,
+    /// An axis whose values have a panel each.
+    #[serde(default)]
+    pub panels: Option<String>,
     /// Steps along the abscissa.
     #[serde(default)]
     pub x_scale: Scale,
@@ -41,12 +51,15 @@ pub struct Plot {
     /// What tractions are divided by.
     #[serde(default)]
     pub over: Over,
-    /// Rows that are left out unless the axes named here have the values given: `only = { "mu1/mu3" = "8" }`.
+    /// Scenes that are shown: those where the axes named have a value listed, `only = { "mu1/mu3" = ["1", "8"] }`.
     #[serde(default)]
-    pub only: std::collections::BTreeMap<String, toml::Value>,
+    pub only: BTreeMap<String, toml::Value>,
     /// Lines across the figure at given ordinates.
     #[serde(default)]
     pub lines: Vec<Line>,
+    /// Numbers from elsewhere, as marks.
+    #[serde(default)]
+    pub points: Vec<Points>,
 }
 
 /// A line across a figure.
@@ -57,6 +70,18 @@ pub struct Line {
     pub y: f64,
     /// Its name in the legend.
     pub label: String,
+}
+
+/// Numbers that were measured, published or computed elsewhere.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Points {
+    /// Their name in the legend.
+    pub label: String,
+    /// Abscissae.
+    pub x: Vec<f64>,
+    /// Ordinates.
+    pub y: Vec<f64>,
 }
 
 /// One name or several.
@@ -86,7 +111,7 @@ pub enum PlotKind {
     /// A number over an axis, a curve for each member of a family.
     #[default]
     Curves,
-    /// A number over two axes, as filled contours.
+    /// A number over two axes, in colours.
     Map,
     /// Tractions over the contact, a curve for each scene.
     Tractions,

@@ -4,6 +4,7 @@ use super::axis::{Axis, Cell, Column, Values};
 use super::files::{Kept, Reading};
 use super::find::Find;
 use super::plot::Plot;
+use super::shown::PlotFault;
 use super::{LARGEST_STUDY, Study};
 use crate::scene::document::{Document, dotted, one_of};
 use crate::scene::{Asked, Replacement, SceneError, Template, decode, plain};
@@ -115,6 +116,7 @@ pub(super) fn study(name: &str, text: &str, files: &dyn Files) -> Result<Study, 
     let mut study = Study { title, axes, plots, find, base, scene, files: Kept::default() };
     check_values(&document, &study, &files)?;
     check_find(&document, &study, &files)?;
+    check_plots(&document, &study)?;
     study.files = files.kept();
     Ok(study)
 }
@@ -437,6 +439,27 @@ fn check_find(document: &Document, study: &Study, files: &dyn Files) -> Result<(
     }
     if find.from >= find.to {
         return Err(document.not_allowed(&["find", "to"], format!("a number above `from`, which is {}", find.from)));
+    }
+    Ok(())
+}
+
+/// Each figure has a name of its own and shows what the study has.
+fn check_plots(document: &Document, study: &Study) -> Result<(), SceneError> {
+    for (index, plot) in study.plots.iter().enumerate() {
+        let number = index.to_string();
+        if let Err(fault) = study.shown(plot) {
+            let PlotFault { path, message, found, expected, hint } = fault;
+            let place: Vec<&str> = ["plots", &number].into_iter().chain(path.iter().map(String::as_str)).collect();
+            let mut error = document.error(document.best(&place), message).expected(expected);
+            (error.found, error.hint) = (found, hint);
+            return Err(error);
+        }
+        // Some file systems take names in capitals for the same.
+        if study.plots[..index].iter().any(|other| other.file.eq_ignore_ascii_case(&plot.file)) {
+            let place = document.best(&["plots", &number, "file"]);
+            let error = document.error(place, "two figures with one name").found(format!("`{}`", plot.file));
+            return Err(error.expected("a `file` of its own for each [[plots]]"));
+        }
     }
     Ok(())
 }

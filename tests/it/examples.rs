@@ -52,28 +52,17 @@ fn every_example_converges_and_draws() {
     }
 }
 
-/// The figures of the documents, drawn again: the same text, with the same numbers up to what rounding may do to a
-/// coordinate on another processor.
+/// The figures of the documents, drawn again.
 #[cfg(feature = "plot")]
 #[test]
 fn the_figures_of_the_documents_are_what_the_program_draws() {
-    let words = |text: &str| -> Vec<String> {
-        text.split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-')).map(Into::into).collect()
-    };
-    let rest = |text: &str| text.replace(|c: char| c.is_ascii_digit() || c == '.' || c == '-', "");
     let mut compared = 0;
     for (name, scene) in scenes() {
         let stem = name.trim_end_matches(".toml");
         let drawn = |file: String, draw: &dyn Fn() -> String| {
             let path = format!("{}/docs/figures/{file}.svg", env!("CARGO_MANIFEST_DIR"));
             let Ok(committed) = std::fs::read_to_string(path) else { return 0 };
-            let now = draw();
-            assert_eq!(rest(&committed), rest(&now), "{file}");
-            for (old, new) in words(&committed).iter().zip(&words(&now)) {
-                let number = |text: &str| text.parse::<f64>().ok();
-                let close = number(old).zip(number(new)).is_some_and(|(old, new)| (old - new).abs() < 0.02);
-                assert!(close || old == new, "{file}: {old} is now {new}");
-            }
+            crate::figures::assert_same(&file, &committed, &draw());
             1
         };
         let solution = solve(&scene);

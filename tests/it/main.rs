@@ -3,9 +3,12 @@
 mod accuracy;
 #[cfg(feature = "cli")]
 mod bad_input;
+mod cc13;
 #[cfg(feature = "cli")]
 mod command_line;
 mod examples;
+#[cfg(feature = "plot")]
+mod figures;
 mod flexibilities;
 mod friction;
 mod gradings;
@@ -29,3 +32,4 @@ mod sketch;
 mod strain;
 #[cfg(feature = "cli")]
 mod sweep;
+mod study_plots;

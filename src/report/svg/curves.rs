@@ -155,7 +155,7 @@ const FAR: f64 = 1e3;
 /// square root at a smooth one (a sample of 0). So drawn, the curve leaves the frame instead of stopping short
 /// of the edge, and meets a smooth edge without a corner. To an unbounded sample within, a corner of the punch, they go
 /// like the logarithm of the distance. Nothing else is interpolated.
-fn to_the_edges(points: &[(f64, Option<f64>)]) -> Vec<(f64, f64)> {
+pub(super) fn to_the_edges(points: &[(f64, Option<f64>)]) -> Vec<(f64, f64)> {
     /// Shares of the distance between the edge and the sample next to it.
     const SHARES: [f64; 9] = [0.8, 0.6, 0.4, 0.25, 0.1, 0.03, 0.01, 0.001, 1e-4];
     let bounded = |points: &[(f64, Option<f64>)]| -> Vec<(f64, f64)> {

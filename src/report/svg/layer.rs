@@ -1,10 +1,10 @@
 //! A layer before anything is solved: elastic constants over depth, and how its surface answers.
 
 mod panel;
-mod scale;
 
 use super::curves::Stroke;
 use super::head::Head;
+use super::scale::Scale;
 use super::{FigureError, SIZE, place};
 use crate::engine::{DepthProfile, FlexibilityProfile};
 use crate::report::labels::Labels;
@@ -13,7 +13,6 @@ use crate::scene::Scene;
 use kuva::backend::svg::SvgBackend;
 use kuva::render::render::Scene as Canvas;
 use panel::Panel;
-use scale::Scale;
 use slipzone_api::{Base, Moduli};
 
 const MODULUS: Stroke = Stroke { name: "modulus", color: "#1f4e8c", width: 2.4, dashes: "none" };

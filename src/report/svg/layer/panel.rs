@@ -1,7 +1,7 @@
 //! One panel of the figure of a layer: curves in a frame, thin rules, and a strip for the base.
 
-use super::scale::Scale;
 use crate::report::svg::curves::{Stroke, thinned};
+use crate::report::svg::scale::Scale;
 use crate::report::svg::{FONTS, GRID, INK, LEGEND, LETTERS, legend, literal, outline};
 use kuva::plot::{LinePlot, LineStyle};
 use kuva::render::annotations::ShadedRegion;

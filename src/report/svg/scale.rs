@@ -37,6 +37,26 @@ impl Scale {
         Some(Self { label: name.into(), unit: 1.0, least: least - room, most: most + room, step: Some(step), ticks })
     }
 
+    /// From the least number to the largest, with room beyond the ends that are asked for.
+    pub(super) fn spanning((least, most): (f64, f64), [below, above]: [bool; 2], name: &str, unit: &str) -> Self {
+        /// Room beyond an end, over the range.
+        const ROOM: f64 = 0.06;
+        const INTERVALS: f64 = 6.0;
+        // Equal numbers, or none, need a frame, too.
+        let apart = most - least > 1e-12 * least.abs().max(most.abs());
+        let spread = if apart { 0.0 } else { 0.1 * least.abs().max(f64::MIN_POSITIVE.sqrt()) };
+        let (least, most) = (least - spread, most + spread);
+        let size = least.abs().max(most.abs());
+        let powers = Axis::new(size, name, unit);
+        let (label, divisor) = powers.map_or_else(|| (name.to_owned(), 1.0), |axis| (axis.label, axis.unit));
+        let (least, most) = (least / divisor, most / divisor);
+        let range = most - least;
+        let room = |wanted: bool| if wanted { ROOM * range } else { 0.0 };
+        let step = Axis::with_intervals(range, "", "", INTERVALS).map_or(range, |axis| axis.step * axis.unit);
+        let (least, most) = (least - room(below), most + room(above));
+        Self { label, unit: divisor, least, most, step: Some(step), ticks: signed(step) }
+    }
+
     /// Around both positive numbers on a logarithmic axis.
     pub(super) fn logarithmic(least: f64, most: f64, name: &str, unit: &str) -> Self {
         /// kuva takes what is below 1e-10 for 1e-10: numbers are drawn in units of the largest where need be.
@@ -75,6 +95,21 @@ impl Scale {
         let ticks = (0..MOST).map(|i| first + f64::from(i) * step);
         let off = 1e-6 * (self.most - self.least);
         ticks.filter(|tick| *tick > self.least + off && *tick < self.most - off).collect()
+    }
+
+    /// Ticks from end to end.
+    pub(super) fn ticks_within(&self) -> Vec<f64> {
+        let Some(step) = self.step else { return generate_ticks_log(self.least, self.most) };
+        let off = 1e-6 * (self.most - self.least);
+        let ends = [self.least, self.most].into_iter().filter(|end| ((end / step).round() * step - end).abs() <= off);
+        let mut ticks: Vec<f64> = self.inner_ticks().into_iter().chain(ends).collect();
+        ticks.sort_by(f64::total_cmp);
+        ticks
+    }
+
+    /// A number of a tick as it is set in print.
+    pub(super) fn written(&self, tick: f64) -> String {
+        self.ticks.format(tick)
     }
 
     /// The layout with this as its abscissa.

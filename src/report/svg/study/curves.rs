@@ -1,0 +1,202 @@
+//! Numbers over an axis or over another number, a curve for each member of a family.
+
+use super::gather::{Groups, Shot};
+use super::legend::Entry;
+use super::names;
+use super::panel::{Curve, Panel};
+use super::style::Style;
+use super::{ABREAST, Drawing};
+use crate::report::svg::FigureError;
+use crate::report::svg::scale::Scale;
+use crate::study::{Scale as Steps, Source};
+use serde_json::Value;
+
+/// Scenes of which the numbers are kept.
+const MOST: usize = 200_000;
+/// Points up to which each is marked: a curve through few says where they are.
+const MARKED: usize = 24;
+
+/// A scene's place in the figure.
+struct Row {
+    index: u64,
+    panel: usize,
+    member: usize,
+    x: Option<f64>,
+    y: Vec<Option<f64>>,
+}
+
+/// Some of the scenes: all, as long as they are few; then every second, fourth, ... by a hash of their numbers, so that the
+/// choice depends on the scenes alone and not on the order in which they come.
+#[derive(Default)]
+struct Rows {
+    kept: Vec<Row>,
+    halvings: u32,
+}
+
+impl Rows {
+    fn add(&mut self, row: Row) {
+        if self.keeps(row.index) {
+            self.kept.push(row);
+        }
+        while self.kept.len() > MOST {
+            self.halvings += 1;
+            let mut kept = std::mem::take(&mut self.kept);
+            kept.retain(|row| self.keeps(row.index));
+            self.kept = kept;
+        }
+    }
+
+    fn keeps(&self, index: u64) -> bool {
+        // Fibonacci hashing (Knuth, The Art of Computer Programming 3, 6.4): the leading bits are even.
+        let hash = index.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        hash.leading_zeros() >= self.halvings
+    }
+}
+
+pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) -> Result<Drawing, FigureError> {
+    let Groups { study, plot, shown, .. } = *groups;
+    let x = shown.x.ok_or_else(|| FigureError::Plot("missing key `x`".into()))?;
+    let mut rows = Rows::default();
+    let (scenes, failed) = groups.each(records, |shot: Shot| {
+        let y = shown.y.iter().map(|y| groups.number(&shot, *y).filter(|_| shot.converged)).collect();
+        rows.add(Row { index: shot.index, panel: shot.panel, member: shot.member, x: groups.number(&shot, x), y });
+        Ok(())
+    })?;
+    let mut rows = rows.kept;
+    // Along an axis in the order of its values, otherwise in that of the scenes.
+    let along = |row: &Row| if matches!(x, Source::Field(_)) { row.x.unwrap_or(f64::INFINITY) } else { 0.0 };
+    rows.sort_by(|one, other| along(one).total_cmp(&along(other)).then(one.index.cmp(&other.index)));
+
+    let drawable = |value: &f64, scale: Steps| scale == Steps::Linear || *value > 0.0;
+    for row in &mut rows {
+        row.x = row.x.filter(|x| drawable(x, plot.x_scale));
+        row.y.iter_mut().for_each(|y| *y = y.filter(|y| drawable(y, plot.y_scale)));
+    }
+    let shown_rows = rows.iter().filter(|row| row.y.iter().any(Option::is_some));
+    let xs = shown_rows.filter_map(|row| row.x).chain(plot.points.iter().flat_map(|points| points.x.iter().copied()));
+    let (x_name, x_unit) = names::of(x, study);
+    let x_name = plot.x_label.as_deref().map_or(x_name, names::with_symbols);
+    let nothing = || FigureError::NothingToShow("none converged with the numbers asked for".into());
+    let x_scale = scale(xs, plot.x_scale, &x_name, &x_unit, false).ok_or_else(nothing)?;
+    let mut y_scales = Vec::new();
+    for (which, y) in shown.y.iter().enumerate() {
+        let of_points = plot.points.iter().flat_map(|points| points.y.iter().copied());
+        let ys =
+            rows.iter().filter_map(|row| row.y[which]).chain(of_points).chain(plot.lines.iter().map(|line| line.y));
+        let (name, unit) = names::of(*y, study);
+        let name = plot.y_label.as_deref().map_or(name, names::with_symbols);
+        y_scales.push(scale(ys, plot.y_scale, &name, &unit, true).ok_or_else(nothing)?);
+    }
+
+    let few = rows.len() <= MARKED * groups.panels() * groups.members();
+    let mut panels = Vec::new();
+    for panel in 0..groups.panels() {
+        for (which, y_scale) in y_scales.iter().enumerate() {
+            let place = |x: f64, y: f64| (x / x_scale.unit, y / y_scale.unit);
+            let mut curves: Vec<Curve> = levels(groups, &x_scale, y_scale);
+            for member in 0..groups.members() {
+                let points: Vec<Option<(f64, f64)>> = rows
+                    .iter()
+                    .filter(|row| row.panel == panel && row.member == member)
+                    .map(|row| row.x.zip(row.y[which]).map(|(x, y)| place(x, y)))
+                    .collect();
+                curves.push(curve(groups, member, &points, few));
+            }
+            curves.extend(plot.points.iter().enumerate().map(|(index, points)| Curve {
+                style: Style::points(index),
+                stretches: Vec::new(),
+                marks: points.x.iter().zip(&points.y).map(|(x, y)| place(*x, *y)).collect(),
+            }));
+            panels.push(Panel {
+                name: groups.panel_name(panel),
+                x: x_scale.clone(),
+                y: y_scale.clone(),
+                curves,
+                cells: None,
+            });
+        }
+    }
+    let abreast = if y_scales.len() > 1 { y_scales.len().min(ABREAST) } else { ABREAST };
+    Ok(Drawing { panels, abreast, legend: legend(groups, few), scenes, failed })
+}
+
+/// A member's curve; points alone where nothing says which follow each other.
+fn curve(groups: &Groups, member: usize, points: &[Option<(f64, f64)>], few: bool) -> Curve {
+    let known = || points.iter().flatten().copied();
+    let stretches = points.split(Option::is_none).map(|stretch| stretch.iter().flatten().copied().collect());
+    // A point between two gaps is no line.
+    let lonely = points.split(Option::is_none).filter(|stretch| stretch.len() == 1).flatten().flatten().copied();
+    let is_cloud = groups.shown.is_cloud;
+    Curve {
+        style: Style::of(member, &groups.member_steps(member)),
+        marks: if few || is_cloud { thinned_marks(known()) } else { lonely.collect() },
+        stretches: if is_cloud { Vec::new() } else { stretches.filter(|s: &Vec<_>| s.len() > 1).collect() },
+    }
+}
+
+/// No more marks than a viewer copes with.
+fn thinned_marks(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+    const MOST_MARKS: usize = 5000;
+    let points: Vec<(f64, f64)> = points.collect();
+    let stride = points.len().div_ceil(MOST_MARKS).max(1);
+    points.into_iter().step_by(stride).collect()
+}
+
+/// Lines across the figure.
+fn levels(groups: &Groups, x: &Scale, y: &Scale) -> Vec<Curve> {
+    let level = |(index, line): (usize, &crate::study::Line)| Curve {
+        style: Style::level(index),
+        stretches: vec![vec![(x.least, line.y / y.unit), (x.most, line.y / y.unit)]],
+        marks: Vec::new(),
+    };
+    groups.plot.lines.iter().enumerate().map(level).collect()
+}
+
+/// Members, lines and points that have a name.
+pub(super) fn legend(groups: &Groups, is_marked: bool) -> Vec<Entry> {
+    let is_cloud = groups.shown.is_cloud;
+    let members = (0..groups.members()).map(|member| Entry {
+        name: groups.member_name(member),
+        style: Style::of(member, &groups.member_steps(member)),
+        is_line: !is_cloud,
+        is_marked: is_marked || is_cloud,
+    });
+    let lines = groups.plot.lines.iter().enumerate().map(|(index, line)| Entry {
+        name: names::with_symbols(&line.label),
+        style: Style::level(index),
+        is_line: true,
+        is_marked: false,
+    });
+    let points = groups.plot.points.iter().enumerate().map(|(index, points)| Entry {
+        name: names::with_symbols(&points.label),
+        style: Style::points(index),
+        is_line: false,
+        is_marked: true,
+    });
+    members.chain(lines).chain(points).filter(|entry| !entry.name.is_empty()).collect()
+}
+
+/// A scale that shows all of the numbers; `None` without any. From 0 where the least is small beside the largest, and with
+/// room at its ends where asked for.
+pub(super) fn scale(
+    values: impl Iterator<Item = f64>,
+    steps: Steps,
+    name: &str,
+    unit: &str,
+    room: bool,
+) -> Option<Scale> {
+    /// Part of the largest number below which the least is shown from 0.
+    const SMALL: f64 = 0.4;
+    let (least, most) = values.map(|v| (v, v)).reduce(|(l, m), (v, _)| (l.min(v), m.max(v)))?;
+    if steps == Steps::Log {
+        let factor = if least == most || room { (most / least).powf(0.05).max(1.02) } else { 1.0 };
+        return Some(Scale::logarithmic(least / factor, most * factor, name, unit));
+    }
+    Some(if least >= 0.0 && least <= SMALL * most && most > 0.0 {
+        Scale::spanning((0.0, most), [false, room], name, unit)
+    } else if most <= 0.0 && most >= SMALL * least && least < 0.0 {
+        Scale::spanning((least, 0.0), [room, false], name, unit)
+    } else {
+        Scale::spanning((least, most), [room, room], name, unit)
+    })
+}

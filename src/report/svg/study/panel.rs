@@ -1,0 +1,110 @@
+//! One panel of a study's figure: curves or cells in a frame.
+
+use super::PANEL;
+use super::map::Cells;
+use super::style::Style;
+use crate::report::svg::curves::thinned;
+use crate::report::svg::scale::Scale;
+use crate::report::svg::{FONTS, GRID, INK, LETTERS, LINE, SIZE, literal, outline, write};
+use kuva::plot::{LinePlot, LineStyle};
+use kuva::render::layout::{ComputedLayout, Layout};
+use kuva::render::plots::Plot;
+use kuva::render::render::{Scene, render_multiple};
+
+/// Curves over a scale. What is drawn is in its units.
+pub(super) struct Panel {
+    pub(super) name: String,
+    pub(super) x: Scale,
+    pub(super) y: Scale,
+    pub(super) curves: Vec<Curve>,
+    /// Colours under the curves.
+    pub(super) cells: Option<Cells>,
+}
+
+/// One curve in its stretches, and points that are marked.
+pub(super) struct Curve {
+    pub(super) style: Style,
+    pub(super) stretches: Vec<Vec<(f64, f64)>>,
+    pub(super) marks: Vec<(f64, f64)>,
+}
+
+impl Panel {
+    fn plain_layout(&self) -> Layout {
+        let layout = Layout::new((self.x.least, self.x.most), (self.y.least, self.y.most))
+            .with_width(SIZE.0)
+            .with_height(PANEL)
+            .with_box_axes()
+            .with_show_grid(false)
+            .with_font_family(FONTS)
+            .with_label_size(15)
+            .with_tick_size(LETTERS)
+            .with_body_size(LETTERS)
+            .with_x_label(literal(&self.x.label))
+            .with_y_label(literal(&self.y.label))
+            .with_y_label_wrap(40);
+        self.y.beside(self.x.below(layout))
+    }
+
+    /// Room that the numbers beside the frame take, px: panels one over the other share the larger.
+    pub(super) fn margin(&self) -> f64 {
+        ComputedLayout::from_layout(&self.plain_layout()).margin_left
+    }
+
+    /// The panel by itself.
+    pub(super) fn draw(&self, margin: f64) -> Scene {
+        /// Room for half of the last number of the abscissa, px.
+        const RIGHT: f64 = 24.0;
+        let plain = ComputedLayout::from_layout(&self.plain_layout());
+        let above = if self.name.is_empty() { 0.0 } else { LINE };
+        let right = self.cells.as_ref().map_or(RIGHT, |_| Cells::ROOM);
+        let layout = self
+            .plain_layout()
+            .with_force_margins(margin, right)
+            .with_force_margins_y(plain.margin_top + above, plain.margin_bottom);
+        let computed = ComputedLayout::from_layout(&layout);
+        let mut plots = if self.cells.is_some() { Vec::new() } else { self.grid() };
+        plots.extend(self.curves.iter().flat_map(|curve| {
+            curve.stretches.iter().map(|points| {
+                let points = thinned(points, |(x, y)| (self.x.place(x), self.y.place(y)));
+                let line = LinePlot::new().with_data(points).with_color(curve.style.color);
+                let line = line.with_stroke_width(curve.style.width);
+                Plot::Line(line.with_line_style(LineStyle::Custom(curve.style.dashes.into())))
+            })
+        }));
+        // kuva draws a frame for something only.
+        if plots.is_empty() {
+            plots.push(Plot::Line(LinePlot::new().with_data([(self.x.least, self.y.least)])));
+        }
+        let mut scene = render_multiple(plots, layout);
+        if let Some(cells) = &self.cells {
+            cells.draw(&mut scene, &computed, &self.x, &self.y);
+        }
+        for curve in &self.curves {
+            let within = |point: &&(f64, f64)| self.x.holds(point.0) && self.y.holds(point.1);
+            for (x, y) in curve.marks.iter().filter(within) {
+                scene.add(curve.style.mark(computed.map_x(*x), computed.map_y(*y)));
+            }
+        }
+        if !self.name.is_empty() {
+            let middle = computed.margin_left + computed.plot_width() / 2.0;
+            write(&mut scene, middle, computed.margin_top - 0.4 * LINE, literal(&self.name), INK, false);
+        }
+        outline(&mut scene, &computed);
+        scene
+    }
+
+    /// Lines at the ticks, under the curves, and the one at 0.
+    fn grid(&self) -> Vec<Plot> {
+        let Self { x, y, .. } = self;
+        let rule = |ends: [(f64, f64); 2], color: &str| {
+            Plot::Line(LinePlot::new().with_data(ends).with_color(color).with_stroke_width(0.8))
+        };
+        let mut rules: Vec<Plot> =
+            x.inner_ticks().into_iter().map(|at| rule([(at, y.least), (at, y.most)], GRID)).collect();
+        rules.extend(y.inner_ticks().into_iter().map(|at| rule([(x.least, at), (x.most, at)], GRID)));
+        if y.least < 0.0 && y.most > 0.0 && !y.is_logarithmic() {
+            rules.push(rule([(x.least, 0.0), (x.most, 0.0)], INK));
+        }
+        rules
+    }
+}

@@ -1,0 +1,247 @@
+//! The structure of the figures, on records made by hand.
+
+use super::*;
+use serde_json::json;
+use slipzone_api::NoFiles;
+
+/// Three gradings, four coefficients of friction, two kinds of punch.
+const AXES: &str = r#"
+[[axes]]
+field = "layer.grading.base"
+label = "mu1/mu3"
+values = [8.0, 1.0, 0.125]
+names = ["1/8", "1", "8"]
+[[axes]]
+field = "friction.coefficient"
+values = [0.4, 0.1, 0.2, 0.3]
+"#;
+const PLOT: &str = "[[plots]]\nfile = 'a.svg'\n";
+
+fn study(axes: &str, plot: &str) -> Study {
+    let scene = "format = 1\ntitle = 'A study'\nscene = { format = 1, layer = { thickness = 5.0, poisson = 0.3, \
+         grading = { type = 'exponential', surface = 2.0, base = 8.0 } }, punch = { type = 'flat', half_width = 1.0 }, \
+         friction = { type = 'goodman', coefficient = 0.3 }, load = { force = 1.0 }, \
+         units = { length = 'mm', stress = 'MPa' } }\n";
+    let text = format!("{scene}{axes}{PLOT}{plot}");
+    Study::parse("study.toml", &text, &NoFiles).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// A record with numbers that are easy to tell apart.
+fn record(study: &Study, index: u64) -> Value {
+    let n = index as f64;
+    let x: Vec<f64> = (-10..=10).map(|i| f64::from(i) / 10.0).collect();
+    let pressure: Vec<Option<f64>> = x.iter().map(|x| (x.abs() < 1.0).then(|| (1.0 - x * x).sqrt().recip())).collect();
+    let shear: Vec<Option<f64>> = x.iter().zip(&pressure).map(|(x, p)| p.map(|p| 0.3 * x * p)).collect();
+    json!({
+        "index": index, "status": "converged", "stick": { "ratio": 0.05 + 0.9 * n / study.rows() as f64 },
+        "load": { "force": 1.0 + n, "half_width": 1.0 }, "pressure": { "mean": 1.6 },
+        "profile": { "x": x, "pressure": pressure, "shear": shear },
+    })
+}
+
+fn records(study: &Study) -> Vec<Value> {
+    (0..study.rows()).map(|index| record(study, index)).collect()
+}
+
+fn figure(study: &Study, records: impl IntoIterator<Item = Value>) -> String {
+    let svg = study_svg(study, &study.plots[0], records).unwrap_or_else(|error| panic!("{error}"));
+    assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+    svg
+}
+
+/// All text of a figure; fails on what is no XML.
+fn texts(svg: &str) -> Vec<String> {
+    let document = roxmltree::Document::parse(svg).expect("well-formed XML");
+    document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).map(Into::into).collect()
+}
+
+/// Curves by their colour: the paths of a panel that are as wide as curves are.
+fn curves(svg: &str) -> usize {
+    let document = roxmltree::Document::parse(svg).expect("well-formed XML");
+    document.descendants().filter(|n| n.has_tag_name("path") && n.attribute("stroke-width") == Some("2.2")).count()
+}
+
+const CURVES: &str = "x = 'friction.coefficient'\ny = 'stick.ratio'\n";
+
+#[test]
+fn each_member_of_the_family_has_a_curve_and_a_name() {
+    let study = study(AXES, CURVES);
+    let svg = figure(&study, records(&study));
+    assert_eq!(curves(&svg), 3);
+    let found = texts(&svg);
+    for name in ["A study", "µ₁/µ₃ = 1/8", "µ₁/µ₃ = 1", "µ₁/µ₃ = 8", "stick zone a/b", "coefficient of friction η"]
+    {
+        assert_eq!(found.iter().filter(|text| *text == name).count(), 1, "{name} in {found:?}");
+    }
+}
+
+#[test]
+fn the_order_of_the_results_does_not_matter() {
+    let study = study(AXES, CURVES);
+    let (forth, back) = (records(&study), records(&study).into_iter().rev());
+    assert_eq!(figure(&study, forth), figure(&study, back));
+}
+
+#[test]
+fn numbers_have_their_units_and_panels_their_names() {
+    let plot = "x = 'friction.coefficient'\ny = ['load.force', 'stick.ratio']\npanels = 'mu1/mu3'\nfamily = []\n\
+                note = 'nu = 0.3'\n";
+    let study = study(AXES, plot);
+    let svg = figure(&study, records(&study));
+    assert_eq!(curves(&svg), 6, "two numbers in three panels each");
+    let found = texts(&svg);
+    for (name, count) in [("force per length P (N/mm)", 3), ("stick zone a/b", 3), ("µ₁/µ₃ = 8", 2), ("ν = 0.3", 1)]
+    {
+        assert_eq!(found.iter().filter(|text| *text == name).count(), count, "{name} in {found:?}");
+    }
+}
+
+#[test]
+fn what_did_not_converge_is_a_gap_and_is_counted() {
+    let study = study(AXES, CURVES);
+    let mut all = records(&study);
+    assert!(!texts(&figure(&study, all.clone())).iter().any(|text| text.contains("did not converge")));
+    // By the coefficient the scenes 1, 2, 3, 0 follow each other: one line is left of two.
+    all[2]["status"] = json!("assumption-violated");
+    let svg = figure(&study, all);
+    assert_eq!(curves(&svg), 3, "a line of two, beside a point");
+    assert!(texts(&svg).contains(&"1 of 12 scenes did not converge".to_owned()), "{:?}", texts(&svg));
+    let failed = records(&study).into_iter().map(|mut record| {
+        record["status"] = json!("not-converged");
+        record
+    });
+    assert!(matches!(study_svg(&study, &study.plots[0], failed), Err(FigureError::NothingToShow(_))));
+}
+
+#[test]
+fn a_number_over_another_follows_the_last_axis() {
+    let study = study(AXES, "x = 'load.force'\ny = 'stick.ratio'\n");
+    assert_eq!(curves(&figure(&study, records(&study))), 3);
+}
+
+#[test]
+fn some_of_the_scenes_may_be_asked_for() {
+    let study =
+        study(AXES, &format!("{CURVES}only = {{ 'mu1/mu3' = ['1/8', '8'], 'friction.coefficient' = [0.1, 0.3] }}\n"));
+    let mut all = records(&study);
+    // Not shown, not counted.
+    all[4]["status"] = json!("not-converged");
+    let svg = figure(&study, all);
+    assert_eq!(curves(&svg), 2);
+    assert!(!texts(&svg).iter().any(|text| text.contains("converge")));
+}
+
+#[test]
+fn lines_and_points_from_elsewhere_are_in_the_legend() {
+    let plot =
+        "lines = [{ y = 0.74, label = 'half-plane' }]\npoints = [{ label = 'printed', x = [0.15], y = [0.5] }]\n";
+    let study = study(AXES, &format!("{CURVES}{plot}"));
+    let found = texts(&figure(&study, records(&study)));
+    for name in ["half-plane", "printed"] {
+        assert!(found.iter().any(|text| text == name), "{name} in {found:?}");
+    }
+}
+
+#[test]
+fn tractions_have_a_curve_for_each_scene() {
+    let study = study(AXES, "kind = 'tractions'\nonly = { 'friction.coefficient' = 0.3 }\n");
+    let svg = figure(&study, records(&study));
+    assert_eq!(curves(&svg), 6, "three of the pressure, three of the shear");
+    let found = texts(&svg);
+    assert!(found.contains(&"pressure p / mean pressure".to_owned()), "{found:?}");
+    let pressure = "kind = 'tractions'\ny = 'pressure'\nonly = { 'friction.coefficient' = 0.3 }\n";
+    for (over, label) in [("modulus", "pressure p / surface modulus µ₁"), ("one", "pressure p (MPa)")] {
+        let study = self::study(AXES, &format!("{pressure}over = '{over}'\n"));
+        let svg = figure(&study, records(&study));
+        assert!(texts(&svg).contains(&label.to_owned()) && curves(&svg) == 3, "{label} in {:?}", texts(&svg));
+    }
+    // The results of a sweep that kept no profiles.
+    let bare = records(&study).into_iter().map(|mut record| {
+        record.as_object_mut().expect("a table").remove("profile");
+        record
+    });
+    assert!(matches!(study_svg(&study, &study.plots[0], bare), Err(FigureError::NothingToShow(_))));
+}
+
+const GRID: &str = "[[axes]]\nfield = 'layer.thickness'\nlabel = 'h/b'\nlog = { from = 1.0, to = 100.0, count = 7 }\n\
+                    [[axes]]\nfield = 'layer.grading.base'\nvalues = [0.5, 1.0, 4.0, 5.0]\n";
+const MAP: &str = "kind = 'map'\nx = 'h/b'\ny = 'layer.grading.base'\nz = 'stick.ratio'\nx_scale = 'log'\n";
+
+/// Cells that are not crossed out, and lines of the crosses.
+fn cells(svg: &str) -> (usize, usize) {
+    let document = roxmltree::Document::parse(svg).expect("well-formed XML");
+    let with = |tag: &str, key: &str, value: &str| {
+        document.descendants().filter(|n| n.has_tag_name(tag) && n.attribute(key) == Some(value)).count()
+    };
+    // Without background, frame, clip path and bar.
+    let rects = document.descendants().filter(|n| n.has_tag_name("rect")).count();
+    (rects - with("rect", "fill", super::map::MISSING), with("line", "stroke", "#8c8c8c"))
+}
+
+#[test]
+fn a_map_has_a_cell_for_each_scene_and_crosses_out_what_is_missing() {
+    let study = study(GRID, MAP);
+    let svg = figure(&study, records(&study));
+    let (all, crosses) = cells(&svg);
+    assert_eq!(crosses, 0);
+    let found = texts(&svg);
+    for name in ["stick zone a/b", "h/b", "modulus at the base (MPa)"] {
+        assert!(found.iter().any(|text| text == name), "{name} in {found:?}");
+    }
+    let mut some = records(&study);
+    some[3]["status"] = json!("invalid");
+    some.remove(9);
+    let svg = figure(&study, some);
+    assert_eq!(cells(&svg), (all - 2, 4), "one failed, one not there");
+    assert!(texts(&svg).contains(&"1 of 27 scenes did not converge".to_owned()));
+}
+
+#[test]
+fn a_large_grid_is_thinned() {
+    let axes = GRID.replace("count = 7", "count = 5000");
+    let study = study(&axes, MAP);
+    let svg = figure(&study, records(&study));
+    assert!(svg.matches("<rect").count() < 4 * 161 + 200, "{} rectangles", svg.matches("<rect").count());
+}
+
+#[test]
+fn results_of_another_study_are_refused() {
+    let study = study(AXES, CURVES);
+    for record in [json!({ "index": 12 }), json!({ "index": -1 }), json!({}), json!(7)] {
+        let refused = study_svg(&study, &study.plots[0], [record.clone()]);
+        assert!(matches!(refused, Err(FigureError::NotOfTheStudy(_))), "{record}");
+    }
+}
+
+/// 300,000 scenes of a random study, of which at most 200,000 are kept: every second by its number's hash.
+#[test]
+fn of_many_scenes_a_part_is_kept() {
+    let axes = "[[axes]]\nrandom = { count = 300000, seed = 1, fields = [\
+                { field = 'friction.coefficient', linear = { from = 0.1, to = 0.5 } }, \
+                { field = 'layer.thickness', log = { from = 1.0, to = 10.0 } }] }\n";
+    let study = study(axes, CURVES);
+    let bare =
+        |index: u64| json!({ "index": index, "status": "converged", "stick": { "ratio": 0.2 + 1e-6 * index as f64 } });
+    let svg = figure(&study, (0..300_000).map(bare));
+    assert_eq!(curves(&svg), 0, "values drawn at random are points");
+    let marks = svg.matches("<circle").count();
+    assert!((1000..=5001).contains(&marks), "{marks} marks");
+    assert_eq!(svg, figure(&study, (0..300_000).rev().map(bare)), "in any order");
+}
+
+#[test]
+fn odd_numbers_still_fit_a_figure() {
+    let study = study(AXES, CURVES);
+    for odd in [0.0, -1e-300, 1e300, -7.0, 1e-12] {
+        let odd = records(&study).into_iter().map(|mut record| {
+            record["stick"]["ratio"] = json!(odd);
+            record
+        });
+        texts(&figure(&study, odd));
+    }
+    let log = self::study(AXES, &format!("{CURVES}y_scale = 'log'\n"));
+    let mut all = records(&log);
+    all[1]["stick"]["ratio"] = json!(0.0);
+    all[2]["stick"]["ratio"] = json!(null);
+    texts(&figure(&log, all));
+}

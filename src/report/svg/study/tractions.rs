@@ -1,0 +1,126 @@
+//! Pressure and shear over the contact, a curve for each scene.
+
+use super::gather::{Groups, Shot, number};
+use super::panel::{Curve, Panel};
+use super::style::Style;
+use super::{ABREAST, Drawing, curves};
+use crate::report::labels::Labels;
+use crate::report::svg::FigureError;
+use crate::report::svg::curves::to_the_edges;
+use crate::report::svg::scale::Scale;
+use crate::study::{Over, Source};
+use serde_json::Value;
+
+/// Samples of a profile that are kept.
+const MOST: usize = 4000;
+/// Up to where an unbounded traction decides how high the frame is, in half-widths of the contact.
+const SHOWN: f64 = 0.95;
+
+/// Tractions of a scene from the middle to the edge: `x/b` and what is drawn there, infinite at a sharp edge.
+struct Profile {
+    panel: usize,
+    member: usize,
+    /// Pressure and shear, over what the figure divides them by.
+    tractions: [Vec<(f64, Option<f64>)>; 2],
+}
+
+pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) -> Result<Drawing, FigureError> {
+    let Groups { study, plot, shown, .. } = *groups;
+    let mut profiles: Vec<Profile> = Vec::new();
+    let (scenes, failed) = groups.each(records, |shot| {
+        if profiles.len() == groups.panels() * groups.members() {
+            return Err(FigureError::NotOfTheStudy("a scene stands in them twice".into()));
+        }
+        profiles.extend(profile(groups, &shot));
+        Ok(())
+    })?;
+    profiles.sort_by_key(|profile| (profile.panel, profile.member));
+    let stress = Labels::new(&study.scene.units).stress;
+    let (over, unit) = match plot.over {
+        Over::Mean => ("/ mean pressure", ""),
+        Over::Modulus => ("/ surface modulus µ₁", ""),
+        Over::One => ("", stress.as_str()),
+    };
+    let mut kinds = Vec::new();
+    for y in &shown.y {
+        let (which, name) = if *y == Source::Number("shear") { (1, "shear q") } else { (0, "pressure p") };
+        // All that is bounded, and of what is not the part away from the edge.
+        let seen = profiles.iter().flat_map(|profile| {
+            let points = &profile.tractions[which];
+            let sharp = profile.tractions[0].last().is_some_and(|point| point.1.is_none());
+            points.iter().filter(move |point| !sharp || point.0 <= SHOWN).filter_map(|point| point.1)
+        });
+        let label = plot.y_label.clone().unwrap_or_else(|| format!("{name} {over}").trim().to_owned());
+        let seen = seen.chain([0.0]).chain(plot.lines.iter().map(|line| line.y));
+        let scale = curves::scale(seen, plot.y_scale, &label, unit, true);
+        kinds.push((which, scale.ok_or_else(|| FigureError::NothingToShow("no tractions".into()))?));
+    }
+    if profiles.is_empty() {
+        return Err(FigureError::NothingToShow("none converged, or the results hold no tractions".into()));
+    }
+    let x = Scale::spanning((0.0, 1.0), [false, false], plot.x_label.as_deref().unwrap_or("x / b"), "");
+    let mut panels = Vec::new();
+    for panel in 0..groups.panels() {
+        for (which, y) in &kinds {
+            let of_panel = profiles.iter().filter(|profile| profile.panel == panel);
+            let drawn = of_panel.map(|profile| Curve {
+                style: Style::of(profile.member, &groups.member_steps(profile.member)),
+                stretches: vec![line(&profile.tractions[*which], y)],
+                marks: Vec::new(),
+            });
+            let level = |(index, line): (usize, &crate::study::Line)| Curve {
+                style: Style::level(index),
+                stretches: vec![vec![(0.0, line.y / y.unit), (1.0, line.y / y.unit)]],
+                marks: Vec::new(),
+            };
+            let curves = plot.lines.iter().enumerate().map(level).chain(drawn).collect();
+            panels.push(Panel { name: groups.panel_name(panel), x: x.clone(), y: y.clone(), curves, cells: None });
+        }
+    }
+    Ok(Drawing { panels, abreast: ABREAST, legend: curves::legend(groups, false), scenes, failed })
+}
+
+/// `None` where there are no numbers.
+fn profile(groups: &Groups, shot: &Shot) -> Option<Profile> {
+    if !shot.converged {
+        return None;
+    }
+    let (record, of) = (&shot.record, |path: &str| number(&shot.record, path).filter(|number| *number > 0.0));
+    let b = of("load.half_width")?;
+    let divisor = match groups.plot.over {
+        Over::Mean => of("pressure.mean")?,
+        Over::Modulus => groups.study.scene(shot.index).ok()?.layer.model().ok()?.surface_shear,
+        Over::One => 1.0,
+    };
+    let x: Vec<f64> = record.pointer("/profile/x")?.as_array()?.iter().filter_map(Value::as_f64).collect();
+    let stride = x.len().div_ceil(MOST).max(1);
+    let column = |name: &str, parity: f64| -> Vec<(f64, Option<f64>)> {
+        let values = record.get("profile").and_then(|profile| profile.get(name)).and_then(Value::as_array);
+        let last = x.len().saturating_sub(1);
+        let all = x.iter().zip(values.into_iter().flatten()).enumerate();
+        let kept = all.filter(|(index, _)| index % stride == 0 || *index == last);
+        let all: Vec<(f64, Option<f64>)> =
+            kept.map(|(_, (x, value))| (x / b, value.as_f64().map(|value| value / divisor))).collect();
+        // Both halves are the same, but for the sign of the shear.
+        let mirrored = |(x, value): &(f64, Option<f64>)| (-x, value.map(|value| parity * value));
+        let right: Vec<_> = all.iter().filter(|point| point.0 >= 0.0).copied().collect();
+        let left: Vec<_> = all.iter().filter(|point| point.0 <= 0.0).map(mirrored).collect();
+        let mut half = if right.len() >= left.len() { right } else { left };
+        half.sort_by(|one, other| one.0.total_cmp(&other.0));
+        half
+    };
+    let tractions = [column("pressure", 1.0), column("shear", -1.0)];
+    Some(Profile { panel: shot.panel, member: shot.member, tractions })
+}
+
+/// A curve in the units of its scale, continued to a sharp edge.
+fn line(points: &[(f64, Option<f64>)], y: &Scale) -> Vec<(f64, f64)> {
+    /// Beyond the frame, in its heights: some viewers stumble over huge coordinates.
+    const FAR: f64 = 20.0;
+    // Of the other half, so that the edge is the end on both sides and not the middle.
+    let mirror = points.iter().rev().map(|(x, value)| (-x, *value)).filter(|point| point.0 < 0.0);
+    let whole: Vec<_> = mirror.chain(points.iter().copied()).collect();
+    let (low, high) = (y.least - FAR * (y.most - y.least), y.most + FAR * (y.most - y.least));
+    let half = to_the_edges(&whole).into_iter().filter(|point| point.0 >= 0.0);
+    half.map(|(x, value)| (x, (value / y.unit).clamp(low, high))).collect()
+}

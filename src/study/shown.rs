@@ -1,0 +1,442 @@
+//! The names in a figure's description, found among the axes of its study and the numbers of a result.
+
+use super::axis::{Axis, Values};
+use super::plot::{OneOrMore, Plot, PlotKind, Scale};
+use super::{Cell, Study};
+use crate::scene::nearest;
+
+/// Numbers of a result that a figure may show, by their paths.
+pub(crate) const NUMBERS: [&str; 13] = [
+    "stick.ratio",
+    "stick.one_minus_ratio",
+    "stick.half_width",
+    "stick.strain_rate",
+    "load.force",
+    "load.half_width",
+    "load.indentation",
+    "pressure.centre",
+    "pressure.mean",
+    "pressure.peak",
+    "edge.stress_intensity",
+    "edge.ratio",
+    "error.estimate",
+];
+/// What the study's question is answered with.
+pub(crate) const FOUND: &str = "found";
+const TRACTIONS: [&str; 2] = ["pressure", "shear"];
+
+/// Most curves that can be told apart in a panel.
+pub(crate) const MOST_CURVES: u64 = 12;
+/// Most panels of a figure, and numbers over each other's side.
+const MOST_PANELS: u64 = 6;
+/// Most numbers side by side.
+pub(crate) const MOST_NUMBERS: usize = 4;
+/// Steps among which one with a given value is looked for.
+const MOST_STEPS: u64 = 1_000_000;
+
+/// A field along an axis: the places of both in their lists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Place {
+    pub(crate) axis: usize,
+    pub(crate) column: usize,
+}
+
+/// Where a figure takes its numbers from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Source {
+    /// What changes from scene to scene.
+    Field(Place),
+    /// A number of the result, by its path; of tractions one of them.
+    Number(&'static str),
+}
+
+/// A figure whose names are found.
+#[cfg_attr(not(feature = "plot"), allow(dead_code))] // what is drawn of it
+#[derive(Clone, Debug)]
+pub(crate) struct Shown {
+    /// The abscissa; `x/b` under tractions.
+    pub(crate) x: Option<Source>,
+    pub(crate) y: Vec<Source>,
+    pub(crate) z: Option<Source>,
+    /// Axes whose values have a curve each.
+    pub(crate) family: Vec<Place>,
+    /// The axis whose values have a panel each.
+    pub(crate) panels: Option<Place>,
+    /// Whether curves follow values drawn at random: then they are points.
+    pub(crate) is_cloud: bool,
+    /// Steps that are shown, where they are not all.
+    pub(crate) only: Vec<(usize, Vec<u64>)>,
+}
+
+/// What is wrong with a figure's description.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct PlotFault {
+    /// Keys that lead to the place.
+    pub(crate) path: Vec<String>,
+    pub(crate) message: String,
+    pub(crate) found: Option<String>,
+    pub(crate) expected: String,
+    pub(crate) hint: Option<String>,
+}
+
+impl PlotFault {
+    fn new(path: &[&str], message: impl Into<String>, expected: impl Into<String>) -> Self {
+        let path = path.iter().map(|key| (*key).to_owned()).collect();
+        Self { path, message: message.into(), found: None, expected: expected.into(), hint: None }
+    }
+
+    fn found(self, found: impl Into<String>) -> Self {
+        Self { found: Some(found.into()), ..self }
+    }
+
+    /// What is wrong in one line, without its place.
+    #[cfg(feature = "plot")]
+    pub(crate) fn in_one_line(&self) -> String {
+        let found = self.found.as_ref().map_or_else(String::new, |found| format!(", found {found}"));
+        format!("`{}`: {}{found}, expected {}", self.path.join("."), self.message, self.expected)
+    }
+
+    fn hint(self, hint: impl Into<String>) -> Self {
+        Self { hint: Some(hint.into()), ..self }
+    }
+}
+
+impl Study {
+    /// What a figure of the study shows.
+    pub(crate) fn shown(&self, plot: &Plot) -> Result<Shown, PlotFault> {
+        file_name(&plot.file)?;
+        marks(plot)?;
+        let only = self.only(plot)?;
+        let panels = plot.panels.as_deref().map(|name| self.place(&["panels"], name)).transpose()?;
+        let (x, y, z) = self.sources(plot)?;
+        let mut shown = Shown { x, y, z, family: Vec::new(), panels, is_cloud: false, only };
+        shown.family = match &plot.family {
+            Some(_) if plot.kind == PlotKind::Map => {
+                return Err(PlotFault::new(
+                    &["family"],
+                    "a map has no family",
+                    "`panels`, or `only` one scene for each cell",
+                ));
+            }
+            Some(names) => {
+                let one = |(index, name): (usize, &String)| self.place(&["family", &index.to_string()], name);
+                names.names().iter().enumerate().map(one).collect::<Result<_, _>>()?
+            }
+            None => self.family(plot, &shown),
+        };
+        self.each_axis_once(plot, &mut shown)?;
+        self.few(&shown, plot)?;
+        Ok(shown)
+    }
+
+    #[cfg(feature = "plot")]
+    /// The steps of an axis that a figure shows, some of them left out where they are more than so many.
+    pub(crate) fn shown_steps(&self, shown: &Shown, axis: usize, most: u64) -> Vec<u64> {
+        let stride = self.shown_count(shown, axis).div_ceil(most).max(1);
+        let stride = usize::try_from(stride).unwrap_or(usize::MAX);
+        match shown.only.iter().find(|only| only.0 == axis) {
+            Some((_, listed)) => listed.iter().copied().step_by(stride).collect(),
+            None => (0..self.axes[axis].count).step_by(stride).collect(),
+        }
+    }
+
+    fn shown_count(&self, shown: &Shown, axis: usize) -> u64 {
+        shown.only.iter().find(|only| only.0 == axis).map_or(self.axes[axis].count, |only| only.1.len() as u64)
+    }
+
+    /// Abscissa, ordinates and the number over both.
+    #[allow(clippy::type_complexity)] // told apart right away
+    fn sources(&self, plot: &Plot) -> Result<(Option<Source>, Vec<Source>, Option<Source>), PlotFault> {
+        let names = plot.y.as_ref().map_or(&[][..], OneOrMore::names);
+        let each = |of: &dyn Fn(&[&str], &str) -> Result<Source, PlotFault>| -> Result<Vec<Source>, PlotFault> {
+            let one = |(index, name): (usize, &String)| of(&["y", &index.to_string()], name);
+            names.iter().enumerate().map(one).collect()
+        };
+        if names.len() > MOST_NUMBERS {
+            let fault = PlotFault::new(&["y"], "too many numbers in one figure", format!("at most {MOST_NUMBERS}"));
+            return Err(fault
+                .found(format!("{} of them", names.len()))
+                .hint("give the others a [[plots]] of their own"));
+        }
+        if plot.kind != PlotKind::Map && plot.z.is_some() {
+            return Err(PlotFault::new(&["z"], "only a map has a `z`", "`kind = \"map\"`, or no `z`"));
+        }
+        match plot.kind {
+            PlotKind::Tractions => {
+                if plot.x.is_some() {
+                    return Err(PlotFault::new(&["x"], "tractions are drawn over x/b", "no `x`"));
+                }
+                let traction = |path: &[&str], name: &str| match TRACTIONS.into_iter().find(|known| *known == name) {
+                    Some(known) => Ok(Source::Number(known)),
+                    None => {
+                        Err(PlotFault::new(path, "not a traction", "`pressure`, `shear`").found(format!("`{name}`")))
+                    }
+                };
+                let y = if names.is_empty() { TRACTIONS.map(Source::Number).into() } else { each(&traction)? };
+                Ok((None, y, None))
+            }
+            PlotKind::Curves | PlotKind::Map => {
+                let Some(x) = &plot.x else {
+                    return Err(PlotFault::new(
+                        &[],
+                        "missing key `x`",
+                        "the abscissa: an axis, or a number of the result",
+                    ));
+                };
+                if names.is_empty() {
+                    return Err(PlotFault::new(&[], "missing key `y`", "the ordinate"));
+                }
+                if plot.kind == PlotKind::Curves {
+                    let y = each(&|path, name| self.source(path, name))?;
+                    return Ok((Some(self.source(&["x"], x)?), y, None));
+                }
+                let [y] = names else {
+                    return Err(PlotFault::new(&["y"], "a map has one second axis", "the name of one axis"));
+                };
+                let Some(z) = &plot.z else {
+                    return Err(PlotFault::new(
+                        &[],
+                        "missing key `z`",
+                        "the number that the map shows, such as `stick.ratio`",
+                    ));
+                };
+                let (x, y) = (self.numbers_along(&["x"], x)?, self.numbers_along(&["y"], y)?);
+                if x.axis == y.axis {
+                    return Err(PlotFault::new(&["y"], "a map needs two axes", "an axis other than that of `x`"));
+                }
+                for (key, place) in [("x", x), ("y", y)] {
+                    if self.axes[place.axis].is_drawn() {
+                        return Err(PlotFault::new(
+                            &[key],
+                            "a map is drawn over a grid",
+                            "an axis that is not `random`",
+                        ));
+                    }
+                }
+                Ok((Some(Source::Field(x)), vec![Source::Field(y)], Some(self.source(&["z"], z)?)))
+            }
+        }
+    }
+
+    /// A field by its path or label, or a number of the result.
+    fn source(&self, path: &[&str], name: &str) -> Result<Source, PlotFault> {
+        let number = NUMBERS.into_iter().chain(self.find.is_some().then_some(FOUND)).find(|number| *number == name);
+        match number {
+            // A label that hides a number of the result would be taken for it.
+            Some(number) if self.field(name).is_none() => Ok(Source::Number(number)),
+            _ => self.numbers_along(path, name).map(Source::Field),
+        }
+    }
+
+    fn field(&self, name: &str) -> Option<Place> {
+        let columns = self.axes.iter().enumerate().flat_map(|(axis, list)| {
+            list.columns.iter().enumerate().map(move |(column, c)| (Place { axis, column }, c))
+        });
+        let mut named = columns.filter(|(_, column)| column.label == name || column.field == name);
+        named.next().map(|(place, _)| place)
+    }
+
+    fn place(&self, path: &[&str], name: &str) -> Result<Place, PlotFault> {
+        self.field(name).ok_or_else(|| self.unknown(path, name, &[]))
+    }
+
+    /// A field whose values are numbers.
+    fn numbers_along(&self, path: &[&str], name: &str) -> Result<Place, PlotFault> {
+        let place = self.field(name).ok_or_else(|| self.unknown(path, name, &NUMBERS))?;
+        let Values::Listed(listed) = &self.axes[place.axis].columns[place.column].values else { return Ok(place) };
+        match listed.iter().find_map(|(_, cell)| if let Cell::Text(text) = cell { Some(text) } else { None }) {
+            None => Ok(place),
+            Some(text) => {
+                Err(PlotFault::new(path, format!("the values of `{name}` are not numbers"), "an axis of numbers")
+                    .found(format!("`{text}`"))
+                    .hint("values with `names` make a family or panels"))
+            }
+        }
+    }
+
+    fn unknown(&self, path: &[&str], name: &str, numbers: &[&str]) -> PlotFault {
+        let labels: Vec<&str> = self.columns().map(|column| column.label.as_str()).collect();
+        let fields = self.columns().map(|column| column.field.as_str());
+        let known: Vec<&str> = labels.iter().copied().chain(fields).chain(numbers.iter().copied()).collect();
+        let axes: Vec<String> = labels.iter().map(|label| format!("`{label}`")).collect();
+        let axes = if axes.is_empty() { "an axis of the study (it has none)".into() } else { axes.join(", ") };
+        let expected =
+            if numbers.is_empty() { axes } else { format!("{axes}, or a number of the result such as `stick.ratio`") };
+        let what = if numbers.is_empty() { "no such axis" } else { "no such axis and no such number of the result" };
+        let fault = PlotFault::new(path, what, expected).found(format!("`{name}`"));
+        match nearest(name, &known) {
+            Some(near) => fault.hint(format!("did you mean `{near}`?")),
+            None => fault,
+        }
+    }
+
+    /// All axes that are neither drawn nor shown otherwise.
+    fn family(&self, plot: &Plot, shown: &Shown) -> Vec<Place> {
+        if plot.kind == PlotKind::Map {
+            return Vec::new();
+        }
+        let taken = shown.taken();
+        let mut family: Vec<usize> = (0..self.axes.len())
+            .filter(|axis| !taken.contains(axis) && !self.axes[*axis].is_drawn() && self.shown_count(shown, *axis) > 1)
+            .collect();
+        let follows_an_axis = shown.x.iter().chain(&shown.y).any(|source| matches!(source, Source::Field(_)));
+        if plot.kind == PlotKind::Curves && !follows_an_axis && !self.axes.iter().any(Axis::is_drawn) {
+            family.pop();
+        }
+        family.into_iter().map(|axis| Place { axis, column: 0 }).collect()
+    }
+
+    /// No axis is shown in two ways, and none is left that would put several scenes on one place.
+    fn each_axis_once(&self, plot: &Plot, shown: &mut Shown) -> Result<(), PlotFault> {
+        let all: Vec<usize> = shown.taken().into_iter().chain(shown.family.iter().map(|place| place.axis)).collect();
+        if let Some(twice) = (1..all.len()).find(|i| all[..*i].contains(&all[*i])) {
+            let name = &self.axes[all[twice]].columns[0].label;
+            let key = if plot.family.is_some() { "family" } else { "panels" };
+            let fault = PlotFault::new(&[key], "an axis is shown in two ways", "each axis once");
+            return Err(fault.found(format!("`{name}`")));
+        }
+        let left: Vec<usize> =
+            (0..self.axes.len()).filter(|axis| !all.contains(axis) && self.shown_count(shown, *axis) > 1).collect();
+        shown.is_cloud = plot.kind == PlotKind::Curves
+            && all.iter().chain(&left).any(|a| self.axes[*a].is_drawn() && !shown.family.iter().any(|f| f.axis == *a));
+        let follows_an_axis = matches!(shown.x, Some(Source::Field(_))) || plot.kind != PlotKind::Curves;
+        let allowed = match plot.kind {
+            PlotKind::Curves if shown.is_cloud => usize::MAX,
+            PlotKind::Curves if !follows_an_axis && !shown.y.iter().any(|y| matches!(y, Source::Field(_))) => 1,
+            _ => 0,
+        };
+        if left.len() > allowed {
+            let names: Vec<&str> = left.iter().map(|axis| self.axes[*axis].columns[0].label.as_str()).collect();
+            let ways = if plot.kind == PlotKind::Map { "`panels` or `only`" } else { "`family`, `panels` or `only`" };
+            let fault =
+                PlotFault::new(&["kind"], "several scenes for each place of the figure", format!("it in {ways}"));
+            return Err(fault.found(format!("nothing that tells values of `{}` apart", names.join("`, `"))));
+        }
+        Ok(())
+    }
+
+    /// Not more curves and panels than can be told apart.
+    fn few(&self, shown: &Shown, plot: &Plot) -> Result<(), PlotFault> {
+        let counts = shown.family.iter().map(|place| self.shown_count(shown, place.axis));
+        let curves = counts.fold(1_u64, u64::saturating_mul);
+        if curves > MOST_CURVES {
+            let key = if plot.family.is_some() { "family" } else { "kind" };
+            let fault = PlotFault::new(&[key], "too many curves to be told apart", format!("at most {MOST_CURVES}"));
+            let hint = "show some of them with `only`, or a number over two axes with `kind = \"map\"`";
+            return Err(fault.found(format!("{curves} curves")).hint(hint));
+        }
+        let panels = shown.panels.map_or(1, |place| self.shown_count(shown, place.axis));
+        if panels > MOST_PANELS {
+            let fault = PlotFault::new(&["panels"], "too many panels in one figure", format!("at most {MOST_PANELS}"));
+            return Err(fault.found(format!("{panels} panels")).hint("show some of them with `only`"));
+        }
+        Ok(())
+    }
+
+    /// Steps of the axes that a figure is confined to.
+    fn only(&self, plot: &Plot) -> Result<Vec<(usize, Vec<u64>)>, PlotFault> {
+        let mut only: Vec<(usize, Vec<u64>)> = Vec::new();
+        for (name, wanted) in &plot.only {
+            let place = self.place(&["only", name], name)?;
+            let wanted = wanted.as_array().map_or(std::slice::from_ref(wanted), Vec::as_slice);
+            let mut steps: Vec<u64> = Vec::new();
+            for value in wanted {
+                steps.extend(self.steps_with(place, name, value)?);
+            }
+            steps.sort_unstable();
+            steps.dedup();
+            if steps.is_empty() || only.iter().any(|other| other.0 == place.axis) {
+                return Err(PlotFault::new(
+                    &["only", name],
+                    "nothing to show",
+                    "values of each axis once, at least one",
+                ));
+            }
+            only.push((place.axis, steps));
+        }
+        Ok(only)
+    }
+
+    fn steps_with(&self, place: Place, name: &str, value: &toml::Value) -> Result<Vec<u64>, PlotFault> {
+        /// Numbers written with ten digits are meant to be those of a range.
+        const SAME: f64 = 1e-9;
+        let (axis, column) = (&self.axes[place.axis], &self.axes[place.axis].columns[place.column]);
+        #[expect(clippy::cast_precision_loss, reason = "a name for a value, not a count")]
+        let number = value.as_float().or_else(|| value.as_integer().map(|integer| integer as f64));
+        let is_meant = |step: &u64| match column.cell(*step) {
+            Cell::Text(text) => value.as_str() == Some(&text),
+            Cell::Number(own) => number.is_some_and(|n| (n - own).abs() <= SAME * own.abs()),
+        };
+        let steps: Vec<u64> = (0..axis.count.min(MOST_STEPS)).filter(is_meant).collect();
+        if steps.is_empty() {
+            let shown: Vec<String> = (0..axis.count.min(6)).map(|step| column.cell(step).to_string()).collect();
+            let more = if axis.count > 6 { ", ..." } else { "" };
+            let fault = PlotFault::new(&["only", name], format!("no value of `{name}`"), shown.join(", ") + more);
+            return Err(fault.found(value.to_string()));
+        }
+        Ok(steps)
+    }
+}
+
+impl Axis {
+    /// Whether its values are drawn at random.
+    pub(crate) fn is_drawn(&self) -> bool {
+        self.columns.iter().any(|column| matches!(column.values, Values::Drawn { .. }))
+    }
+}
+
+impl Shown {
+    /// Axes that are shown along the figure's own, or as panels.
+    fn taken(&self) -> Vec<usize> {
+        let along = self.x.iter().chain(&self.y).filter_map(|source| match source {
+            Source::Field(place) => Some(place.axis),
+            Source::Number(_) => None,
+        });
+        along.chain(self.panels.map(|place| place.axis)).collect()
+    }
+}
+
+/// A name that stays in its folder on every system, and is that of a figure.
+fn file_name(name: &str) -> Result<(), PlotFault> {
+    let odd = |c: char| c.is_control() || "<>:\"/\\|?*".contains(c);
+    let stem = name.strip_suffix(".svg").unwrap_or_default();
+    if stem.is_empty() || stem.starts_with('.') || name.chars().any(odd) {
+        let fault =
+            PlotFault::new(&["file"], "not the name of a figure", "a name such as `stick.svg`, without folders");
+        return Err(fault.found(format!("`{name}`")));
+    }
+    Ok(())
+}
+
+/// Lines and points that can be drawn.
+fn marks(plot: &Plot) -> Result<(), PlotFault> {
+    let drawable = |value: f64, scale: Scale| value.is_finite() && (scale == Scale::Linear || value > 0.0);
+    let expected =
+        |scale: Scale| if scale == Scale::Log { "numbers above 0, as the scale is `log`" } else { "finite numbers" };
+    for (index, line) in plot.lines.iter().enumerate() {
+        if !drawable(line.y, plot.y_scale) {
+            let path = ["lines", &index.to_string(), "y"];
+            return Err(PlotFault::new(&path, "a line that cannot be drawn", expected(plot.y_scale)));
+        }
+    }
+    for (index, points) in plot.points.iter().enumerate() {
+        let index = index.to_string();
+        if points.x.len() != points.y.len() {
+            let fault = PlotFault::new(&["points", &index, "y"], "as many `y` as `x` are needed", "one for each");
+            return Err(fault.found(format!("{} and {}", points.y.len(), points.x.len())));
+        }
+        for (key, values, scale) in [("x", &points.x, plot.x_scale), ("y", &points.y, plot.y_scale)] {
+            if !values.iter().all(|value| drawable(*value, scale)) {
+                return Err(PlotFault::new(&["points", &index, key], "points that cannot be drawn", expected(scale)));
+            }
+        }
+    }
+    if plot.kind == PlotKind::Tractions && !plot.points.is_empty() {
+        return Err(PlotFault::new(&["points"], "points go with curves only", "no `points` beside tractions"));
+    }
+    if plot.kind == PlotKind::Map && !(plot.lines.is_empty() && plot.points.is_empty()) {
+        let key = if plot.lines.is_empty() { "points" } else { "lines" };
+        return Err(PlotFault::new(&[key], "a map has no ordinate of numbers", format!("no `{key}`")));
+    }
+    Ok(())
+}
