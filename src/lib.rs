@@ -32,6 +32,7 @@ pub mod engine;
 mod plan;
 pub mod report;
 pub mod scene;
+pub mod verify;
 
 pub use slipzone_api as api;
 

@@ -13,7 +13,7 @@ pub(super) struct Arguments {
 
 const EXIT_CODES: &str = "Exit codes:
   0    done
-  1    the result is written, but its status is not `converged`
+  1    the result is written, but its status is not `converged`; verify: a check failed
   2    bad input: arguments or scene
   3    a file or the system failed
   130  interrupted";
@@ -37,6 +37,8 @@ pub(super) enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Check the program against closed forms, limits, identities and other programs' numbers
+    Verify(Verify),
 }
 
 #[derive(Debug, Args)]
@@ -47,6 +49,19 @@ pub(super) struct Explain {
     #[cfg(feature = "plot")]
     #[arg(long, value_name = "FILE")]
     pub(super) svg: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct Verify {
+    /// Groups of checks to run; all when none is named
+    #[arg(value_name = "GROUP")]
+    pub(super) groups: Vec<String>,
+    /// Print every check, not only those that failed
+    #[arg(long, conflicts_with = "json")]
+    pub(super) all: bool,
+    /// Print every check as JSON
+    #[arg(long)]
+    pub(super) json: bool,
 }
 
 #[derive(Debug, Args)]

@@ -9,6 +9,7 @@ mod output;
 mod plugins;
 mod print;
 mod solve;
+mod verify;
 
 use args::{Arguments, Command};
 use clap::Parser;
@@ -23,6 +24,8 @@ enum Outcome {
     Done,
     /// The result is written; its status is not `converged`.
     NotConverged,
+    /// The report is written; a check in it failed.
+    ChecksFailed,
 }
 
 /// Exit code of a run that the user stopped (128 + SIGINT).
@@ -45,7 +48,7 @@ pub(crate) fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     match dispatch(&arguments.command) {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
-        Ok(Outcome::NotConverged) => ExitCode::from(1),
+        Ok(Outcome::NotConverged | Outcome::ChecksFailed) => ExitCode::from(1),
         Err(failure) => {
             failure.print();
             ExitCode::from(failure.exit_code())
@@ -61,6 +64,7 @@ fn dispatch(command: &Command) -> Result<Outcome, Failure> {
         Command::Solve(arguments) => solve::run(arguments),
         Command::Check { scene } => check::run(scene),
         Command::Explain(arguments) => explain::run(arguments),
+        Command::Verify(arguments) => verify::run(arguments),
         Command::Plugins { name, json } => plugins::run(name.as_deref(), *json),
     }
 }
