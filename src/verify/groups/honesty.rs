@@ -4,6 +4,7 @@ use crate::scene::parse;
 use crate::verify::Case;
 use crate::verify::check::{Sheet, Within};
 use crate::verify::contact::{Contact, HALF_PLANE, claimed, layer, number};
+use crate::verify::layers::respond;
 use slipzone_api::Family;
 
 pub(super) fn cases() -> Vec<Case> {
@@ -77,9 +78,19 @@ fn reversed() -> Case {
 fn refusals() -> Case {
     Case::new("refusals", |sheet| {
         let published = "{ type = \"transfer-matrix\" }";
-        let thick = Contact::flat(layer(50.0, 8.0, 0.3)).by(Family::Flexibility, published).to(1e-8);
-        let source = "docs/theory.md section 2: the published route overflows";
-        status(sheet, "transfer matrix beyond its range: status", &thick, "Refused", source)?;
+        for (name, layer, s) in [
+            ("overflows", layer(5.0, 8.0, 0.3), 1e3),
+            ("long waves", layer(5.0, 8.0, 0.3), 1e-9),
+            ("gamma = 0", layer(5.0, 1.0, 0.3), 1.0),
+            ("kappa = 1", layer(5.0, 8.0, 0.5), 1.0),
+        ] {
+            let told = match respond(&layer, published).map(|response| response.surface(s)) {
+                Ok(Ok(_)) => "taken",
+                Ok(Err(_)) | Err(_) => "refused",
+            };
+            let source = "docs/theory.md section 2: where the published route loses its digits";
+            sheet.same(&format!("transfer matrix, {name}"), told, "refused", "no digit is left", source);
+        }
         let depth = Contact::flat(HALF_PLANE).loaded("indentation = 0.01");
         let source = "an indentation on a half-plane without a datum is undefined";
         let told = match depth.scene() {
