@@ -2,7 +2,7 @@
 
 use crate::verify::Case;
 use crate::verify::check::Within;
-use crate::verify::contact::{Contact, has, number, numbers};
+use crate::verify::contact::{Contact, has, members, number, numbers};
 use crate::verify::layers::{BASES, PROMISED, apart, compliance};
 use slipzone_api::Family;
 
@@ -100,6 +100,7 @@ fn lines(base: &str, grading: &str) -> String {
 
 pub(super) fn cases() -> Vec<Case> {
     let mut all: Vec<Case> = PAIRS.map(|(name, one, other)| pair(name, one, other)).into();
+    all.extend(members(Family::Grading).map(|info| series(info.name, info.example)));
     all.extend([young(), interfaces("sigmoid", 1.0), interfaces("error-function", 2.0 / std::f64::consts::PI.sqrt())]);
     all
 }
@@ -120,6 +121,28 @@ fn pair(name: &'static str, one: &'static str, other: &'static str) -> Case {
             let within = Within::new(2e-10, "the solver's own tolerance, 1e-10, of both");
             sheet.relative(&format!("{name}: {path}"), number(&one, path)?, expected, within, "the law imitated");
         }
+        Ok(())
+    })
+}
+
+/// The modulus near the surface is what its Taylor series says, which the kernels' tails are made of.
+fn series(name: &'static str, example: &'static str) -> Case {
+    Case::new(format!("series of {name}"), move |sheet| {
+        let thickness = if name == "stack" { "" } else { "thickness = 3.0\n" };
+        let layer = format!("{thickness}poisson = 0.3\n[layer.grading]\n{example}");
+        let scene = Contact::flat(layer).scene()?;
+        let law = scene.layer.law().map_err(|refusal| refusal.to_string())?;
+        let series = law.surface_series(12);
+        if series.len() < 2 {
+            // A law that is not smooth at the surface tells nothing.
+            return Ok(());
+        }
+        let depth = 1e-2;
+        let sum = series.iter().rev().fold(0.0, |sum, c| sum * depth + c);
+        let last = series[series.len() - 1].abs() * 1e-2_f64.powi(11);
+        let within = Within::new(1e-13 + 2.0 * last, "rounding, and twice the last of up to 12 terms");
+        let name = format!("{name}: modulus at a hundredth of the thickness by its series");
+        sheet.relative(&name, law.modulus(depth) / law.modulus(0.0), sum, within, "the law itself");
         Ok(())
     })
 }

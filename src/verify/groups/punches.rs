@@ -2,7 +2,7 @@
 
 use crate::verify::Case;
 use crate::verify::check::Within;
-use crate::verify::contact::{Contact, has, layer, number, numbers};
+use crate::verify::contact::{Contact, has, layer, members, number, numbers};
 use crate::verify::layers::worst;
 use slipzone_api::Family;
 
@@ -34,7 +34,31 @@ const PAIRS: [(&str, &str, &str); 9] = [
 ];
 
 pub(super) fn cases() -> Vec<Case> {
-    PAIRS.map(|(name, one, other)| pair(name, one, other)).into()
+    let mut all: Vec<Case> = PAIRS.map(|(name, one, other)| pair(name, one, other)).into();
+    all.extend(members(Family::Punch).map(|info| slope(info.name, info.example)));
+    all
+}
+
+/// The slope, which contacts are solved with, is that of the height, which indentations are counted from.
+fn slope(name: &'static str, example: &'static str) -> Case {
+    Case::new(format!("slope of a {name} punch"), move |sheet| {
+        let scene = Contact::flat(layer(2.0, 1.0, 0.3)).under(example).loaded("force = 1.0").scene()?;
+        let shape = scene.punch.shape().map_err(|refusal| refusal.to_string())?;
+        let unit = shape.natural_length().min(shape.reach().unwrap_or(f64::INFINITY));
+        let mut errors = Vec::new();
+        let mut largest = f64::MIN_POSITIVE;
+        // Away from the kinks that the examples have: at 1/2 and 1, if any.
+        for x in [0.11, 0.31, 0.67, 0.87].map(|x| x * unit) {
+            let central = |step: f64| (shape.height(x + step) - shape.height(x - step)) / (2.0 * step);
+            let step = 0.01 * x;
+            errors.push((4.0 * central(0.5 * step) - central(step)) / 3.0 - shape.slope(x));
+            largest = largest.max(shape.slope(x).abs());
+        }
+        let name = format!("{name}: slope against differences of the height, worst of 4 points over the largest");
+        let within = Within::new(1e-9, "steps of 1 %: their fourth power, 1e-8, over 480, times a fifth derivative");
+        sheet.error(&name, worst(errors) / largest, within, "differences");
+        Ok(())
+    })
 }
 
 fn pair(name: &'static str, one: &'static str, other: &'static str) -> Case {
