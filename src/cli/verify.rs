@@ -22,7 +22,12 @@ pub(super) fn run(arguments: &Verify) -> Result<Outcome, Failure> {
         page(&mut text, &report, arguments.all)
     };
     print::result(&text)?;
-    Ok(if report.passed { Outcome::Done } else { Outcome::ChecksFailed })
+    Ok(outcome(&report))
+}
+
+/// How the run ends.
+fn outcome(report: &Report) -> Outcome {
+    if report.passed { Outcome::Done } else { Outcome::ChecksFailed }
 }
 
 /// The groups of these names, in the order of the report; all when none is named.
@@ -108,3 +113,6 @@ fn value(value: &Value) -> String {
         Value::Missing => "nothing".into(),
     }
 }
+
+#[cfg(test)]
+mod tests;

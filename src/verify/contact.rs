@@ -97,7 +97,7 @@ impl Contact {
     }
 
     /// By whatever methods the solver chooses.
-    pub(super) fn as_planned(self) -> Self {
+    pub(super) fn by_plan(self) -> Self {
         Self { methods: Vec::new(), ..self }
     }
 

@@ -46,8 +46,11 @@ pub const GROUPS: &[Group] = groups::ALL;
 /// A piece of work that ends in one check or several.
 struct Case {
     name: String,
-    run: Box<dyn Fn(&mut Sheet) -> Result<(), String> + Send + Sync>,
+    run: Box<Work>,
 }
+
+/// Writes down checks; an error says why there is no number.
+type Work = dyn Fn(&mut Sheet) -> Result<(), String> + Send + Sync;
 
 impl Case {
     /// An error of `run` is a check that failed without a number.

@@ -24,3 +24,4 @@ mod run;
 mod scene;
 mod sketch;
 mod strain;
+mod verify;

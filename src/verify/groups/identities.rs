@@ -108,6 +108,9 @@ fn stiffness(ratio: f64) -> Case {
     })
 }
 
+/// Height of a punch.
+type Height = fn(f64) -> f64;
+
 /// `delta = P D + int p_flat g dx`.
 fn reciprocity(ratio: f64) -> Case {
     Case::new(format!("reciprocity, mu1/mu3 = {ratio}"), move |sheet| {
@@ -115,7 +118,7 @@ fn reciprocity(ratio: f64) -> Case {
         let flat = flat(2.0, ratio).at(&x).solve()?;
         let f = number(&flat, "edge.ratio")?;
         // Height of a cylinder of radius 1, and of a quartic, whose contacts are solved as they are.
-        let punches: [(&str, &str, fn(f64) -> f64); 2] = [
+        let punches: [(&str, &str, Height); 2] = [
             ("cylinder", "type = \"cylinder\"\nradius = 1.0", |x| 0.5 * x * x),
             ("power 4", "type = \"power\"\ncoefficient = 0.2\nexponent = 4.0", |x| 0.2 * x.powi(4)),
         ];

@@ -60,12 +60,11 @@ fn against(table: String, level: u32) -> Case {
                 let [own, by, twin] = [&own, &other, &twin].map(|table| values(&**table, component));
                 let difference = |a: &[f64], b: &[f64]| worst(a.iter().zip(b).map(|(a, b)| a - b).skip(APART));
                 let unit = worst(own.iter().copied()).max(1e-3);
-                let (claimed, why) = match other.error() {
-                    Some(_) => (1e-9, "both are proved to 1e-10; beyond t = h/20"),
-                    None => {
-                        let own_word = 2.0 * difference(&by, &twin) / unit;
-                        (own_word.min(1e-3) + 1e-9, "twice what a twin twice as fine differs by; beyond t = h/20")
-                    }
+                let (claimed, why) = if other.error().is_some() {
+                    (1e-9, "both are proved to 1e-10; beyond t = h/20")
+                } else {
+                    let own_word = 2.0 * difference(&by, &twin) / unit;
+                    (own_word.min(1e-3) + 1e-9, "twice what a twin twice as fine differs by; beyond t = h/20")
                 };
                 let name = format!("kernel of {what}, {name}: split against {table}");
                 sheet.error(&name, difference(&own, &by) / unit, Within::new(claimed, why), "another strategy");

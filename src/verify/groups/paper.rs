@@ -23,7 +23,7 @@ pub(super) fn cases() -> Vec<Case> {
 
 fn entry(ratio: f64, h: f64, printed: f64, converged: f64) -> Case {
     Case::new(format!("Table 1, mu1/mu3 = {ratio}, h/b = {h}"), move |sheet| {
-        let solution = Contact::flat(layer(h, ratio, 0.3)).rubbing(0.3).as_planned().to(1e-8).solve()?;
+        let solution = Contact::flat(layer(h, ratio, 0.3)).rubbing(0.3).by_plan().to(1e-8).solve()?;
         let found = number(&solution, "edge.ratio")?;
         let name = |what: &str| format!("Table 1, mu1/mu3 = {ratio}, h/b = {h}: {what}");
         let within = Within::new(5.1e-6 / converged, "half a unit of the fifth digit");

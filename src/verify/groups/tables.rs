@@ -99,7 +99,7 @@ impl Table {
 
     /// A flat punch, a cylinder and the stick zones of one layer, beside the numbers of its entry.
     fn all_of(&self, sheet: &mut Sheet, layer: &str, case: &Value) -> Result<(), String> {
-        let flat = Contact::flat(layer).as_planned();
+        let flat = Contact::flat(layer).by_plan();
         let solution = flat.solve()?;
         for (path, found, key) in [
             ("edge.ratio", solution.edge.ratio, "edge"),
@@ -129,7 +129,7 @@ fn thin(case: Value, _: usize) -> Case {
     let name = heading(&case);
     Case::new(format!("thin_layers.json: {name}"), move |sheet| {
         // What the kernels prove of their rounding grows with b/h; the default tolerance is met.
-        let solution = Contact::flat(own_layer(&case)?).as_planned().to(1e-8).solve()?;
+        let solution = Contact::flat(own_layer(&case)?).by_plan().to(1e-8).solve()?;
         let table = Table { name: name.clone(), text: THIN, source: "tests/data/thin_layers.json" };
         table.compare(sheet, ", thin", &solution, "edge.ratio", solution.edge.ratio, &case["edge"])?;
         table.compare(sheet, ", thin", &solution, "pressure.centre", solution.pressure.centre, &case["p0"])
@@ -139,7 +139,7 @@ fn thin(case: Value, _: usize) -> Case {
 fn outward(case: Value, _: usize) -> Case {
     let name = format!("{}, eta = {}", heading(&case), case["eta"]);
     Case::new(format!("outward_slip.json: {name}"), move |sheet| {
-        let flat = Contact::flat(own_layer(&case)?).as_planned();
+        let flat = Contact::flat(own_layer(&case)?).by_plan();
         let solution = flat.rubbing(number(&case, "eta")?).at(&[0.5, 0.99]).solve()?;
         let stick = solution.stick.as_ref().ok_or("there is no stick zone")?;
         let table = Table { name: name.clone(), text: OUTWARD, source: "tests/data/outward_slip.json" };
@@ -159,7 +159,7 @@ fn shear(case: Value, _: usize) -> Case {
     Case::new(format!("cylinder_shear.json: {name}"), move |sheet| {
         let (x, q) = (list(&case, "x_over_b")?, list(&case, "q")?);
         let contact = Contact::flat(own_layer(&case)?).cylinder().rubbing(number(&case, "eta")?);
-        let solution = contact.as_planned().at(&x).to(1e-8).solve()?;
+        let solution = contact.by_plan().at(&x).to(1e-8).solve()?;
         let found = solution.stick.as_ref().and_then(|stick| stick.ratio);
         let table = Table { name: name.clone(), text: SHEAR, source: "tests/data/cylinder_shear.json" };
         let reference = number(&case, "stick")?;
