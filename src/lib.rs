@@ -43,6 +43,7 @@ mod plan;
 pub mod report;
 pub mod scene;
 pub mod study;
+pub mod verify;
 
 pub use slipzone_api as api;
 

@@ -18,7 +18,8 @@ const START: &str = "To begin with:
 
 Exit codes:
   0    done
-  1    the result is written, but its status is not `converged` (of a sweep: that of some scene)
+  1    the result is written, but its status is not `converged` (of a sweep: that of
+       some scene); of verify: a check failed
   2    bad input: arguments, scene or study
   3    a file or the system failed
   130  interrupted
@@ -60,6 +61,8 @@ pub(super) enum Command {
         /// The shell
         shell: Shell,
     },
+    /// Check the program against closed forms, limits, identities and other programs' numbers
+    Verify(Verify),
 }
 
 #[derive(Debug, Args)]
@@ -105,6 +108,19 @@ Exit codes:
   0  explained, a scene that would be refused too
   2  bad input: arguments or scene
   3  a file or the system failed";
+
+#[derive(Debug, Args)]
+pub(super) struct Verify {
+    /// Groups of checks to run; all when none is named
+    #[arg(value_name = "GROUP")]
+    pub(super) groups: Vec<String>,
+    /// Print every check, not only those that failed
+    #[arg(long, conflicts_with = "json")]
+    pub(super) all: bool,
+    /// Print every check as JSON
+    #[arg(long)]
+    pub(super) json: bool,
+}
 
 #[derive(Debug, Args)]
 #[command(after_help = SOLVE)]

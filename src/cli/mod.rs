@@ -15,6 +15,7 @@ mod print;
 mod schema;
 mod solve;
 mod sweep;
+mod verify;
 
 use args::{Arguments, Command};
 use clap::Parser;
@@ -29,6 +30,8 @@ enum Outcome {
     Done,
     /// The result is written; its status is not `converged`.
     NotConverged,
+    /// The report is written; a check in it failed.
+    ChecksFailed,
 }
 
 /// Runs one command.
@@ -52,7 +55,7 @@ pub(crate) fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     match dispatch(&arguments.command) {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
-        Ok(Outcome::NotConverged) => ExitCode::from(1),
+        Ok(Outcome::NotConverged | Outcome::ChecksFailed) => ExitCode::from(1),
         Err(failure) => {
             failure.print();
             ExitCode::from(failure.exit_code())
@@ -69,6 +72,7 @@ fn dispatch(command: &Command) -> Result<Outcome, Failure> {
         Command::Check { scene } => check::run(scene),
         Command::Explain(arguments) => explain::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
+        Command::Verify(arguments) => verify::run(arguments),
         Command::Plugins { name, json } => plugins::run(name.as_deref(), *json),
         Command::Init(arguments) => init::run(arguments),
         Command::Schema => schema::run(),

@@ -33,3 +33,4 @@ mod strain;
 #[cfg(feature = "cli")]
 mod sweep;
 mod study_plots;
+mod verify;

@@ -1,0 +1,118 @@
+//! `slipzone verify`: is this program right?
+
+use super::args::Verify;
+use super::{Failure, Outcome, print};
+use slipzone::scene::nearest;
+use slipzone::verify::{self, Check, GROUPS, Group, Measure, Progress, Report, Value};
+use std::fmt::{self, Write};
+use std::io::{IsTerminal, Write as _};
+
+pub(super) fn run(arguments: &Verify) -> Result<Outcome, Failure> {
+    let groups = chosen(&arguments.groups)?;
+    let line = Line::new();
+    let report = verify::run(&groups, &|progress| line.show(progress));
+    line.clear();
+    let mut text = String::new();
+    // Writing to a string does not fail.
+    let _ = if arguments.json {
+        let json = serde_json::to_string_pretty(&report);
+        text = json.map_err(|error| Failure::System(format!("cannot write the report: {error}")))?;
+        Ok(())
+    } else {
+        page(&mut text, &report, arguments.all)
+    };
+    print::result(&text)?;
+    Ok(outcome(&report))
+}
+
+/// How the run ends.
+fn outcome(report: &Report) -> Outcome {
+    if report.passed { Outcome::Done } else { Outcome::ChecksFailed }
+}
+
+/// The groups of these names, in the order of the report; all when none is named.
+fn chosen(names: &[String]) -> Result<Vec<&'static Group>, Failure> {
+    let known: Vec<_> = GROUPS.iter().map(|group| group.name).collect();
+    if let Some(name) = names.iter().find(|name| !known.contains(&name.as_str())) {
+        let hint = match nearest(name, &known) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("known are {}", known.join(", ")),
+        };
+        return Err(Failure::Usage(format!("unknown group of checks `{name}`"), Some(hint)));
+    }
+    Ok(GROUPS.iter().filter(|group| names.is_empty() || names.iter().any(|name| name == group.name)).collect())
+}
+
+/// How far it has come, on one line of standard error where that is a terminal.
+struct Line {
+    is_shown: bool,
+}
+
+impl Line {
+    fn new() -> Self {
+        Self { is_shown: std::io::stderr().is_terminal() }
+    }
+
+    fn show(&self, Progress { done, all }: Progress) {
+        if self.is_shown {
+            // Nobody is left to be told when standard error itself is closed.
+            let _ = write!(std::io::stderr(), "\r{done} of {all} cases");
+        }
+    }
+
+    fn clear(&self) {
+        if self.is_shown {
+            let _ = write!(std::io::stderr(), "\r\x1b[K");
+        }
+    }
+}
+
+/// Every check or the failed ones, then the groups in numbers, then the verdict.
+fn page(text: &mut String, report: &Report, all: bool) -> fmt::Result {
+    for check in report.checks.iter().filter(|check| all || !check.passed) {
+        row(text, check)?;
+    }
+    let width = report.groups.iter().map(|group| group.name.len()).max().unwrap_or(0);
+    writeln!(text, "{:width$}  passed  failed  what", "group")?;
+    for group in &report.groups {
+        writeln!(text, "{:width$}  {:6}  {:6}  {}", group.name, group.passed, group.failed, group.about)?;
+    }
+    let (count, failed) = (report.checks.len(), report.failures().count());
+    match (report.passed, failed) {
+        (true, _) => writeln!(text, "\nAll {count} checks passed."),
+        (false, 0) => writeln!(text, "\nFAILED: a group checked nothing."),
+        (false, _) => writeln!(text, "\nFAILED: {failed} of {count} checks."),
+    }
+}
+
+/// A check in full.
+fn row(text: &mut String, check: &Check) -> fmt::Result {
+    let verdict = if check.passed { "ok  " } else { "FAIL" };
+    writeln!(text, "{verdict} [{}] {}", check.group, check.name)?;
+    if let Some(note) = &check.note {
+        return writeln!(text, "     {note}\n");
+    }
+    let measure = match check.measure {
+        Measure::Relative => "relative error",
+        Measure::Absolute => "error",
+        Measure::AtMost => "too large by",
+        Measure::Same => "differs",
+    };
+    let error = check.error.map_or("not a number".into(), |error| format!("{error:.1e}"));
+    let expected = if check.measure == Measure::AtMost { "at most" } else { "expected" };
+    writeln!(text, "     computed {}, {expected} {}", value(&check.computed), value(&check.expected))?;
+    writeln!(text, "     {measure} {error}, allowed {:.1e}: {}", check.tolerance, check.reason)?;
+    writeln!(text, "     expected value from: {}\n", check.source)
+}
+
+fn value(value: &Value) -> String {
+    match value {
+        Value::Number(number) if *number != 0.0 && !(1e-4..1e6).contains(&number.abs()) => format!("{number:e}"),
+        Value::Number(number) => number.to_string(),
+        Value::Word(word) => word.clone(),
+        Value::Missing => "nothing".into(),
+    }
+}
+
+#[cfg(test)]
+mod tests;

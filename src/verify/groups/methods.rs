@@ -1,0 +1,55 @@
+//! Whole contacts by different methods: nothing is shared but the scene.
+
+use crate::engine::Status;
+use crate::verify::Case;
+use crate::verify::check::Within;
+use crate::verify::contact::{Contact, claimed, layer, members, number, numbers, open};
+use slipzone_api::Family;
+
+/// Name, contact, and the tolerance that every method is to meet.
+fn contacts() -> [(&'static str, Contact, f64); 6] {
+    [
+        ("flat, homogeneous", Contact::flat(layer(5.0, 1.0, 0.3)), 1e-9),
+        ("flat with friction, homogeneous", Contact::flat(layer(5.0, 1.0, 0.3)).rubbing(0.3), 1e-7),
+        ("flat, mu1/mu3 = 8", Contact::flat(layer(5.0, 8.0, 0.3)), 1e-6),
+        ("flat with friction, mu1/mu3 = 1/8", Contact::flat(layer(5.0, 0.125, 0.3)).rubbing(0.3), 1e-3),
+        ("cylinder, homogeneous, h = b", Contact::flat(layer(1.0, 1.0, 0.45)).cylinder(), 1e-9),
+        ("cylinder, mu1/mu3 = 1/8", Contact::flat(layer(5.0, 0.125, 0.3)).cylinder(), 3e-6),
+    ]
+}
+
+pub(super) fn cases() -> Vec<Case> {
+    let mut all = Vec::new();
+    for family in [Family::Flexibility, Family::Kernel, Family::Quadrature] {
+        let usual = match family {
+            Family::Flexibility => "compliance",
+            Family::Kernel => "split",
+            _ => "de-sinc",
+        };
+        for info in members(family).filter(|info| info.name != usual) {
+            for (what, contact, tolerance) in contacts() {
+                let table = open(info);
+                all.push(Case::new(format!("{} by {}", what, info.name), move |sheet| {
+                    let own = contact.clone().to(tolerance.min(1e-9)).solve()?;
+                    let other = contact.clone().by(family, &table).to(tolerance).attempt()?;
+                    if other.status == Status::Refused {
+                        // A limit of the method, which says so; other contacts show that it works.
+                        return Ok(());
+                    }
+                    if other.status != Status::Converged {
+                        return Err(other.reason.unwrap_or_default());
+                    }
+                    for (path, value) in numbers(&own) {
+                        let error = claimed(&own, path) + claimed(&other, path);
+                        let why = "twice what both claim of their errors";
+                        let name = format!("{what}: {path} by {usual} and by {}", info.name);
+                        let within = Within::new(2.0 * error + 1e-14, why);
+                        sheet.relative(&name, number(&other, path)?, value, within, &format!("by {usual}"));
+                    }
+                    Ok(())
+                }));
+            }
+        }
+    }
+    all
+}
