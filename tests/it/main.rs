@@ -14,6 +14,7 @@ mod layers;
 mod limits;
 mod loading_curve;
 mod marching;
+mod planned;
 mod planner;
 mod properties;
 mod punches;

@@ -49,7 +49,7 @@ fn asking(sketch: &Sketch, names: &[&str]) -> Scene {
 }
 
 /// The numbers of a solution by their path, `null` where there is none.
-fn number(solution: &Solution, path: &str) -> Option<f64> {
+pub(crate) fn number(solution: &Solution, path: &str) -> Option<f64> {
     let stick = solution.stick.as_ref();
     match path {
         "load.force" => solution.load.force,
