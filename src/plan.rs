@@ -65,9 +65,10 @@ impl Chosen {
         if self.is_open {
             self.methods.flexibility = flexibility_for(modelled).0;
             self.scene.solver.flexibility = Some(self.methods.flexibility.clone());
+            let reason = flexibility_for(modelled).1;
             self.plan.flexibility = self.methods.flexibility.typetag_name().into();
             // What was said of the flexibility is said of the model's.
-            self.plan.reasons[0] = flexibility_for(modelled).1.to_owned();
+            reason.clone_into(&mut self.plan.reasons[0]);
         }
         self.scene.solver.model = Some(model);
         self.plan.model = model;
@@ -155,6 +156,6 @@ fn flexibility_for(layer: &Layer) -> (Box<dyn Flexibility>, &'static str) {
 }
 
 /// Whether the flexibility of a layer is known in closed form.
-fn has_closed_form(layer: &Layer) -> bool {
+pub(crate) fn has_closed_form(layer: &Layer) -> bool {
     matches!(layer.base, Base::Rigid | Base::Infinite) && layer.model().is_ok_and(|model| model.exponent().is_some())
 }

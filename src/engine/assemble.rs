@@ -44,7 +44,7 @@ pub(super) fn solution(
     }
     let rubbing = judged.outcome.rubbing.as_ref().filter(|rubbing| rubbing.verdict == Verdict::Holds);
     let mut plan = plan;
-    plan.coupling_neglected = rubbing.map(|rubbing| coupling::neglected(layer, problem, b, rubbing.zone.ratio()));
+    plan.coupling_neglected = rubbing.and_then(|rubbing| coupling::neglected(problem, rubbing.zone));
     let mut solution = Solution {
         status,
         reason,
@@ -90,15 +90,12 @@ pub(super) fn solution(
         solution.assumptions.push(reason.clone());
         solution.plan.reasons.push(reason);
     }
-    match solution.plan.model {
-        Model::Full => {}
-        Model::HalfPlane => {
-            solution.assumptions.push("the solid taken for a half-plane of its surface's material".into())
-        }
-        Model::Homogeneous => {
-            solution.assumptions.push("the layer taken for one of its surface's material throughout".into())
-        }
-    }
+    let stand_in = match solution.plan.model {
+        Model::Full => None,
+        Model::HalfPlane => Some("the solid taken for a half-plane of its surface's material"),
+        Model::Homogeneous => Some("the layer taken for one of its surface's material throughout"),
+    };
+    solution.assumptions.extend(stand_in.map(String::from));
     if let Some(noise) = problem.noise() {
         let rest =
             format!("the punch's heights scatter by {noise:.1e} (root mean square) around the smooth shape taken");

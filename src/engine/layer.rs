@@ -90,7 +90,7 @@ impl Layer {
     }
 
     /// The same, known to be but a model of what is described.
-    pub(super) fn as_model(self) -> Self {
+    pub(super) fn known_as_model(self) -> Self {
         Self { is_model: true, ..self }
     }
 

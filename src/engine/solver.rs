@@ -99,7 +99,7 @@ impl Solver {
             (None, _) => self.layer.describing(scene).keeping(scene, self.ladder.into_families()),
             (Some(_), Some(layer)) => layer,
             // Its tables are of no use to the layer.
-            (Some(_), None) => self.layer.describing(&choose(&self.chosen.before_model()).scene).as_model(),
+            (Some(_), None) => self.layer.describing(&choose(&self.chosen.before_model()).scene).known_as_model(),
         }
     }
 

@@ -5,6 +5,7 @@
 use super::contact_size;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
+use crate::plan::has_closed_form;
 use crate::scene::{Layer, Model, Scene};
 use slipzone_api::{Base, LayerModel};
 use slipzone_gradings::Homogeneous;
@@ -105,13 +106,19 @@ pub(super) fn decide(scene: &Scene, problem: &Problem, open: bool) -> Decision {
                 return Decision::Full;
             }
             let departure = Departure::of(&problem.layer, 0.01 * b);
+            // Where the flexibility is as cheap as it gets, another grading saves nothing.
+            let saves = |model: &Model| *model == Model::HalfPlane || !has_closed_form(&scene.layer);
             let fits = |model: &Model| {
                 let stand_in = StandIn { model: *model, is_forced: false, departure, thickness };
                 let is_near = stand_in.bound(problem, b).worst().is_some_and(|(_, bound)| bound <= allowed);
                 (is_near && !solver.forbid.contains(model) && obstacle(*model, scene, problem).is_none())
                     .then_some(stand_in)
             };
-            [Model::HalfPlane, Model::Homogeneous].iter().find_map(fits).map_or(Decision::Full, Decision::Cheaper)
+            [Model::HalfPlane, Model::Homogeneous]
+                .iter()
+                .filter(|model| saves(model))
+                .find_map(fits)
+                .map_or(Decision::Full, Decision::Cheaper)
         }
         None => Decision::Full,
     }
@@ -222,8 +229,8 @@ impl StandIn {
 }
 
 /// Errors of the pressure's numbers and of the stick zone's, over `b^2` and over `b`, by a base.
-const BASE: (f64, f64) = (2.0, 2.0);
+const BASE: (f64, f64) = (3.0, 3.0);
 /// The same by a gradient, over `b` and over `b log b`.
-const GRADIENT: (f64, f64) = (2.0, 2.0);
+const GRADIENT: (f64, f64) = (4.0, 2.0);
 /// Error of the depth by a gradient.
 const DEPTH: f64 = 1.0;
