@@ -1,7 +1,7 @@
 //! Which methods solve a scene: what the scene leaves open, the solver chooses here and says why.
 
 use crate::engine::friction_needed;
-use crate::scene::{Layer, LoadKind, Scene};
+use crate::scene::{Layer, LoadKind, Model, Scene};
 use serde::Serialize;
 use slipzone_api::{Base, Flexibility, KernelStrategy, Quadrature};
 use slipzone_flexibilities::{ClosedForm, Compliance};
@@ -26,11 +26,20 @@ pub struct Plan {
     pub flexibility_evaluations: usize,
     /// Matrices factorised, all resolutions together.
     pub factorisations: usize,
+    /// What stands for the solid.
+    pub model: Model,
+    /// Largest relative error that it makes of a number reported, by its bound: part of the errors stated. 0 of the full
+    /// model; `None` before anything is solved.
+    pub bound: Option<f64>,
+    /// By how much the friction that belongs to the stick ratio differs from the coupled equations', relative, as far as
+    /// that can be told: what Goodman's approximation costs. It is no part of the errors; `None` without a stick zone.
+    pub coupling_neglected: Option<f64>,
     /// Why each choice was made.
     pub reasons: Vec<String>,
 }
 
 /// The methods that solve a scene.
+#[derive(Clone)]
 pub(crate) struct Methods {
     pub(crate) flexibility: Box<dyn Flexibility>,
     pub(crate) kernel: Box<dyn KernelStrategy>,
@@ -38,6 +47,7 @@ pub(crate) struct Methods {
 }
 
 /// A scene with nothing left open.
+#[derive(Clone)]
 pub(crate) struct Chosen {
     /// The scene, its methods filled in.
     pub(crate) scene: Scene,
@@ -45,6 +55,38 @@ pub(crate) struct Chosen {
     pub(crate) methods: Methods,
     /// Their names, and why they were chosen.
     pub(crate) plan: Plan,
+    /// Whether the scene left all of them open.
+    pub(crate) is_open: bool,
+}
+
+impl Chosen {
+    /// The same with a model in place of the solid: the methods that were left open are those that the model takes.
+    pub(crate) fn with(mut self, model: Model, modelled: &Layer, because: String) -> Self {
+        if self.is_open {
+            self.methods.flexibility = flexibility_for(modelled).0;
+            self.scene.solver.flexibility = Some(self.methods.flexibility.clone());
+            let reason = flexibility_for(modelled).1;
+            self.plan.flexibility = self.methods.flexibility.typetag_name().into();
+            // What was said of the flexibility is said of the model's.
+            reason.clone_into(&mut self.plan.reasons[0]);
+        }
+        self.scene.solver.model = Some(model);
+        self.plan.model = model;
+        self.plan.reasons.insert(0, because);
+        self
+    }
+
+    /// The scene as it was before a model was chosen.
+    pub(crate) fn before_model(&self) -> Scene {
+        let mut scene = self.scene.clone();
+        if self.is_open {
+            scene.solver.flexibility = None;
+            scene.solver.kernel = None;
+            scene.solver.quadrature = None;
+            scene.solver.model = None;
+        }
+        scene
+    }
 }
 
 /// Fills in what the scene leaves open.
@@ -52,16 +94,13 @@ pub(crate) fn choose(scene: &Scene) -> Chosen {
     let mut scene = scene.clone();
     let solver = &mut scene.solver;
     let mut reasons = Vec::new();
+    let is_open = solver.flexibility.is_none() && solver.kernel.is_none() && solver.quadrature.is_none();
     let mut because = |reason: &str| reasons.push(reason.to_owned());
 
     let flexibility = solver.flexibility.get_or_insert_with(|| {
-        if has_closed_form(&scene.layer) {
-            because("closed-form: the layer is exponential or homogeneous");
-            Box::new(ClosedForm {})
-        } else {
-            because("compliance: serves any grading");
-            Box::new(Compliance {})
-        }
+        let (flexibility, reason) = flexibility_for(&scene.layer);
+        because(reason);
+        flexibility
     });
     let kernel = solver.kernel.get_or_insert_with(|| {
         because("split: jump and logarithm of the kernel apart, its error proved");
@@ -81,7 +120,7 @@ pub(crate) fn choose(scene: &Scene) -> Chosen {
         reasons,
         ..Plan::default()
     };
-    Chosen { scene, methods, plan }
+    Chosen { scene, methods, plan, is_open }
 }
 
 /// What is not computed because nobody asks for it.
@@ -107,7 +146,16 @@ fn left_out(scene: &Scene) -> Vec<String> {
     reasons.into_iter().map(str::to_owned).collect()
 }
 
+/// The flexibility of a layer that leaves it open, and why.
+fn flexibility_for(layer: &Layer) -> (Box<dyn Flexibility>, &'static str) {
+    if has_closed_form(layer) {
+        (Box::new(ClosedForm {}), "closed-form: the layer is exponential or homogeneous")
+    } else {
+        (Box::new(Compliance {}), "compliance: serves any grading")
+    }
+}
+
 /// Whether the flexibility of a layer is known in closed form.
-fn has_closed_form(layer: &Layer) -> bool {
+pub(crate) fn has_closed_form(layer: &Layer) -> bool {
     matches!(layer.base, Base::Rigid | Base::Infinite) && layer.model().is_ok_and(|model| model.exponent().is_some())
 }

@@ -1,5 +1,6 @@
 //! A solved contact in the scene's units.
 
+use super::coupling;
 use super::finite::first_not_finite;
 use super::layer::Layer;
 use super::loading_curve::Point;
@@ -12,7 +13,7 @@ use super::solution::{
 use super::stage::{Stage, Verdict};
 use super::stick_zone::StickZone;
 use crate::plan::Plan;
-use crate::scene::{Load, LoadKind, Scene};
+use crate::scene::{Load, LoadKind, Model, Scene};
 use slipzone_api::{Refusal, Station};
 
 /// The solution; refused when one of its numbers is not finite.
@@ -41,6 +42,9 @@ pub(super) fn solution(
             strain(relative, problem, layer, stage, rubbing.zone)
         });
     }
+    let rubbing = judged.outcome.rubbing.as_ref().filter(|rubbing| rubbing.verdict == Verdict::Holds);
+    let mut plan = plan;
+    plan.coupling_neglected = rubbing.and_then(|rubbing| coupling::neglected(problem, rubbing.zone));
     let mut solution = Solution {
         status,
         reason,
@@ -73,11 +77,25 @@ pub(super) fn solution(
                 .filter(|(quantity, _)| wishes.reports(*quantity))
                 .map(|(quantity, error)| (quantity.path().to_owned(), error))
                 .collect(),
-            how: how(judged.how),
+            how: how(judged),
         },
         profile,
         ..Solution::refused(scene, plan, String::new())
     };
+    if let Some(neglected) = solution.plan.coupling_neglected {
+        let reason = format!(
+            "Goodman: that q does not change p makes the friction that belongs to this stick ratio about {} too small",
+            percent(neglected)
+        );
+        solution.assumptions.push(reason.clone());
+        solution.plan.reasons.push(reason);
+    }
+    let stand_in = match solution.plan.model {
+        Model::Full => None,
+        Model::HalfPlane => Some("the solid taken for a half-plane of its surface's material"),
+        Model::Homogeneous => Some("the layer taken for one of its surface's material throughout"),
+    };
+    solution.assumptions.extend(stand_in.map(String::from));
     if let Some(noise) = problem.noise() {
         let rest =
             format!("the punch's heights scatter by {noise:.1e} (root mean square) around the smooth shape taken");
@@ -90,6 +108,18 @@ pub(super) fn solution(
             why: format!("a number of the result is not finite: {number}"),
             remedy: "check the sizes of the scene's numbers against each other",
         }),
+    }
+}
+
+/// A share in percent, with as many digits as an estimate has.
+fn percent(share: f64) -> String {
+    let percent = 100.0 * share;
+    if percent < 0.1 {
+        "less than 0.1 %".into()
+    } else if percent < 10.0 {
+        format!("{percent:.1} %")
+    } else {
+        format!("{percent:.0} %")
     }
 }
 
@@ -122,14 +152,15 @@ pub(super) fn point(
 }
 
 /// How the errors were estimated, in words.
-fn how(how: How) -> String {
-    match how {
+fn how(judged: &Judged) -> String {
+    let numerical = match judged.how {
         How::Twin => "resolution fixed by the scene, compared with a finer twin".into(),
         How::Sequence { count, kernels_proven } => {
             let kernels = if kernels_proven { "; kernels by their own bound" } else { "" };
             format!("differences between {count} resolutions, each finer than the one before, extrapolated{kernels}")
         }
-    }
+    };
+    if judged.of_model > 0.0 { numerical + "; the model of the solid by its bound" } else { numerical }
 }
 
 /// Direction of slip, where there is one to tell.

@@ -188,6 +188,15 @@ fn bracket(
     Err(no_size(format!("no half-width between {:.3e} h and {:.3e} h bears the load", start.exp(), here.exp())))
 }
 
+/// A half-width that the contact on a half-plane is hardly wider than; exact where the scene gives it.
+pub(crate) fn guess(problem: &Problem) -> f64 {
+    match (problem.fixed_half_width(), problem.load) {
+        (Some(half_width), _) | (None, LoadInLayerUnits::HalfWidth(half_width)) => half_width,
+        (None, LoadInLayerUnits::Force(target)) => first_size(problem, target, true),
+        (None, LoadInLayerUnits::Indentation(target)) => first_size(problem, target, false),
+    }
+}
+
 /// The half-width on a half-plane, within a factor of 2; exact formulas for the cylinder
 /// (`P = pi b g'(b)/(2 A0)`), and of the right size for other convex shapes. On a layer no wider than
 /// [`WIDEST_START`].

@@ -20,6 +20,8 @@ pub struct Layer {
     flexibility_evaluations: usize,
     /// The layer and the methods as a scene would write them.
     described: String,
+    /// Whether it is but a model of the layer described.
+    is_model: bool,
     /// Its flat punches by resolution, and the quadrature they were solved with.
     families: (String, Vec<Option<Family>>),
 }
@@ -71,6 +73,7 @@ impl Layer {
             tables: None,
             flexibility_evaluations: 0,
             described: String::new(),
+            is_model: false,
             families: (String::new(), Vec::new()),
         })
     }
@@ -84,6 +87,16 @@ impl Layer {
     /// Takes note of the scene whose layer this is.
     pub(super) fn describing(self, scene: &Scene) -> Self {
         Self { described: description(scene), ..self }
+    }
+
+    /// The same, known to be but a model of what is described.
+    pub(super) fn known_as_model(self) -> Self {
+        Self { is_model: true, ..self }
+    }
+
+    /// Whether it is but a model.
+    pub(super) fn is_model(&self) -> bool {
+        self.is_model
     }
 
     /// Keeps the flat punches that were solved on the way.

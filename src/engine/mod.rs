@@ -7,6 +7,7 @@ mod blend;
 mod chebyshev;
 mod checks;
 mod contact_size;
+mod coupling;
 mod dense;
 mod elimination;
 mod error_estimate;
@@ -27,6 +28,7 @@ mod solution;
 mod solver;
 mod stack;
 mod stage;
+mod stand_in;
 mod stick;
 mod stick_search;
 mod stick_zone;
@@ -67,13 +69,21 @@ pub fn solve_all(scenes: &[Scene]) -> Vec<Solution> {
 /// Why [`solve`] would refuse a scene before computing anything; `None` where it would try.
 pub fn refusal(scene: &Scene) -> Option<Refusal> {
     let chosen = plan::choose(scene);
-    match Problem::new(&chosen.scene) {
-        Ok(problem) => chosen.methods.flexibility.respond(&problem.layer).err(),
+    let decided = match Problem::new(&chosen.scene) {
+        Ok(problem) => solver::decided(chosen, problem).map_err(|(refusal, _)| refusal),
+        Err(refusal) => Err(refusal),
+    };
+    match decided {
+        Ok((chosen, problem, _)) => chosen.methods.flexibility.respond(&problem.layer).err(),
         Err(refusal) => Some(refusal),
     }
 }
 
 /// Which methods would solve a scene, and why.
 pub fn plan(scene: &Scene) -> Plan {
-    plan::choose(scene).plan
+    let chosen = plan::choose(scene);
+    match Problem::new(&chosen.scene).map(|problem| solver::decided(chosen.clone(), problem)) {
+        Ok(Ok((chosen, ..))) => chosen.plan,
+        _ => chosen.plan,
+    }
 }

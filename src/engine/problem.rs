@@ -159,7 +159,12 @@ impl Problem {
 
     /// Whether the depth of the punch is of any use.
     pub(crate) fn wants_depth(&self) -> bool {
-        self.wishes.reports(Quantity::Indentation) || matches!(self.load, LoadInLayerUnits::Indentation(_))
+        self.wishes.reports(Quantity::Indentation) || self.is_pressed_by_depth()
+    }
+
+    /// Whether the load is a depth.
+    pub(crate) fn is_pressed_by_depth(&self) -> bool {
+        matches!(self.load, LoadInLayerUnits::Indentation(_))
     }
 
     /// The numbers of the result that the scene itself gives.

@@ -52,6 +52,8 @@ pub(super) struct Judged {
     /// How uncertain the pressure itself is; `None` where no number tells.
     pub(super) doubt: Option<f64>,
     pub(super) how: How,
+    /// The largest error of the model that stands for the solid.
+    pub(super) of_model: f64,
     /// Why refinement ended before the tolerance was met.
     pub(super) stopped: Option<Refusal>,
 }
@@ -115,7 +117,7 @@ impl Ladder {
             let task = Self::task(problem, tolerance, kernel_level);
             self.stages[0].settle(layer, task, &mut outcome)?;
             let errors = judged_by_twin(&outcome.numbers, &twin.numbers);
-            Judged { outcome, stage: 0, errors, doubt: None, how: How::Twin, stopped: None }
+            Judged { outcome, stage: 0, errors, doubt: None, how: How::Twin, of_model: 0.0, stopped: None }
         } else {
             self.refined(layer, problem, methods, tolerance)?
         };
@@ -239,7 +241,7 @@ impl Ladder {
             outcome.numbers.iter().for_each(|(quantity, _)| errors.set(quantity, 1.0));
         }
         let how = How::Sequence { count: stage + 1, kernels_proven: layer.kernel_error(0.0).is_some() };
-        Ok(Judged { outcome, stage, errors, doubt: None, how, stopped })
+        Ok(Judged { outcome, stage, errors, doubt: None, how, of_model: 0.0, stopped })
     }
 
     /// Solves on one stage, made when first asked for.

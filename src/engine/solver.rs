@@ -4,9 +4,10 @@ use super::assemble;
 use super::layer::Layer;
 use super::loading_curve::{self, Curve, Point};
 use super::problem::{LoadInLayerUnits, Problem};
-use super::quantity::Numbers;
+use super::quantity::{Numbers, Quantity};
 use super::refine::{Judged, Ladder};
 use super::solution::{Solution, Status};
+use super::stand_in::{self, Decision, StandIn};
 use super::verdict::verdict;
 use crate::plan::{Chosen, Plan, choose};
 use crate::scene::{Load, LoadPath, Scene};
@@ -40,6 +41,10 @@ pub struct Solver {
     layer: Layer,
     ladder: Ladder,
     judged: Option<Judged>,
+    /// What is solved in place of the scene's solid.
+    stand_in: Option<StandIn>,
+    /// The layer itself, where a model of it is solved and its tables are known.
+    aside: Option<Layer>,
 }
 
 impl Solver {
@@ -50,17 +55,22 @@ impl Solver {
 
     /// Prepares, or gives the scene back.
     pub(super) fn prepare(chosen: Chosen) -> Result<Self, (Refusal, Box<Chosen>)> {
-        let prepared = Problem::new(&chosen.scene)
-            .and_then(|problem| Layer::new(&problem, &chosen.methods).map(|layer| (problem, layer)));
-        match prepared {
-            Ok((problem, layer)) => Ok(Self { chosen, problem, layer, ladder: Ladder::default(), judged: None }),
+        let problem = match Problem::new(&chosen.scene) {
+            Ok(problem) => problem,
+            Err(refusal) => return Err((refusal, Box::new(chosen))),
+        };
+        let (chosen, problem, stand_in) = decided(chosen, problem)?;
+        match Layer::new(&problem, &chosen.methods) {
+            Ok(layer) => {
+                Ok(Self { chosen, problem, layer, ladder: Ladder::default(), judged: None, stand_in, aside: None })
+            }
             Err(refusal) => Err((refusal, Box::new(chosen))),
         }
     }
 
     /// Prepares another scene of the same layer, with all that is known of the layer already; refuses a scene
     /// of another layer, or one that asks for other methods.
-    pub fn on(mut layer: Layer, scene: &Scene) -> Result<Self, Refusal> {
+    pub fn on(layer: Layer, scene: &Scene) -> Result<Self, Refusal> {
         let chosen = choose(scene);
         let problem = Problem::new(&chosen.scene)?;
         if !layer.is_of(&chosen.scene) {
@@ -69,15 +79,28 @@ impl Solver {
                 remedy: "prepare it by itself: `Solver::new`".into(),
             });
         }
+        let (chosen, problem, stand_in) = decided(chosen, problem).map_err(|(refusal, _)| refusal)?;
+        if stand_in.is_some() {
+            let model = Layer::new(&problem, &chosen.methods)?;
+            let (ladder, aside) = (Ladder::default(), (!layer.is_model()).then_some(layer));
+            return Ok(Self { chosen, problem, layer: model, ladder, judged: None, stand_in, aside });
+        }
+        let layer = if layer.is_model() { Layer::new(&problem, &chosen.methods)? } else { layer };
+        let mut layer = layer;
         let ladder = Ladder::inheriting(layer.families_for(&chosen.scene));
-        Ok(Self { chosen, problem, layer, ladder, judged: None })
+        Ok(Self { chosen, problem, layer, ladder, judged: None, stand_in, aside: None })
     }
 
     /// The layer, to be used under another punch.
     #[must_use]
     pub fn into_layer(self) -> Layer {
         let scene = &self.chosen.scene;
-        self.layer.describing(scene).keeping(scene, self.ladder.into_families())
+        match (self.stand_in, self.aside) {
+            (None, _) => self.layer.describing(scene).keeping(scene, self.ladder.into_families()),
+            (Some(_), Some(layer)) => layer,
+            // Its tables are of no use to the layer.
+            (Some(_), None) => self.layer.describing(&choose(&self.chosen.before_model()).scene).known_as_model(),
+        }
     }
 
     /// Takes another load; of a path, that one alone.
@@ -108,8 +131,43 @@ impl Solver {
     /// Finds the numbers, and keeps them for [`Self::solve`]; writes no report.
     pub fn find(&mut self) -> Result<(), Refusal> {
         let tolerance = self.chosen.scene.solver.tolerance.get();
-        let Self { chosen, problem, layer, ladder, judged } = self;
-        *judged = Some(ladder.refine(layer, problem, &chosen.methods, tolerance)?);
+        let Some(stand_in) = self.stand_in else {
+            let Self { chosen, problem, layer, ladder, judged, .. } = self;
+            *judged = Some(ladder.refine(layer, problem, &chosen.methods, tolerance)?);
+            return Ok(());
+        };
+        let Self { chosen, problem, layer, ladder, .. } = self;
+        let mut found = ladder.refine(layer, problem, &chosen.methods, stand_in::SHARE * tolerance)?;
+        let half_width = found.outcome.numbers.get(Quantity::HalfWidth).unwrap_or(f64::INFINITY);
+        let bound = stand_in.bound(problem, half_width);
+        for (quantity, error) in bound.iter() {
+            if let Some(numerical) = found.errors.get(quantity) {
+                found.errors.set(quantity, numerical + error);
+            }
+        }
+        found.of_model = bound.worst().map_or(0.0, |(_, bound)| bound);
+        if !stand_in.is_forced && found.errors.worst().is_some_and(|(_, error)| error > tolerance) {
+            // Guessed too narrow a contact, or a scene that is hard for the numbers.
+            self.solve_in_full()?;
+            return self.find();
+        }
+        self.judged = Some(found);
+        Ok(())
+    }
+
+    /// Goes back to the solid itself.
+    fn solve_in_full(&mut self) -> Result<(), Refusal> {
+        let mut chosen = choose(&self.chosen.before_model());
+        chosen.plan.reasons.insert(0, "full: the error of a cheaper model was found to exceed the tolerance".into());
+        let wishes = self.problem.wishes;
+        self.problem = Problem::new(&chosen.scene)?;
+        self.problem.wishes = wishes;
+        self.layer = match self.aside.take() {
+            Some(layer) => layer,
+            None => Layer::new(&self.problem, &chosen.methods)?,
+        };
+        self.ladder = Ladder::inheriting(self.layer.families_for(&chosen.scene));
+        (self.chosen, self.stand_in, self.judged) = (chosen, None, None);
         Ok(())
     }
 
@@ -168,7 +226,7 @@ impl Solver {
     /// Points of a loading curve that ends in the load found last; `None` where each has to be solved by itself.
     pub(super) fn points_on_the_way(&mut self, loads: &[Load]) -> Option<Vec<Point>> {
         let tolerance = self.chosen.scene.solver.tolerance.get();
-        let Self { chosen, problem, layer, ladder, judged } = self;
+        let Self { chosen, problem, layer, ladder, judged, .. } = self;
         let judged = judged.as_ref()?;
         let (status, reason) = verdict(problem, ladder.stage(judged.stage), judged, tolerance);
         if status == Status::AssumptionViolated {
@@ -205,8 +263,35 @@ impl Solver {
             unknowns: stage.unknowns(),
             flexibility_evaluations: self.layer.flexibility_evaluations(),
             factorisations,
+            bound: Some(judged.of_model),
             ..self.chosen.plan.clone()
         };
         assemble::solution(&self.chosen.scene, plan, &self.layer, &self.problem, stage, judged, judgement)
+    }
+}
+
+/// A scene with its solid decided: as described, or by a model.
+#[allow(clippy::type_complexity)] // once
+pub(super) fn decided(
+    chosen: Chosen,
+    problem: Problem,
+) -> Result<(Chosen, Problem, Option<StandIn>), (Refusal, Box<Chosen>)> {
+    let stand_in = match stand_in::decide(&chosen.scene, &problem, chosen.is_open) {
+        Decision::Full => return Ok((chosen, problem, None)),
+        Decision::Cheaper(stand_in) => stand_in,
+        Decision::Inapplicable(why) => {
+            let remedy = "leave out `solver.model`: the planner takes what applies";
+            return Err((Refusal::OutOfReach { method: "model", why, remedy }, Box::new(chosen)));
+        }
+    };
+    let modelled = stand_in.modelled(&chosen.scene, &problem);
+    let because = stand_in.reason(&problem);
+    let thickness = problem.length;
+    match Problem::new(&modelled) {
+        Ok(problem) => {
+            let stand_in = stand_in.in_units(thickness / problem.length);
+            Ok((chosen.with(stand_in.model, &modelled.layer, because), problem, Some(stand_in)))
+        }
+        Err(refusal) => Err((refusal, Box::new(chosen))),
     }
 }

@@ -38,7 +38,10 @@ mod tests {
             ("/edge", "ratio stress_intensity"),
             ("/stick", "half_width one_minus_ratio ratio slip"),
             ("/error", "each estimate how"),
-            ("/plan", "factorisations flexibility flexibility_evaluations grading kernel quadrature reasons unknowns"),
+            (
+                "/plan",
+                "bound coupling_neglected factorisations flexibility flexibility_evaluations grading kernel model quadrature reasons unknowns",
+            ),
             ("/profile", "pressure shear x"),
             ("/scene", "format friction layer load output punch solver title units"),
         ] {

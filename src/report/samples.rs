@@ -70,6 +70,7 @@ pub(crate) fn flat(a: f64, eta: f64, slip: Slip, points: u32) -> Solution {
             flexibility_evaluations: 120,
             factorisations: 3,
             reasons: vec!["split: the kernel jumps at t = 0".into()],
+            ..Plan::default()
         },
         profile: Profile {
             pressure: x.iter().map(|x| pressure(*x)).collect(),

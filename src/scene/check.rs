@@ -1,7 +1,7 @@
 //! What no single key can show to be wrong.
 
 use super::document::{Document, dotted};
-use super::{Load, Scene, SceneError};
+use super::{Load, Model, Scene, SceneError};
 use slipzone_api::{Base, Friction, PunchShape, Refusal, short};
 use toml::Spanned;
 use toml::de::DeValue;
@@ -10,8 +10,8 @@ type Check = fn(&Document, &Scene) -> Result<(), SceneError>;
 
 /// All checks; the first that fails.
 pub(super) fn all(document: &Document, scene: &Scene) -> Result<(), SceneError> {
-    const CHECKS: [Check; 11] =
-        [labels, friction, tolerance, output, quantities, magnitudes, thickness, grading, datum, load, ratios];
+    const CHECKS: [Check; 12] =
+        [labels, friction, tolerance, models, output, quantities, magnitudes, thickness, grading, datum, load, ratios];
     CHECKS.iter().try_for_each(|check| check(document, scene))
 }
 
@@ -247,6 +247,25 @@ fn tolerance(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     Err(document
         .not_allowed(&["solver", "tolerance"], "a number between 1e-14 and 0.5")
         .hint("it is relative: 1e-6 asks for six digits"))
+}
+
+/// What is forced is not forbidden, and something is left.
+fn models(document: &Document, scene: &Scene) -> Result<(), SceneError> {
+    let forbidden = &scene.solver.forbid;
+    let at = |index: usize| index.to_string();
+    if let Some(index) = forbidden.iter().position(|model| *model == Model::Full) {
+        return Err(document
+            .not_allowed(&["solver", "forbid", &at(index)], "`half-plane` or `homogeneous`")
+            .hint("the full model is what is left where no other is near enough; `model` forces another"));
+    }
+    if let Some(index) = (1..forbidden.len()).find(|index| forbidden[..*index].contains(&forbidden[*index])) {
+        return Err(document.not_allowed(&["solver", "forbid", &at(index)], "each model once"));
+    }
+    let forced = forbidden.iter().position(|model| Some(*model) == scene.solver.model);
+    forced.map_or(Ok(()), |index| {
+        Err(document
+            .not_allowed(&["solver", "forbid", &at(index)], "a model other than `solver.model`, which forces it"))
+    })
 }
 
 fn output(document: &Document, scene: &Scene) -> Result<(), SceneError> {

@@ -16,6 +16,7 @@ mod error;
 mod keys;
 mod load_keys;
 mod load_path;
+mod model;
 mod names;
 mod schema;
 mod table;
@@ -27,6 +28,7 @@ pub use asked::Asked;
 pub use error::SceneError;
 pub use keys::KEYS;
 pub use load_path::{LoadKind, LoadPath, PathError};
+pub use model::Model;
 pub use names::nearest;
 pub(crate) use template::{Replacement, Template, plain};
 pub use schema::schema;
@@ -221,6 +223,12 @@ pub struct Solver {
     /// How the integral equations are discretised.
     #[serde(default)]
     pub quadrature: Option<Box<dyn Quadrature>>,
+    /// What stands for the solid, whatever its error; the cheapest that is near enough when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub model: Option<Model>,
+    /// Models that are not to be chosen.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub forbid: Vec<Model>,
 }
 
 /// More than any measurement resolves, for a fraction of a millisecond.
@@ -230,7 +238,14 @@ fn default_tolerance() -> Positive {
 
 impl Default for Solver {
     fn default() -> Self {
-        Self { tolerance: default_tolerance(), flexibility: None, kernel: None, quadrature: None }
+        Self {
+            tolerance: default_tolerance(),
+            flexibility: None,
+            kernel: None,
+            quadrature: None,
+            model: None,
+            forbid: Vec::new(),
+        }
     }
 }
 

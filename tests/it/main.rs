@@ -19,6 +19,7 @@ mod layers;
 mod limits;
 mod loading_curve;
 mod marching;
+mod planned;
 mod planner;
 mod properties;
 mod punches;

@@ -1,5 +1,6 @@
 //! No more is computed than a scene asks for.
 
+use crate::planned::number;
 use crate::sketch::Sketch;
 use serde::{Deserialize, Serialize};
 use slipzone::api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal};
@@ -46,26 +47,6 @@ fn witnessed(scene: &Scene) -> (Solution, Vec<Component>) {
 
 fn asking(sketch: &Sketch, names: &[&str]) -> Scene {
     sketch.clone().with(&format!("[output]\nquantities = {names:?}")).scene()
-}
-
-/// The numbers of a solution by their path, `null` where there is none.
-fn number(solution: &Solution, path: &str) -> Option<f64> {
-    let stick = solution.stick.as_ref();
-    match path {
-        "load.force" => solution.load.force,
-        "load.half_width" => solution.load.half_width,
-        "load.indentation" => solution.load.indentation,
-        "pressure.centre" => solution.pressure.centre,
-        "pressure.mean" => solution.pressure.mean,
-        "pressure.peak" => solution.pressure.peak,
-        "edge.stress_intensity" => solution.edge.stress_intensity,
-        "edge.ratio" => solution.edge.ratio,
-        "stick.half_width" => stick?.half_width,
-        "stick.ratio" => stick?.ratio,
-        "stick.one_minus_ratio" => stick?.one_minus_ratio,
-        "stick.strain_rate" => stick?.strain_rate,
-        _ => panic!("no number is called {path}"),
-    }
 }
 
 fn sketches() -> [(&'static str, Sketch); 6] {

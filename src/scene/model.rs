@@ -1,0 +1,31 @@
+//! Which elastic model stands for the solid.
+
+use serde::{Deserialize, Serialize};
+
+/// The solid as it is solved: as the scene describes it, or something cheaper that is near enough.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Model {
+    /// As described.
+    #[default]
+    Full,
+    /// A homogeneous half-plane of the surface's material: base and grading are too far away to matter.
+    HalfPlane,
+    /// The layer on its base, of the surface's material throughout: the grading is too weak to matter.
+    Homogeneous,
+}
+
+impl Model {
+    /// All of them, the cheapest first.
+    pub const ALL: [Self; 3] = [Self::HalfPlane, Self::Homogeneous, Self::Full];
+
+    /// Its name in a scene.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Full => "full",
+            Self::HalfPlane => "half-plane",
+            Self::Homogeneous => "homogeneous",
+        }
+    }
+}
