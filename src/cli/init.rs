@@ -56,11 +56,14 @@ tolerance = 1e-8
 flexibility = { type = "closed-form" }
 kernel = { type = "split" }
 quadrature = { type = "de-sinc" }
+model = "full"
+forbid = ["half-plane"]
 
 [output]
 points = 201
 x = [-0.9, 0.0, 0.5]
 strain = false
+quantities = ["load", "edge"]
 
 [units]
 length = "mm"
@@ -68,7 +71,7 @@ stress = "MPa"
 "#;
 
 /// Keys that a first scene leaves out.
-const LEFT_OUT: [&str; 4] = ["datum", "flexibility", "kernel", "quadrature"];
+const LEFT_OUT: [&str; 7] = ["datum", "flexibility", "kernel", "quadrature", "model", "forbid", "quantities"];
 
 const HEAD: &str = "\
 # One contact problem. Any consistent units do: with lengths in mm and moduli in MPa, forces are in N per mm.

@@ -3,10 +3,12 @@
 use super::args::Sweep;
 use super::input::{self, is_dash};
 use super::journal::Journal;
-use super::output::Target;
+use super::output::{self, Target};
 use super::{Failure, Outcome, interrupt, print};
 use indicatif::{ProgressBar, ProgressStyle};
 use slipzone::report::{self, StudyTable};
+#[cfg(feature = "plot")]
+use slipzone::study::Plot;
 use slipzone::study::{Study, sweep};
 use std::fs;
 use std::ops::ControlFlow;
@@ -24,9 +26,15 @@ pub(super) fn run(arguments: &Sweep) -> Result<Outcome, Failure> {
         .map_err(|error| Failure::System(format!("cannot make the folder {}: {error}", folder.display())))?;
     let table = Target::new(&folder.join("results.csv"))?;
     let lines = Target::new(&folder.join("results.jsonl"))?;
+    #[cfg(feature = "plot")]
+    let figures = study.plots.iter().map(|plot| Ok((Target::new(&folder.join(&plot.file))?, plot)));
+    #[cfg(feature = "plot")]
+    let figures = figures.collect::<Result<Vec<_>, Failure>>()?;
     let mut journal = Journal::open(&folder.join("journal.jsonl"), &study, arguments.fresh)?;
     solve(&study, &mut journal, &folder)?;
     write_results(&study, &journal, &table, &lines)?;
+    #[cfg(feature = "plot")]
+    draw(&study, &journal, figures)?;
     let failed = journal.tally().failed;
     print::result(&summary(&study, &folder, failed))?;
     Ok(if failed == 0 { Outcome::Done } else { Outcome::NotConverged })
@@ -98,7 +106,6 @@ fn style() -> ProgressStyle {
 
 /// The records in the order of the study, as a table and as JSON lines: both or neither.
 fn write_results(study: &Study, journal: &Journal, table: &Target, lines: &Target) -> Result<(), Failure> {
-    let of_journal = |error: std::io::Error| Failure::System(format!("cannot read the journal: {error}"));
     let columns = StudyTable::new(study);
     let (mut csv, mut jsonl) = (table.begin()?, lines.begin()?);
     csv.write(columns.head().as_bytes())?;
@@ -113,6 +120,36 @@ fn write_results(study: &Study, journal: &Journal, table: &Target, lines: &Targe
     jsonl.keep()
 }
 
+/// The figures that the study asks for; one that cannot be drawn is a note.
+#[cfg(feature = "plot")]
+fn draw(study: &Study, journal: &Journal, figures: Vec<(Target, &Plot)>) -> Result<(), Failure> {
+    let mut drawn = Vec::new();
+    for (target, plot) in figures {
+        let mut lines = journal.in_order().map_err(of_journal)?;
+        let mut failure = None;
+        let records = std::iter::from_fn(|| {
+            let record = lines.next_line().and_then(|line| Ok(line.map(|l| serde_json::from_slice(&l)).transpose()?));
+            record.unwrap_or_else(|error| {
+                failure = Some(error);
+                None
+            })
+        });
+        let figure = report::study_svg(study, plot, records);
+        if let Some(error) = failure {
+            return Err(of_journal(error));
+        }
+        match figure {
+            Ok(figure) => drawn.push((target, figure)),
+            Err(error) => print::note(&format!("{} was not drawn: {error}", plot.file)),
+        }
+    }
+    output::write(&drawn)
+}
+
+fn of_journal(error: std::io::Error) -> Failure {
+    Failure::System(format!("cannot read the journal: {error}"))
+}
+
 fn summary(study: &Study, folder: &Path, failed: u64) -> String {
     let rows = study.rows();
     let title = study.title.as_ref().map_or(String::new(), |title| format!("{title}: "));
@@ -123,6 +160,8 @@ fn summary(study: &Study, folder: &Path, failed: u64) -> String {
     };
     let scenes = if rows == 1 { "scene" } else { "scenes" };
     let mut files = vec!["results.csv", "results.jsonl"];
-    files.extend(study.plots.iter().map(|plot| plot.file.as_str()));
+    if cfg!(feature = "plot") {
+        files.extend(study.plots.iter().map(|plot| plot.file.as_str()));
+    }
     format!("{title}{rows} {scenes}, {failures}\n{}: {}\n", folder.display(), files.join(", "))
 }

@@ -1,5 +1,6 @@
 //! The keys of a scene, described: what editors and new scenes are told. A new key is one line here.
 
+use super::Asked;
 use slipzone_api::{Family, Kind, Parameter, Values};
 
 /// Every key of a scene, in the order in which scenes are written. What a plugin may hold is in the registry.
@@ -110,7 +111,11 @@ const SOLVER: &[Parameter] = &[
     Parameter::optional("flexibility", "how the layer's flexibility is got", Values::Plugin(Family::Flexibility)),
     Parameter::optional("kernel", "how the kernels are got from it", Values::Plugin(Family::Kernel)),
     Parameter::optional("quadrature", "how the integral equations are discretised", Values::Plugin(Family::Quadrature)),
+    Parameter::optional("model", "what stands for the solid, whatever its error", MODELS),
+    Parameter::optional("forbid", "models that are not to stand for it", Values::List(&MODELS, 0, 3)),
 ];
+
+const MODELS: Values = Values::OneOf(&["full", "half-plane", "homogeneous"]);
 
 const OUTPUT: &[Parameter] = &[
     Parameter::optional(
@@ -125,6 +130,11 @@ const OUTPUT: &[Parameter] = &[
     )
     .in_place_of("points"),
     Parameter::optional("strain", "the strain left in the stick zone, too (default false)", Values::Flag),
+    Parameter::optional(
+        "quantities",
+        "groups or numbers of the result that are computed; all when left out",
+        Values::List(&Values::OneOf(&Asked::NAMES), 1, Asked::NAMES.len()),
+    ),
 ];
 
 const UNITS: &[Parameter] =

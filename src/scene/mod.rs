@@ -30,8 +30,8 @@ pub use keys::KEYS;
 pub use load_path::{LoadKind, LoadPath, PathError};
 pub use model::Model;
 pub use names::nearest;
-pub(crate) use template::{Replacement, Template, plain};
 pub use schema::schema;
+pub(crate) use template::{Replacement, Template, plain};
 pub use text::{LARGEST, text, too_large};
 
 use document::Document;

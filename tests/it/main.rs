@@ -31,7 +31,7 @@ mod run;
 mod scene;
 mod sketch;
 mod strain;
+mod study_plots;
 #[cfg(feature = "cli")]
 mod sweep;
-mod study_plots;
 mod verify;
