@@ -153,6 +153,7 @@ fn meaning(document: &Document, path: &[&str], key: &str) -> String {
         ([], "layer") => "[layer] with `thickness`, `poisson` and `grading`".into(),
         ([], "punch") => format!("[punch] with `type`, {}", names(Family::Punch)),
         ([], "load") => LOAD.into(),
+        ([], "scene") => "`scene`: the name of a scene file, or a table [scene]".into(),
         (_, "poisson") => "`poisson`: Poisson's ratio, a number above -1 and up to 0.5".into(),
         (_, "grading") => format!("`grading`: a table with `type`, {}", names(Family::Grading)),
         ([.., "layers", _], "thickness") => "`thickness`: that of the sublayer (length)".into(),

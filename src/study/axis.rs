@@ -76,7 +76,14 @@ impl Column {
     pub(super) fn described(&self) -> String {
         match &self.values {
             Values::Listed(listed) => listed.iter().map(|(toml, _)| toml.as_str()).collect::<Vec<_>>().join(", "),
-            other => format!("{other:?}"),
+            Values::Steps { from, to, count, by_factors, .. } => {
+                let kind = if *by_factors { "log" } else { "linear" };
+                format!("{kind} from {from:?} to {to:?}, {count} of them")
+            }
+            Values::Drawn { from, to, by_factors, seed } => {
+                let kind = if *by_factors { "log" } else { "linear" };
+                format!("drawn, {kind} from {from:?} to {to:?}, by {seed}")
+            }
         }
     }
 

@@ -368,11 +368,8 @@ fn check_values(document: &Document, study: &Study, files: &dyn Files) -> Result
                     place.extend(["random", "fields", c.as_str()]);
                 }
                 let index = step.to_string();
-                let is_field = error.message.starts_with("unknown key")
-                    || error.message.starts_with("unknown section")
-                    || error.message.starts_with("the scene has no place");
                 match &column.values {
-                    _ if is_field => place.push("field"),
+                    _ if is_of_field(&error) => place.push("field"),
                     Values::Listed(_) => place.extend(["values", index.as_str()]),
                     _ => {
                         let key = ["linear", "log"].into_iter().find(|key| {
@@ -388,6 +385,12 @@ fn check_values(document: &Document, study: &Study, files: &dyn Files) -> Result
         }
     }
     Ok(())
+}
+
+/// Whether it is the field that is wrong, and not its value.
+fn is_of_field(error: &SceneError) -> bool {
+    let starts = ["unknown key", "unknown section", "the scene has no place"];
+    starts.iter().any(|start| error.message.starts_with(start))
 }
 
 /// The column whose field an error of the first scene names.
@@ -407,7 +410,9 @@ fn blamed(study: &Study, error: &SceneError) -> Option<(usize, usize)> {
 
 /// An error of a scene at the place of the study that is to blame.
 fn placed(document: &Document, path: &[&str], error: &SceneError, of: &str) -> SceneError {
-    let mut placed = document.error(document.best(path), format!("{of}: {}", error.message));
+    // Where it names the field itself, once is enough.
+    let message = if error.message.contains(of) { error.message.clone() } else { format!("{of}: {}", error.message) };
+    let mut placed = document.error(document.best(path), message);
     placed.found.clone_from(&error.found);
     placed.expected.clone_from(&error.expected);
     placed.hint.clone_from(&error.hint);
@@ -434,6 +439,7 @@ fn check_find(document: &Document, study: &Study, files: &dyn Files) -> Result<(
         let path: Vec<String> = find.field.split('.').map(str::to_owned).collect();
         let value = Replacement { path: &path, value: format!("{end:?}").into() };
         if let Err(error) = study.made(&vec![0; study.axes.len()], Some(value), files) {
+            let key = if is_of_field(&error) { "field" } else { key };
             return Err(placed(document, &["find", key], &error, &format!("`{}`", find.field)));
         }
     }
