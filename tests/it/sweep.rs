@@ -130,6 +130,28 @@ fn a_killed_sweep_loses_no_finished_scene() {
     assert!(read(folder.path(), "out/results.csv") == whole(&study).1);
 }
 
+#[cfg(unix)]
+#[test]
+fn an_interrupted_sweep_says_how_far_it_came() {
+    let folder = folder_with(&STUDY.replace("count = 20", "count = 2000"));
+    let mut child = program(folder.path())
+        .args(["sweep", "study.toml", "--out", "out"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let journal = folder.path().join("out/journal.jsonl");
+    while fs::metadata(&journal).map_or(0, |found| found.len()) < 20_000 && child.try_wait().unwrap().is_none() {
+        std::thread::yield_now();
+    }
+    assert!(std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130));
+    let words = told(&output);
+    assert!(words.contains("of 6000 scenes are safe in out; the same command goes on from there"), "{words}");
+    assert!(!folder.path().join("out/results.csv").exists());
+}
+
 /// A limit on the size of files stands for a full disk.
 #[cfg(unix)]
 #[test]
@@ -321,6 +343,17 @@ fn every_broken_study_says_what_is_wrong_and_where() {
         assert_eq!(files(folder.path()), before, "nothing is made for a study that is none");
         insta::assert_snapshot!("bad_study", told(&output));
     });
+}
+
+#[test]
+fn the_studies_among_the_examples_run() {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/studies");
+    for name in files(&examples) {
+        let out = tempfile::tempdir().unwrap();
+        let study = examples.join(&name);
+        let output = run(out.path(), ["sweep".as_ref(), study.as_os_str(), "--out".as_ref(), "out".as_ref()]);
+        assert_eq!(output.status.code(), Some(0), "{}: {}", name.display(), told(&output));
+    }
 }
 
 /// The question of a study, asked by the library.
