@@ -184,7 +184,7 @@ fn against_datum() -> Case {
 }
 
 /// Layers whose series in `1/s` is compared with the flexibility itself; what the base adds at `s h = 36` is 1e-31.
-const SERIES: [(&str, &str); 6] = [
+const SERIES: [(&str, &str); 8] = [
     (
         "exponential to 8",
         "thickness = 1.0\npoisson = 0.3\ngrading = { type = \"exponential\", surface = 1.0, base = 8.0 }",
@@ -206,6 +206,18 @@ const SERIES: [(&str, &str); 6] = [
         "mixture of two Poisson's ratios",
         "thickness = 1.0\npoisson = 0.3\ngrading = { type = \"volume-fraction\", surface = { modulus = 1.0, poisson = 0.35 }, \
          base = { modulus = 3.0, poisson = 0.2 }, exponent = 1.0, rule = \"mori-tanaka\" }",
+    ),
+    (
+        "mixture of two Poisson's ratios in plane stress",
+        "thickness = 1.0\npoisson = 0.3\nplane = \"stress\"\ngrading = { type = \"volume-fraction\", \
+         surface = { modulus = 1.0, poisson = 0.45 }, base = { modulus = 3.0, poisson = -0.3 }, exponent = 1.0, \
+         rule = \"mixture\" }",
+    ),
+    (
+        "mixture of two Poisson's ratios and Young's moduli in plane stress",
+        "thickness = 1.0\npoisson = 0.3\nplane = \"stress\"\nmoduli = \"young\"\ngrading = { type = \"volume-fraction\", \
+         surface = { modulus = 1.0, poisson = 0.45 }, base = { modulus = 3.0, poisson = 0.1 }, exponent = 1.0, \
+         rule = \"mori-tanaka\" }",
     ),
 ];
 

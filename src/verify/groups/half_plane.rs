@@ -108,6 +108,9 @@ fn flat() -> Case {
             let solution = Contact::flat(layer).at(&X).to(TIGHT).solve()?;
             let name = |what: &str| format!("flat punch, nu = {nu}: {what}");
             sheet.relative(&name("edge factor 1/pi"), number(&solution, "edge.ratio")?, 1.0 / PI, within(), source);
+            let intensity = solution.edge.stress_intensity.ok_or("there is no stress intensity")?;
+            let expected = flat_punch::stress_intensity(1.0, 1.0);
+            sheet.relative(&name("stress intensity"), intensity, expected, within(), source);
             let errors = X
                 .iter()
                 .zip(&solution.profile.pressure)
