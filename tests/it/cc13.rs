@@ -93,6 +93,11 @@ fn rises(numbers: &[f64]) -> bool {
     falls(&numbers.iter().rev().copied().collect::<Vec<_>>())
 }
 
+/// Whether each number is above the other's.
+fn all_above(one: &[f64], other: &[f64]) -> bool {
+    one.len() == other.len() && one.iter().zip(other).all(|(one, other)| one > other)
+}
+
 fn assert_close(got: f64, expected: f64, tolerance: f64, what: &str) {
     assert!((got / expected - 1.0).abs() <= tolerance, "{what}: {got}, expected {expected}");
 }
@@ -128,7 +133,7 @@ fn table_1_is_off_by_what_the_page_says() {
     let cases: Value = serde_json::from_str(include_str!("../data/layer_cases.json")).expect("valid JSON");
     let cases = cases["cases"].as_array().expect("a list");
     for ((ratio, value), printed) in RATIOS.into_iter().zip([0.125, 1.0, 8.0]).zip(PRINTED) {
-        let mut line = format!("| {ratio} |");
+        let mut line = vec![format!("| {ratio} |")];
         for (h, printed) in [20, 10, 5].into_iter().zip(printed) {
             let wanted = [("mu1/mu3", json!(ratio)), ("h/b", json!(f64::from(h)))];
             let got = column("table1", &wanted, "edge.ratio")[0];
@@ -139,9 +144,9 @@ fn table_1_is_off_by_what_the_page_says() {
             let independent = &cases.iter().find(is_it).expect("a case")["flat"]["edge"];
             assert_close(got, independent.as_f64().expect("a number"), TOLERANCE, "Table 1");
             let off = 100.0 * (printed / got - 1.0);
-            line += &format!(" {printed:.4} | {got:.5} | {off:+.2} % |");
+            line.push(format!("{printed:.4} | {got:.5} | {off:+.2} % |"));
         }
-        assert_said(&line.replace('-', "\u{2212}"));
+        assert_said(&line.join(" ").replace('-', "\u{2212}"));
     }
 }
 
@@ -255,9 +260,8 @@ fn figure_8_more_friction_sticks_more_and_so_does_a_stiffer_base() {
             }
         }
     }
-    for i in 0..flat[0].len() {
-        assert!(flat[0][i] > flat[1][i] && flat[1][i] > flat[2][i]);
-    }
+    let [stiff, plain, soft] = &flat;
+    assert!(all_above(stiff, plain) && all_above(plain, soft));
 }
 
 #[test]
@@ -273,9 +277,8 @@ fn figure_9_the_strain_tends_to_a_constant_that_grows_with_the_ratio() {
         assert!((before / last - 1.0).abs() < 5e-3);
         assert_said(&format!("{last:.5}").replace('-', "\u{2212}"));
     }
-    for i in 0..strains[0].len() {
-        assert!(strains[0][i] > strains[1][i] && strains[1][i] > strains[2][i], "{i}");
-    }
+    let [stiff, plain, soft] = &strains;
+    assert!(all_above(stiff, plain) && all_above(plain, soft), "they are negative");
     // What it makes of the stick zone: too small at eta = 0.3, by what theory.md says.
     for (ratio, off) in RATIOS.into_iter().zip([-1.8, -6.4, -23.6]) {
         let at = |strain: &str| {
