@@ -55,10 +55,16 @@ fn texts(svg: &str) -> Vec<String> {
     document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).map(Into::into).collect()
 }
 
-/// Curves by their colour: the paths of a panel that are as wide as curves are.
-fn curves(svg: &str) -> usize {
+/// How many points each curve has: each path that is as wide as curves are.
+fn lengths(svg: &str) -> Vec<usize> {
     let document = roxmltree::Document::parse(svg).expect("well-formed XML");
-    document.descendants().filter(|n| n.has_tag_name("path") && n.attribute("stroke-width") == Some("2.2")).count()
+    let is_curve = |n: &roxmltree::Node| n.has_tag_name("path") && n.attribute("stroke-width") == Some("2.2");
+    let points = |n: roxmltree::Node| n.attribute("d").map_or(0, |d| d.matches('L').count() + 1);
+    document.descendants().filter(is_curve).map(points).collect()
+}
+
+fn curves(svg: &str) -> usize {
+    lengths(svg).len()
 }
 
 const CURVES: &str = "x = 'friction.coefficient'\ny = 'stick.ratio'\n";
@@ -104,7 +110,7 @@ fn what_did_not_converge_is_a_gap_and_is_counted() {
     // By the coefficient the scenes 1, 2, 3, 0 follow each other: one line is left of two.
     all[2]["status"] = json!("assumption-violated");
     let svg = figure(&study, all);
-    assert_eq!(curves(&svg), 3, "a line of two, beside a point");
+    assert_eq!(lengths(&svg), [2, 4, 4], "a line of two beyond the gap, beside a point");
     assert!(texts(&svg).contains(&"1 of 12 scenes did not converge".to_owned()), "{:?}", texts(&svg));
     let failed = records(&study).into_iter().map(|mut record| {
         record["status"] = json!("not-converged");
