@@ -225,6 +225,8 @@ fn figure_6_stiffer_below_is_more_uniform_and_sticks_more() {
     assert!(falls(&over("pressure.centre")), "in mean pressures, which are 1: more uniform");
     assert!(rises(&over("edge.ratio")));
     assert!(falls(&over("stick.ratio")));
+    let [stiff, plain, _] = over("edge.ratio");
+    assert_said(&format!("by {:.0} % at 1/8", 100.0 * (1.0 - stiff / plain)));
     for (centre, ratio) in over("pressure.centre").into_iter().zip(over("stick.ratio")) {
         assert_said(&format!("| {centre:.3} | {ratio:.4} |"));
     }
@@ -313,6 +315,9 @@ fn figure_10_thick_layers_tend_to_the_half_plane_slowly() {
     // The edge forgets the base sooner than the stick zone does.
     let edge = over_thickness("1", "edge.ratio");
     let off = (1.0 - edge[12] * std::f64::consts::PI, plain[12] / half_plane - 1.0);
+    let far = |path: &str| column("table1", &[("mu1/mu3", json!("1")), ("h/b", json!(20.0))], path)[0];
+    let (at_edge, of_stick) = (1.0 - far("edge.ratio") * std::f64::consts::PI, far("stick.ratio") / half_plane - 1.0);
+    assert_said(&format!("{:.1} % at the edge and {:.0} % of the stick zone. A", 100.0 * at_edge, 100.0 * of_stick));
     assert!(off.0 < 0.01 && off.1 > 0.1, "{off:?}");
     assert_said(&format!("{:.1} % at the edge and {:.0} % of the stick zone", 100.0 * off.0, 100.0 * off.1));
 }
@@ -340,7 +345,9 @@ fn figure_12_a_thinner_layer_bears_more_unless_it_softens_downwards() {
     let over = |ratio: &str| column("figure12", &[("mu1/mu3", json!(ratio))], "load.force");
     assert!(falls(&over("1/8")) && falls(&over("1")), "thickness grows");
     // The paper claims it for all ratios.
-    assert!(rises(&over("8")[1..]) && over("8")[0] > over("8")[1]);
+    let soft = over("8");
+    assert!(rises(&soft[1..]) && soft[0] > soft[1]);
+    assert_said(&format!("by {:.0} % from h/b = 20 to 2", 100.0 * (1.0 - soft[1] / soft[4])));
     for ratio in RATIOS {
         let cells: Vec<String> = over(ratio).iter().map(|force| format!("{force:.4}")).collect();
         assert_said(&format!("| {ratio} | {} |", cells.join(" | ")));
@@ -352,6 +359,8 @@ fn a_narrower_contact_is_pressed_harder() {
     let over = |path: &str| column("fretting", &[], path);
     let (width, peak, stick) = (over("load.half_width"), over("pressure.peak"), over("stick.ratio"));
     assert!(falls(&width) && rises(&peak) && rises(&stick));
+    assert_said(&format!("narrows the contact by {:.0} %", 100.0 * (1.0 - width[12] / width[6])));
+    assert_said(&format!("raises the peak pressure by {:.0} %", 100.0 * (peak[12] / peak[6] - 1.0)));
     for i in [0, 6, 12] {
         let slip = width[i] * over("stick.one_minus_ratio")[i];
         assert_said(&format!("| {:.3} | {:.4} | {:.4} | {slip:.4} |", width[i], peak[i], stick[i]));
