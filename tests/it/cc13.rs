@@ -93,6 +93,11 @@ fn rises(numbers: &[f64]) -> bool {
     falls(&numbers.iter().rev().copied().collect::<Vec<_>>())
 }
 
+/// Whether each number is above the other's.
+fn all_above(one: &[f64], other: &[f64]) -> bool {
+    one.len() == other.len() && one.iter().zip(other).all(|(one, other)| one > other)
+}
+
 fn assert_close(got: f64, expected: f64, tolerance: f64, what: &str) {
     assert!((got / expected - 1.0).abs() <= tolerance, "{what}: {got}, expected {expected}");
 }
@@ -128,7 +133,7 @@ fn table_1_is_off_by_what_the_page_says() {
     let cases: Value = serde_json::from_str(include_str!("../data/layer_cases.json")).expect("valid JSON");
     let cases = cases["cases"].as_array().expect("a list");
     for ((ratio, value), printed) in RATIOS.into_iter().zip([0.125, 1.0, 8.0]).zip(PRINTED) {
-        let mut line = format!("| {ratio} |");
+        let mut line = vec![format!("| {ratio} |")];
         for (h, printed) in [20, 10, 5].into_iter().zip(printed) {
             let wanted = [("mu1/mu3", json!(ratio)), ("h/b", json!(f64::from(h)))];
             let got = column("table1", &wanted, "edge.ratio")[0];
@@ -139,9 +144,9 @@ fn table_1_is_off_by_what_the_page_says() {
             let independent = &cases.iter().find(is_it).expect("a case")["flat"]["edge"];
             assert_close(got, independent.as_f64().expect("a number"), TOLERANCE, "Table 1");
             let off = 100.0 * (printed / got - 1.0);
-            line += &format!(" {printed:.4} | {got:.5} | {off:+.2} % |");
+            line.push(format!("{printed:.4} | {got:.5} | {off:+.2} % |"));
         }
-        assert_said(&line.replace('-', "\u{2212}"));
+        assert_said(&line.join(" ").replace('-', "\u{2212}"));
     }
 }
 
@@ -220,6 +225,8 @@ fn figure_6_stiffer_below_is_more_uniform_and_sticks_more() {
     assert!(falls(&over("pressure.centre")), "in mean pressures, which are 1: more uniform");
     assert!(rises(&over("edge.ratio")));
     assert!(falls(&over("stick.ratio")));
+    let [stiff, plain, _] = over("edge.ratio");
+    assert_said(&format!("by {:.0} % at 1/8", 100.0 * (1.0 - stiff / plain)));
     for (centre, ratio) in over("pressure.centre").into_iter().zip(over("stick.ratio")) {
         assert_said(&format!("| {centre:.3} | {ratio:.4} |"));
     }
@@ -255,9 +262,8 @@ fn figure_8_more_friction_sticks_more_and_so_does_a_stiffer_base() {
             }
         }
     }
-    for i in 0..flat[0].len() {
-        assert!(flat[0][i] > flat[1][i] && flat[1][i] > flat[2][i]);
-    }
+    let [stiff, plain, soft] = &flat;
+    assert!(all_above(stiff, plain) && all_above(plain, soft));
 }
 
 #[test]
@@ -273,9 +279,8 @@ fn figure_9_the_strain_tends_to_a_constant_that_grows_with_the_ratio() {
         assert!((before / last - 1.0).abs() < 5e-3);
         assert_said(&format!("{last:.5}").replace('-', "\u{2212}"));
     }
-    for i in 0..strains[0].len() {
-        assert!(strains[0][i] > strains[1][i] && strains[1][i] > strains[2][i], "{i}");
-    }
+    let [stiff, plain, soft] = &strains;
+    assert!(all_above(stiff, plain) && all_above(plain, soft), "they are negative");
     // What it makes of the stick zone: too small at eta = 0.3, by what theory.md says.
     for (ratio, off) in RATIOS.into_iter().zip([-1.8, -6.4, -23.6]) {
         let at = |strain: &str| {
@@ -310,6 +315,9 @@ fn figure_10_thick_layers_tend_to_the_half_plane_slowly() {
     // The edge forgets the base sooner than the stick zone does.
     let edge = over_thickness("1", "edge.ratio");
     let off = (1.0 - edge[12] * std::f64::consts::PI, plain[12] / half_plane - 1.0);
+    let far = |path: &str| column("table1", &[("mu1/mu3", json!("1")), ("h/b", json!(20.0))], path)[0];
+    let (at_edge, of_stick) = (1.0 - far("edge.ratio") * std::f64::consts::PI, far("stick.ratio") / half_plane - 1.0);
+    assert_said(&format!("{:.1} % at the edge and {:.0} % of the stick zone. A", 100.0 * at_edge, 100.0 * of_stick));
     assert!(off.0 < 0.01 && off.1 > 0.1, "{off:?}");
     assert_said(&format!("{:.1} % at the edge and {:.0} % of the stick zone", 100.0 * off.0, 100.0 * off.1));
 }
@@ -337,7 +345,9 @@ fn figure_12_a_thinner_layer_bears_more_unless_it_softens_downwards() {
     let over = |ratio: &str| column("figure12", &[("mu1/mu3", json!(ratio))], "load.force");
     assert!(falls(&over("1/8")) && falls(&over("1")), "thickness grows");
     // The paper claims it for all ratios.
-    assert!(rises(&over("8")[1..]) && over("8")[0] > over("8")[1]);
+    let soft = over("8");
+    assert!(rises(&soft[1..]) && soft[0] > soft[1]);
+    assert_said(&format!("by {:.0} % from h/b = 20 to 2", 100.0 * (1.0 - soft[1] / soft[4])));
     for ratio in RATIOS {
         let cells: Vec<String> = over(ratio).iter().map(|force| format!("{force:.4}")).collect();
         assert_said(&format!("| {ratio} | {} |", cells.join(" | ")));
@@ -349,6 +359,8 @@ fn a_narrower_contact_is_pressed_harder() {
     let over = |path: &str| column("fretting", &[], path);
     let (width, peak, stick) = (over("load.half_width"), over("pressure.peak"), over("stick.ratio"));
     assert!(falls(&width) && rises(&peak) && rises(&stick));
+    assert_said(&format!("narrows the contact by {:.0} %", 100.0 * (1.0 - width[12] / width[6])));
+    assert_said(&format!("raises the peak pressure by {:.0} %", 100.0 * (peak[12] / peak[6] - 1.0)));
     for i in [0, 6, 12] {
         let slip = width[i] * over("stick.one_minus_ratio")[i];
         assert_said(&format!("| {:.3} | {:.4} | {:.4} | {slip:.4} |", width[i], peak[i], stick[i]));

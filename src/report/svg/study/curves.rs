@@ -189,7 +189,7 @@ pub(super) fn scale(
     const SMALL: f64 = 0.4;
     let (least, most) = values.map(|v| (v, v)).reduce(|(l, m), (v, _)| (l.min(v), m.max(v)))?;
     if steps == Steps::Log {
-        let factor = if least == most || room { (most / least).powf(0.05).max(1.02) } else { 1.0 };
+        let factor = if room || least >= most { (most / least).powf(0.05).max(1.02) } else { 1.0 };
         return Some(Scale::logarithmic(least / factor, most * factor, name, unit));
     }
     Some(if least >= 0.0 && least <= SMALL * most && most > 0.0 {

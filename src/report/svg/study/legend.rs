@@ -20,7 +20,7 @@ const GAP: f64 = 8.0;
 const BETWEEN: f64 = 26.0;
 const ROW: f64 = 24.0;
 /// Width of an average letter in its height; the viewer chooses the font, so nobody knows better.
-const LETTER: f64 = 0.58;
+const LETTER: f64 = 0.52;
 
 /// Entries in a row, or in columns where they are too many for one.
 pub(super) struct Legend<'e> {

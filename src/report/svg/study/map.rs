@@ -93,7 +93,7 @@ fn level_line(columns: &[f64], rows: &[f64], values: &[Option<f64>], level: f64)
             let crossing = |side: usize| {
                 let ((x1, y1, v1), (x2, y2, v2)) = (known[side], known[(side + 1) % 4]);
                 let share = v1 / (v1 - v2);
-                ((v1 < 0.0) != (v2 < 0.0)).then(|| (x1 + share * (x2 - x1), y1 + share * (y2 - y1)))
+                ((v1 < 0.0) != (v2 < 0.0)).then_some((x1 + share * (x2 - x1), y1 + share * (y2 - y1)))
             };
             let crossings: Vec<(f64, f64)> = (0..4).filter_map(crossing).collect();
             for ends in crossings.chunks_exact(2) {
@@ -128,7 +128,7 @@ impl Grid {
         };
         let mut middles: Vec<(u64, f64)> = all.iter().filter_map(value).collect();
         middles.sort_by(|one, other| one.1.total_cmp(&other.1));
-        middles.dedup_by(|one, other| one.1 == other.1);
+        middles.dedup_by(|one, other| one.1.total_cmp(&other.1).is_eq());
         if middles.len() < 2 {
             return Err(refused("has at least two values"));
         }

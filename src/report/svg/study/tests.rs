@@ -55,10 +55,16 @@ fn texts(svg: &str) -> Vec<String> {
     document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).map(Into::into).collect()
 }
 
-/// Curves by their colour: the paths of a panel that are as wide as curves are.
-fn curves(svg: &str) -> usize {
+/// How many points each curve has: each path that is as wide as curves are.
+fn lengths(svg: &str) -> Vec<usize> {
     let document = roxmltree::Document::parse(svg).expect("well-formed XML");
-    document.descendants().filter(|n| n.has_tag_name("path") && n.attribute("stroke-width") == Some("2.2")).count()
+    let is_curve = |n: &roxmltree::Node| n.has_tag_name("path") && n.attribute("stroke-width") == Some("2.2");
+    let points = |n: roxmltree::Node| n.attribute("d").map_or(0, |d| d.matches('L').count() + 1);
+    document.descendants().filter(is_curve).map(points).collect()
+}
+
+fn curves(svg: &str) -> usize {
+    lengths(svg).len()
 }
 
 const CURVES: &str = "x = 'friction.coefficient'\ny = 'stick.ratio'\n";
@@ -104,7 +110,7 @@ fn what_did_not_converge_is_a_gap_and_is_counted() {
     // By the coefficient the scenes 1, 2, 3, 0 follow each other: one line is left of two.
     all[2]["status"] = json!("assumption-violated");
     let svg = figure(&study, all);
-    assert_eq!(curves(&svg), 3, "a line of two, beside a point");
+    assert_eq!(lengths(&svg), [2, 4, 4], "a line of two beyond the gap, beside a point");
     assert!(texts(&svg).contains(&"1 of 12 scenes did not converge".to_owned()), "{:?}", texts(&svg));
     let failed = records(&study).into_iter().map(|mut record| {
         record["status"] = json!("not-converged");
@@ -244,4 +250,35 @@ fn odd_numbers_still_fit_a_figure() {
     all[1]["stick"]["ratio"] = json!(0.0);
     all[2]["stick"]["ratio"] = json!(null);
     texts(&figure(&log, all));
+}
+
+/// Writes the figures to look at: `SLIPZONE_FIGURES=folder cargo test studies_to_look_at -- --ignored`.
+#[test]
+#[ignore = "for the eye"]
+fn studies_to_look_at() {
+    let folder = std::path::PathBuf::from(std::env::var("SLIPZONE_FIGURES").expect("a folder"));
+    let twelve = "[[axes]]\nfield = 'layer.thickness'\nlog = { from = 1.0, to = 30.0, count = 12 }\n\
+                  [[axes]]\nfield = 'friction.coefficient'\nlog = { from = 0.01, to = 1.0, count = 40 }\n";
+    let cloud = "[[axes]]\nrandom = { count = 500, seed = 1, fields = [\
+                 { field = 'friction.coefficient', linear = { from = 0.1, to = 0.5 } }, \
+                 { field = 'layer.thickness', log = { from = 1.0, to = 10.0 } }] }\n";
+    let long = "title = 'A title of the kind that does not end before everything has been said about the study'\n";
+    for (name, axes, plot) in [
+        ("twelve", twelve, format!("{CURVES}x_scale = 'log'\ny_scale = 'log'\n")),
+        ("cloud", cloud, CURVES.into()),
+        ("long", AXES, format!("{CURVES}{long}lines = [{{ y = 0.4, label = 'a' }}, {{ y = 0.5, label = 'b' }}]\n")),
+        ("map-failed", GRID, MAP.into()),
+        (
+            "tractions",
+            AXES,
+            "kind = 'tractions'\nover = 'one'\nonly = { 'friction.coefficient' = [0.1, 0.3] }\n".into(),
+        ),
+    ] {
+        let study = study(axes, &plot);
+        let mut all = records(&study);
+        if name.ends_with("failed") {
+            [3, 4, 17].map(|index| all[index]["status"] = json!("not-converged"));
+        }
+        std::fs::write(folder.join(name).with_extension("svg"), figure(&study, all)).expect("a file");
+    }
 }
