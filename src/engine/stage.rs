@@ -15,6 +15,7 @@ use super::stick_search::{Found, FrictionCurve, Root, Samples};
 use super::stick_zone::StickZone;
 use arrayvec::ArrayVec;
 use slipzone_api::{Edge, Quadrature, Refusal, Station};
+use std::f64::consts::FRAC_PI_2;
 
 /// Friction below this share of the coefficient at every stick zone is rounding: there is no shear.
 const NO_SHEAR: f64 = 1e-10;
@@ -602,14 +603,21 @@ pub(crate) fn normal_numbers(layer: &Layer, problem: &Problem, normal: &mut Norm
 }
 
 /// The largest pressure under a punch whose contact ends smoothly, from the pressures at points inside it.
+///
+/// It is looked for along the angle whose sine is `x/b`: shapes of high powers press near the edge, on a stretch that
+/// is a few steps wide there.
 pub(crate) fn peak(b: f64, mut pressure: impl FnMut(&[Station], &mut [f64])) -> f64 {
-    let mut step = b / PEAK_SAMPLES as f64;
+    let mut step = FRAC_PI_2 / PEAK_SAMPLES as f64;
+    let station = |angle: f64| {
+        let half = (0.5 * (FRAC_PI_2 - angle)).sin();
+        Station { x: b * angle.sin(), gap: 2.0 * b * half * half }
+    };
     let mut samples = [0.0; PEAK_SAMPLES];
-    let stations: [Station; PEAK_SAMPLES] = std::array::from_fn(|i| i as f64 * step).map(|x| Station { x, gap: b - x });
+    let stations: [Station; PEAK_SAMPLES] = std::array::from_fn(|i| station(i as f64 * step));
     pressure(&stations, &mut samples);
-    let mut at = |x: f64| {
+    let mut at = |angle: f64| {
         let mut p = [0.0];
-        pressure(&[Station { x, gap: b - x }], &mut p);
+        pressure(&[station(angle)], &mut p);
         p[0]
     };
     let (top, mut highest) =
@@ -618,17 +626,17 @@ pub(crate) fn peak(b: f64, mut pressure: impl FnMut(&[Station], &mut [f64])) -> 
         return highest;
     }
     // Vertices of parabolas through three points that close in.
-    let mut x = top as f64 * step;
+    let mut angle = top as f64 * step;
     for _ in 0..3 {
-        let (left, middle, right) = (at(x - step), at(x), at(x + step));
+        let (left, middle, right) = (at(angle - step), at(angle), at(angle + step));
         let bend = 2.0 * middle - left - right;
         if bend <= 0.0 {
             break;
         }
         let shift = 0.5 * (right - left) / bend;
-        x += step * shift.clamp(-1.0, 1.0);
+        angle += step * shift.clamp(-1.0, 1.0);
         step *= 0.1;
-        highest = highest.max(at(x));
+        highest = highest.max(at(angle));
     }
     highest
 }
