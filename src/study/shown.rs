@@ -1,9 +1,15 @@
 //! The names in a figure's description, found among the axes of its study and the numbers of a result.
 
+mod fault;
+mod marks;
+mod only;
+
 use super::axis::{Axis, Values};
-use super::plot::{OneOrMore, Plot, PlotKind, Scale};
+use super::plot::{OneOrMore, Plot, PlotKind};
 use super::{Cell, Study};
 use crate::scene::nearest;
+pub(crate) use fault::PlotFault;
+use marks::{file_name, marks};
 
 /// Numbers of a result that a figure may show, by their paths.
 pub(crate) const NUMBERS: [&str; 13] = [
@@ -27,12 +33,10 @@ const TRACTIONS: [&str; 2] = ["pressure", "shear"];
 
 /// Most curves that can be told apart in a panel.
 pub(crate) const MOST_CURVES: u64 = 12;
-/// Most panels of a figure, and numbers over each other's side.
+/// Most panels of a figure.
 const MOST_PANELS: u64 = 6;
 /// Most numbers side by side.
 pub(crate) const MOST_NUMBERS: usize = 4;
-/// Steps among which one with a given value is looked for.
-const MOST_STEPS: u64 = 1_000_000;
 
 /// A field along an axis: the places of both in their lists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,39 +70,6 @@ pub(crate) struct Shown {
     pub(crate) is_cloud: bool,
     /// Steps that are shown, where they are not all.
     pub(crate) only: Vec<(usize, Vec<u64>)>,
-}
-
-/// What is wrong with a figure's description.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct PlotFault {
-    /// Keys that lead to the place.
-    pub(crate) path: Vec<String>,
-    pub(crate) message: String,
-    pub(crate) found: Option<String>,
-    pub(crate) expected: String,
-    pub(crate) hint: Option<String>,
-}
-
-impl PlotFault {
-    fn new(path: &[&str], message: impl Into<String>, expected: impl Into<String>) -> Self {
-        let path = path.iter().map(|key| (*key).to_owned()).collect();
-        Self { path, message: message.into(), found: None, expected: expected.into(), hint: None }
-    }
-
-    fn found(self, found: impl Into<String>) -> Self {
-        Self { found: Some(found.into()), ..self }
-    }
-
-    /// What is wrong in one line, without its place.
-    #[cfg(feature = "plot")]
-    pub(crate) fn in_one_line(&self) -> String {
-        let found = self.found.as_ref().map_or_else(String::new, |found| format!(", found {found}"));
-        format!("`{}`: {}{found}, expected {}", self.path.join("."), self.message, self.expected)
-    }
-
-    fn hint(self, hint: impl Into<String>) -> Self {
-        Self { hint: Some(hint.into()), ..self }
-    }
 }
 
 impl Study {
@@ -332,50 +303,6 @@ impl Study {
         }
         Ok(())
     }
-
-    /// Steps of the axes that a figure is confined to.
-    fn only(&self, plot: &Plot) -> Result<Vec<(usize, Vec<u64>)>, PlotFault> {
-        let mut only: Vec<(usize, Vec<u64>)> = Vec::new();
-        for (name, wanted) in &plot.only {
-            let place = self.place(&["only", name], name)?;
-            let wanted = wanted.as_array().map_or(std::slice::from_ref(wanted), Vec::as_slice);
-            let mut steps: Vec<u64> = Vec::new();
-            for value in wanted {
-                steps.extend(self.steps_with(place, name, value)?);
-            }
-            steps.sort_unstable();
-            steps.dedup();
-            if steps.is_empty() || only.iter().any(|other| other.0 == place.axis) {
-                return Err(PlotFault::new(
-                    &["only", name],
-                    "nothing to show",
-                    "values of each axis once, at least one",
-                ));
-            }
-            only.push((place.axis, steps));
-        }
-        Ok(only)
-    }
-
-    fn steps_with(&self, place: Place, name: &str, value: &toml::Value) -> Result<Vec<u64>, PlotFault> {
-        /// Numbers written with ten digits are meant to be those of a range.
-        const SAME: f64 = 1e-9;
-        let (axis, column) = (&self.axes[place.axis], &self.axes[place.axis].columns[place.column]);
-        #[expect(clippy::cast_precision_loss, reason = "a name for a value, not a count")]
-        let number = value.as_float().or_else(|| value.as_integer().map(|integer| integer as f64));
-        let is_meant = |step: &u64| match column.cell(*step) {
-            Cell::Text(text) => value.as_str() == Some(&text),
-            Cell::Number(own) => number.is_some_and(|n| (n - own).abs() <= SAME * own.abs()),
-        };
-        let steps: Vec<u64> = (0..axis.count.min(MOST_STEPS)).filter(is_meant).collect();
-        if steps.is_empty() {
-            let shown: Vec<String> = (0..axis.count.min(6)).map(|step| column.cell(step).to_string()).collect();
-            let more = if axis.count > 6 { ", ..." } else { "" };
-            let fault = PlotFault::new(&["only", name], format!("no value of `{name}`"), shown.join(", ") + more);
-            return Err(fault.found(value.to_string()));
-        }
-        Ok(steps)
-    }
 }
 
 impl Axis {
@@ -394,49 +321,4 @@ impl Shown {
         });
         along.chain(self.panels.map(|place| place.axis)).collect()
     }
-}
-
-/// A name that stays in its folder on every system, and is that of a figure.
-fn file_name(name: &str) -> Result<(), PlotFault> {
-    let odd = |c: char| c.is_control() || "<>:\"/\\|?*".contains(c);
-    let stem = name.strip_suffix(".svg").unwrap_or_default();
-    if stem.is_empty() || stem.starts_with('.') || name.chars().any(odd) {
-        let fault =
-            PlotFault::new(&["file"], "not the name of a figure", "a name such as `stick.svg`, without folders");
-        return Err(fault.found(format!("`{name}`")));
-    }
-    Ok(())
-}
-
-/// Lines and points that can be drawn.
-fn marks(plot: &Plot) -> Result<(), PlotFault> {
-    let drawable = |value: f64, scale: Scale| value.is_finite() && (scale == Scale::Linear || value > 0.0);
-    let expected =
-        |scale: Scale| if scale == Scale::Log { "numbers above 0, as the scale is `log`" } else { "finite numbers" };
-    for (index, line) in plot.lines.iter().enumerate() {
-        if !drawable(line.y, plot.y_scale) {
-            let path = ["lines", &index.to_string(), "y"];
-            return Err(PlotFault::new(&path, "a line that cannot be drawn", expected(plot.y_scale)));
-        }
-    }
-    for (index, points) in plot.points.iter().enumerate() {
-        let index = index.to_string();
-        if points.x.len() != points.y.len() {
-            let fault = PlotFault::new(&["points", &index, "y"], "as many `y` as `x` are needed", "one for each");
-            return Err(fault.found(format!("{} and {}", points.y.len(), points.x.len())));
-        }
-        for (key, values, scale) in [("x", &points.x, plot.x_scale), ("y", &points.y, plot.y_scale)] {
-            if !values.iter().all(|value| drawable(*value, scale)) {
-                return Err(PlotFault::new(&["points", &index, key], "points that cannot be drawn", expected(scale)));
-            }
-        }
-    }
-    if plot.kind == PlotKind::Tractions && !plot.points.is_empty() {
-        return Err(PlotFault::new(&["points"], "points go with curves only", "no `points` beside tractions"));
-    }
-    if plot.kind == PlotKind::Map && !(plot.lines.is_empty() && plot.points.is_empty()) {
-        let key = if plot.lines.is_empty() { "points" } else { "lines" };
-        return Err(PlotFault::new(&[key], "a map has no ordinate of numbers", format!("no `{key}`")));
-    }
-    Ok(())
 }

@@ -277,7 +277,9 @@ fn studies_to_look_at() {
         let study = study(axes, &plot);
         let mut all = records(&study);
         if name.ends_with("failed") {
-            [3, 4, 17].map(|index| all[index]["status"] = json!("not-converged"));
+            for index in [3, 4, 17] {
+                all[index]["status"] = json!("not-converged");
+            }
         }
         std::fs::write(folder.join(name).with_extension("svg"), figure(&study, all)).expect("a file");
     }

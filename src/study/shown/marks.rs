@@ -1,0 +1,49 @@
+//! What a figure's description gives by itself: a name, lines and points.
+
+use super::fault::PlotFault;
+use crate::study::plot::{Plot, PlotKind, Scale};
+
+/// A name that stays in its folder on every system, and is that of a figure.
+pub(super) fn file_name(name: &str) -> Result<(), PlotFault> {
+    let odd = |c: char| c.is_control() || "<>:\"/\\|?*".contains(c);
+    let stem = name.strip_suffix(".svg").unwrap_or_default();
+    if stem.is_empty() || stem.starts_with('.') || name.chars().any(odd) {
+        let fault =
+            PlotFault::new(&["file"], "not the name of a figure", "a name such as `stick.svg`, without folders");
+        return Err(fault.found(format!("`{name}`")));
+    }
+    Ok(())
+}
+
+/// Lines and points that can be drawn.
+pub(super) fn marks(plot: &Plot) -> Result<(), PlotFault> {
+    let drawable = |value: f64, scale: Scale| value.is_finite() && (scale == Scale::Linear || value > 0.0);
+    let expected =
+        |scale: Scale| if scale == Scale::Log { "numbers above 0, as the scale is `log`" } else { "finite numbers" };
+    for (index, line) in plot.lines.iter().enumerate() {
+        if !drawable(line.y, plot.y_scale) {
+            let path = ["lines", &index.to_string(), "y"];
+            return Err(PlotFault::new(&path, "a line that cannot be drawn", expected(plot.y_scale)));
+        }
+    }
+    for (index, points) in plot.points.iter().enumerate() {
+        let index = index.to_string();
+        if points.x.len() != points.y.len() {
+            let fault = PlotFault::new(&["points", &index, "y"], "as many `y` as `x` are needed", "one for each");
+            return Err(fault.found(format!("{} and {}", points.y.len(), points.x.len())));
+        }
+        for (key, values, scale) in [("x", &points.x, plot.x_scale), ("y", &points.y, plot.y_scale)] {
+            if !values.iter().all(|value| drawable(*value, scale)) {
+                return Err(PlotFault::new(&["points", &index, key], "points that cannot be drawn", expected(scale)));
+            }
+        }
+    }
+    if plot.kind == PlotKind::Tractions && !plot.points.is_empty() {
+        return Err(PlotFault::new(&["points"], "points go with curves only", "no `points` beside tractions"));
+    }
+    if plot.kind == PlotKind::Map && !(plot.lines.is_empty() && plot.points.is_empty()) {
+        let key = if plot.lines.is_empty() { "points" } else { "lines" };
+        return Err(PlotFault::new(&[key], "a map has no ordinate of numbers", format!("no `{key}`")));
+    }
+    Ok(())
+}
