@@ -75,13 +75,9 @@ impl Journal {
         let failed = |why: &dyn std::fmt::Display| failed(path, why);
         let mut options = OpenOptions::new();
         let file = options.read(true).append(true).create(true).open(path).map_err(|error| failed(&error))?;
-        match file.try_lock() {
-            Ok(()) => {}
-            Err(TryLockError::WouldBlock) => {
-                return Err(failed(&"another sweep is writing it; wait, or take another --out"));
-            }
-            // Some file systems know no locks, and devices none either.
-            Err(TryLockError::Error(_)) => {}
+        // Some file systems know no locks, and devices none either.
+        if let Err(TryLockError::WouldBlock) = file.try_lock() {
+            return Err(failed(&"another sweep is writing it; wait, or take another --out"));
         }
         if anew {
             file.set_len(0).map_err(|error| failed(&error))?;

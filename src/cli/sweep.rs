@@ -146,6 +146,7 @@ fn draw(study: &Study, journal: &Journal, figures: Vec<(Target, &Plot)>) -> Resu
     output::write(&drawn)
 }
 
+#[allow(clippy::needless_pass_by_value)] // as `map_err` wants it
 fn of_journal(error: std::io::Error) -> Failure {
     Failure::System(format!("cannot read the journal: {error}"))
 }

@@ -160,7 +160,7 @@ impl<'a> Document<'a> {
 
     /// The name of the table at a path, as it would be written.
     pub(super) fn section(&self, path: &[&str]) -> String {
-        if path.is_empty() { format!("the {}", self.what) } else { format!("[{}]", dotted(path)) }
+        if path.is_empty() { format!("the {}", self.what) } else { format!("[{}]", path.join(".")) }
     }
 
     /// The source of the value at a path, for messages; in words when it is long.

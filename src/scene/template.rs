@@ -86,7 +86,7 @@ fn set_within<'a>(place: &mut Spanned<DeValue<'a>>, path: &[String], value: Span
         DeValue::Table(table) => set(table, path, value),
         DeValue::Array(array) => {
             let index: usize = first.parse().map_err(|_| 0_usize)?;
-            let next = array.iter_mut().nth(index).ok_or(0_usize)?;
+            let next = array.get_mut(index).ok_or(0_usize)?;
             set_within(next, rest, value).map_err(|at| at + 1)
         }
         _ => Err(0),
