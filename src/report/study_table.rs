@@ -21,8 +21,8 @@ const NUMBERS: [&str; 12] = [
     "stick.strain_rate",
 ];
 
-/// The answer to an inverse question, and its error.
-const ANSWER: [&str; 2] = ["found.value", "found.error"];
+/// The answer to an inverse question, its error, and whether a least or largest value lies at an end of the range.
+const ANSWER: [&str; 3] = ["found.value", "found.error", "found.is_at_end"];
 
 /// The columns of a study's CSV: `index`, what changed, `status`, the numbers by their paths in a result, the direction of
 /// slip, the largest error estimate, and why a scene failed.
@@ -57,8 +57,8 @@ impl StudyTable {
     /// The first line.
     pub fn head(&self) -> String {
         let labels = self.labels.iter().map(String::as_str);
-        let after = [("stick.slip", self.has_slip), (ANSWER[0], self.has_answer), (ANSWER[1], self.has_answer)];
-        let after = after.into_iter().filter(|(_, is_there)| *is_there).map(|(name, _)| name);
+        let slip = self.has_slip.then_some("stick.slip");
+        let after = slip.into_iter().chain(ANSWER.into_iter().filter(|_| self.has_answer));
         let names = ["index"].into_iter().chain(labels).chain(["status"]).chain(self.numbers.iter().copied());
         line(names.chain(after).chain(["error", "reason"]).map(str::to_owned))
     }
@@ -78,7 +78,10 @@ impl StudyTable {
             cells.push(text("stick.slip"));
         }
         if self.has_answer {
-            cells.extend(ANSWER.map(number));
+            cells.extend(ANSWER.map(|path| match at(record, path) {
+                Some(Value::Bool(is)) => is.to_string(),
+                _ => number(path),
+            }));
         }
         cells.push(number("error.estimate"));
         cells.push(text("reason"));

@@ -97,7 +97,7 @@ impl Column {
                 } else if step == last {
                     to
                 } else {
-                    between(from, to, step as f64 / last as f64, by_factors)
+                    short(between(from, to, step as f64 / last as f64, by_factors))
                 };
                 if whole { value.round() } else { value }
             }
@@ -120,6 +120,11 @@ impl Column {
 #[allow(clippy::cast_possible_truncation)]
 fn at(step: u64) -> usize {
     step as usize
+}
+
+/// The number to fifteen digits: 0.3 and not 0.30000000000000004, which is no better a step.
+fn short(value: f64) -> f64 {
+    format!("{value:.14e}").parse().unwrap_or(value)
 }
 
 fn between(from: f64, to: f64, share: f64, by_factors: bool) -> f64 {
@@ -154,6 +159,8 @@ mod tests {
         }
         let whole = column(Values::Steps { from: 1.0, to: 10.0, count: 4, by_factors: false, whole: true });
         assert_eq!([0, 1, 3].map(|step| whole.toml(step)), ["1", "4", "10"]);
+        let tenths = column(Values::Steps { from: 0.0, to: 0.4, count: 5, by_factors: false, whole: false });
+        assert_eq!(tenths.toml(3), "0.3");
     }
 
     /// Draws fill their interval evenly: the mean of n is off by `0.29/sqrt(n)` in the root mean square.
