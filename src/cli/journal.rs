@@ -4,6 +4,7 @@
 //! journal is opened again; all before it are kept.
 
 use super::Failure;
+use serde::de::IgnoredAny;
 use slipzone::study::{Record, Study};
 use std::collections::{BTreeMap, HashSet};
 use std::fs::{File, OpenOptions, TryLockError};
@@ -65,6 +66,13 @@ struct Line<'a> {
     index: u64,
     #[serde(borrow)]
     status: &'a str,
+    /// A record has these as well.
+    #[allow(dead_code)]
+    axes: IgnoredAny,
+    #[allow(dead_code)]
+    error: IgnoredAny,
+    #[allow(dead_code)]
+    load: IgnoredAny,
 }
 
 const KIND: &str = "slipzone sweep";
@@ -79,6 +87,7 @@ impl Journal {
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
             return Err(failed(&"another sweep is writing it; wait, or take another --out"));
         }
+        begins_as_journal(&file, path)?;
         if anew {
             file.set_len(0).map_err(|error| failed(&error))?;
         }
@@ -157,6 +166,18 @@ impl Journal {
         let at = reader.read_until(b'\n', &mut head)? as u64;
         Ok(InOrder { reader, at, other: File::open(&self.path)?, ahead: BTreeMap::new(), next: 0 })
     }
+}
+
+/// Refuses a file that is something else: it is not to be written to, cut or thrown away.
+fn begins_as_journal(mut file: &File, path: &Path) -> Result<(), Failure> {
+    let head = format!("{{\"journal\":\"{KIND}\"");
+    let mut begin = Vec::new();
+    file.seek(SeekFrom::Start(0)).map_err(|error| failed(path, &error))?;
+    file.take(head.len() as u64).read_to_end(&mut begin).map_err(|error| failed(path, &error))?;
+    if head.as_bytes().starts_with(&begin) {
+        return Ok(());
+    }
+    Err(failed(path, &"line 1 is not the head of a journal; move that file away, or take another --out"))
 }
 
 fn lines(study: &Study) -> Vec<String> {
@@ -238,7 +259,7 @@ impl InOrder {
             }
             // A scene that is there twice counts once.
             if index > self.next {
-                self.ahead.insert(index, (at, length));
+                self.ahead.entry(index).or_insert((at, length));
             }
         }
     }

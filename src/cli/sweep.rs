@@ -20,6 +20,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 const NAMED: usize = 10;
 
 pub(super) fn run(arguments: &Sweep) -> Result<Outcome, Failure> {
+    if let Some(out) = &arguments.out {
+        output::named("--out", out, "a folder called `-` is `./-`")?;
+    }
     let study = input::study(&arguments.study)?;
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.study));
     fs::create_dir_all(&folder)

@@ -26,15 +26,11 @@ pub(super) fn solution(
     judged: &Judged,
     (status, reason): (Status, Option<String>),
 ) -> Result<Solution, Refusal> {
-    let (length, stress) = (problem.length, problem.stress);
-    let wishes = problem.wishes;
-    let number = |quantity, unit: f64| {
-        judged.outcome.numbers.get(quantity).filter(|_| wishes.reports(quantity)).map(|value| value * unit)
-    };
-    let b = judged.outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
-    let load = load(scene.load, problem, &judged.outcome.numbers);
-    let mean = load.force.zip(load.half_width).map(|(force, b)| force / (2.0 * b));
-    let reported = |quantity, value: Option<f64>| value.filter(|_| wishes.reports(quantity));
+    let (length, wishes) = (problem.length, problem.wishes);
+    let numbers = &judged.outcome.numbers;
+    let number =
+        |quantity, unit: f64| numbers.get(quantity).filter(|_| wishes.reports(quantity)).map(|value| value * unit);
+    let b = numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
     let mut profile = if wishes.profile { profile(scene, problem, stage, b) } else { Profile::default() };
     if scene.output.strain {
         profile.strain = judged.outcome.rubbing.as_ref().and_then(|rubbing| {
@@ -45,9 +41,54 @@ pub(super) fn solution(
     let rubbing = judged.outcome.rubbing.as_ref().filter(|rubbing| rubbing.verdict == Verdict::Holds);
     let mut plan = plan;
     plan.coupling_neglected = rubbing.and_then(|rubbing| coupling::neglected(problem, rubbing.zone));
+    let stick = judged.outcome.rubbing.as_ref().filter(|_| wishes.reports_stick()).map(|_| StickReport {
+        half_width: number(Quantity::StickHalfWidth, length),
+        ratio: number(Quantity::StickRatio, 1.0),
+        one_minus_ratio: number(Quantity::OneMinusRatio, 1.0),
+        slip: slip(stage, judged),
+        strain_rate: number(Quantity::StrainRate, 1.0 / length),
+    });
+    let told = of_pressure(scene, plan, problem, numbers, &judged.errors, how(judged));
+    let mut solution = Solution { status, reason, stick, profile, ..told };
+    if let Some(neglected) = solution.plan.coupling_neglected {
+        let reason = format!(
+            "Goodman: that q does not change p makes the friction that belongs to this stick ratio about {} too small",
+            percent(neglected)
+        );
+        solution.assumptions.push(reason.clone());
+        solution.plan.reasons.push(reason);
+    }
+    finite(solution)
+}
+
+/// A contact of which the pressure's numbers are known in closed form.
+pub(super) fn in_closed_form(
+    scene: &Scene,
+    plan: Plan,
+    problem: &Problem,
+    (numbers, errors): (&Numbers, &Numbers),
+    (status, reason): (Status, Option<String>),
+) -> Result<Solution, Refusal> {
+    let how = "closed form; the model of the solid by its bound".into();
+    finite(Solution { status, reason, ..of_pressure(scene, plan, problem, numbers, errors, how) })
+}
+
+/// All that is told of the pressure, in the scene's units; the rest is left out.
+fn of_pressure(
+    scene: &Scene,
+    plan: Plan,
+    problem: &Problem,
+    numbers: &Numbers,
+    errors: &Numbers,
+    how: String,
+) -> Solution {
+    let (length, stress, wishes) = (problem.length, problem.stress, problem.wishes);
+    let reported = |quantity, value: Option<f64>| value.filter(|_| wishes.reports(quantity));
+    let number = |quantity, unit: f64| reported(quantity, numbers.get(quantity).map(|value| value * unit));
+    let load = load(scene.load, problem, numbers);
+    let mean = load.force.zip(load.half_width).map(|(force, b)| force / (2.0 * b));
+    let each = errors.iter().filter(|(quantity, _)| wishes.reports(*quantity));
     let mut solution = Solution {
-        status,
-        reason,
         pressure: PressureReport {
             centre: number(Quantity::Centre, stress),
             mean: reported(Quantity::Mean, mean),
@@ -57,43 +98,23 @@ pub(super) fn solution(
             stress_intensity: number(Quantity::StressIntensity, stress * length.sqrt()),
             ratio: number(Quantity::EdgeRatio, 1.0),
         },
-        stick: judged.outcome.rubbing.as_ref().filter(|_| wishes.reports_stick()).map(|_| StickReport {
-            half_width: number(Quantity::StickHalfWidth, length),
-            ratio: number(Quantity::StickRatio, 1.0),
-            one_minus_ratio: number(Quantity::OneMinusRatio, 1.0),
-            slip: slip(stage, judged),
-            strain_rate: number(Quantity::StrainRate, 1.0 / length),
-        }),
         load: LoadReport {
             force: reported(Quantity::Force, load.force),
             half_width: reported(Quantity::HalfWidth, load.half_width),
             indentation: reported(Quantity::Indentation, load.indentation),
         },
         error: ErrorReport {
-            estimate: judged.errors.worst().map(|(_, error)| error),
-            each: judged
-                .errors
-                .iter()
-                .filter(|(quantity, _)| wishes.reports(*quantity))
-                .map(|(quantity, error)| (quantity.path().to_owned(), error))
-                .collect(),
-            how: how(judged),
+            estimate: errors.worst().map(|(_, error)| error),
+            each: each.map(|(quantity, error)| (quantity.path().to_owned(), error)).collect(),
+            how,
         },
-        profile,
         ..Solution::refused(scene, plan, String::new())
     };
-    if let Some(neglected) = solution.plan.coupling_neglected {
-        let reason = format!(
-            "Goodman: that q does not change p makes the friction that belongs to this stick ratio about {} too small",
-            percent(neglected)
-        );
-        solution.assumptions.push(reason.clone());
-        solution.plan.reasons.push(reason);
-    }
     let stand_in = match solution.plan.model {
         Model::Full => None,
         Model::HalfPlane => Some("the solid taken for a half-plane of its surface's material"),
         Model::Homogeneous => Some("the layer taken for one of its surface's material throughout"),
+        Model::Thin => Some("the layer taken for thin: each point of it yields by what presses on it, edges shifted"),
     };
     solution.assumptions.extend(stand_in.map(String::from));
     if let Some(noise) = problem.noise() {
@@ -101,6 +122,11 @@ pub(super) fn solution(
             format!("the punch's heights scatter by {noise:.1e} (root mean square) around the smooth shape taken");
         solution.assumptions.push(rest);
     }
+    solution
+}
+
+/// The solution; refused when one of its numbers is not finite.
+fn finite(solution: Solution) -> Result<Solution, Refusal> {
     match first_not_finite(&solution) {
         None => Ok(solution),
         Some(number) => Err(Refusal::OutOfReach {

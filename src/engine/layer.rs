@@ -178,6 +178,11 @@ impl Layer {
         proven.map(|error| spread(half_width) * error)
     }
 
+    /// The flexibility of its surface.
+    pub(crate) fn response(&self) -> &dyn LayerResponse {
+        &*self.response
+    }
+
     /// Whether this is a homogeneous half-plane: no kernels but the depth's.
     pub(crate) fn is_plain(&self) -> bool {
         self.response.depth().is_none()
@@ -207,7 +212,9 @@ fn description(scene: &Scene) -> String {
     serde_json::to_string(&(&scene.layer, &solver.flexibility, &solver.kernel)).expect("a scene is plain data")
 }
 
-/// How a scene's equations are discretised.
+/// How a scene's equations are discretised, and how well: flat punches that were solved better than a scene asks for would
+/// make its resolutions look nearer to each other than they are to the truth.
 fn quadrature(scene: &Scene) -> String {
-    serde_json::to_string(&scene.solver.quadrature).expect("a scene is plain data")
+    let solver = &scene.solver;
+    serde_json::to_string(&(&solver.quadrature, solver.tolerance)).expect("a scene is plain data")
 }

@@ -33,6 +33,7 @@ mod stick;
 mod stick_search;
 mod stick_zone;
 mod strain;
+mod thin;
 mod verdict;
 
 pub use crate::plan::Plan;

@@ -157,6 +157,11 @@ impl Problem {
         self.layer.base != Base::Infinite
     }
 
+    /// Whether the layer stands on something that does not give way at all.
+    pub(crate) fn is_on_rigid_base(&self) -> bool {
+        matches!(self.layer.base, Base::Rigid | Base::Frictionless)
+    }
+
     /// Whether the depth of the punch is of any use.
     pub(crate) fn wants_depth(&self) -> bool {
         self.wishes.reports(Quantity::Indentation) || self.is_pressed_by_depth()

@@ -8,9 +8,10 @@ use super::quantity::{Numbers, Quantity};
 use super::refine::{Judged, Ladder};
 use super::solution::{Solution, Status};
 use super::stand_in::{self, Decision, StandIn};
+use super::thin;
 use super::verdict::verdict;
 use crate::plan::{Chosen, Plan, choose};
-use crate::scene::{Load, LoadPath, Scene};
+use crate::scene::{Load, LoadPath, Model, Scene};
 use slipzone_api::{Friction, Refusal};
 
 /// A layer, a punch and the methods that solve them, with all that earlier loads left behind: kernel tables,
@@ -174,6 +175,9 @@ impl Solver {
     /// Solves for the present load, and for those on the way to it where the scene asks for them. Whatever happens is
     /// in the solution's `status` and `reason`, or in its path's.
     pub fn solve(&mut self) -> Solution {
+        if let Some(solution) = self.in_closed_form() {
+            return solution;
+        }
         let found = if self.judged.is_some() { Ok(()) } else { self.find() };
         let mut solution = match found.and_then(|()| self.report()) {
             Ok(solution) => solution,
@@ -190,6 +194,57 @@ impl Solver {
             self.chosen.scene.path = Some(path);
         }
         solution
+    }
+
+    /// The contact on a layer that is thin enough to be told in closed form, or that the scene wants to be taken for one.
+    fn in_closed_form(&mut self) -> Option<Solution> {
+        let Self { chosen, problem, layer, stand_in, .. } = self;
+        let solver = &chosen.scene.solver;
+        let tolerance = solver.tolerance.get();
+        let is_forced = solver.model == Some(Model::Thin);
+        let is_open = chosen.is_open && solver.model.is_none() && stand_in.is_none();
+        if !is_forced && (!is_open || solver.forbid.contains(&Model::Thin)) {
+            return None;
+        }
+        let refused = |why: &str| {
+            let reason = format!("the model `thin` {why}");
+            is_forced.then(|| Solution::refused(&chosen.scene, chosen.plan.clone(), reason))
+        };
+        let obstacle = thin::obstacle(problem);
+        if let Some(why) = obstacle.or(chosen.scene.path.is_some().then_some("has no loading curve")) {
+            return refused(why);
+        }
+        if !is_forced && !thin::may_serve(problem, stand_in::SHARE * tolerance) {
+            return None;
+        }
+        let found = thin::solve(problem, layer.response());
+        let told =
+            found.filter(|(numbers, _)| numbers.get(Quantity::HalfWidth).is_some_and(|b| problem.flaw(b).is_none()));
+        let Some((numbers, errors)) = told else {
+            return refused("tells nothing of a contact narrower than four thicknesses, or of one that may break up");
+        };
+        let worst = errors.worst().map_or(0.0, |(_, error)| error);
+        if !is_forced && worst > tolerance {
+            return None;
+        }
+        let judgement = if worst <= tolerance {
+            (Status::Converged, None)
+        } else {
+            let reason =
+                format!("the model `thin` is good to {worst:.0e} here; leave out `solver.model`, or ask for less");
+            (Status::NotConverged, Some(reason))
+        };
+        let plan = Plan {
+            model: Model::Thin,
+            bound: Some(worst),
+            flexibility_evaluations: thin::EVALUATIONS,
+            reasons: vec![format!(
+                "thin: each point of the surface yields by what presses on it, edges shifted, to within {worst:.0e}; no \
+                 kernel and no system is needed"
+            )],
+            ..chosen.plan.clone()
+        };
+        assemble::in_closed_form(&chosen.scene, plan, problem, (&numbers, &errors), judgement).ok()
     }
 
     /// The contact under each of the loads, from the smallest to the largest: numbers alone, no report. Afterwards the

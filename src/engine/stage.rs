@@ -71,6 +71,11 @@ impl Outcome {
         Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()])
     }
 
+    /// Whether the contact grew, and was told as a stack.
+    pub(crate) fn is_stacked(&self) -> bool {
+        self.is_stacked
+    }
+
     /// What it tells of the next resolution.
     pub(crate) fn seen(&self) -> Seen {
         let shear = self.rubbing.as_ref().and_then(|rubbing| rubbing.shear);

@@ -89,7 +89,8 @@ pub(super) fn decide(scene: &Scene, problem: &Problem, open: bool) -> Decision {
     let solver = &scene.solver;
     let thickness = 1.0;
     match solver.model {
-        Some(Model::Full) => Decision::Full,
+        // Of a thin layer there is nothing to be solved in its place: see `thin`.
+        Some(Model::Full | Model::Thin) => Decision::Full,
         Some(model) => match obstacle(model, scene, problem) {
             Some(Obstacle::Same) => Decision::Full,
             Some(Obstacle::No(why)) => Decision::Inapplicable(format!("the model `{}` {why}", model.name())),

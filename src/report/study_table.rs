@@ -44,7 +44,8 @@ impl StudyTable {
                 "stick.strain_rate" => is_linear || changes("friction.strain"),
                 number => rubs || !number.starts_with("stick."),
             };
-            exists && study.asks(number)
+            // A field that changes has a column already.
+            exists && study.asks(number) && study.columns().all(|column| column.label != **number)
         };
         Self {
             labels: study.columns().map(|column| column.label.clone()).collect(),

@@ -112,10 +112,10 @@ const SOLVER: &[Parameter] = &[
     Parameter::optional("kernel", "how the kernels are got from it", Values::Plugin(Family::Kernel)),
     Parameter::optional("quadrature", "how the integral equations are discretised", Values::Plugin(Family::Quadrature)),
     Parameter::optional("model", "what stands for the solid, whatever its error", MODELS),
-    Parameter::optional("forbid", "models that are not to stand for it", Values::List(&MODELS, 0, 3)),
+    Parameter::optional("forbid", "models that are not to stand for it", Values::List(&MODELS, 0, 4)),
 ];
 
-const MODELS: Values = Values::OneOf(&["full", "half-plane", "homogeneous"]);
+const MODELS: Values = Values::OneOf(&["full", "half-plane", "homogeneous", "thin"]);
 
 const OUTPUT: &[Parameter] = &[
     Parameter::optional(

@@ -13,11 +13,13 @@ pub enum Model {
     HalfPlane,
     /// The layer on its base, of the surface's material throughout: the grading is too weak to matter.
     Homogeneous,
+    /// A layer so thin that each point of its surface yields by what presses on it.
+    Thin,
 }
 
 impl Model {
     /// All of them, the cheapest first.
-    pub const ALL: [Self; 3] = [Self::HalfPlane, Self::Homogeneous, Self::Full];
+    pub const ALL: [Self; 4] = [Self::HalfPlane, Self::Thin, Self::Homogeneous, Self::Full];
 
     /// Its name in a scene.
     #[must_use]
@@ -26,6 +28,7 @@ impl Model {
             Self::Full => "full",
             Self::HalfPlane => "half-plane",
             Self::Homogeneous => "homogeneous",
+            Self::Thin => "thin",
         }
     }
 }

@@ -87,6 +87,16 @@ impl Column {
         }
     }
 
+    /// What the values are shown as, where that is not what they are.
+    pub(super) fn names(&self) -> Option<String> {
+        let Values::Listed(listed) = &self.values else { return None };
+        let names = listed.iter().map(|(_, cell)| match cell {
+            Cell::Text(text) => Some(text.as_str()),
+            Cell::Number(_) => None,
+        });
+        names.collect::<Option<Vec<_>>>().map(|names| names.join(", "))
+    }
+
     /// Of values that are not listed.
     fn number(&self, step: u64) -> f64 {
         match self.values {

@@ -64,6 +64,7 @@ impl TryFrom<FindTable> for Find {
         let (Some(wanted), None) = (wishes.next(), wishes.next()) else {
             return Err("expected exactly one of `target`, `minimum = true`, `maximum = true`, `half_plane_within`");
         };
+        let field = field.split('.').map(str::trim).collect::<Vec<_>>().join(".");
         Ok(Self { field, from, to, quantity, wanted })
     }
 }

@@ -19,6 +19,8 @@ use slipzone_gradings::Homogeneous;
 const STEPS: u32 = 24;
 /// Ranges wider than this factor are stepped by factors.
 const WIDE: f64 = 4.0;
+/// Share of the range over which a slope is measured.
+const BESIDE: f64 = 1e-3;
 /// Iterations of a search that has a bracket.
 const MOST: u64 = 100;
 
@@ -88,11 +90,26 @@ impl Question<'_> {
         let solution = self.solution(value, false)?;
         let tolerance = solution.scene.solver.tolerance.get();
         let number_error = solution.error.each.get(&self.find.quantity).copied().unwrap_or(tolerance);
-        let size = self.number(&solution).map_or(1.0, f64::abs);
+        let size = match self.find.wanted {
+            // Relative to the half-plane's number, which has an error of its own.
+            Wanted::HalfPlaneWithin(_) => 2.0,
+            _ => self.number(&solution).map_or(1.0, f64::abs),
+        };
+        let moved = match moved {
+            Moved::BySlope(_) => self.slope(at).map_or(moved, Moved::BySlope),
+            Moved::ByRoot(_) => moved,
+        };
         let error = self.relative(value) * (moved.by(number_error * size) + tolerance);
         let others = places[1..].iter().map(|(at, _)| self.value(*at)).collect();
         let is_at_end = matches!(moved, Moved::ByRoot(_)) && (at <= 0.0 || at >= 1.0);
         Ok((Found { field: self.find.field.clone(), value, error, others, is_at_end }, solution))
+    }
+
+    /// The slope of the number around a place, where it can be told.
+    fn slope(&self, at: f64) -> Option<f64> {
+        let (lower, upper) = ((at - BESIDE).max(0.0), (at + BESIDE).min(1.0));
+        let (one, other) = (self.excess(lower).ok()?, self.excess(upper).ok()?);
+        Some((other - one) / (upper - lower)).filter(|slope| *slope != 0.0)
     }
 
     /// Values of the field at equal steps, those that could be solved.
@@ -103,7 +120,7 @@ impl Question<'_> {
             let at = f64::from(step) / f64::from(STEPS);
             match self.excess(at) {
                 Ok(excess) => points.push(Point { at, excess }),
-                Err(why) => failure = Some(format!("{} = {:?}: {why}", self.find.field, self.value(at))),
+                Err(why) => failure = Some(why),
             }
         }
         match failure {
@@ -154,8 +171,12 @@ impl Question<'_> {
                 Wanted::Minimum | Wanted::Maximum => unreachable!("no crossing is looked for"),
             });
         }
-        if matches!(self.find.wanted, Wanted::HalfPlaneWithin(_)) && points.last().is_some_and(|p| p.excess > 0.0) {
-            return Err(format!("{quantity} is not within what is wanted at the end of the range, {field} = {to:?}"));
+        if matches!(self.find.wanted, Wanted::HalfPlaneWithin(_))
+            && points.last().is_none_or(|p| p.excess > 0.0 || p.at < 1.0)
+        {
+            return Err(format!(
+                "{quantity} is not within what is wanted at the end of the range, {field} = {to:?}, or cannot be told there"
+            ));
         }
         Ok(found)
     }
@@ -167,7 +188,8 @@ impl Question<'_> {
         let lowest = points.iter().min_by(|one, other| one.excess.total_cmp(&other.excess)).map_or(0.0, |p| p.at);
         let step = f64::from(STEPS).recip();
         let (lower, upper) = ((lowest - step).max(0.0), (lowest + step).min(1.0));
-        let valley = Valley { question: self, lower, upper };
+        let highest = points.iter().fold(f64::NEG_INFINITY, |most, point| most.max(point.excess));
+        let valley = Valley { question: self, lower, upper, highest };
         let found = Executor::new(valley, Brent::new(), PointState::new(0.5 * (lower + upper)))
             .max_iter(MOST)
             .run()
@@ -232,7 +254,10 @@ impl Question<'_> {
         let solution = solve(&scene);
         match solution.status {
             Status::Converged => Ok(solution),
-            _ => Err(solution.reason.unwrap_or_else(|| "it does not converge".into())),
+            _ => {
+                let why = solution.reason.unwrap_or_else(|| "it does not converge".into());
+                Err(format!("{} = {value:?}: {why}", self.find.field))
+            }
         }
     }
 
@@ -267,6 +292,8 @@ struct Valley<'a> {
     question: &'a Question<'a>,
     lower: f64,
     upper: f64,
+    /// The largest value seen.
+    highest: f64,
 }
 
 impl Constraints for Valley<'_> {
@@ -280,9 +307,10 @@ impl Constraints for Valley<'_> {
 impl CostFunction for Valley<'_> {
     type Param = f64;
     type Output = f64;
-    type Error = std::io::Error;
+    type Error = std::convert::Infallible;
 
     fn cost(&self, at: &f64) -> Result<f64, Self::Error> {
-        self.question.excess(*at).map_err(std::io::Error::other)
+        // What cannot be solved is no place for the least.
+        Ok(self.question.excess(*at).unwrap_or(self.highest))
     }
 }

@@ -137,7 +137,7 @@ impl Study {
         }
     }
 
-    /// What decides the numbers, and nothing else, in lines that can be compared: two studies with the same description
+    /// What decides the records, and nothing else, in lines that can be compared: two studies with the same description
     /// have the same results.
     pub fn description(&self) -> String {
         let mut text = String::new();
@@ -153,10 +153,13 @@ impl Study {
         }
         for column in self.columns() {
             let _ = writeln!(text, "axis {}: {}", column.field, column.described());
+            if let Some(names) = column.names() {
+                let _ = writeln!(text, "names of {}: {names}", column.field);
+            }
         }
         for (index, axis) in self.axes.iter().enumerate() {
-            let names: Vec<&str> = axis.columns.iter().map(|column| column.label.as_str()).collect();
-            let _ = writeln!(text, "axis {index} = {} x {}", names.join(" with "), axis.count);
+            let labels: Vec<&str> = axis.columns.iter().map(|column| column.label.as_str()).collect();
+            let _ = writeln!(text, "axis {index} = {} x {}", labels.join(" with "), axis.count);
         }
         let _ = writeln!(text, "tractions = {}", self.asks("profile"));
         if let Some(find) = &self.find {

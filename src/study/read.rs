@@ -319,6 +319,9 @@ fn empty(document: &Document, path: &[&str], what: &str) -> SceneError {
     document.error(document.key(path), what).found(document.found(path)).expected("at least one")
 }
 
+/// Columns of the table beside the axes and the numbers.
+const RESERVED: [&str; 7] = ["index", "status", "stick.slip", "error", "reason", "found.value", "found.error"];
+
 /// No field is set twice, no two columns have one name.
 fn distinct(document: &Document, axes: &[Axis]) -> Result<(), SceneError> {
     let mut seen: Vec<&Column> = Vec::new();
@@ -335,7 +338,10 @@ fn distinct(document: &Document, axes: &[Axis]) -> Result<(), SceneError> {
                     .found(format!("`{}` and `{}`", other.field, column.field))
                     .expected("each field once; fields that change together are a `zip`"));
             }
-            if seen.iter().any(|other| other.label == column.label) || column.label == "index" {
+            // The fields themselves may be called as they are: their columns stand for the numbers of that name.
+            let is_taken = RESERVED.contains(&column.label.as_str())
+                || column.label != column.field && Asked::named(&column.label).is_some();
+            if seen.iter().any(|other| other.label == column.label) || is_taken {
                 let error = document.error(document.key(&place), format!("two columns named `{}`", column.label));
                 return Err(error.expected("a `label` of its own for each field"));
             }
@@ -432,11 +438,18 @@ fn check_find(document: &Document, study: &Study, files: &dyn Files) -> Result<(
         let error = document.error(document.best(&place), "the number that decides is not asked for");
         return Err(error.found("`output.quantities` without it").expected("it among them, or no `quantities`"));
     }
+    let path: Vec<String> = find.field.split('.').map(str::to_owned).collect();
+    let overlaps = |column: &&Column| column.path.iter().zip(&path).all(|(one, other)| one == other);
+    if let Some(column) = study.columns().find(overlaps) {
+        let error = document.error(document.best(&["find", "field"]), "an axis sets the field that is looked for");
+        return Err(error
+            .found(format!("`{}`, beside an axis of `{}`", find.field, column.field))
+            .expected("a field that no axis changes"));
+    }
     for (key, end) in [("from", find.from), ("to", find.to)] {
         if !end.is_finite() {
             return Err(document.not_allowed(&["find", key], "a finite number"));
         }
-        let path: Vec<String> = find.field.split('.').map(str::to_owned).collect();
         let value = Replacement { path: &path, value: format!("{end:?}").into() };
         if let Err(error) = study.made(&vec![0; study.axes.len()], Some(value), files) {
             let key = if is_of_field(&error) { "field" } else { key };

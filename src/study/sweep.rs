@@ -48,7 +48,11 @@ fn solve_chunk(
                 let only_pressed = row > rows.start && study.differ_in_load(row - 1, row);
                 Record::solved(study, row, solve_after(&mut known, &scene, only_pressed), with_profile)
             }
-            (_, Err(error)) => Record::invalid(study, row, &error),
+            (_, Err(error)) => {
+                // What comes next differs from what is known by more than from this.
+                known = None;
+                Record::invalid(study, row, &error)
+            }
         };
         if !done(row) {
             send(record)?;

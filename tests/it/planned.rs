@@ -176,3 +176,88 @@ fn what_goodman_neglects_is_told_as_it_was_measured() {
     assert!(!layer.error.each.values().any(|error| *error > 1e-6), "it is no part of the numerical error");
     assert_eq!(Sketch::flat(5.0, 0.125, 0.3).solve().plan.coupling_neglected, None);
 }
+
+/// Wide contacts on thin layers, told in closed form: within the bound of the full model, whatever the load, and chosen where
+/// that is good enough.
+#[test]
+fn thin_layers_are_told_in_closed_form() {
+    for index in 0..60 {
+        let mut dice = Dice(77_000_000 + index);
+        let (b, exponent) = (dice.log(5.0, 60.0), [2.0, 4.0, 6.0, 10.0][(index % 4) as usize]);
+        let poisson = [0.0, 0.3, -0.4, 0.42][(index / 4 % 4) as usize];
+        let base = ["rigid", "frictionless"][(index % 2) as usize];
+        let modulus = dice.log(0.1, 10.0);
+        let with = |load: &str, solver: &str| {
+            solve(&parsed(&format!(
+                "format = 1\nlayer = {{ thickness = 2.0, poisson = {poisson:?}, base = {{ type = \"{base}\" }}, \
+                 grading = {{ type = \"exponential\", surface = 3.0, base = {modulus:?} }} }}\n\
+                 punch = {{ type = \"power\", coefficient = 0.05, exponent = {exponent:?} }}\nload = {{ {load} }}\n\
+                 [solver]\n{solver}\n[output]\nquantities = [\"load\", \"pressure\", \"edge\"]\n"
+            )))
+        };
+        let by_width = format!("half_width = {:?}", 2.0 * b);
+        let full = with(&by_width, "tolerance = 1e-7\nmodel = \"full\"");
+        assert_eq!(full.status, Status::Converged, "seed {index}: {:?}", full.reason);
+        let loads = [
+            by_width,
+            format!("force = {:?}", full.load.force.unwrap()),
+            format!("indentation = {:?}", full.load.indentation.unwrap()),
+        ];
+        for load in loads {
+            let thin = with(&load, "tolerance = 0.5\nmodel = \"thin\"");
+            for (path, error, stated) in differences(&thin, &full) {
+                assert!(error <= stated + 2e-7, "seed {index}, {load}: {path} is off by {error:e}, not {stated:e}");
+            }
+            let bound = thin.plan.bound.unwrap();
+            let chosen = with(&load, &format!("tolerance = {:e}", (1.01 * bound).clamp(1e-6, 0.5)));
+            assert!(bound > 0.5 || chosen.plan.model == Model::Thin, "seed {index}, {load}: {:?}", chosen.plan.reasons);
+            let refined = with(&load, &format!("tolerance = {:e}", (0.9 * bound).clamp(1e-6, 0.5)));
+            assert!(bound > 0.5 || refined.plan.model == Model::Full, "seed {index}, {load}");
+        }
+    }
+}
+
+/// Where nothing else comes to an end: a contact a million thicknesses wide. Twice as wide, a parabola takes eight times the
+/// force, but for the shift of its edge.
+#[test]
+fn a_contact_a_million_thicknesses_wide() {
+    let force = |b: f64| {
+        let solution = solve(&parsed(&format!(
+            "format = 1\nlayer = {{ thickness = 1e-6, poisson = 0.3, grading = {{ type = \"homogeneous\", modulus = 1.0 }} }}\n\
+             punch = {{ type = \"cylinder\", radius = 10.0 }}\nload = {{ half_width = {b:?} }}\n\
+             output = {{ quantities = [\"load\"] }}\n"
+        )));
+        assert_eq!((solution.status, solution.plan.model), (Status::Converged, Model::Thin));
+        solution.load.force.unwrap()
+    };
+    assert!((force(2.0) / force(1.0) / 8.0 - 1.0).abs() < 1e-6);
+    // P = 2 b^3/(3 R W), W = h (kappa - 1)/((kappa + 1) mu1), and three shifts of 0.12 h.
+    let exact = 2.0 / (3.0 * 10.0) / (1e-6 * 0.8 / 2.8);
+    assert!((force(1.0) / exact - 1.0 - 3.67e-7).abs() < 1e-9, "{}", force(1.0) / exact - 1.0);
+}
+
+#[test]
+fn what_is_not_thin_is_not_taken_for_it() {
+    let wide = "format = 1\nlayer = { thickness = 0.01, poisson = 0.3, grading = { type = \"homogeneous\", modulus = 1.0 } }\n";
+    let cases = [
+        (
+            "punch = { type = \"flat\", half_width = 1.0 }\nload = { force = 1.0 }\noutput = { quantities = [\"load\"] }",
+            "corners",
+        ),
+        ("punch = { type = \"cylinder\", radius = 10.0 }\nload = { half_width = 1.0 }", "profile"),
+        (
+            "friction = { type = \"goodman\", coefficient = 0.3 }\npunch = { type = \"cylinder\", radius = 10.0 }\n\
+             load = { half_width = 1.0 }\noutput = { quantities = [\"stick\"] }",
+            "shear",
+        ),
+        (
+            "punch = { type = \"cylinder\", radius = 10.0 }\nload = { half_width = 0.03 }\noutput = { quantities = [\"load\"] }",
+            "four thicknesses",
+        ),
+    ];
+    for (rest, word) in cases {
+        let solution = solve(&parsed(&format!("{wide}{rest}\nsolver = {{ model = \"thin\" }}\n")));
+        assert_eq!(solution.status, Status::Refused, "{rest}");
+        assert!(solution.reason.as_ref().is_some_and(|reason| reason.contains(word)), "{rest}: {:?}", solution.reason);
+    }
+}

@@ -429,3 +429,103 @@ fn the_least_of_a_number() {
         assert!(ratio <= best * (1.0 + 1e-8), "{ratio} at {poisson}, {best} at {at}");
     }
 }
+
+/// What followed a scene that is none was solved with the punch of the scene before it.
+#[test]
+fn a_scene_that_is_none_leaves_nothing_behind() {
+    let text = r#"format = 1
+[scene]
+format = 1
+layer = { thickness = 5.0, poisson = 0.3, grading = { type = "homogeneous", modulus = 1.0 } }
+punch = { type = "cylinder", radius = 10.0 }
+load = { half_width = 1.0 }
+[[axes]]
+random = { count = 40, seed = 1, fields = [{ field = "punch.radius", log = { from = 10.0, to = 1e7 } }] }
+[[axes]]
+field = "load.half_width"
+values = [1e-4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1]
+"#;
+    let study = Study::parse("study.toml", text, &NoFiles).unwrap();
+    let (mut invalid, mut products) = (0, Vec::new());
+    slipzone::study::sweep(&study, &|_| false, |record| {
+        match (record.load.force, &record.axes[0].1) {
+            (Some(force), slipzone::study::Cell::Number(radius)) => products.push((record.index % 8, force * radius)),
+            _ => invalid += 1,
+        }
+        std::ops::ControlFlow::Continue(())
+    });
+    assert!(invalid > 3, "{invalid} radii more than 1e9 times the half-width");
+    // P is proportional to 1/R at the same half-width.
+    for (width, product) in &products {
+        let (_, first) = products.iter().find(|(other, _)| other == width).unwrap();
+        assert!((product / first - 1.0).abs() < 3e-8, "{width}: {product}, {first}");
+    }
+}
+
+/// Flat punches that were solved for a tighter tolerance make the errors of a looser one look small.
+#[test]
+fn errors_are_honest_whatever_was_solved_before() {
+    let text = r#"format = 1
+[scene]
+format = 1
+layer = { thickness = 2000.0, poisson = 0.3, grading = { type = "homogeneous", modulus = 1.0 }, base = { type = "frictionless" } }
+punch = { type = "rounded-flat", half_width = 0.1, radius = 10.0 }
+load = { half_width = 1.0 }
+friction = { type = "goodman", coefficient = 0.2 }
+solver = { tolerance = 1e-3 }
+[[axes]]
+field = "solver.tolerance"
+values = [1e-7, 1e-3, 1e-7, 1e-3, 1e-7, 1e-3, 1e-7, 1e-3, 1e-7, 1e-3, 1e-7, 1e-3, 1e-7, 1e-3, 1e-7, 1e-3,
+          1e-7, 1e-3, 1e-7, 1e-3, 1e-7, 1e-3, 1e-7, 1e-3, 1e-7, 1e-3, 1e-7, 1e-3, 1e-7, 1e-3, 1e-7, 1e-3]
+"#;
+    let study = Study::parse("study.toml", text, &NoFiles).unwrap();
+    let mut records = Vec::new();
+    slipzone::study::sweep(&study, &|_| false, |record| {
+        records.push(record);
+        std::ops::ControlFlow::Continue(())
+    });
+    let exact = records.iter().find(|record| record.index == 0).unwrap().pressure.centre.unwrap();
+    for record in &records {
+        let (centre, claimed) = (record.pressure.centre.unwrap(), record.error.each["pressure.centre"]);
+        assert!((centre / exact - 1.0).abs() <= claimed + 1e-7, "{}: {centre}, {exact}, {claimed}", record.index);
+    }
+}
+
+#[test]
+fn no_axis_changes_what_a_question_looks_for() {
+    for field in ["layer.thickness", "layer"] {
+        let text = format!(
+            "format = 1\nscene = \"good.toml\"\n[find]\nfield = \"{field}\"\nfrom = 1.0\nto = 10.0\n\
+             quantity = \"edge.ratio\"\nminimum = true\n[[axes]]\nfield = \"layer.thickness\"\nvalues = [4.0, 5.0]\n"
+        );
+        let error = Study::parse("study.toml", &text, &Beside).unwrap_err();
+        assert!(error.message.contains("an axis sets the field") || field == "layer", "{error}");
+    }
+}
+
+#[test]
+fn a_file_that_is_no_journal_is_not_thrown_away() {
+    let folder = folder_with(STUDY);
+    let out = folder.path().join("out");
+    fs::create_dir(&out).unwrap();
+    fs::write(out.join("journal.jsonl"), "precious notes").unwrap();
+    for more in [&[][..], &["--fresh"][..]] {
+        let arguments = ["sweep", "study.toml", "--out", "out"].iter().chain(more);
+        let output = run(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(3), "{}", told(&output));
+        assert_eq!(read(folder.path(), "out/journal.jsonl"), "precious notes");
+    }
+}
+
+/// `(b/h)^2` decides: its error does not depend on the unit of force.
+#[test]
+fn the_error_of_an_answer_has_no_unit() {
+    let error = |force: &str| {
+        let scene =
+            GOOD.replace("[friction]\ntype = \"goodman\"\ncoefficient = 0.3\n", "").replace("force = 1.0", force);
+        let find = "field = \"layer.thickness\"\nfrom = 1.0\nto = 1000.0\nquantity = \"edge.stress_intensity\"\nhalf_plane_within = 0.01";
+        found(&scene, find)["found"]["error"].as_f64().unwrap()
+    };
+    let (small, large) = (error("force = 1e-6"), error("force = 1e6"));
+    assert!((small / large - 1.0).abs() < 0.1, "{small}, {large}");
+}
