@@ -118,7 +118,20 @@ fn frozen(eta: f64) -> Case {
             Within::new(3e-8, "three times the solver's own tolerance, 1e-8: a principal value of the tractions"),
             source,
         );
-        let linear = contact.rubbing_linear(eta).solve()?;
+        let linear = contact.rubbing_linear(eta).at(&X).solve()?;
+        let shear = linear.profile.shear.as_ref().ok_or("there is no shear")?;
+        let pressed = |half_width| Cylinder { radius: 1.0, half_width, compliance: A0 }.force_rate();
+        let exact = X.map(|x| law.grown(pressed, &[], 1.0, x));
+        let largest = worst(exact);
+        let errors = shear.iter().zip(exact).map(|(q, exact)| (q.unwrap_or(f64::NAN) - exact) / largest);
+        sheet.error(
+            &format!(
+                "cylinder, eta = {eta}: shear where the strain is taken to be C|x|, worst of 6 points over the largest"
+            ),
+            worst(errors),
+            Within::new(3e-8, "three times the solver's own tolerance, 1e-8"),
+            source,
+        );
         let found = linear.stick.as_ref().and_then(|stick| stick.strain_rate).ok_or("there is no rate")?;
         sheet.relative(
             &format!("cylinder, eta = {eta}: C R where the strain is taken to be C|x|"),

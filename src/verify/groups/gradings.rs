@@ -101,8 +101,32 @@ fn lines(base: &str, grading: &str) -> String {
 pub(super) fn cases() -> Vec<Case> {
     let mut all: Vec<Case> = PAIRS.map(|(name, one, other)| pair(name, one, other)).into();
     all.extend(members(Family::Grading).map(|info| series(info.name, info.example)));
-    all.extend([young(), interfaces("sigmoid", 1.0), interfaces("error-function", 2.0 / std::f64::consts::PI.sqrt())]);
+    all.extend([
+        young(),
+        interfaces("sigmoid", 1.0),
+        interfaces("error-function", 2.0 / std::f64::consts::PI.sqrt()),
+        sublayers(),
+    ]);
     all
+}
+
+/// A stack's own modulus changes where its sublayers meet, and nowhere else.
+fn sublayers() -> Case {
+    Case::new("sublayers", |sheet| {
+        let layer = "poisson = 0.3\n[layer.grading]\ntype = \"stack\"\nlayers = [\
+            { thickness = 0.3, grading = { type = \"homogeneous\", modulus = 1.0 } }, \
+            { thickness = 0.7, grading = { type = \"homogeneous\", modulus = 2.0 } }, \
+            { thickness = 2.0, grading = { type = \"homogeneous\", modulus = 3.0 } }]";
+        let scene = Contact::flat(layer).scene()?;
+        let law = scene.layer.law().map_err(|refusal| refusal.to_string())?;
+        let within = || Within::new(0.0, "a constant of the scene");
+        // Depths are in thicknesses of the stack, which is 3.
+        for (depth, expected) in [(0.3 - 1e-9, 1.0), (0.3 + 1e-9, 2.0), (1.0 - 1e-9, 2.0), (1.0 + 1e-9, 3.0)] {
+            let name = format!("stack: modulus at depth {depth:.9}");
+            sheet.relative(&name, law.modulus(depth / 3.0), expected, within(), "the scene");
+        }
+        Ok(())
+    })
 }
 
 fn pair(name: &'static str, one: &'static str, other: &'static str) -> Case {
