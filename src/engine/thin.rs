@@ -174,12 +174,10 @@ impl Thin {
 /// `lambda`, from `s Fvv/A0`.
 fn shift(scaled: &impl Fn(f64) -> Option<f64>, compliance: f64, nodes: usize) -> Option<f64> {
     let mut refused = false;
-    let mut log = |s: f64, divided: f64| match scaled(s) {
-        Some(vv) => (vv / divided).ln(),
-        None => {
-            refused = true;
-            0.0
-        }
+    let mut log = |s: f64, divided: f64| {
+        let vv = scaled(s);
+        refused |= vv.is_none();
+        vv.map_or(0.0, |vv| (vv / divided).ln())
     };
     let (mut sum, mut from, mut to) = (0.0, 0.0, 1.0);
     while to <= LAST {

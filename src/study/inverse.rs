@@ -90,14 +90,14 @@ impl Question<'_> {
         let solution = self.solution(value, false)?;
         let tolerance = solution.scene.solver.tolerance.get();
         let number_error = solution.error.each.get(&self.find.quantity).copied().unwrap_or(tolerance);
-        let size = match self.find.wanted {
-            // Relative to the half-plane's number, which has an error of its own.
-            Wanted::HalfPlaneWithin(_) => 2.0,
-            _ => self.number(&solution).map_or(1.0, f64::abs),
+        let size = if matches!(self.find.wanted, Wanted::HalfPlaneWithin(_)) {
+            2.0 // relative to the half-plane's number, which has an error of its own
+        } else {
+            self.number(&solution).map_or(1.0, f64::abs)
         };
-        let moved = match moved {
-            Moved::BySlope(_) => self.slope(at).map_or(moved, Moved::BySlope),
-            Moved::ByRoot(_) => moved,
+        let moved = match (moved, self.slope(at)) {
+            (Moved::BySlope(_), Some(slope)) => Moved::BySlope(slope),
+            _ => moved,
         };
         let error = self.relative(value) * (moved.by(number_error * size) + tolerance);
         let others = places[1..].iter().map(|(at, _)| self.value(*at)).collect();
@@ -252,13 +252,11 @@ impl Question<'_> {
             scene.output.strain = false;
         }
         let solution = solve(&scene);
-        match solution.status {
-            Status::Converged => Ok(solution),
-            _ => {
-                let why = solution.reason.unwrap_or_else(|| "it does not converge".into());
-                Err(format!("{} = {value:?}: {why}", self.find.field))
-            }
+        if solution.status == Status::Converged {
+            return Ok(solution);
         }
+        let why = solution.reason.unwrap_or_else(|| "it does not converge".into());
+        Err(format!("{} = {value:?}: {why}", self.find.field))
     }
 
     fn number(&self, solution: &Solution) -> Option<f64> {
