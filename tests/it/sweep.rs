@@ -74,6 +74,28 @@ fn records_are_the_solutions_of_the_scenes_in_order() {
     assert_eq!(files(&folder.path().join("out")).len(), 3, "the journal and two files of results");
 }
 
+/// Others read these: keys are added, never renamed.
+#[test]
+fn the_keys_of_journal_and_records_are_stable() {
+    fn keys(value: &Value, path: &str, into: &mut Vec<String>) {
+        match value {
+            Value::Object(entries) if !path.ends_with("/each") && !path.ends_with("/axes") => {
+                entries.iter().for_each(|(key, value)| keys(value, &format!("{path}/{key}"), into));
+            }
+            _ => into.push(path.to_owned()),
+        }
+    }
+    let study = STUDY.to_owned()
+        + "[find]\nfield = \"layer.thickness\"\nfrom = 2.0\nto = 4.0\nquantity = \"edge.ratio\"\nminimum = true\n";
+    let (folder, ..) = whole(&study.replace("count = 20", "count = 2"));
+    let journal = read(folder.path(), "out/journal.jsonl");
+    let mut found = Vec::new();
+    for (name, line) in ["journal", "record"].into_iter().zip(journal.lines()) {
+        keys(&serde_json::from_str(line).unwrap(), name, &mut found);
+    }
+    insta::assert_snapshot!("keys", found.join("\n"));
+}
+
 #[test]
 fn the_same_bytes_on_one_thread() {
     let (_, table, lines) = whole(STUDY);
