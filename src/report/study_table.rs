@@ -1,25 +1,10 @@
 //! The results of a study as a table, and its failures in a line each.
 
 use super::csv::cell;
+use crate::scene::Asked;
 use crate::study::{Cell, Record, Study};
 use serde_json::Value;
 use slipzone_api::{Friction, FrozenStrain};
-
-/// Numbers of a result, by their paths; a study may leave some out.
-const NUMBERS: [&str; 12] = [
-    "load.force",
-    "load.half_width",
-    "load.indentation",
-    "pressure.centre",
-    "pressure.mean",
-    "pressure.peak",
-    "edge.stress_intensity",
-    "edge.ratio",
-    "stick.half_width",
-    "stick.ratio",
-    "stick.one_minus_ratio",
-    "stick.strain_rate",
-];
 
 /// The answer to an inverse question, its error, and whether a least or largest value lies at an end of the range.
 const ANSWER: [&str; 3] = ["found.value", "found.error", "found.is_at_end"];
@@ -49,7 +34,7 @@ impl StudyTable {
         };
         Self {
             labels: study.columns().map(|column| column.label.clone()).collect(),
-            numbers: NUMBERS.into_iter().filter(is_filled).collect(),
+            numbers: Asked::NUMBERS.into_iter().filter(is_filled).collect(),
             has_slip: rubs && study.asks("stick.slip"),
             has_answer: study.find.is_some(),
         }

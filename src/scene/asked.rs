@@ -16,13 +16,8 @@ use serde::{Deserialize, Deserializer, Serialize, de};
 pub struct Asked(&'static str);
 
 impl Asked {
-    /// All names: the groups first, then the numbers by their path in the result.
-    pub const NAMES: [&str; 17] = [
-        "load",
-        "pressure",
-        "edge",
-        "stick",
-        "profile",
+    /// The numbers of a result, by their path.
+    pub const NUMBERS: [&str; 12] = [
         "load.force",
         "load.half_width",
         "load.indentation",
@@ -36,6 +31,18 @@ impl Asked {
         "stick.one_minus_ratio",
         "stick.strain_rate",
     ];
+
+    /// All names: the groups first, then the numbers.
+    pub const NAMES: [&str; 17] = {
+        let mut names =
+            ["load", "pressure", "edge", "stick", "profile", "", "", "", "", "", "", "", "", "", "", "", ""];
+        let mut i = 0;
+        while i < Self::NUMBERS.len() {
+            names[5 + i] = Self::NUMBERS[i];
+            i += 1;
+        }
+        names
+    };
 
     /// The quantity or group of that name.
     #[must_use]

@@ -429,7 +429,7 @@ fn placed(document: &Document, path: &[&str], error: &SceneError, of: &str) -> S
 fn check_find(document: &Document, study: &Study, files: &dyn Files) -> Result<(), SceneError> {
     let Some(find) = &study.find else { return Ok(()) };
     let place = ["find", "quantity"];
-    let numbers: Vec<&str> = Asked::NAMES.into_iter().filter(|name| name.contains('.')).collect();
+    let numbers = Asked::NUMBERS;
     if !numbers.contains(&find.quantity.as_str()) {
         let error = document.not_allowed(&place, one_of(&numbers));
         return Err(error.nearest(&find.quantity, &numbers));

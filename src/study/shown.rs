@@ -7,28 +7,20 @@ mod only;
 use super::axis::{Axis, Values};
 use super::plot::{OneOrMore, Plot, PlotKind};
 use super::{Cell, Study};
-use crate::scene::nearest;
+use crate::scene::{Asked, nearest};
 pub(crate) use fault::PlotFault;
 use marks::{file_name, marks};
 
-/// Numbers of a result that a figure may show, by their paths.
-pub(crate) const NUMBERS: [&str; 13] = [
-    "stick.ratio",
-    "stick.one_minus_ratio",
-    "stick.half_width",
-    "stick.strain_rate",
-    "load.force",
-    "load.half_width",
-    "load.indentation",
-    "pressure.centre",
-    "pressure.mean",
-    "pressure.peak",
-    "edge.stress_intensity",
-    "edge.ratio",
-    "error.estimate",
-];
+/// The largest of the errors, which a figure may show like the numbers.
+const ERROR: &str = "error.estimate";
+
+/// Numbers that a figure may show, by their paths in a record.
+pub(crate) fn numbers() -> impl Iterator<Item = &'static str> {
+    Asked::NUMBERS.into_iter().chain([ERROR])
+}
+
 /// What the study's question is answered with.
-pub(crate) const FOUND: &str = "found";
+pub(crate) const FOUND: &str = "found.value";
 const TRACTIONS: [&str; 2] = ["pressure", "shear"];
 
 /// Most curves that can be told apart in a panel.
@@ -191,7 +183,7 @@ impl Study {
 
     /// A field by its path or label, or a number of the result.
     fn source(&self, path: &[&str], name: &str) -> Result<Source, PlotFault> {
-        let number = NUMBERS.into_iter().chain(self.find.is_some().then_some(FOUND)).find(|number| *number == name);
+        let number = numbers().chain(self.find.is_some().then_some(FOUND)).find(|number| *number == name);
         match number {
             // A label that hides a number of the result would be taken for it.
             Some(number) if self.field(name).is_none() => Ok(Source::Number(number)),
@@ -213,7 +205,7 @@ impl Study {
 
     /// A field whose values are numbers.
     fn numbers_along(&self, path: &[&str], name: &str) -> Result<Place, PlotFault> {
-        let place = self.field(name).ok_or_else(|| self.unknown(path, name, &NUMBERS))?;
+        let place = self.field(name).ok_or_else(|| self.unknown(path, name, &numbers().collect::<Vec<_>>()))?;
         let Values::Listed(listed) = &self.axes[place.axis].columns[place.column].values else { return Ok(place) };
         match listed.iter().find_map(|(_, cell)| if let Cell::Text(text) = cell { Some(text) } else { None }) {
             None => Ok(place),

@@ -379,6 +379,13 @@ fn the_studies_among_the_examples_run() {
         let study = examples.join(&name);
         let output = run(out.path(), ["sweep".as_ref(), study.as_os_str(), "--out".as_ref(), "out".as_ref()]);
         assert_eq!(output.status.code(), Some(0), "{}: {}", name.display(), told(&output));
+        #[cfg(feature = "plot")]
+        for file in files(&out.path().join("out")).iter().filter(|file| file.extension().is_some_and(|is| is == "svg"))
+        {
+            let drawn = fs::read_to_string(out.path().join("out").join(file)).unwrap();
+            let shown = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/figures/studies").join(file);
+            crate::figures::assert_same(&file.to_string_lossy(), &fs::read_to_string(&shown).unwrap(), &drawn);
+        }
     }
 }
 

@@ -51,7 +51,7 @@ fn field(path: &str, labels: &Labels) -> Option<(&'static str, String)> {
 pub(super) fn of(source: Source, study: &Study) -> (String, String) {
     let labels = Labels::new(&study.scene.units);
     match source {
-        Source::Number("found") => {
+        Source::Number("found.value") => {
             let asked = study.find.as_ref().map_or("", |find| find.field.as_str());
             field(asked, &labels).map_or_else(|| (one_line(asked), String::new()), |(name, unit)| (name.into(), unit))
         }
