@@ -23,10 +23,12 @@ impl StudyTable {
     pub fn new(study: &Study) -> Self {
         let changes = |section: &str| study.columns().any(|column| column.field.split('.').next() == Some(section));
         let rubs = study.scene.friction.is_some() || changes("friction");
+        let changes_strain = ["friction", "friction.strain"];
+        let changes_strain = study.columns().any(|column| changes_strain.contains(&column.field.as_str()));
         let is_linear = matches!(study.scene.friction, Some(Friction::Goodman { strain: FrozenStrain::Linear, .. }));
         let is_filled = |number: &&str| {
             let exists = match *number {
-                "stick.strain_rate" => is_linear || changes("friction.strain"),
+                "stick.strain_rate" => is_linear || changes_strain,
                 number => rubs || !number.starts_with("stick."),
             };
             // A field that changes has a column already.

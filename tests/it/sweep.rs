@@ -340,6 +340,25 @@ zip = [
     assert_eq!(pairs, [("1.0", "10.0"), ("2.0", "20.0"), ("3.0", "30.0")]);
 }
 
+#[test]
+fn a_strain_that_is_an_axis_has_a_column() {
+    let scene = GOOD
+        .replace("type = \"flat\"\nhalf_width = 1.0", "type = \"cylinder\"\nradius = 10.0")
+        .replace("force = 1.0", "half_width = 1.0");
+    for (field, values) in [
+        ("friction.strain", "[\"history\", \"linear\"]"),
+        ("friction", "[{ type = \"goodman\", coefficient = 0.3, strain = \"linear\" }]"),
+    ] {
+        let text = format!(
+            "format = 1\n[[axes]]\nfield = \"{field}\"\nvalues = {values}\n[scene]\n{}",
+            scene.replace('[', "[scene.")
+        );
+        let study = Study::parse("study.toml", &text, &NoFiles).unwrap();
+        let head = slipzone::report::StudyTable::new(&study).head();
+        assert!(head.contains("stick.strain_rate"), "{head}");
+    }
+}
+
 /// A table is a value like any other.
 #[test]
 fn a_whole_punch_is_an_axis() {
