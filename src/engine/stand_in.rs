@@ -7,7 +7,7 @@ use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
 use crate::plan::has_closed_form;
 use crate::scene::{Layer, Model, Scene};
-use slipzone_api::{Base, LayerModel};
+use slipzone_api::{Base, LayerModel, Poisson, Positive};
 use slipzone_gradings::Homogeneous;
 
 /// Share of the tolerance that a model may use up; the rest is the numerical error's.
@@ -165,16 +165,10 @@ fn obstacle(model: Model, scene: &Scene, problem: &Problem) -> Option<Obstacle> 
 impl StandIn {
     /// The scene with the model in place of its solid.
     pub(super) fn modelled(&self, scene: &Scene, problem: &Problem) -> Scene {
-        let material = &problem.layer;
-        let nu = material.law.poisson(0.0).unwrap_or(material.solid.poisson.get());
-        let modulus = material.surface_shear / material.solid.moduli.shear(1.0, nu);
-        let (Ok(modulus), Ok(poisson)) = (slipzone_api::Positive::new(modulus), slipzone_api::Poisson::new(nu)) else {
-            unreachable!("the constants of a solid were checked")
+        let layer = match self.model {
+            Model::HalfPlane => half_plane(&scene.layer, &problem.layer),
+            _ => homogeneous(&scene.layer, &problem.layer),
         };
-        let mut layer = Layer { poisson, grading: Box::new(Homogeneous { modulus }), ..scene.layer.clone() };
-        if self.model == Model::HalfPlane {
-            layer = Layer { thickness: None, base: Base::Infinite, datum: None, ..layer };
-        }
         Scene { layer, ..scene.clone() }
     }
 
@@ -227,6 +221,21 @@ impl StandIn {
         }
         bound
     }
+}
+
+/// A layer on its base, of its surface's material throughout.
+fn homogeneous(layer: &Layer, material: &LayerModel) -> Layer {
+    let nu = material.law.poisson(0.0).unwrap_or(material.solid.poisson.get());
+    let modulus = material.surface_shear / material.solid.moduli.shear(1.0, nu);
+    let (Ok(modulus), Ok(poisson)) = (Positive::new(modulus), Poisson::new(nu)) else {
+        unreachable!("the constants of a solid were checked")
+    };
+    Layer { poisson, grading: Box::new(Homogeneous { modulus }), ..layer.clone() }
+}
+
+/// The half-plane of a layer's surface material.
+pub(crate) fn half_plane(layer: &Layer, material: &LayerModel) -> Layer {
+    Layer { thickness: None, base: Base::Infinite, datum: None, ..homogeneous(layer, material) }
 }
 
 /// Errors of the pressure's numbers and of the stick zone's, over `b^2` and over `b`, by a base.

@@ -8,6 +8,7 @@
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
 use basin::Toms748Root;
+use bilby::QuadratureRule;
 use slipzone_api::LayerResponse;
 use std::f64::consts::PI;
 
@@ -73,17 +74,18 @@ pub(super) fn solve(problem: &Problem, response: &dyn LayerResponse) -> Option<(
     let a0 = problem.elastic.a0();
     let stiffness = (a0 * layer.compliance).recip();
     let height = |x: f64| problem.height(x) - problem.height(0.0);
-    let force = |wide: f64, nodes: usize| 2.0 * stiffness * raised(problem, wide, nodes);
+    let [fine, coarse] = SHAPE.map(rule);
+    let force = |wide: f64, rule: &QuadratureRule<f64>| 2.0 * stiffness * raised(problem, wide, rule);
     let wide = match problem.load {
         LoadInLayerUnits::HalfWidth(b) => b + layer.shift,
-        LoadInLayerUnits::Force(target) => root(problem, |wide| force(wide, SHAPE[0]) / target)?,
+        LoadInLayerUnits::Force(target) => root(problem, |wide| force(wide, &fine) / target)?,
         LoadInLayerUnits::Indentation(depth) => root(problem, |wide| problem.height(wide) / depth)?,
     };
     let b = wide - layer.shift;
     if !(b >= NARROWEST && wide > 0.5 * b && wide <= problem.reach()) {
         return None;
     }
-    let p = force(wide, SHAPE[0]);
+    let p = force(wide, &fine);
     let centre = stiffness * height(wide);
     let mut numbers = Numbers::default();
     for (quantity, value) in [
@@ -100,7 +102,7 @@ pub(super) fn solve(problem: &Problem, response: &dyn LayerResponse) -> Option<(
     }
     let power = 1.0 + b * problem.slope(b) / height(b);
     let second = SECOND_ORDER * power * power * (layer.shift.powi(2) + layer.bend.abs() + 0.1) / (b * b);
-    let numerical = layer.errors.0 + power * layer.errors.1 / b + (force(wide, SHAPE[1]) / p - 1.0).abs();
+    let numerical = layer.errors.0 + power * layer.errors.1 / b + (force(wide, &coarse) / p - 1.0).abs();
     let error = second + numerical;
     let mut errors = Numbers::default();
     let given: Vec<Quantity> = problem.given().collect();
@@ -116,8 +118,8 @@ pub(super) fn solve(problem: &Problem, response: &dyn LayerResponse) -> Option<(
 }
 
 /// `int_0^B (g(B) - g(x)) dx = int_0^B x g'(x) dx`, over the fourth root of `x`: smooth for any power of it.
-fn raised(problem: &Problem, wide: f64, nodes: usize) -> f64 {
-    gauss(nodes, 0.0, 1.0, |t| {
+fn raised(problem: &Problem, wide: f64, rule: &QuadratureRule<f64>) -> f64 {
+    gauss(rule, 0.0, 1.0, |t| {
         let x = wide * t.powi(4);
         x * problem.slope(x) * 4.0 * wide * t.powi(3)
     })
@@ -173,6 +175,7 @@ impl Thin {
 
 /// `lambda`, from `s Fvv/A0`.
 fn shift(scaled: &impl Fn(f64) -> Option<f64>, compliance: f64, nodes: usize) -> Option<f64> {
+    let rule = rule(nodes);
     let mut refused = false;
     let mut log = |s: f64, divided: f64| {
         let vv = scaled(s);
@@ -181,17 +184,20 @@ fn shift(scaled: &impl Fn(f64) -> Option<f64>, compliance: f64, nodes: usize) ->
     };
     let (mut sum, mut from, mut to) = (0.0, 0.0, 1.0);
     while to <= LAST {
-        sum += gauss(nodes, from, to, |s| log(s, s * compliance) / (s * s));
+        sum += gauss(&rule, from, to, |s| log(s, s * compliance) / (s * s));
         (from, to) = (to, 2.0 * to);
     }
     // Beyond, the logarithm of `1/(s compliance)` in closed form, and the rest over `1/s`.
-    sum += gauss(nodes, 0.0, 1.0, |u| log(from / u, 1.0)) / from;
+    sum += gauss(&rule, 0.0, 1.0, |u| log(from / u, 1.0)) / from;
     sum -= ((from * compliance).ln() + 1.0) / from;
     (!refused && sum.is_finite()).then_some(-sum / PI)
 }
 
-fn gauss(nodes: usize, from: f64, to: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
-    let rule = bilby::GaussLegendre::new(nodes).expect("nodes").rule().clone();
+fn rule(nodes: usize) -> QuadratureRule<f64> {
+    bilby::GaussLegendre::new(nodes).expect("nodes").rule().clone()
+}
+
+fn gauss(rule: &QuadratureRule<f64>, from: f64, to: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     half * rule.nodes.iter().zip(&rule.weights).map(|(x, weight)| weight * f(middle + half * x)).sum::<f64>()
 }

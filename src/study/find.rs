@@ -18,6 +18,13 @@ pub struct Find {
     pub wanted: Wanted,
 }
 
+impl Find {
+    /// The keys of the field's path.
+    pub(super) fn path(&self) -> Vec<String> {
+        self.field.split('.').map(str::to_owned).collect()
+    }
+}
+
 /// What is wanted of the number that decides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Wanted {

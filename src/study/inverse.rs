@@ -6,14 +6,12 @@
 use super::Study;
 use super::find::{Find, Wanted};
 use super::record::{Found, Record};
-use crate::engine::{Plan, Solution, Status, solve};
+use crate::engine::{self, Plan, Solution, Status, solve};
 use crate::scene::{Asked, Load, Replacement, Scene};
 use basin::{
     BoxBounds, Brent, ConstraintDescription, ConstraintSet, Constraints, CostFunction, Executor, PointState,
     Toms748Root,
 };
-use slipzone_api::{Base, Moduli, Plane, Poisson, Positive};
-use slipzone_gradings::Homogeneous;
 
 /// Steps in which a range is looked over.
 const STEPS: u32 = 24;
@@ -26,15 +24,11 @@ const MOST: u64 = 100;
 
 /// The scene of a study with the field at the value that answers the study's question.
 pub(super) fn answer(study: &Study, row: u64, find: &Find) -> Record {
-    let path: Vec<String> = find.field.split('.').map(str::to_owned).collect();
-    let question = Question { study, row, find, path: &path };
+    let question = Question { study, row, find, path: &find.path() };
     match question.search() {
-        Ok((found, solution)) => {
-            let with_profile = study.asks("profile");
-            Record { found: Some(found), ..Record::solved(study, row, solution, with_profile) }
-        }
+        Ok((found, solution)) => Record { found: Some(found), ..Record::solved(study, row, solution) },
         Err(reason) => match study.scene(row) {
-            Ok(scene) => Record::solved(study, row, Solution::refused(&scene, Plan::default(), reason), false),
+            Ok(scene) => Record::solved(study, row, Solution::refused(&scene, Plan::default(), reason)),
             Err(error) => Record::invalid(study, row, &error),
         },
     }
@@ -260,7 +254,7 @@ impl Question<'_> {
     }
 
     fn number(&self, solution: &Solution) -> Option<f64> {
-        Record::solved(self.study, self.row, solution.clone(), false).number(&self.find.quantity)
+        Record::solved(self.study, self.row, solution.clone()).number(&self.find.quantity)
     }
 }
 
@@ -269,20 +263,8 @@ fn half_plane(scene: &Scene) -> Result<Scene, String> {
     if matches!(scene.load, Load::Indentation(_)) {
         return Err("an indentation is undefined on a half-plane: prescribe the force or the half-width".into());
     }
-    let refused = |refusal: slipzone_api::Refusal| refusal.to_string();
-    let model = scene.layer.model().map_err(refused)?;
-    let kappa = model.elastic.kappa;
-    let poisson = match scene.layer.plane {
-        Plane::Strain => (3.0 - kappa) / 4.0,
-        Plane::Stress => (3.0 - kappa) / (1.0 + kappa),
-    };
-    let mut scene = scene.clone();
-    let layer = &mut scene.layer;
-    (layer.base, layer.thickness, layer.datum, layer.moduli) = (Base::Infinite, None, None, Moduli::Shear);
-    layer.poisson = Poisson::new(poisson).map_err(|error| error.to_string())?;
-    layer.grading =
-        Box::new(Homogeneous { modulus: Positive::new(model.surface_shear).map_err(|error| error.to_string())? });
-    Ok(scene)
+    let model = scene.layer.model().map_err(|refusal| refusal.to_string())?;
+    Ok(Scene { layer: engine::half_plane(&scene.layer, &model), ..scene.clone() })
 }
 
 /// A stretch of the range in which the least value lies.

@@ -295,11 +295,8 @@ fn steps(document: &Document, path: &[&str], range: Range, by_factors: bool) -> 
         return Err(document.not_allowed(&within("count"), "at least 2, both ends included"));
     }
     let is_whole = |key| document.value(&within(key)).is_some_and(|value| value.get_ref().is_integer());
-    let whole = is_whole("from") && is_whole("to") && (range.to - range.from).abs() >= (count - 1) as f64 && {
-        // Of equal steps each is whole only if one is.
-        by_factors || ((range.to - range.from) / (count - 1) as f64).fract() == 0.0
-    };
-    let whole = whole && !by_factors;
+    let step = (range.to - range.from) / (count - 1) as f64;
+    let whole = !by_factors && is_whole("from") && is_whole("to") && step != 0.0 && step.fract() == 0.0;
     Ok((Values::Steps { from: range.from, to: range.to, count, by_factors, whole }, count))
 }
 
@@ -328,11 +325,7 @@ fn distinct(document: &Document, axes: &[Axis]) -> Result<(), SceneError> {
     for (index, axis) in axes.iter().enumerate() {
         for column in &axis.columns {
             let place = ["axes", &index.to_string()];
-            let overlaps = |other: &&&Column| {
-                let both = other.path.iter().zip(&column.path);
-                both.clone().all(|(one, other)| one == other)
-            };
-            if let Some(other) = seen.iter().find(overlaps) {
+            if let Some(other) = seen.iter().find(|other| other.overlaps(&column.path)) {
                 let error = document.error(document.key(&place), "two axes set the same field");
                 return Err(error
                     .found(format!("`{}` and `{}`", other.field, column.field))
@@ -438,9 +431,8 @@ fn check_find(document: &Document, study: &Study, files: &dyn Files) -> Result<(
         let error = document.error(document.best(&place), "the number that decides is not asked for");
         return Err(error.found("`output.quantities` without it").expected("it among them, or no `quantities`"));
     }
-    let path: Vec<String> = find.field.split('.').map(str::to_owned).collect();
-    let overlaps = |column: &&Column| column.path.iter().zip(&path).all(|(one, other)| one == other);
-    if let Some(column) = study.columns().find(overlaps) {
+    let path = find.path();
+    if let Some(column) = study.columns().find(|column| column.overlaps(&path)) {
         let error = document.error(document.best(&["find", "field"]), "an axis sets the field that is looked for");
         return Err(error
             .found(format!("`{}`, beside an axis of `{}`", find.field, column.field))

@@ -76,10 +76,10 @@ fn as_map<S: Serializer>(axes: &[(String, Cell)], serializer: S) -> Result<S::Ok
 
 impl Record {
     /// A scene that was solved.
-    pub(super) fn solved(study: &Study, row: u64, solution: Solution, with_profile: bool) -> Self {
-        let Solution { status, reason, load, pressure, edge, stick, error, profile, .. } = solution;
+    pub(super) fn solved(study: &Study, row: u64, solution: Solution) -> Self {
+        let Solution { scene, status, reason, load, pressure, edge, stick, error, profile, .. } = solution;
         let status = RecordStatus::Solved(status);
-        let profile = with_profile.then_some(profile);
+        let profile = scene.output.asks("profile").then_some(profile);
         let error = ErrorReport { how: String::new(), ..error };
         Self {
             index: row,

@@ -39,14 +39,13 @@ fn solve_chunk(
 ) -> Option<()> {
     let rows = study.chunk_rows(chunk);
     let Some(last) = rows.clone().rev().find(|row| !done(*row)) else { return Some(()) };
-    let with_profile = study.asks("profile");
     let mut known = None;
     for row in rows.start..=last {
         let record = match (&study.find, study.scene(row)) {
             (Some(find), Ok(_)) => inverse::answer(study, row, find),
             (None, Ok(scene)) => {
                 let only_pressed = row > rows.start && study.differ_in_load(row - 1, row);
-                Record::solved(study, row, solve_after(&mut known, &scene, only_pressed), with_profile)
+                Record::solved(study, row, solve_after(&mut known, &scene, only_pressed))
             }
             (_, Err(error)) => {
                 // What comes next differs from what is known by more than from this.
