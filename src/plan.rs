@@ -24,8 +24,12 @@ pub struct Plan {
     pub unknowns: usize,
     /// Wave numbers at which the flexibility was evaluated, all resolutions together.
     pub flexibility_evaluations: usize,
+    /// Distances at which a kernel was read off its table, all resolutions together.
+    pub kernel_evaluations: u64,
     /// Matrices factorised, all resolutions together.
     pub factorisations: usize,
+    /// Multiplications in their elimination: `n^3/3` for a matrix and `n^2` for each right-hand side.
+    pub operations: u64,
     /// What stands for the solid.
     pub model: Model,
     /// Largest relative error that it makes of a number reported, by its bound: part of the errors stated. 0 of the full

@@ -1,6 +1,7 @@
 //! Dense linear systems, solved in room that is kept.
 
 use super::elimination;
+use super::work::Work;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::{factor, solve};
 use faer::perm::PermRef;
@@ -20,8 +21,8 @@ pub(crate) struct Dense {
     size: usize,
     /// Room for more than a few equations.
     blocks: Option<Blocks>,
-    /// Matrices factorised so far.
-    pub(crate) factorisations: usize,
+    /// What all of it took so far.
+    pub(crate) work: Work,
 }
 
 impl Dense {
@@ -32,7 +33,7 @@ impl Dense {
             columns: vec![0.0; n * right],
             size: n,
             blocks: (n > FEW).then(|| Blocks::new(n, right)),
-            factorisations: 0,
+            work: Work::default(),
         }
     }
 
@@ -50,7 +51,7 @@ impl Dense {
     /// Replaces the first `right` right-hand sides by their solutions.
     pub(crate) fn solve(&mut self, right: usize) -> Result<(), Refusal> {
         let n = self.size();
-        self.factorisations += 1;
+        self.work.count(n, right);
         let columns = &mut self.columns[..n * right];
         match &mut self.blocks {
             None => elimination::solve(&mut self.rows, columns, n),
@@ -112,7 +113,7 @@ mod tests {
         }
         system.rows.fill(0.0);
         assert!(system.solve(1).is_err());
-        assert_eq!(system.factorisations, 3);
+        assert_eq!(system.work, Work { factorisations: 3, operations: 3 * 2 + 2 * 8 + 4 });
     }
 
     /// Sizes around the vectors' lengths and around [`FEW`]; entries without order, so that rows change places.

@@ -9,6 +9,7 @@ use super::problem::Problem;
 use super::stage::{Outcome, Rubbing, Stage, Task, Verdict};
 use super::stick_search::Root;
 use super::stick_zone::StickZone;
+use super::work::Work;
 use slipzone_api::{Component, Density, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station};
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -329,9 +330,9 @@ impl Family {
         Ok(root.map(|root| Rubbing::expected(root, b, checked)).or(expected))
     }
 
-    /// Matrices factorised so far.
-    pub(crate) fn factorisations(&self) -> usize {
-        self.stage.factorisations() + self.system.factorisations
+    /// Work in its systems so far.
+    pub(crate) fn work(&self) -> Work {
+        self.stage.work() + self.system.work
     }
 
     /// Unknowns of a member's pressure.

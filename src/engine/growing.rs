@@ -10,6 +10,7 @@ use super::quantity::{Numbers, Quantity, Traces};
 use super::stack::Stack;
 use super::stage::{Outcome, Rubbing, Task, Verdict, normal_numbers, peak};
 use super::strain::Strain;
+use super::work::Work;
 use slipzone_api::{Quadrature, Refusal, Station};
 
 /// By how much a family is wider than the contact expected: beside a size known from a coarser resolution, and beside a
@@ -377,9 +378,9 @@ impl Growing {
         self.broken.is_some() && !self.is_broken()
     }
 
-    /// Matrices factorised so far.
-    pub(crate) fn factorisations(&self) -> usize {
-        self.family.as_ref().map_or(0, Family::factorisations)
+    /// Work in its systems so far.
+    pub(crate) fn work(&self) -> Work {
+        self.family.as_ref().map_or(Work::default(), Family::work)
     }
 }
 

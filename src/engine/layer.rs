@@ -2,9 +2,12 @@
 
 use super::family::Family;
 use super::problem::Problem;
+use super::work::Counted;
 use crate::plan::{Methods, choose};
 use crate::scene::Scene;
 use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// All kernels: first the depth, which not every base defines, then what the pressure needs, then what friction adds.
 const ALL: [Component; 4] = [Component::Depth, Component::NormalSlope, Component::ShearStrain, Component::Coupling];
@@ -18,6 +21,8 @@ pub struct Layer {
     strategy: Box<dyn KernelStrategy>,
     tables: Option<Tables>,
     flexibility_evaluations: usize,
+    /// How often the tables were read, those that were replaced too.
+    read: Arc<AtomicU64>,
     /// The layer and the methods as a scene would write them.
     described: String,
     /// Whether it is but a model of the layer described.
@@ -29,9 +34,9 @@ pub struct Layer {
 /// Kernels over a range of lengths.
 struct Tables {
     /// `None` on a homogeneous half-plane, which has none.
-    kernels: Option<Box<dyn KernelTable>>,
+    kernels: Option<Counted>,
     /// The depth's, where it is counted from a datum.
-    depth: Option<Box<dyn KernelTable>>,
+    depth: Option<Counted>,
     reach: f64,
     frictional: bool,
     deep: bool,
@@ -72,6 +77,7 @@ impl Layer {
             strategy: methods.kernel.clone(),
             tables: None,
             flexibility_evaluations: 0,
+            read: Arc::default(),
             described: String::new(),
             is_model: false,
             families: (String::new(), Vec::new()),
@@ -131,8 +137,9 @@ impl Layer {
             return Ok(());
         }
         let strategy = self.strategy.refined(wanted.level);
-        let tabulate = |response: &dyn LayerResponse, components| {
-            strategy.tabulate(response, &KernelRequest { reach, components, accuracy: wanted.accuracy })
+        let tabulate = |response: &dyn LayerResponse, components| -> Result<Counted, Refusal> {
+            let table = strategy.tabulate(response, &KernelRequest { reach, components, accuracy: wanted.accuracy })?;
+            Ok(Counted { table, read: self.read.clone() })
         };
         let components = &ALL[usize::from(!(self.is_grounded && wanted.deep))..if wanted.frictional { 4 } else { 2 }];
         let kernels = if self.is_plain() { None } else { Some(tabulate(&*self.response, components)?) };
@@ -154,7 +161,7 @@ impl Layer {
         }
         let is_apart = component == Component::Depth && !self.is_grounded;
         let table = if is_apart { &tables.depth } else { &tables.kernels };
-        table.as_deref().map(|table| (table, component))
+        table.as_ref().map(|table| (table as &dyn KernelTable, component))
     }
 
     /// A kernel at each distance; zeros on a homogeneous half-plane.
@@ -167,8 +174,8 @@ impl Layer {
 
     /// The shortest length over which the kernels vary; infinite without kernels.
     pub(crate) fn length(&self) -> f64 {
-        let kernels = self.tables.as_ref().and_then(|tables| tables.kernels.as_deref());
-        kernels.map_or(f64::INFINITY, KernelTable::length)
+        let kernels = self.tables.as_ref().and_then(|tables| tables.kernels.as_ref());
+        kernels.map_or(f64::INFINITY, Counted::length)
     }
 
     /// The error that the tables prove of themselves, grown on its way into the numbers of a contact of
@@ -197,6 +204,12 @@ impl Layer {
     #[must_use]
     pub fn flexibility_evaluations(&self) -> usize {
         self.flexibility_evaluations
+    }
+
+    /// Distances at which its kernels were read so far.
+    #[must_use]
+    pub fn kernel_evaluations(&self) -> u64 {
+        self.read.load(Ordering::Relaxed)
     }
 }
 

@@ -35,6 +35,7 @@ mod stick_zone;
 mod strain;
 mod thin;
 mod verdict;
+mod work;
 
 pub use crate::plan::Plan;
 pub use finite::first_not_finite;

@@ -3,6 +3,7 @@
 use super::dense::Dense;
 use super::layer::Layer;
 use super::problem::{LoadInLayerUnits, Problem};
+use super::work::Work;
 use slipzone_api::{Component, Density, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
 
 /// The pressure under one punch, in layer units; solved again for each load, in the same memory.
@@ -190,9 +191,9 @@ impl Normal {
         self.unknowns.len()
     }
 
-    /// Matrices factorised so far.
-    pub(crate) fn factorisations(&self) -> usize {
-        self.system.factorisations
+    /// Work in its systems so far.
+    pub(crate) fn work(&self) -> Work {
+        self.system.work
     }
 
     /// Whether the contact's edge is sharp.

@@ -6,6 +6,7 @@ use super::layer::{Layer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
 use super::stage::{Outcome, Stage, Task, Verdict};
+use super::work::Work;
 use crate::plan::Methods;
 use arrayvec::ArrayVec;
 use slipzone_api::Refusal;
@@ -87,9 +88,9 @@ impl Ladder {
         &mut self.stages[index]
     }
 
-    /// Matrices factorised so far.
-    pub(super) fn factorisations(&self) -> usize {
-        self.stages.iter().map(Stage::factorisations).sum()
+    /// Work in its systems so far.
+    pub(super) fn work(&self) -> Work {
+        self.stages.iter().map(Stage::work).sum()
     }
 
     /// Solves a problem with the methods given.

@@ -311,13 +311,15 @@ impl Solver {
     fn report(&mut self) -> Result<Solution, Refusal> {
         let Some(judged) = &self.judged else { unreachable!("found before") };
         let tolerance = self.chosen.scene.solver.tolerance.get();
-        let factorisations = self.ladder.factorisations();
+        let work = self.ladder.work();
         let stage = self.ladder.stage(judged.stage);
         let judgement = verdict(&self.problem, stage, judged, tolerance);
         let plan = Plan {
             unknowns: stage.unknowns(),
             flexibility_evaluations: self.layer.flexibility_evaluations(),
-            factorisations,
+            kernel_evaluations: self.layer.kernel_evaluations(),
+            factorisations: work.factorisations,
+            operations: work.operations,
             bound: Some(judged.of_model),
             ..self.chosen.plan.clone()
         };

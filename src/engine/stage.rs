@@ -13,6 +13,7 @@ use super::quantity::{Numbers, Quantity, Traces};
 use super::stick::Shear;
 use super::stick_search::{Found, FrictionCurve, Root, Samples};
 use super::stick_zone::StickZone;
+use super::work::Work;
 use arrayvec::ArrayVec;
 use slipzone_api::{Edge, Quadrature, Refusal, Station};
 use std::f64::consts::FRAC_PI_2;
@@ -230,11 +231,11 @@ impl Stage {
         self.normal.size()
     }
 
-    /// Matrices factorised so far.
-    pub(crate) fn factorisations(&self) -> usize {
-        let of_shear = self.shear.as_ref().map_or(0, Shear::factorisations);
-        let of_members = self.growing.as_ref().map_or(0, Growing::factorisations);
-        self.normal.factorisations() + of_shear + of_members
+    /// Work in its systems so far.
+    pub(crate) fn work(&self) -> Work {
+        let of_shear = self.shear.as_ref().map_or(Work::default(), Shear::work);
+        let of_members = self.growing.as_ref().map_or(Work::default(), Growing::work);
+        self.normal.work() + of_shear + of_members
     }
 
     /// The curve of friction coefficients over stick zones, and room for the shear.

@@ -7,6 +7,7 @@ use super::linear_strain;
 use super::normal::Normal;
 use super::slip_grid::SlipGrid;
 use super::stick_zone::StickZone;
+use super::work::Work;
 use slipzone_api::{Component, Density, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
 
 /// The next finer step may be far too fine: this share of the unknowns wanted will do.
@@ -43,7 +44,6 @@ pub(crate) struct Shear {
     slip: SlipGrid,
     /// The coupling's potential under the pressure, sampled.
     coupling: Vec<f64>,
-    solutions: usize,
 }
 
 /// The stick zone at one resolution.
@@ -96,7 +96,6 @@ impl Shear {
             unknowns: Vec::new(),
             slip,
             coupling: Vec::new(),
-            solutions: 0,
         })
     }
 
@@ -198,7 +197,6 @@ impl Shear {
             right[n] = 0.0;
         }
         grid.system.solve(1)?;
-        self.solutions += 1;
         let (other, unknowns) = grid.system.column(0).split_last().expect("one unknown more than q has");
         self.unknowns.clear();
         self.unknowns.extend_from_slice(unknowns);
@@ -314,8 +312,8 @@ impl Shear {
         &self.coupling
     }
 
-    /// Systems solved so far.
-    pub(crate) fn factorisations(&self) -> usize {
-        self.solutions
+    /// Work in its systems so far.
+    pub(crate) fn work(&self) -> Work {
+        self.grids.iter().map(|grid| grid.system.work).sum()
     }
 }

@@ -1,0 +1,78 @@
+//! Work, counted: the same on every machine.
+
+use slipzone_api::{Component, KernelTable, PartsMut};
+use std::iter::Sum;
+use std::ops::Add;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Work in dense systems.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Work {
+    /// Matrices factorised.
+    pub(crate) factorisations: usize,
+    /// Multiplications in their elimination: `n^3/3` for the matrix, `n^2` for each right-hand side.
+    pub(crate) operations: u64,
+}
+
+impl Work {
+    /// Adds one system of `n` equations.
+    pub(crate) fn count(&mut self, n: usize, right: usize) {
+        let (n, right) = (n as u64, right as u64);
+        self.factorisations += 1;
+        self.operations += n * n * n / 3 + right * n * n;
+    }
+}
+
+impl Add for Work {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            factorisations: self.factorisations + other.factorisations,
+            operations: self.operations + other.operations,
+        }
+    }
+}
+
+impl Sum for Work {
+    fn sum<I: Iterator<Item = Self>>(all: I) -> Self {
+        all.fold(Self::default(), Add::add)
+    }
+}
+
+/// A table that counts how often it is read: one for each distance.
+pub(super) struct Counted {
+    pub(super) table: Box<dyn KernelTable>,
+    pub(super) read: Arc<AtomicU64>,
+}
+
+impl Counted {
+    fn count(&self, distances: &[f64]) {
+        self.read.fetch_add(distances.len() as u64, Ordering::Relaxed);
+    }
+}
+
+impl KernelTable for Counted {
+    fn parts_into(&self, component: Component, distances: &[f64], out: PartsMut) {
+        self.count(distances);
+        self.table.parts_into(component, distances, out);
+    }
+
+    fn values_into(&self, component: Component, distances: &[f64], out: &mut [f64]) {
+        self.count(distances);
+        self.table.values_into(component, distances, out);
+    }
+
+    fn error(&self) -> Option<f64> {
+        self.table.error()
+    }
+
+    fn length(&self) -> f64 {
+        self.table.length()
+    }
+
+    fn flexibility_evaluations(&self) -> usize {
+        self.table.flexibility_evaluations()
+    }
+}
