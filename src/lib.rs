@@ -36,6 +36,7 @@
 //! What a scene can name are plugins of five families, whose contracts are in [`api`]; the repository's `docs/`
 //! has their formulas, the theory and a worked example of a new one.
 
+pub mod chart;
 #[cfg(any(test, doctest))]
 mod doctests;
 pub mod engine;

@@ -63,6 +63,8 @@ pub(super) enum Command {
     },
     /// Check the program against closed forms, limits, identities and other programs' numbers
     Verify(Verify),
+    /// Chart speed against accuracy for every method, or map where each of them fails
+    Chart(Chart),
 }
 
 #[derive(Debug, Args)]
@@ -157,6 +159,41 @@ pub(super) struct Sweep {
     #[arg(long)]
     pub(super) fresh: bool,
 }
+#[derive(Debug, Args)]
+#[command(after_help = CHART)]
+pub(super) struct Chart {
+    /// Scenes to chart, or maps of the atlas; all when none is named
+    #[arg(value_name = "NAME")]
+    pub(super) names: Vec<String>,
+    /// Map the digits of each method over pairs of parameters, in place of charting scenes
+    #[arg(long)]
+    pub(super) atlas: bool,
+    /// A few settings or cells of each, to see that everything runs
+    #[arg(long)]
+    pub(super) quick: bool,
+    /// Only list the names
+    #[arg(long, conflicts_with_all = ["quick", "out"])]
+    pub(super) list: bool,
+    /// Folder of the files; it is made if need be [default: `chart`, of the atlas `atlas`]
+    #[arg(long, value_name = "FOLDER")]
+    pub(super) out: Option<PathBuf>,
+}
+
+const CHART: &str = "Examples:
+  slipzone chart
+  slipzone chart thin growing --out charts
+  slipzone chart --atlas
+
+A page to open in a browser, a table (CSV) and figures (SVG). Times are those of one thread: let nothing else
+run beside it.
+
+Exit codes:
+  0    no method that the program chooses by itself claims success where it is wrong
+  1    one does; the files are written
+  2    bad input: there is no scene or map of that name
+  3    a file or the system failed
+  130  interrupted: nothing is written";
+
 const SOLVE: &str = "Examples:
   slipzone solve scene.toml
   slipzone solve scene.toml --svg tractions.svg --csv tractions.csv

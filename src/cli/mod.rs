@@ -1,6 +1,7 @@
 //! The command line: what is asked, what is read and written, and how it ends.
 
 mod args;
+mod chart;
 mod check;
 mod completions;
 mod explain;
@@ -9,6 +10,7 @@ mod init;
 mod input;
 mod interrupt;
 mod journal;
+mod named;
 mod output;
 mod plugins;
 mod print;
@@ -73,6 +75,7 @@ fn dispatch(command: &Command) -> Result<Outcome, Failure> {
         Command::Explain(arguments) => explain::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Verify(arguments) => verify::run(arguments),
+        Command::Chart(arguments) => chart::run(arguments),
         Command::Plugins { name, json } => plugins::run(name.as_deref(), *json),
         Command::Init(arguments) => init::run(arguments),
         Command::Schema => schema::run(),

@@ -1,14 +1,14 @@
 //! `slipzone verify`: is this program right?
 
 use super::args::Verify;
+use super::named::named;
 use super::{Failure, Outcome, print};
-use slipzone::scene::nearest;
-use slipzone::verify::{self, Check, GROUPS, Group, Measure, Progress, Report, Value};
+use slipzone::verify::{self, Check, GROUPS, Measure, Progress, Report, Value};
 use std::fmt::{self, Write};
 use std::io::{IsTerminal, Write as _};
 
 pub(super) fn run(arguments: &Verify) -> Result<Outcome, Failure> {
-    let groups = chosen(&arguments.groups)?;
+    let groups = named("group of checks", &arguments.groups, GROUPS, |group| group.name)?;
     let line = Line::new();
     let report = verify::run(&groups, &|progress| line.show(progress));
     line.clear();
@@ -28,19 +28,6 @@ pub(super) fn run(arguments: &Verify) -> Result<Outcome, Failure> {
 /// How the run ends.
 fn outcome(report: &Report) -> Outcome {
     if report.passed { Outcome::Done } else { Outcome::ChecksFailed }
-}
-
-/// The groups of these names, in the order of the report; all when none is named.
-fn chosen(names: &[String]) -> Result<Vec<&'static Group>, Failure> {
-    let known: Vec<_> = GROUPS.iter().map(|group| group.name).collect();
-    if let Some(name) = names.iter().find(|name| !known.contains(&name.as_str())) {
-        let hint = match nearest(name, &known) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => format!("known are {}", known.join(", ")),
-        };
-        return Err(Failure::Usage(format!("unknown group of checks `{name}`"), Some(hint)));
-    }
-    Ok(GROUPS.iter().filter(|group| names.is_empty() || names.iter().any(|name| name == group.name)).collect())
 }
 
 /// How far it has come, on one line of standard error where that is a terminal.

@@ -29,6 +29,14 @@ pub(super) fn cell(value: Option<f64>) -> String {
     value.map_or_else(String::new, |v| format!("{v:?}"))
 }
 
+/// A line of comma-separated values, in quotes where need be.
+pub(super) fn line(cells: impl IntoIterator<Item = String>) -> String {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(cells).expect("memory takes any text");
+    let bytes = writer.into_inner().expect("memory takes any text");
+    String::from_utf8(bytes).expect("text in, text out")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -3,6 +3,10 @@
 //! Start with [`text()`], for people, or [`json()`], for programs: it has every number. All of them return the text of a
 //! file; writing it is the caller's.
 
+mod atlas_csv;
+mod atlas_html;
+mod chart_csv;
+mod chart_html;
 mod csv;
 mod curve_csv;
 mod json;
@@ -14,12 +18,16 @@ mod study_table;
 mod svg;
 mod text;
 
+pub use atlas_csv::atlas_csv;
+pub use atlas_html::atlas_html;
+pub use chart_csv::chart_csv;
+pub use chart_html::chart_html;
 pub use csv::csv;
 pub use curve_csv::curve_csv;
 pub use json::json;
 pub use study_table::{StudyTable, record_line};
 #[cfg(feature = "plot")]
-pub use svg::{FigureError, curve_svg, layer_svg, study_svg, svg};
+pub use svg::{FigureError, atlas_svg, chart_svg, curve_svg, layer_svg, study_svg, svg};
 pub use text::text;
 
 #[cfg(test)]

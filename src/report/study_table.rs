@@ -1,6 +1,6 @@
 //! The results of a study as a table, and its failures in a line each.
 
-use super::csv::cell;
+use super::csv::{cell, line};
 use crate::scene::Asked;
 use crate::study::{Cell, Record, Study};
 use serde_json::Value;
@@ -80,14 +80,6 @@ impl StudyTable {
 /// What stands at a path of a record.
 fn at<'a>(record: &'a Value, path: &str) -> Option<&'a Value> {
     path.split('.').try_fold(record, |value, key| value.get(key))
-}
-
-/// A line of comma-separated values, in quotes where need be.
-fn line(cells: impl IntoIterator<Item = String>) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(cells).expect("memory takes any text");
-    let bytes = writer.into_inner().expect("memory takes any text");
-    String::from_utf8(bytes).expect("text in, text out")
 }
 
 /// A scene that failed, in one line.

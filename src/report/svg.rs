@@ -1,18 +1,26 @@
 //! The tractions as a figure fit to print.
 
+mod atlas;
 mod axis;
+mod chart;
 mod curves;
 mod head;
 mod layer;
+mod legend;
 mod loading;
+mod panel;
 mod scale;
+mod sheet;
 mod study;
+mod style;
 
 use crate::engine::first_not_finite;
 use crate::engine::{Slip, Solution, Status, StickReport};
 use crate::report::labels::{Labels, one_line, with_unit};
 use crate::report::number::{digits, short, significant, typeset};
 use crate::report::scene_line::{GREEK, scene_parts};
+pub use atlas::atlas_svg;
+pub use chart::chart_svg;
 use curves::{Curves, Frame, Stroke};
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::{LinePlot, LineStyle};

@@ -68,6 +68,33 @@ impl Scale {
         Self { label, unit: divisor, least: least / divisor, most: most / divisor, step: None, ticks }
     }
 
+    /// Powers of ten, every so many of them with its number; none above the last.
+    pub(super) fn of_powers(least: f64, most: f64, label: &str, every: i32, last: f64) -> Self {
+        let ticks = TickFormat::Custom(Arc::new(move |value: f64| {
+            #[expect(clippy::cast_possible_truncation, reason = "a few hundred")]
+            let power = (value * POWERS).log10().round() as i32;
+            let is_shown = power % every == 0 && value * POWERS <= 1.01 * last;
+            if is_shown { typeset(&format!("1e{power}")) } else { String::new() }
+        }));
+        /// What is drawn is in units of this: kuva takes what is below 1e-10 for 1e-10.
+        const POWERS: f64 = 1e-100;
+        let (least, most) = (least / POWERS, most / POWERS);
+        Self { label: label.into(), unit: POWERS, least, most, step: None, ticks }
+    }
+
+    /// A cell for each of these names, from 0; names that would overlap are left out.
+    pub(super) fn of_names(names: Vec<String>, label: &str, most: usize) -> Self {
+        let count = names.len() as f64;
+        let step = (names.len().div_ceil(most.max(1)).max(1)) as f64;
+        let ticks = TickFormat::Custom(Arc::new(move |value: f64| {
+            let is_whole = (value - value.round()).abs() < 1e-6 && value > -0.25;
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and few")]
+            let name = names.get(value.round() as usize).filter(|_| is_whole);
+            name.map(|name| typeset(name)).unwrap_or_default()
+        }));
+        Self { label: label.into(), unit: 1.0, least: -0.5, most: count - 0.5, step: Some(step), ticks }
+    }
+
     pub(super) fn is_logarithmic(&self) -> bool {
         self.step.is_none()
     }

@@ -2,25 +2,18 @@
 
 mod curves;
 mod gather;
-mod legend;
 mod map;
 mod names;
-mod panel;
-mod style;
 mod tractions;
 
-use super::head::Head;
-use super::{FigureError, SIZE, place};
+use super::FigureError;
+use super::legend::Entry;
+use super::panel::Panel;
+use super::sheet::Sheet;
 use crate::study::{Plot, PlotKind, Study};
 use gather::Groups;
-use kuva::backend::svg::SvgBackend;
-use kuva::render::render::Scene as Canvas;
-use legend::{Entry, Legend};
-use panel::Panel;
 use serde_json::Value;
 
-/// Height of a panel, px; it is as wide as the figure of the tractions.
-const PANEL: f64 = 400.0;
 /// Most panels side by side.
 const ABREAST: usize = 2;
 
@@ -49,33 +42,23 @@ pub fn study_svg(study: &Study, plot: &Plot, records: impl IntoIterator<Item = V
         PlotKind::Tractions => tractions::draw(&groups, records),
         PlotKind::Map => map::draw(&groups, records),
     }?;
-    Ok(put_together(study, plot, &drawing))
+    Ok(put_together(study, plot, drawing))
 }
 
 /// Title, panels in rows, and the legend under them.
-fn put_together(study: &Study, plot: &Plot, drawing: &Drawing) -> String {
-    let title = plot.title.as_deref().or(study.title.as_deref());
-    let note: Vec<String> = plot.note.iter().map(|note| names::with_symbols(note)).collect();
-    let Drawing { scenes, failed, .. } = drawing;
+fn put_together(study: &Study, plot: &Plot, drawing: Drawing) -> String {
+    let title = plot.title.as_deref().or(study.title.as_deref()).map(names::with_symbols);
+    let Drawing { panels, abreast, legend, scenes, failed } = drawing;
     let alarm = format!("{failed} of {scenes} scenes did not converge");
-    let alarm: &[String] = if *failed > 0 { &[alarm] } else { &[] };
-    let title = title.map(names::with_symbols);
-    let abreast = drawing.abreast.min(drawing.panels.len()).max(1);
-    let head = Head::new(title.as_deref(), "Study", &note, alarm, abreast);
-    let width = SIZE.0 * abreast as f64;
-    let rows = drawing.panels.len().div_ceil(abreast);
-    let legend = Legend::new(&drawing.legend, width);
-    let below = head.height + PANEL * rows as f64;
-    let mut figure = Canvas::new(width, below + legend.height);
-    // Frames over each other begin at one abscissa.
-    let margin = drawing.panels.iter().map(Panel::margin).fold(0.0, f64::max);
-    for (index, panel) in drawing.panels.iter().enumerate() {
-        let at = (SIZE.0 * (index % abreast) as f64, head.height + PANEL * (index / abreast) as f64);
-        place(&mut figure, panel.draw(margin), &format!("frame{index}"), at);
+    Sheet {
+        title: title.unwrap_or_else(|| "Study".into()),
+        notes: plot.note.iter().map(|note| names::with_symbols(note)).collect(),
+        alarm: if failed > 0 { vec![alarm] } else { Vec::new() },
+        panels,
+        abreast,
+        legend,
     }
-    figure.elements.extend(head.lines);
-    legend.draw(&mut figure, below);
-    SvgBackend::new().with_pretty(true).render_scene(&figure)
+    .draw()
 }
 
 #[cfg(test)]

@@ -1,13 +1,13 @@
 //! Numbers over an axis or over another number, a curve for each member of a family.
 
 use super::gather::{Groups, Shot};
-use super::legend::Entry;
 use super::names;
-use super::panel::{Curve, Panel};
-use super::style::Style;
 use super::{ABREAST, Drawing};
 use crate::report::svg::FigureError;
+use crate::report::svg::legend::Entry;
+use crate::report::svg::panel::{Curve, Panel};
 use crate::report::svg::scale::Scale;
+use crate::report::svg::style::Style;
 use crate::study::{Scale as Steps, Source};
 use serde_json::Value;
 
@@ -112,7 +112,7 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
                 x: x_scale.clone(),
                 y: y_scale.clone(),
                 curves,
-                cells: None,
+                ground: None,
             });
         }
     }

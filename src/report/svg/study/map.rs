@@ -1,8 +1,8 @@
 //! A number over two axes, in colours, with lines of equal value.
 
 use super::gather::Groups;
-use super::panel::Panel;
 use super::{ABREAST, Drawing, names};
+use crate::report::svg::panel::{Ground, Panel};
 use crate::report::svg::scale::Scale;
 use crate::report::svg::{FigureError, INK, LETTERS, literal};
 use crate::study::{Cell, Place, Scale as Steps, Source};
@@ -64,13 +64,13 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
         x: columns.scale.clone(),
         y: rows.scale.clone(),
         curves: Vec::new(),
-        cells: Some(Cells {
+        ground: Some(Box::new(Cells {
             middles: [columns, rows].map(|grid| grid.middles.iter().map(|middle| middle.1 / grid.scale.unit).collect()),
             columns: columns.edges.clone(),
             rows: rows.edges.clone(),
             values: values.into_iter().map(|value| value.map(|value| value / scale.unit)).collect(),
             scale: scale.clone(),
-        }),
+        })),
     });
     Ok(Drawing { panels: panels.collect(), abreast: ABREAST, legend: Vec::new(), scenes, failed })
 }
@@ -160,11 +160,17 @@ impl Grid {
     }
 }
 
-impl Cells {
-    /// Right of the frame, px: the bar, its numbers and its name.
-    pub(super) const ROOM: f64 = 120.0;
+impl Ground for Cells {
+    /// The bar, its numbers and its name.
+    fn room(&self) -> f64 {
+        120.0
+    }
 
-    pub(super) fn draw(&self, scene: &mut Scene, computed: &ComputedLayout, x: &Scale, y: &Scale) {
+    fn covers(&self) -> bool {
+        true
+    }
+
+    fn draw(&self, scene: &mut Scene, computed: &ComputedLayout, x: &Scale, y: &Scale) {
         let (left, top) = (computed.margin_left, computed.margin_top);
         let (width, height) = (computed.plot_width(), computed.plot_height());
         let across = |edge: f64| left + width * x.place(edge);
@@ -208,7 +214,9 @@ impl Cells {
         }
         self.bar(scene, computed);
     }
+}
 
+impl Cells {
     /// The bar of colours with its numbers.
     fn bar(&self, scene: &mut Scene, computed: &ComputedLayout) {
         const BAR: f64 = 18.0;

@@ -1,13 +1,13 @@
 //! Pressure and shear over the contact, a curve for each scene.
 
 use super::gather::{Groups, Shot, number};
-use super::panel::{Curve, Panel};
-use super::style::Style;
 use super::{ABREAST, Drawing, curves};
 use crate::report::labels::Labels;
 use crate::report::svg::FigureError;
 use crate::report::svg::curves::to_the_edges;
+use crate::report::svg::panel::{Curve, Panel};
 use crate::report::svg::scale::Scale;
+use crate::report::svg::style::Style;
 use crate::study::{Over, Source};
 use serde_json::Value;
 
@@ -74,7 +74,7 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
                 marks: Vec::new(),
             };
             let curves = plot.lines.iter().enumerate().map(level).chain(drawn).collect();
-            panels.push(Panel { name: groups.panel_name(panel), x: x.clone(), y: y.clone(), curves, cells: None });
+            panels.push(Panel { name: groups.panel_name(panel), x: x.clone(), y: y.clone(), curves, ground: None });
         }
     }
     Ok(Drawing { panels, abreast: ABREAST, legend: curves::legend(groups, false), scenes, failed })

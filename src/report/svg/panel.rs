@@ -1,15 +1,16 @@
-//! One panel of a study's figure: curves or cells in a frame.
+//! One panel of a figure: curves or cells in a frame.
 
-use super::PANEL;
-use super::map::Cells;
+use super::curves::thinned;
+use super::scale::Scale;
 use super::style::Style;
-use crate::report::svg::curves::thinned;
-use crate::report::svg::scale::Scale;
-use crate::report::svg::{FONTS, GRID, INK, LETTERS, LINE, SIZE, literal, outline, write};
+use super::{FONTS, GRID, INK, LETTERS, LINE, SIZE, literal, outline, write};
 use kuva::plot::{LinePlot, LineStyle};
 use kuva::render::layout::{ComputedLayout, Layout};
 use kuva::render::plots::Plot;
 use kuva::render::render::{Scene, render_multiple};
+
+/// Height of a panel, px; it is as wide as the figure of the tractions.
+pub(super) const PANEL: f64 = 400.0;
 
 /// Curves over a scale. What is drawn is in its units.
 pub(super) struct Panel {
@@ -17,8 +18,8 @@ pub(super) struct Panel {
     pub(super) x: Scale,
     pub(super) y: Scale,
     pub(super) curves: Vec<Curve>,
-    /// Colours under the curves.
-    pub(super) cells: Option<Cells>,
+    /// What is under the curves, in place of a grid or on it.
+    pub(super) ground: Option<Box<dyn Ground>>,
 }
 
 /// One curve in its stretches, and points that are marked.
@@ -26,6 +27,18 @@ pub(super) struct Curve {
     pub(super) style: Style,
     pub(super) stretches: Vec<Vec<(f64, f64)>>,
     pub(super) marks: Vec<(f64, f64)>,
+}
+
+/// What a panel stands on.
+pub(super) trait Ground {
+    /// Room that it takes to the right of the frame, px.
+    fn room(&self) -> f64;
+
+    /// Whether it leaves nothing of a grid to be seen.
+    fn covers(&self) -> bool;
+
+    /// Drawn within the frame, and beside it.
+    fn draw(&self, scene: &mut Scene, computed: &ComputedLayout, x: &Scale, y: &Scale);
 }
 
 impl Panel {
@@ -56,13 +69,14 @@ impl Panel {
         const RIGHT: f64 = 24.0;
         let plain = ComputedLayout::from_layout(&self.plain_layout());
         let above = if self.name.is_empty() { 0.0 } else { LINE };
-        let right = self.cells.as_ref().map_or(RIGHT, |_| Cells::ROOM);
+        let right = self.ground.as_ref().map_or(RIGHT, |ground| RIGHT.max(ground.room()));
         let layout = self
             .plain_layout()
             .with_force_margins(margin, right)
             .with_force_margins_y(plain.margin_top + above, plain.margin_bottom);
         let computed = ComputedLayout::from_layout(&layout);
-        let mut plots = if self.cells.is_some() { Vec::new() } else { self.grid() };
+        let covered = self.ground.as_ref().is_some_and(|ground| ground.covers());
+        let mut plots = if covered { Vec::new() } else { self.grid() };
         plots.extend(self.curves.iter().flat_map(|curve| {
             curve.stretches.iter().map(|points| {
                 let points = thinned(points, |(x, y)| (self.x.place(x), self.y.place(y)));
@@ -76,8 +90,8 @@ impl Panel {
             plots.push(Plot::Line(LinePlot::new().with_data([(self.x.least, self.y.least)])));
         }
         let mut scene = render_multiple(plots, layout);
-        if let Some(cells) = &self.cells {
-            cells.draw(&mut scene, &computed, &self.x, &self.y);
+        if let Some(ground) = &self.ground {
+            ground.draw(&mut scene, &computed, &self.x, &self.y);
         }
         for curve in &self.curves {
             let within = |point: &&(f64, f64)| self.x.holds(point.0) && self.y.holds(point.1);

@@ -1,7 +1,7 @@
-//! The legend of a study's figure, in rows under its panels.
+//! The legend of a figure, in rows under its panels.
 
 use super::style::Style;
-use crate::report::svg::{INK, LETTERS, literal};
+use super::{INK, LETTERS, literal};
 use kuva::render::color::Color;
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 

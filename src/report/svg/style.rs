@@ -43,6 +43,21 @@ impl Style {
         Self { color: "#222222", dashes: "none", width: 1.4, mark: index, filled: true }
     }
 
+    /// Of what none betters with less.
+    pub(super) fn frontier() -> Self {
+        Self { color: "#111111", dashes: "none", width: 5.5, mark: 0, filled: true }
+    }
+
+    /// The same with marks in its colour.
+    pub(super) fn with_filled_marks(self) -> Self {
+        Self { filled: true, ..self }
+    }
+
+    /// The same with white marks.
+    pub(super) fn with_open_marks(self) -> Self {
+        Self { filled: false, ..self }
+    }
+
     /// A mark of the curve at a place on the canvas.
     pub(super) fn mark(&self, x: f64, y: f64) -> Primitive {
         let corners: &[(f64, f64)] = match self.mark % 5 {

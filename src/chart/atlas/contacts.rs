@@ -1,0 +1,107 @@
+//! One contact by every method.
+
+use super::{Cell, Ended};
+use crate::chart::method::middle;
+use crate::chart::{Errors, Measured, Method};
+use crate::engine::{Solution, Status, first_not_finite, solve};
+use crate::scene::parse;
+use slipzone_api::Family;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// What is asked of the program's own choice; the other methods stand at the middle of what makes sense for their knob.
+const TOLERANCE: f64 = 1e-8;
+/// Solvers that judge: at a tolerance beyond that, by unrelated quadratures.
+const JUDGES: [(&str, &str); 2] = [
+    ("de-sinc", "tolerance = 1e-10\nkernel = { type = \"split\" }\nquadrature = { type = \"de-sinc\" }\n"),
+    ("graded-panels", "tolerance = 1e-10\nkernel = { type = \"split\" }\nquadrature = { type = \"graded-panels\" }\n"),
+];
+/// Numbers are wanted, tractions are not.
+const NUMBERS: &str = "[output]\nquantities = [\"load\", \"edge\", \"stick\"]\n";
+/// A judge that claims no more than this does not judge.
+const CREDIBLE: f64 = 1e-4;
+
+/// A way to solve: its name, its quadrature, its lines of `[solver]`.
+struct Way {
+    name: String,
+    quadrature: Option<&'static str>,
+    solver: String,
+}
+
+/// What the program chooses; each quadrature with each kernel strategy; the published route.
+fn ways() -> Vec<Way> {
+    let table = |family: Family, name: &str| match middle(family, name) {
+        Some((key, value)) => format!("{{ type = \"{name}\", {key} = {value} }}"),
+        None => format!("{{ type = \"{name}\" }}"),
+    };
+    let way = |method: Method| {
+        let lines = method.quadrature.zip(method.kernel).map(|(quadrature, kernel)| {
+            format!("quadrature = {}\nkernel = {{ type = \"{kernel}\" }}\n", table(Family::Quadrature, quadrature))
+        });
+        let solver = format!("tolerance = {TOLERANCE:e}\n{}", lines.unwrap_or_default());
+        Way { name: method.name(), quadrature: method.quadrature, solver }
+    };
+    let published = Way {
+        name: "the published route".into(),
+        quadrature: Some("gauss-chebyshev"),
+        solver: format!(
+            "tolerance = {TOLERANCE:e}\nflexibility = {{ type = \"transfer-matrix\" }}\nkernel = {}\nquadrature = {}\n",
+            table(Family::Kernel, "truncated"),
+            table(Family::Quadrature, "gauss-chebyshev")
+        ),
+    };
+    Method::all().into_iter().map(way).chain([published]).collect()
+}
+
+pub(super) fn names() -> Vec<(String, bool)> {
+    ways().into_iter().map(|way| (way.name, way.quadrature.is_none())).collect()
+}
+
+/// A cell for each way.
+pub(super) fn cells(scene: &str) -> Vec<Cell> {
+    let judges = JUDGES.map(|(_, solver)| attempt(scene, solver).ok().filter(|judge| claim(judge) <= CREDIBLE));
+    let cell = |way: Way| {
+        let solution = match attempt(scene, &way.solver) {
+            Ok(solution) => solution,
+            Err(cell) => return *cell,
+        };
+        // What the program chooses is by the first judge's quadrature.
+        let index = usize::from(way.quadrature.is_none_or(|quadrature| quadrature == JUDGES[0].0));
+        let ended = if solution.status == Status::Converged { Ended::Converged } else { Ended::Flagged };
+        let reason = solution.reason.clone();
+        let (claimed, digits, wrong) = match &judges[index] {
+            Some(judge) => {
+                let (errors, claimed) = (Errors::between(&solution, judge), Errors::claimed(&solution));
+                let doubt = Errors::claimed(judge);
+                let off = |measured: &Measured| {
+                    let claims = claimed.of(*measured).unwrap_or(0.0) + doubt.of(*measured).unwrap_or(0.0);
+                    errors.of(*measured).is_some_and(|error| error > 3.0 * claims + 1e-14)
+                };
+                let digits = errors.worst().map(|error| -error.clamp(1e-16, 1.0).log10());
+                (claimed.worst(), digits, ended == Ended::Converged && Measured::ALL.iter().any(off))
+            }
+            None => (Errors::claimed(&solution).worst(), None, false),
+        };
+        Cell { ended, wrong, digits, claimed, reason }
+    };
+    ways().into_iter().map(cell).collect()
+}
+
+/// The largest error that it claims.
+fn claim(solution: &Solution) -> f64 {
+    solution.error.estimate.unwrap_or(f64::INFINITY)
+}
+
+fn attempt(scene: &str, solver: &str) -> Result<Solution, Box<Cell>> {
+    let lost = |ended, reason: String| Box::new(Cell::lost(ended, reason));
+    let scene = parse("atlas", &format!("{scene}{NUMBERS}[solver]\n{solver}"))
+        .map_err(|error| lost(Ended::Refused, error.to_string()))?;
+    let solution = catch_unwind(AssertUnwindSafe(|| solve(&scene)))
+        .map_err(|_| lost(Ended::Panicked, "the program panicked; its message is on standard error".into()))?;
+    if let Some(what) = first_not_finite(&solution) {
+        return Err(lost(Ended::NotFinite, what));
+    }
+    if solution.status == Status::Refused {
+        return Err(lost(Ended::Refused, solution.reason.unwrap_or_default()));
+    }
+    Ok(solution)
+}

@@ -1,0 +1,165 @@
+//! A map of the atlas: a panel of cells for each method.
+
+use super::panel::{Ground, Panel};
+use super::scale::Scale;
+use super::sheet::Sheet as Page;
+use super::{INK, LETTERS};
+use crate::chart::atlas::{Axis, Cell, Sheet};
+use crate::report::number::short;
+use kuva::render::color::Color;
+use kuva::render::layout::ComputedLayout;
+use kuva::render::render::{PathData, Primitive, Scene, TextAnchor};
+
+/// Viridis in nine steps of one and a half digits: readable in grey, and for eyes that do not tell red from green.
+const STEPS: [&str; 9] =
+    ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"];
+const STEP: f64 = 1.5;
+const REFUSED: &str = "#000000";
+const UNJUDGED: &str = "#dddddd";
+const WRONG: &str = "#d0021b";
+
+/// A map as SVG (UTF-8).
+#[must_use]
+pub fn atlas_svg(sheet: &Sheet) -> String {
+    let scale = |axis: Axis, most: usize| {
+        Scale::of_names(axis.values.iter().map(|value| short(*value, 9)).collect(), axis.name, most)
+    };
+    let (x, y) = (scale(sheet.x, 7), scale(sheet.y, 30));
+    let panel = |mapped: &crate::chart::atlas::Mapped| Panel {
+        name: mapped.method.clone(),
+        x: x.clone(),
+        y: y.clone(),
+        curves: Vec::new(),
+        ground: Some(Box::new(Cells { columns: sheet.x.values.len(), cells: mapped.cells.clone() })),
+    };
+    let wrong = |is_default: bool| {
+        sheet
+            .methods
+            .iter()
+            .filter(|mapped| mapped.is_default == is_default)
+            .map(|mapped| mapped.wrong())
+            .sum::<usize>()
+    };
+    let own = wrong(true);
+    Page {
+        title: format!("{}: {}", sheet.name, sheet.about),
+        notes: vec![
+            "black: refused, with a reason".into(),
+            "striped red: claims success and is wrong".into(),
+            "dot: flagged by the program".into(),
+            "grey: no judge".into(),
+        ],
+        alarm: if own > 0 {
+            vec![format!("{own} cells of the program's own choice claim success and are wrong")]
+        } else {
+            Vec::new()
+        },
+        panels: sheet.methods.iter().map(panel).collect(),
+        abreast: 3,
+        legend: Vec::new(),
+    }
+    .draw()
+}
+
+/// The cells of one method, row by row from below.
+struct Cells {
+    columns: usize,
+    cells: Vec<Cell>,
+}
+
+/// Colour of a number of digits.
+fn color(digits: f64) -> &'static str {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and few")]
+    let step = (digits / STEP) as usize;
+    STEPS[step.min(STEPS.len() - 1)]
+}
+
+fn fill(cell: &Cell) -> &'static str {
+    match cell.digits {
+        _ if !cell.ended.has_numbers() => REFUSED,
+        _ if cell.wrong => "#ffffff",
+        Some(digits) => color(digits),
+        None => UNJUDGED,
+    }
+}
+
+impl Ground for Cells {
+    /// The colours and what they mean.
+    fn room(&self) -> f64 {
+        96.0
+    }
+
+    fn covers(&self) -> bool {
+        true
+    }
+
+    fn draw(&self, scene: &mut Scene, computed: &ComputedLayout, x: &Scale, y: &Scale) {
+        let (left, top) = (computed.margin_left, computed.margin_top);
+        let (frame_width, frame_height) = (computed.plot_width(), computed.plot_height());
+        let across = |edge: f64| left + frame_width * x.place(edge);
+        let up = |edge: f64| top + frame_height * (1.0 - y.place(edge));
+        for (index, cell) in self.cells.iter().enumerate() {
+            let (column, row) = ((index % self.columns) as f64, (index / self.columns) as f64);
+            let (x1, x2) = (across(column - 0.5), across(column + 0.5));
+            let (y1, y2) = (up(row + 0.5), up(row - 0.5));
+            let (width, height) = (x2 - x1 - 0.6, y2 - y1 - 0.6);
+            let rect = |fill: &str| {
+                let (fill, stroke, opacity) = (Color::from(fill), None, None);
+                Primitive::Rect { x: x1, y: y1, width, height, fill, stroke, stroke_width: None, opacity }
+            };
+            scene.add(rect(fill(cell)));
+            if cell.wrong {
+                scene.add(stripes(x1, y1, width, height));
+            } else if cell.ended == crate::chart::Ended::Flagged {
+                let (cx, cy) = (f64::midpoint(x1, x2), f64::midpoint(y1, y2));
+                let (fill, stroke, stroke_width) = (Color::from("#ffffff"), Some(Color::from(INK)), Some(0.8));
+                scene.add(Primitive::Circle { cx, cy, r: 2.2, fill, fill_opacity: None, stroke, stroke_width });
+            }
+        }
+        bar(scene, left + frame_width + 14.0, top, frame_height);
+    }
+}
+
+/// Diagonal stripes over a cell.
+fn stripes(x: f64, y: f64, width: f64, height: f64) -> Primitive {
+    let lines = [0.25, 0.75, 1.25, 1.75].map(|place: f64| {
+        // From the left or the lower side to the upper or the right one.
+        let (from, to) = ((place.min(1.0), (place - 1.0).max(0.0)), ((place - 1.0).max(0.0), place.min(1.0)));
+        let at = |(down, along): (f64, f64)| format!("{:.2} {:.2}", x + along * width, y + down * height);
+        format!("M{}L{}", at(from), at(to))
+    });
+    Primitive::Path(Box::new(PathData {
+        d: lines.concat(),
+        fill: None,
+        stroke: Color::from(WRONG),
+        stroke_width: 2.4,
+        opacity: None,
+        stroke_dasharray: None,
+    }))
+}
+
+/// The colours with their digits.
+fn bar(scene: &mut Scene, left: f64, top: f64, height: f64) {
+    let part = height / STEPS.len() as f64;
+    for (index, color) in STEPS.into_iter().enumerate() {
+        let y = top + height - part * (index + 1) as f64;
+        let (fill, stroke, opacity) = (Color::from(color), None, None);
+        scene.add(Primitive::Rect { x: left, y, width: 14.0, height: part, fill, stroke, stroke_width: None, opacity });
+        let content = format!("{}", STEP * index as f64);
+        let (size, color) = (LETTERS - 2, Some(Color::from(INK)));
+        let (anchor, y) = (TextAnchor::Start, y + part + 0.33 * f64::from(LETTERS));
+        scene.add(Primitive::Text { x: left + 19.0, y, content, size, anchor, rotate: None, bold: false, color });
+    }
+    let (size, color) = (LETTERS - 1, Some(Color::from(INK)));
+    let (content, anchor, rotate) = ("digits".into(), TextAnchor::Middle, Some(-90.0));
+    scene.add(Primitive::Text {
+        x: left + 60.0,
+        y: top + height / 2.0,
+        content,
+        size,
+        anchor,
+        rotate,
+        bold: false,
+        color,
+    });
+}

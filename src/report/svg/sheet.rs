@@ -1,0 +1,44 @@
+//! A figure of many panels: what is over them, the panels in rows, and the legend under them.
+
+use super::head::Head;
+use super::legend::{Entry, Legend};
+use super::panel::{PANEL, Panel};
+use super::{SIZE, place};
+use kuva::backend::svg::SvgBackend;
+use kuva::render::render::Scene as Canvas;
+
+pub(super) struct Sheet {
+    pub(super) title: String,
+    /// Lines under the title, in parts that are not broken.
+    pub(super) notes: Vec<String>,
+    /// What is wrong.
+    pub(super) alarm: Vec<String>,
+    /// Row by row.
+    pub(super) panels: Vec<Panel>,
+    /// How many of them are side by side.
+    pub(super) abreast: usize,
+    pub(super) legend: Vec<Entry>,
+}
+
+impl Sheet {
+    /// The figure as SVG (UTF-8).
+    pub(super) fn draw(self) -> String {
+        let Self { title, notes, alarm, panels, abreast, legend } = self;
+        let abreast = abreast.min(panels.len()).max(1);
+        let head = Head::new(Some(&title), "", &notes, &alarm, abreast);
+        let width = SIZE.0 * abreast as f64;
+        let rows = panels.len().div_ceil(abreast);
+        let legend = Legend::new(&legend, width);
+        let below = head.height + PANEL * rows as f64;
+        let mut figure = Canvas::new(width, below + legend.height);
+        // Frames over each other begin at one abscissa.
+        let margin = panels.iter().map(Panel::margin).fold(0.0, f64::max);
+        for (index, panel) in panels.iter().enumerate() {
+            let at = (SIZE.0 * (index % abreast) as f64, head.height + PANEL * (index / abreast) as f64);
+            place(&mut figure, panel.draw(margin), &format!("frame{index}"), at);
+        }
+        figure.elements.extend(head.lines);
+        legend.draw(&mut figure, below);
+        SvgBackend::new().with_pretty(true).render_scene(&figure)
+    }
+}
