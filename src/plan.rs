@@ -30,6 +30,9 @@ pub struct Plan {
     pub factorisations: usize,
     /// Multiplications in their elimination: `n^3/3` for a matrix and `n^2` for each right-hand side.
     pub operations: u64,
+    /// All of that as multiplications, and those of telling the tractions of flat punches in between: what the
+    /// [budget](crate::engine::BUDGET) bounds.
+    pub work: u64,
     /// What stands for the solid.
     pub model: Model,
     /// Largest relative error that it makes of a number reported, by its bound: part of the errors stated. 0 of the full

@@ -16,6 +16,9 @@ use crate::plan::Plan;
 use crate::scene::{Load, LoadKind, Model, Scene};
 use slipzone_api::{Refusal, Station};
 
+/// Points at which tractions are told before the budget is looked at again.
+const AT_ONCE: usize = 512;
+
 /// The solution; refused when one of its numbers is not finite.
 pub(super) fn solution(
     scene: &Scene,
@@ -31,7 +34,7 @@ pub(super) fn solution(
     let number =
         |quantity, unit: f64| numbers.get(quantity).filter(|_| wishes.reports(quantity)).map(|value| value * unit);
     let b = numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
-    let mut profile = if wishes.profile { profile(scene, problem, stage, b) } else { Profile::default() };
+    let mut profile = if wishes.profile { profile(scene, layer, problem, stage, b)? } else { Profile::default() };
     if scene.output.strain {
         profile.strain = judged.outcome.rubbing.as_ref().and_then(|rubbing| {
             let relative = profile.x.iter().map(|x| x / (length * b));
@@ -199,21 +202,27 @@ fn slip(stage: &Stage, judged: &Judged) -> Option<Slip> {
 }
 
 /// Tractions at the points that the scene asks for.
-fn profile(scene: &Scene, problem: &Problem, stage: &mut Stage, b: f64) -> Profile {
+fn profile(
+    scene: &Scene,
+    layer: &Layer,
+    problem: &Problem,
+    stage: &mut Stage,
+    b: f64,
+) -> Result<Profile, Refusal> {
     if let Some(x) = &scene.output.x {
-        return tractions(x, problem, stage, b);
+        return tractions(x, layer, problem, stage, b);
     }
     // Equally spaced points are their own mirror images, and so are the tractions: the right half will do.
     let last = scene.output.points - 1;
     let right: Vec<f64> = (last.div_ceil(2)..=last).map(|i| (2 * i - last) as f64 / last as f64).collect();
-    let half = tractions(&right, problem, stage, b);
+    let half = tractions(&right, layer, problem, stage, b)?;
     let left = scene.output.points / 2;
-    Profile {
+    Ok(Profile {
         x: with_mirror(&half.x, left, |x| -x),
         pressure: with_mirror(&half.pressure, left, |p| p),
         shear: half.shear.map(|shear| with_mirror(&shear, left, |q| q.map(|q| -q))),
         strain: None,
-    }
+    })
 }
 
 /// The mirror images of the outer `left` values, which are all but that of a point in the middle, and the values.
@@ -222,7 +231,13 @@ fn with_mirror<T: Copy>(right: &[T], left: usize, mirror: impl Fn(T) -> T) -> Ve
 }
 
 /// Tractions at points in units of the half-width `b`.
-fn tractions(relative: &[f64], problem: &Problem, stage: &mut Stage, b: f64) -> Profile {
+fn tractions(
+    relative: &[f64],
+    layer: &Layer,
+    problem: &Problem,
+    stage: &mut Stage,
+    b: f64,
+) -> Result<Profile, Refusal> {
     let sharp = stage.normal.is_sharp();
     let value = |found: Option<f64>| match found {
         Some(value) => value.is_finite().then_some(value * problem.stress),
@@ -231,19 +246,28 @@ fn tractions(relative: &[f64], problem: &Problem, stage: &mut Stage, b: f64) -> 
     let stations: Vec<Station> = relative.iter().map(|x| Station { x: x * b, gap: (1.0 - x.abs()) * b }).collect();
     let inside: Vec<Station> = stations.iter().copied().filter(|station| station.gap > 0.0).collect();
     let mut pressure = vec![0.0; inside.len()];
-    stage.pressure_into(problem, &inside, &mut pressure);
+    let mut shear = Some(Vec::with_capacity(inside.len()));
+    for (at, pressure) in inside.chunks(AT_ONCE).zip(pressure.chunks_mut(AT_ONCE)) {
+        layer.meter().within()?;
+        stage.pressure_into(problem, at, pressure);
+        let found = stage.shear(problem, at, pressure);
+        shear = shear.zip(found).map(|(mut all, found)| {
+            all.extend(found);
+            all
+        });
+    }
     // Points on the edge or beyond it have no value of their own.
     let spread = |values: Vec<f64>| {
         let mut values = values.into_iter();
         stations.iter().map(|station| value(if station.gap > 0.0 { values.next() } else { None })).collect()
     };
-    let shear = stage.shear(problem, &inside, &pressure).map(&spread);
-    Profile {
+    let shear = shear.map(&spread);
+    Ok(Profile {
         x: relative.iter().map(|x| x * b * problem.length).collect(),
         pressure: spread(pressure),
         shear,
         strain: None,
-    }
+    })
 }
 
 /// The strain left in the stick zone at points in units of the half-width: the same on either side.

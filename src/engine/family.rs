@@ -3,6 +3,7 @@
 //! All that a flat punch answers varies smoothly with its half-width; it is solved at a few and told in between.
 
 use super::blend::{Blend, add_rows};
+use super::budget::Meter;
 use super::dense::Dense;
 use super::layer::{Layer, Wanted};
 use super::problem::Problem;
@@ -13,6 +14,7 @@ use super::work::Work;
 use slipzone_api::{Component, Density, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station};
 use std::f64::consts::PI;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Points: at least, and more per unknown of the pressure; so many times more for each doubling of the widest half-width
 /// beyond the layer's length.
@@ -46,6 +48,7 @@ pub(crate) struct Family {
     rule: Box<dyn Rule>,
     system: Dense,
     room: Room,
+    meter: Arc<Meter>,
 }
 
 /// The stick zones of a family.
@@ -162,6 +165,7 @@ impl Family {
             rule,
             system: Dense::new(n, 1),
             room: Room::default(),
+            meter: Arc::clone(layer.meter()),
         };
         // Finer grids of the stick zone where one member needs them.
         while !family.solve(layer, task, contact, coarse.as_deref_mut())? {}
@@ -342,6 +346,7 @@ impl Family {
 
     /// Solves for `W`.
     fn tilted(&mut self, layer: &Layer, b: f64) -> Result<(), Refusal> {
+        layer.meter().system(self.rule.unknowns(), 1)?;
         self.rule.stretch(b);
         self.rule.operator_into(layer.kernel(Component::NormalSlope), &mut self.system.rows);
         match self.rule.row_scale() {
@@ -394,6 +399,7 @@ impl Family {
 
     /// `W` of a member at points within it.
     pub(crate) fn tilt_into(&mut self, b: f64, at: &[Station], out: &mut [f64]) {
+        self.count(self.tilt.width, at.len());
         self.blend.shares_into(b, &mut self.room.shares);
         self.tilt.blend_into(&self.room.shares, &mut self.room.tilt);
         self.rule.stretch(b);
@@ -402,6 +408,7 @@ impl Family {
 
     /// Pressure of a member at points within it.
     pub(crate) fn pressure_into(&mut self, b: f64, at: &[Station], out: &mut [f64]) {
+        self.count(self.pressure.width, at.len());
         self.blend.shares_into(b, &mut self.room.shares);
         self.pressure.blend_into(&self.room.shares, &mut self.room.pressure);
         self.stage.normal.values_of(b, &self.room.pressure, at, out);
@@ -410,8 +417,21 @@ impl Family {
         }
     }
 
+    /// Takes note of a member that is blended and told at so many points.
+    fn count(&self, width: usize, points: usize) {
+        let members = self.blend.half_widths().len();
+        self.meter.count_multiplications(members * (members + width) + points * width);
+    }
+
+    /// Refuses to go on where the budget is used up.
+    pub(crate) fn within_budget(&self) -> Result<(), Refusal> {
+        self.meter.within()
+    }
+
     /// What the shear of a member lacks to that of full sliding, `eta p - q`, at a point within its stick zone.
     pub(crate) fn lack(&mut self, b: f64, x: f64) -> f64 {
+        let members = self.of_shear.half_widths().len();
+        self.meter.count_multiplications(members * members);
         self.of_shear.shares_into(b, &mut self.room.shares);
         let rubbed = self.rubbed.as_ref().expect("a family with friction");
         let blend = |numbers: &[f64]| self.room.shares.iter().zip(numbers).map(|(share, number)| share * number).sum();
@@ -420,6 +440,7 @@ impl Family {
         if gap <= 0.0 {
             return 0.0;
         }
+        self.meter.count_multiplications(members * rubbed.shear.width);
         rubbed.shear.blend_into(&self.room.shares, &mut self.room.shear);
         let (at_edge, unknowns) = self.room.shear.split_last().expect("the shear's end");
         let shear = self.stage.shear.as_mut().expect("friction has shear");

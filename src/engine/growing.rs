@@ -126,10 +126,7 @@ impl Growing {
     ) -> Result<(), Refusal> {
         let rubs = task.problem.friction.is_some();
         if self.family.as_ref().is_some_and(|family| family.serves(task, rubs, half_width)) {
-            if self.stack.is_none() {
-                self.stacked_on(task);
-            }
-            return Ok(());
+            return if self.stack.is_none() { self.stacked_on(task) } else { Ok(()) };
         }
         self.broken = None;
         self.stack = None;
@@ -150,15 +147,15 @@ impl Growing {
                 Err(Unfit::Friction(..)) => unreachable!("no friction was asked for"),
             };
         }
-        self.stacked_on(task);
-        Ok(())
+        self.stacked_on(task)
     }
 
-    fn stacked_on(&mut self, task: Task) {
-        let Some(family) = &mut self.family else { return };
+    fn stacked_on(&mut self, task: Task) -> Result<(), Refusal> {
+        let Some(family) = &mut self.family else { return Ok(()) };
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen
         let nodes = (NODES.0 - NODES.1 * task.tolerance.log10() + NODES.2 * family.unknowns() as f64) as usize;
-        self.stack = Some(Stack::new(task.problem, family, SERIES_SHARE * task.tolerance, nodes));
+        self.stack = Some(Stack::new(task.problem, family, SERIES_SHARE * task.tolerance, nodes)?);
+        Ok(())
     }
 
     /// The size of a stacked contact; widens the family until it bears the load.

@@ -1,5 +1,6 @@
 //! A layer prepared: its flexibility, and its kernels over the lengths asked for so far.
 
+use super::budget::Meter;
 use super::family::Family;
 use super::problem::Problem;
 use super::work::Counted;
@@ -7,7 +8,6 @@ use crate::plan::{Methods, choose};
 use crate::scene::Scene;
 use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 /// All kernels: first the depth, which not every base defines, then what the pressure needs, then what friction adds.
 const ALL: [Component; 4] = [Component::Depth, Component::NormalSlope, Component::ShearStrain, Component::Coupling];
@@ -21,8 +21,8 @@ pub struct Layer {
     strategy: Box<dyn KernelStrategy>,
     tables: Option<Tables>,
     flexibility_evaluations: usize,
-    /// How often the tables were read, those that were replaced too.
-    read: Arc<AtomicU64>,
+    /// Work on it so far, on tables that were replaced too.
+    meter: Arc<Meter>,
     /// The layer and the methods as a scene would write them.
     described: String,
     /// Whether it is but a model of the layer described.
@@ -77,7 +77,7 @@ impl Layer {
             strategy: methods.kernel.clone(),
             tables: None,
             flexibility_evaluations: 0,
-            read: Arc::default(),
+            meter: Arc::default(),
             described: String::new(),
             is_model: false,
             families: (String::new(), Vec::new()),
@@ -139,17 +139,23 @@ impl Layer {
         let strategy = self.strategy.refined(wanted.level);
         let tabulate = |response: &dyn LayerResponse, components| -> Result<Counted, Refusal> {
             let table = strategy.tabulate(response, &KernelRequest { reach, components, accuracy: wanted.accuracy })?;
-            Ok(Counted { table, read: self.read.clone() })
+            Ok(Counted { table, meter: Arc::clone(&self.meter) })
         };
         let components = &ALL[usize::from(!(self.is_grounded && wanted.deep))..if wanted.frictional { 4 } else { 2 }];
         let kernels = if self.is_plain() { None } else { Some(tabulate(&*self.response, components)?) };
         let from_datum = self.against_datum.as_deref().filter(|_| wanted.deep);
         let depth = from_datum.map(|response| tabulate(response, &ALL[..1])).transpose()?;
-        self.flexibility_evaluations +=
-            kernels.iter().chain(&depth).map(|table| table.flexibility_evaluations()).sum::<usize>();
+        let evaluations = kernels.iter().chain(&depth).map(|table| table.flexibility_evaluations()).sum::<usize>();
+        self.flexibility_evaluations += evaluations;
+        self.meter.count_wave_numbers(evaluations);
         let Wanted { frictional, deep, accuracy, level, .. } = wanted;
         self.tables = Some(Tables { kernels, depth, reach, frictional, deep, accuracy, level });
         Ok(())
+    }
+
+    /// The work on it, and its bound.
+    pub(crate) fn meter(&self) -> &Arc<Meter> {
+        &self.meter
     }
 
     /// A kernel for the quadratures; `None` on a homogeneous half-plane, which has none, and for the depth where that
@@ -209,7 +215,7 @@ impl Layer {
     /// Distances at which its kernels were read so far.
     #[must_use]
     pub fn kernel_evaluations(&self) -> u64 {
-        self.read.load(Ordering::Relaxed)
+        self.meter.readings()
     }
 }
 

@@ -117,6 +117,7 @@ impl Point {
 
 /// The curve through all loads; the solver is left pressed by the last of them.
 pub(super) fn curve(solver: &mut Solver, loads: &LoadPath) -> Curve {
+    solver.begin_curve();
     let last = point(solver, loads.last());
     let mut points = on_the_way(solver, loads);
     points.push(last);
@@ -134,7 +135,10 @@ pub(super) fn curve_to(solver: &mut Solver, loads: &LoadPath, last: Point) -> Cu
 /// All points but the last, whose load was found before: by the stack of flat punches that found it, or one by one.
 fn on_the_way(solver: &mut Solver, loads: &LoadPath) -> Vec<Point> {
     let earlier: Vec<Load> = loads.loads().take(loads.points() - 1).collect();
-    match solver.points_on_the_way(&earlier) {
+    solver.begin_curve();
+    let stacked = solver.points_on_the_way(&earlier);
+    solver.begin_curve();
+    match stacked {
         Some(points) => earlier.iter().zip(points).map(|(load, point)| point.insisting(*load)).collect(),
         None => earlier.iter().map(|load| point(solver, *load)).collect(),
     }
@@ -143,7 +147,7 @@ fn on_the_way(solver: &mut Solver, loads: &LoadPath) -> Vec<Point> {
 /// One load, with what earlier ones left behind.
 fn point(solver: &mut Solver, load: Load) -> Point {
     solver.press(load);
-    match solver.find() {
+    match solver.find_within() {
         Ok(()) => solver.point().insisting(load),
         Err(refusal) => Point::refused(load, &refusal),
     }

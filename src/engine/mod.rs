@@ -4,6 +4,7 @@
 
 mod assemble;
 mod blend;
+mod budget;
 mod chebyshev;
 mod checks;
 mod contact_size;
@@ -38,6 +39,7 @@ mod verdict;
 mod work;
 
 pub use crate::plan::Plan;
+pub use budget::BUDGET;
 pub use finite::first_not_finite;
 pub(crate) use finite::insist;
 pub use layer::Layer;

@@ -47,8 +47,9 @@ impl Normal {
     pub(crate) fn press_sharp(&mut self, layer: &Layer, problem: &Problem, half_width: f64) -> Result<(), Refusal> {
         if self.solved_at != Some(half_width) {
             self.solved_at = None;
-            self.assemble(layer, problem, half_width, 1);
             let n = self.size();
+            layer.meter().system(n, 2)?;
+            self.assemble(layer, problem, half_width, 1);
             self.rule.resultant_into(&mut self.system.rows[n * (n - 1)..]);
             let (force, shape) = self.system.columns.split_at_mut(n);
             force.fill(0.0);
@@ -79,8 +80,9 @@ impl Normal {
 
     /// The pressure under a punch whose contact ends smoothly.
     pub(crate) fn press_smooth(&mut self, layer: &Layer, problem: &Problem, half_width: f64) -> Result<(), Refusal> {
-        self.assemble(layer, problem, half_width, 0);
         let n = self.size();
+        layer.meter().system(n, 1)?;
+        self.assemble(layer, problem, half_width, 0);
         if let Some(condition) = self.rule.edge_condition() {
             self.system.rows[n * (n - 1)..].copy_from_slice(condition);
             self.system.columns[n - 1] = 0.0;

@@ -103,6 +103,7 @@ impl Ladder {
     ) -> Result<Judged, Refusal> {
         let (kernel_pinned, quadrature_pinned) = (methods.kernel.is_pinned(), methods.quadrature.is_pinned());
         let mut judged = if kernel_pinned || quadrature_pinned {
+            layer.meter().conclude();
             let kernel_level = if kernel_pinned { 0 } else { BESIDE_PINNED };
             let quadrature_level = if quadrature_pinned { 0 } else { BESIDE_PINNED };
             let mut solve = |index: usize, coarse: Option<&Outcome>| {
@@ -233,6 +234,7 @@ impl Ladder {
                 break;
             }
         }
+        layer.meter().conclude();
         let Some((mut outcome, stage)) = last else {
             return Err(stopped.expect("every step was solved or refused"));
         };

@@ -14,6 +14,9 @@ use crate::plan::{Chosen, Plan, choose};
 use crate::scene::{Load, LoadPath, Model, Scene};
 use slipzone_api::{Friction, Refusal};
 
+/// Loads on the way to another that are found one by one, where nothing asks for a stack of flat punches.
+const FEW: usize = 8;
+
 /// A layer, a punch and the methods that solve them, with all that earlier loads left behind: kernel tables,
 /// rules, matrices, scratch.
 ///
@@ -129,8 +132,15 @@ impl Solver {
         }
     }
 
-    /// Finds the numbers, and keeps them for [`Self::solve`]; writes no report.
+    /// Finds the numbers, and keeps them for [`Self::solve`]; writes no report. Refinement ends where its work would exceed
+    /// the [budget](super::BUDGET).
     pub fn find(&mut self) -> Result<(), Refusal> {
+        self.layer.meter().begin();
+        self.find_within()
+    }
+
+    /// The same within what is left of a budget.
+    pub(super) fn find_within(&mut self) -> Result<(), Refusal> {
         let tolerance = self.chosen.scene.solver.tolerance.get();
         let Some(stand_in) = self.stand_in else {
             let Self { chosen, problem, layer, ladder, judged, .. } = self;
@@ -190,6 +200,7 @@ impl Solver {
         if let Some(path) = self.chosen.scene.path.clone() {
             let last = self.point();
             solution.path = Some(loading_curve::curve_to(self, &path, last));
+            solution.plan.work = self.layer.meter().spent();
             self.press(path.last());
             self.chosen.scene.path = Some(path);
         }
@@ -273,6 +284,12 @@ impl Solver {
         curve
     }
 
+    /// A budget for all loads on the way together.
+    pub(super) fn begin_curve(&self) {
+        self.layer.meter().begin();
+        self.layer.meter().conclude();
+    }
+
     /// The scene as it is solved.
     pub(super) fn scene(&self) -> &Scene {
         &self.chosen.scene
@@ -283,6 +300,10 @@ impl Solver {
         let tolerance = self.chosen.scene.solver.tolerance.get();
         let Self { chosen, problem, layer, ladder, judged, .. } = self;
         let judged = judged.as_ref()?;
+        // A few take less by themselves than all the flat punches that they are made of.
+        if !problem.is_stacked() && loads.len() <= FEW {
+            return None;
+        }
         let (status, reason) = verdict(problem, ladder.stage(judged.stage), judged, tolerance);
         if status == Status::AssumptionViolated {
             return None;
@@ -320,6 +341,7 @@ impl Solver {
             kernel_evaluations: self.layer.kernel_evaluations(),
             factorisations: work.factorisations,
             operations: work.operations,
+            work: self.layer.meter().spent(),
             bound: Some(judged.of_model),
             ..self.chosen.plan.clone()
         };

@@ -10,7 +10,7 @@ use super::chebyshev::{Points, Series};
 use super::family::Family;
 use super::problem::{LoadInLayerUnits, Problem};
 use basin::Toms748Root;
-use slipzone_api::Station;
+use slipzone_api::{Refusal, Station};
 use slipzone_api::double_exponential::{self, Node};
 
 /// Coefficients of the force over a piece: at first, and at most.
@@ -69,7 +69,7 @@ enum Force {
 
 impl Stack {
     /// The stack of a punch over a family; `digits` is the error wanted, relative.
-    pub(crate) fn new(problem: &Problem, family: &mut Family, digits: f64, nodes: usize) -> Self {
+    pub(crate) fn new(problem: &Problem, family: &mut Family, digits: f64, nodes: usize) -> Result<Self, Refusal> {
         let widest = family.widest();
         let face = problem.face().min(widest);
         let mut breaks = vec![face];
@@ -83,8 +83,9 @@ impl Stack {
             let (from, to) = (stack.breaks[i - 1], stack.breaks[i]);
             let piece = stack.piece(problem, family, from, to, digits);
             stack.pieces.push(piece);
+            family.within_budget()?;
         }
-        stack
+        Ok(stack)
     }
 
     fn piece(&mut self, problem: &Problem, family: &mut Family, from: f64, to: f64, digits: f64) -> Piece {

@@ -125,7 +125,7 @@ impl Shear {
         beta: f64,
         zone: StickZone,
     ) -> Result<f64, Refusal> {
-        let p_edge = self.see(layer, normal, zone);
+        let p_edge = self.see(layer, normal, zone)?;
         let friction = self.balance(beta, p_edge, |_, _, by_slip| [by_slip, 0.0])?;
         (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, friction, friction * p_edge, true);
         self.strain_rate = 0.0;
@@ -144,7 +144,7 @@ impl Shear {
         friction: f64,
         zone: StickZone,
     ) -> Result<f64, Refusal> {
-        let p_edge = self.see(layer, normal, zone);
+        let p_edge = self.see(layer, normal, zone)?;
         let strained = linear_strain::equation(layer, zone.half_width, self.grids[self.used].rule.collocation());
         self.strain_rate = self.balance(beta, p_edge, |i, scale, by_slip| [scale * strained[i], friction * by_slip])?;
         (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, friction, friction * p_edge, true);
@@ -152,9 +152,10 @@ impl Shear {
     }
 
     /// Fills in the terms of the tangential equation in one stick zone; returns `p(a)`.
-    fn see(&mut self, layer: &Layer, normal: &mut Normal, zone: StickZone) -> f64 {
+    fn see(&mut self, layer: &Layer, normal: &mut Normal, zone: StickZone) -> Result<f64, Refusal> {
         self.used = self.resolution(zone);
         let grid = &mut self.grids[self.used];
+        layer.meter().system(grid.rule.unknowns() + 1, 1)?;
         let rule = &mut grid.rule;
         rule.stretch(zone.half_width);
         let kernel = layer.kernel(Component::ShearStrain);
@@ -167,7 +168,7 @@ impl Shear {
         normal.potential_into(layer, Component::Coupling, &self.coupling, &grid.stations, &mut grid.coupled);
         normal.values_into(&grid.stations, &mut grid.pressure);
         self.slip.potential_into(layer, normal, zone, rule.collocation(), &mut grid.by_slip);
-        self.slip.pressure_at_stick_edge()
+        Ok(self.slip.pressure_at_stick_edge())
     }
 
     /// Solves the tangential equation with one more unknown beside the shear's, and returns that. From the point's number,

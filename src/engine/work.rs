@@ -1,10 +1,10 @@
 //! Work, counted: the same on every machine.
 
+use super::budget::Meter;
 use slipzone_api::{Component, KernelTable, PartsMut};
 use std::iter::Sum;
 use std::ops::Add;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Work in dense systems.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -44,12 +44,12 @@ impl Sum for Work {
 /// A table that counts how often it is read: one for each distance.
 pub(super) struct Counted {
     pub(super) table: Box<dyn KernelTable>,
-    pub(super) read: Arc<AtomicU64>,
+    pub(super) meter: Arc<Meter>,
 }
 
 impl Counted {
     fn count(&self, distances: &[f64]) {
-        self.read.fetch_add(distances.len() as u64, Ordering::Relaxed);
+        self.meter.count_readings(distances.len());
     }
 }
 

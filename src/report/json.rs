@@ -40,7 +40,7 @@ mod tests {
             ("/error", "each estimate how"),
             (
                 "/plan",
-                "bound coupling_neglected factorisations flexibility flexibility_evaluations grading kernel kernel_evaluations model operations quadrature reasons unknowns",
+                "bound coupling_neglected factorisations flexibility flexibility_evaluations grading kernel kernel_evaluations model operations quadrature reasons unknowns work",
             ),
             ("/profile", "pressure shear x"),
             ("/scene", "format friction layer load output punch solver title units"),

@@ -1,0 +1,115 @@
+//! The bound of the work that a scene may take: counted, so that it is the same on every machine.
+
+use slipzone_api::Refusal;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Work that a scene may take, in multiplications: those of eliminations and of blended flat punches as they are, a kernel
+/// read off its table as 10, a wave number as 10,000. Some ten seconds at the most. A loading curve may take twice as much
+/// again: its flat punches, and then its loads one by one where those do not tell it.
+pub const BUDGET: u64 = 10_000_000_000;
+/// What one reading of a kernel counts as. Measured: 15 to 40 instructions, a multiplication of an elimination one or two.
+const READING: u64 = 10;
+/// What the flexibility at one wave number counts as: 1e3 instructions in closed form, 1e4 to 1e5 by panels.
+const WAVE_NUMBER: u64 = 10_000;
+/// What is left for telling of the last resolution when refinement ends, over the whole.
+const TOLD: u64 = 2;
+
+/// The work on one layer so far, and how far it may go.
+#[derive(Debug)]
+pub(crate) struct Meter {
+    /// Distances at which kernels were read.
+    read: AtomicU64,
+    wave_numbers: AtomicU64,
+    multiplied: AtomicU64,
+    limit: AtomicU64,
+    /// The limit once refinement has ended.
+    end: AtomicU64,
+}
+
+impl Default for Meter {
+    /// Without a limit until [`Self::begin`].
+    fn default() -> Self {
+        let [read, wave_numbers, multiplied] = [0; 3].map(AtomicU64::new);
+        Self { read, wave_numbers, multiplied, limit: AtomicU64::new(u64::MAX), end: AtomicU64::new(u64::MAX) }
+    }
+}
+
+impl Meter {
+    pub(super) fn count_readings(&self, count: usize) {
+        self.read.fetch_add(count as u64, Ordering::Relaxed);
+    }
+
+    pub(super) fn count_wave_numbers(&self, count: usize) {
+        self.wave_numbers.fetch_add(count as u64, Ordering::Relaxed);
+    }
+
+    pub(super) fn count_multiplications(&self, count: usize) {
+        self.multiplied.fetch_add(count as u64, Ordering::Relaxed);
+    }
+
+    /// Distances at which kernels were read.
+    pub(super) fn readings(&self) -> u64 {
+        self.read.load(Ordering::Relaxed)
+    }
+
+    /// All work, as multiplications.
+    pub(super) fn spent(&self) -> u64 {
+        let [read, wave_numbers, multiplied] =
+            [&self.read, &self.wave_numbers, &self.multiplied].map(|count| count.load(Ordering::Relaxed));
+        multiplied.saturating_add(READING.saturating_mul(read)).saturating_add(WAVE_NUMBER.saturating_mul(wave_numbers))
+    }
+
+    /// A budget from here on.
+    pub(super) fn begin(&self) {
+        let spent = self.spent();
+        self.limit.store(spent.saturating_add(BUDGET / TOLD), Ordering::Relaxed);
+        self.end.store(spent.saturating_add(BUDGET), Ordering::Relaxed);
+    }
+
+    /// Refinement has ended: what is left is for telling what was found.
+    pub(super) fn conclude(&self) {
+        self.limit.store(self.end.load(Ordering::Relaxed), Ordering::Relaxed);
+    }
+
+    /// Takes note of a system of so many equations and right-hand sides that is to be solved; refuses it where it would
+    /// exceed the budget.
+    pub(super) fn system(&self, n: usize, right: usize) -> Result<(), Refusal> {
+        self.count_multiplications(n * n * n / 3 + right * n * n);
+        self.within()
+    }
+
+    /// Refuses to go on where the budget is used up.
+    pub(super) fn within(&self) -> Result<(), Refusal> {
+        if self.spent() <= self.limit.load(Ordering::Relaxed) {
+            return Ok(());
+        }
+        Err(Refusal::OutOfReach {
+            method: "engine",
+            why: format!("this scene asks for more work than its budget, {BUDGET:.0e} multiplications"),
+            remedy: "take a larger `tolerance`, fewer `quantities`, or fewer points",
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_budget_ends_refinement_and_leaves_room_to_tell() {
+        let meter = Meter::default();
+        assert!(meter.system(100_000, 1).is_ok(), "nothing is bounded before it begins");
+        meter.begin();
+        #[allow(clippy::cast_possible_truncation)] // of 64 bits
+        meter.count_multiplications(BUDGET as usize / 2 + 1);
+        let refusal = meter.within().unwrap_err().to_string();
+        assert!(refusal.contains("budget, 1e10 multiplications"), "{refusal}");
+        meter.conclude();
+        assert!(meter.within().is_ok());
+        #[allow(clippy::cast_possible_truncation)]
+        meter.count_readings((BUDGET / READING) as usize / 2);
+        assert!(meter.within().is_err());
+        meter.begin();
+        assert!(meter.within().is_ok(), "another scene on the same layer has its own");
+    }
+}
