@@ -202,13 +202,7 @@ fn slip(stage: &Stage, judged: &Judged) -> Option<Slip> {
 }
 
 /// Tractions at the points that the scene asks for.
-fn profile(
-    scene: &Scene,
-    layer: &Layer,
-    problem: &Problem,
-    stage: &mut Stage,
-    b: f64,
-) -> Result<Profile, Refusal> {
+fn profile(scene: &Scene, layer: &Layer, problem: &Problem, stage: &mut Stage, b: f64) -> Result<Profile, Refusal> {
     if let Some(x) = &scene.output.x {
         return tractions(x, layer, problem, stage, b);
     }

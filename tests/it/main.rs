@@ -5,6 +5,8 @@ mod accuracy;
 mod bad_input;
 mod cc13;
 #[cfg(feature = "cli")]
+mod chart;
+#[cfg(feature = "cli")]
 mod command_line;
 mod examples;
 #[cfg(feature = "plot")]
@@ -19,6 +21,7 @@ mod layers;
 mod limits;
 mod loading_curve;
 mod marching;
+mod operator_counts;
 mod planned;
 mod planner;
 mod properties;
@@ -30,6 +33,8 @@ mod reuse;
 mod run;
 mod scene;
 mod sketch;
+#[path = "../../benches/standard.rs"]
+mod standard;
 mod strain;
 mod study_plots;
 #[cfg(feature = "cli")]

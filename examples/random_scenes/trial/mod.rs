@@ -91,7 +91,8 @@ pub(crate) fn draw(seed: u64, index: u64) -> Trial {
     let mut artist = Artist::new(&mut dice, wild, 0.35);
     let mut table = artist.table(KEYS, None);
     if dice.chance(0.35) {
-        let flat = slipzone::api::find(slipzone::api::Family::Punch, "flat").map(|info| Artist::new(&mut dice, wild, 0.35).of_plugin(info));
+        let flat = slipzone::api::find(slipzone::api::Family::Punch, "flat")
+            .map(|info| Artist::new(&mut dice, wild, 0.35).of_plugin(info));
         table.extend(flat.map(|flat| ("punch".to_owned(), flat.into())));
     }
     if manner < 0.8 {
@@ -212,7 +213,8 @@ fn sane(found: &Solution) -> Result<(), String> {
         (status, reason, _) => return Err(format!("{} without a reason: {reason:?}", name(status))),
     }
     let profile = &found.profile;
-    let lengths = [Some(profile.pressure.len()), profile.shear.as_ref().map(Vec::len), profile.strain.as_ref().map(Vec::len)];
+    let lengths =
+        [Some(profile.pressure.len()), profile.shear.as_ref().map(Vec::len), profile.strain.as_ref().map(Vec::len)];
     if lengths.into_iter().flatten().any(|length| length != profile.x.len()) {
         return Err("the columns of the profile differ in length".into());
     }

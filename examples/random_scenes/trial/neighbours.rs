@@ -194,7 +194,9 @@ pub(super) fn wider(case: &Case, dice: &mut Dice) -> Result<bool, String> {
 /// Under a flat punch all tractions grow with the load, and the stick zone stays.
 pub(super) fn linear(case: &Case, dice: &mut Dice) -> Result<bool, String> {
     let is_sharp = case.scene.punch.shape().is_ok_and(|shape| shape.fixed_half_width().is_some());
-    let load = case.table["load"].as_table().and_then(|load| load.iter().next().map(|(key, value)| (key.clone(), value.as_float())));
+    let load = case.table["load"]
+        .as_table()
+        .and_then(|load| load.iter().next().map(|(key, value)| (key.clone(), value.as_float())));
     let Some((key, Some(value))) = load.filter(|_| is_sharp) else { return Ok(false) };
     let times = dice.log(0.01, 100.0);
     let Some(other) = case.other(|table| set(table, &["load", &key], times * value)) else { return Ok(false) };
@@ -229,7 +231,9 @@ pub(super) fn curve(case: &Case, dice: &mut Dice) -> Result<bool, String> {
     for (one, other, what) in pairs {
         let (Some(one), Some(other)) = (one, other) else { continue };
         if !((one / other - 1.0).abs() <= allowed) {
-            return Err(format!("{what} at {key} = {load:e}: {one:e} on the curve, {other:e} alone, allowed {allowed:.1e}"));
+            return Err(format!(
+                "{what} at {key} = {load:e}: {one:e} on the curve, {other:e} alone, allowed {allowed:.1e}"
+            ));
         }
     }
     Ok(true)

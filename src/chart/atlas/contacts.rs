@@ -17,7 +17,7 @@ const JUDGES: [(&str, &str); 2] = [
 ];
 /// Numbers are wanted, tractions are not.
 const NUMBERS: &str = "[output]\nquantities = [\"load\", \"edge\", \"stick\"]\n";
-/// A judge that claims no more than this does not judge.
+/// A number of which a judge claims no less an error than this is not judged.
 const CREDIBLE: f64 = 1e-4;
 
 /// A way to solve: its name, its quadrature, its lines of `[solver]`.
@@ -58,7 +58,7 @@ pub(super) fn names() -> Vec<(String, bool)> {
 
 /// A cell for each way.
 pub(super) fn cells(scene: &str) -> Vec<Cell> {
-    let judges = JUDGES.map(|(_, solver)| attempt(scene, solver).ok().filter(|judge| claim(judge) <= CREDIBLE));
+    let judges = JUDGES.map(|(_, solver)| attempt(scene, solver).ok());
     let cell = |way: Way| {
         let solution = match attempt(scene, &way.solver) {
             Ok(solution) => solution,
@@ -72,23 +72,22 @@ pub(super) fn cells(scene: &str) -> Vec<Cell> {
             Some(judge) => {
                 let (errors, claimed) = (Errors::between(&solution, judge), Errors::claimed(&solution));
                 let doubt = Errors::claimed(judge);
-                let off = |measured: &Measured| {
-                    let claims = claimed.of(*measured).unwrap_or(0.0) + doubt.of(*measured).unwrap_or(0.0);
-                    errors.of(*measured).is_some_and(|error| error > 3.0 * claims + 1e-14)
+                let judged = |measured: &Measured| doubt.of(*measured).is_some_and(|doubt| doubt <= CREDIBLE);
+                let off = |measured: Measured| {
+                    let claims = claimed.of(measured).unwrap_or(0.0) + doubt.of(measured).unwrap_or(0.0);
+                    errors.of(measured).is_some_and(|error| error > 3.0 * claims + 1e-14)
                 };
-                let digits = errors.worst().map(|error| -error.clamp(1e-16, 1.0).log10());
-                (claimed.worst(), digits, ended == Ended::Converged && Measured::ALL.iter().any(off))
+                let judged = Measured::ALL.into_iter().filter(judged);
+                let is_wrong = judged.clone().any(off);
+                let worst = judged.filter_map(|measured| errors.of(measured)).reduce(f64::max);
+                let digits = worst.map(|error| -error.clamp(1e-16, 1.0).log10());
+                (claimed.worst(), digits, ended == Ended::Converged && is_wrong)
             }
             None => (Errors::claimed(&solution).worst(), None, false),
         };
         Cell { ended, wrong, digits, claimed, reason }
     };
     ways().into_iter().map(cell).collect()
-}
-
-/// The largest error that it claims.
-fn claim(solution: &Solution) -> f64 {
-    solution.error.estimate.unwrap_or(f64::INFINITY)
 }
 
 fn attempt(scene: &str, solver: &str) -> Result<Solution, Box<Cell>> {

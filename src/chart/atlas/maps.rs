@@ -4,6 +4,8 @@ use super::{Axis, Map, Subject};
 
 /// Values that run over many decades.
 const THICKNESSES: &[f64] = &[1e-3, 1e-2, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 1e2, 1e3, 1e4, 1e6];
+/// With friction: a stick zone on a layer a thousandth of the contact takes systems by the thousand.
+const RUBBED: &[f64] = &[0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 1e2, 1e3, 1e4, 1e6];
 const RATIOS: &[f64] = &[1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.5, 1.0, 2.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6];
 const FRICTIONS: &[f64] = &[1e-3, 3e-3, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 2.0, 5.0, 10.0];
 const POISSONS: &[f64] =
@@ -63,7 +65,7 @@ pub const ALL: &[Map] = &[
     Map {
         name: "thickness-friction",
         about: "a flat punch from almost all slip (a -> 0) to almost all stick (a -> b)",
-        x: THICKNESS,
+        x: Axis { values: RUBBED, ..THICKNESS },
         y: FRICTION,
         subject: Subject::Contact(|thickness, friction| flat(&layer(thickness, 0.3, 8.0), Some(friction))),
     },

@@ -121,11 +121,7 @@ fn panel(chart: &Chart, methods: &[String], runs: &[&Run], measured: Measured, o
         let line = vec![place((least, least)), place((most, most))];
         curves.push(Curve { style: Style::level(0), stretches: vec![line], marks: Vec::new() });
     } else {
-        let all = frontier(
-            runs.iter()
-                .filter(|run| run.ended == Ended::Converged || run.setting.resolution.is_some())
-                .filter_map(|run| point(run)),
-        );
+        let all = frontier(runs.iter().filter_map(|run| point(run)));
         let stretches = vec![all.into_iter().map(place).collect()];
         curves.push(Curve { style: Style::frontier(), stretches, marks: Vec::new() });
     }

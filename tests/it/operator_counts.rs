@@ -1,0 +1,69 @@
+//! The work that six standard scenes take, counted: no change makes it grow unnoticed.
+
+use crate::standard::scenes;
+use slipzone::engine::solve;
+use std::fmt::Write;
+
+/// Counts of a scene, in the order of the file's columns.
+const NAMES: [&str; 5] = ["wave_numbers", "kernels_read", "unknowns", "systems", "multiplications"];
+/// Set to accept the counts as they are.
+const ACCEPT: &str = "SLIPZONE_ACCEPT_COUNTS";
+/// Vector units of other machines round differently, so that an estimate may ask for one resolution more or less; on one
+/// machine the counts are the same each time.
+const ROOM: f64 = 1.02;
+
+fn counted() -> Vec<(&'static str, [u64; 5])> {
+    let count = |(name, scene)| {
+        let plan = solve(&scene).plan;
+        let [wave_numbers, unknowns, systems] =
+            [plan.flexibility_evaluations, plan.unknowns, plan.factorisations].map(|count| count as u64);
+        (name, [wave_numbers, plan.kernel_evaluations, unknowns, systems, plan.operations])
+    };
+    scenes().into_iter().map(count).collect()
+}
+
+/// Lines of the file that say something else than `counted`.
+fn grown(recorded: &str, counted: &[(&str, [u64; 5])]) -> Vec<String> {
+    let mut all = Vec::new();
+    for (name, counts) in counted {
+        let Some(line) = recorded.lines().find(|line| line.split(',').next() == Some(*name)) else {
+            all.push(format!("{name}: no counts are recorded"));
+            continue;
+        };
+        let before: Vec<u64> = line.split(',').skip(1).map(|count| count.parse().expect("a count")).collect();
+        for ((what, before), now) in NAMES.iter().zip(before).zip(counts) {
+            if *now as f64 > ROOM * before as f64 {
+                all.push(format!("{name}: {what} grew from {before} to {now}"));
+            }
+        }
+    }
+    all
+}
+
+#[test]
+fn the_work_of_no_standard_scene_grows() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/operator_counts.csv");
+    let counted = counted();
+    if std::env::var_os(ACCEPT).is_some() {
+        let mut text = format!("scene,{}\n", NAMES.join(","));
+        for (name, counts) in &counted {
+            writeln!(text, "{name},{}", counts.map(|count| count.to_string()).join(",")).unwrap();
+        }
+        std::fs::write(path, text).unwrap();
+    }
+    let recorded = std::fs::read_to_string(path).unwrap();
+    let grown = grown(&recorded, &counted);
+    assert!(
+        grown.is_empty(),
+        "{}\nIf more work is wanted, say why in the commit and record it:\n  {ACCEPT}=1 cargo test --test it operator_counts",
+        grown.join("\n")
+    );
+}
+
+#[test]
+fn what_grew_is_named() {
+    let recorded = "scene,a\nflat,46,100,33,4,1000\n";
+    assert_eq!(grown(recorded, &[("flat", [46, 100, 33, 4, 1000])]), [""; 0]);
+    assert_eq!(grown(recorded, &[("flat", [40, 101, 33, 5, 1000])]), ["flat: systems grew from 4 to 5"]);
+    assert_eq!(grown(recorded, &[("other", [1; 5])]), ["other: no counts are recorded"]);
+}
