@@ -75,13 +75,12 @@ def lines(layers, length, level):
     return np.concatenate([inside, outside]), np.concatenate(ys)
 
 
-def solve(layers, length, level):
+def body(layers, length, level):
+    """The meshed half of a layer, held in its middle and at its base: mesh, field, rule, stress, model. Region 1 is
+    what lies under the punch."""
     xs, ys = lines(layers, length, level)
     mesh = getfem.Mesh("cartesian", xs, ys)
-    faces = mesh.outer_faces()
-    normals = mesh.normal_of_faces(faces)
-    points = [mesh.pts(mesh.pid_in_faces(faces[:, [i]])) for i in range(faces.shape[1])]
-    centre = np.array([p.mean(axis=1) for p in points]).T
+    faces, normals, centre = outer(mesh)
     regions = {
         1: (normals[1] < -0.5) & (centre[0] < 1.0),  # under the punch
         2: normals[0] < -0.5,  # the middle
@@ -108,10 +107,27 @@ def solve(layers, length, level):
     stress = f"({mu})*(2*Sym(Grad_u) + k*Div_u*Id(2))"
     model.add_linear_term(rule, f"({stress}):Grad_Test_u")
     # Multipliers would be dropped where elements are small.
-    model.add_linear_term(rule, f"{PENALTY}*u(2)*Test_u(2)", 1)
-    model.add_source_term(rule, f"{PENALTY}*Test_u(2)", 1)
     model.add_linear_term(rule, f"{PENALTY}*u(1)*Test_u(1)", 2)
     model.add_linear_term(rule, f"{PENALTY}*u.Test_u", 3)
+    return mesh, field, rule, stress, model
+
+
+def outer(mesh):
+    """Faces on the boundary, their normals and centres."""
+    faces = mesh.outer_faces()
+    points = [mesh.pts(mesh.pid_in_faces(faces[:, [i]])) for i in range(faces.shape[1])]
+    return faces, mesh.normal_of_faces(faces), np.array([p.mean(axis=1) for p in points]).T
+
+
+def press(model, rule):
+    """Pushes what lies under the punch in by 1."""
+    model.add_linear_term(rule, f"{PENALTY}*u(2)*Test_u(2)", 1)
+    model.add_source_term(rule, f"{PENALTY}*Test_u(2)", 1)
+
+
+def solve(layers, length, level):
+    mesh, field, rule, stress, model = body(layers, length, level)
+    press(model, rule)
     model.solve("lsolver", "mumps")
     force = 2.0 * getfem.asm_generic(rule, 0, f"({stress}):Grad_u", -1, model)
     # Displacement is downwards and depth too: compression is negative all the same.
