@@ -66,7 +66,11 @@ fn a_report_without_failures_ends_well() {
 fn groups_are_run_in_the_order_of_the_report() {
     let names = |asked: &[&str]| {
         let asked: Vec<String> = asked.iter().map(|name| (*name).to_owned()).collect();
-        chosen(&asked).expect("known").iter().map(|group| group.name).collect::<Vec<_>>()
+        named("group", &asked, GROUPS, |group| group.name)
+            .expect("known")
+            .iter()
+            .map(|group| group.name)
+            .collect::<Vec<_>>()
     };
     assert_eq!(names(&["paper", "friction"]), ["friction", "paper"]);
     assert_eq!(names(&[]).len(), GROUPS.len());

@@ -37,7 +37,7 @@ pub fn atlas_svg(sheet: &Sheet) -> String {
             .methods
             .iter()
             .filter(|mapped| mapped.is_default == is_default)
-            .map(|mapped| mapped.wrong())
+            .map(crate::chart::atlas::Mapped::wrong)
             .sum::<usize>()
     };
     let own = wrong(true);

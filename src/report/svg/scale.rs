@@ -70,14 +70,14 @@ impl Scale {
 
     /// Powers of ten, every so many of them with its number; none above the last.
     pub(super) fn of_powers(least: f64, most: f64, label: &str, every: i32, last: f64) -> Self {
+        /// What is drawn is in units of this: kuva takes what is below 1e-10 for 1e-10.
+        const POWERS: f64 = 1e-100;
         let ticks = TickFormat::Custom(Arc::new(move |value: f64| {
             #[expect(clippy::cast_possible_truncation, reason = "a few hundred")]
             let power = (value * POWERS).log10().round() as i32;
             let is_shown = power % every == 0 && value * POWERS <= 1.01 * last;
             if is_shown { typeset(&format!("1e{power}")) } else { String::new() }
         }));
-        /// What is drawn is in units of this: kuva takes what is below 1e-10 for 1e-10.
-        const POWERS: f64 = 1e-100;
         let (least, most) = (least / POWERS, most / POWERS);
         Self { label: label.into(), unit: POWERS, least, most, step: None, ticks }
     }
