@@ -41,6 +41,9 @@ fn main() -> ExitCode {
             if has("--trace") {
                 eprintln!("end {index} {seconds:.3} {:.4} {} {:.3?}", tried.work, tried.status, tried.seconds);
             }
+            if let Some((check, how)) = &tried.failure {
+                eprintln!("FAILED scene {index}: {check}: {how}");
+            }
             let finished = done.fetch_add(1, Ordering::Relaxed) + 1;
             if finished.is_multiple_of(10_000) {
                 eprintln!("{finished} done");
