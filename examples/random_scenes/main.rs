@@ -97,9 +97,18 @@ fn report(seed: u64, all: &[(u64, Tried, f64)], small: bool, reasons: bool) -> E
     if let Some((index, tried, _)) = largest {
         println!("\nlargest share of the budget of work: {:.3} in scene {index}", tried.work);
     }
+    let optimistic = trial::OPTIMISTIC.load(Ordering::Relaxed);
+    println!("numbers beyond three estimates, within three tolerances: {optimistic}");
     if reasons {
-        let short = |tried: &Tried| format!("{}: {}", tried.status, tried.reason.chars().filter(|c| !c.is_ascii_digit()).take(90).collect::<String>());
-        let texts: Vec<String> = all.iter().filter(|(_, tried, _)| !tried.reason.is_empty()).map(|(_, tried, _)| short(tried)).collect();
+        let short = |tried: &Tried| {
+            format!(
+                "{}: {}",
+                tried.status,
+                tried.reason.chars().filter(|c| !c.is_ascii_digit()).take(90).collect::<String>()
+            )
+        };
+        let texts: Vec<String> =
+            all.iter().filter(|(_, tried, _)| !tried.reason.is_empty()).map(|(_, tried, _)| short(tried)).collect();
         let mut counts: Vec<_> = counted(texts.iter().map(String::as_str)).into_iter().collect();
         counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
         counts.iter().take(40).for_each(|(reason, count)| println!("  {count:>6} {reason}"));
@@ -108,7 +117,11 @@ fn report(seed: u64, all: &[(u64, Tried, f64)], small: bool, reasons: bool) -> E
     slow.sort_by(|one, other| other.2.total_cmp(&one.2));
     println!("\nslowest:");
     for (index, tried, seconds) in slow.iter().take(12) {
-        println!("  {seconds:>8.2} s scene {index}: {} {}", tried.status, tried.reason.chars().take(100).collect::<String>());
+        println!(
+            "  {seconds:>8.2} s scene {index}: {} {}",
+            tried.status,
+            tried.reason.chars().take(100).collect::<String>()
+        );
     }
     let failures: Vec<_> = all.iter().filter_map(|(index, tried, _)| Some((*index, tried.failure.as_ref()?))).collect();
     for (index, (check, how)) in &failures {

@@ -17,7 +17,7 @@ use crate::scene::{Load, LoadKind, Model, Scene};
 use slipzone_api::{Refusal, Station};
 
 /// Points at which tractions are told before the budget is looked at again.
-const AT_ONCE: usize = 512;
+const AT_ONCE: usize = 32;
 
 /// The solution; refused when one of its numbers is not finite.
 pub(super) fn solution(
@@ -202,13 +202,7 @@ fn slip(stage: &Stage, judged: &Judged) -> Option<Slip> {
 }
 
 /// Tractions at the points that the scene asks for.
-fn profile(
-    scene: &Scene,
-    layer: &Layer,
-    problem: &Problem,
-    stage: &mut Stage,
-    b: f64,
-) -> Result<Profile, Refusal> {
+fn profile(scene: &Scene, layer: &Layer, problem: &Problem, stage: &mut Stage, b: f64) -> Result<Profile, Refusal> {
     if let Some(x) = &scene.output.x {
         return tractions(x, layer, problem, stage, b);
     }

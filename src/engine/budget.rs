@@ -88,7 +88,10 @@ impl Meter {
         }
         Err(Refusal::OutOfReach {
             method: "engine",
-            why: format!("this scene asks for more work than its budget, {:.0e} multiplications", self.budget.load(Ordering::Relaxed)),
+            why: format!(
+                "this scene asks for more work than its budget, {:.0e} multiplications",
+                self.budget.load(Ordering::Relaxed)
+            ),
             remedy: "take a larger `tolerance`, fewer `quantities`, or fewer points",
         })
     }

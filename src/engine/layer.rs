@@ -151,7 +151,7 @@ impl Layer {
         let kernels = if self.is_plain() { None } else { Some(tabulate(&*self.response, components)?) };
         let from_datum = self.against_datum.as_deref().filter(|_| wanted.deep);
         let depth = from_datum.map(|response| tabulate(response, &ALL[..1])).transpose()?;
-        let evaluations = kernels.iter().chain(&depth).map(|table| table.flexibility_evaluations()).sum::<usize>();
+        let evaluations = kernels.iter().chain(&depth).map(KernelTable::flexibility_evaluations).sum::<usize>();
         self.flexibility_evaluations += evaluations;
         self.meter.count_wave_numbers(evaluations);
         let Wanted { frictional, deep, accuracy, level, .. } = wanted;

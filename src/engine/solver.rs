@@ -68,9 +68,16 @@ impl Solver {
         };
         let (chosen, problem, stand_in) = decided(chosen, problem)?;
         match Layer::new(&problem, &chosen.methods) {
-            Ok(layer) => {
-                Ok(Self { chosen, problem, layer, ladder: Ladder::default(), judged: None, stand_in, aside: None, budget: BUDGET })
-            }
+            Ok(layer) => Ok(Self {
+                chosen,
+                problem,
+                layer,
+                ladder: Ladder::default(),
+                judged: None,
+                stand_in,
+                aside: None,
+                budget: BUDGET,
+            }),
             Err(refusal) => Err((refusal, Box::new(chosen))),
         }
     }

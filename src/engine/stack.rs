@@ -10,8 +10,8 @@ use super::chebyshev::{Points, Series};
 use super::family::Family;
 use super::problem::{LoadInLayerUnits, Problem};
 use basin::Toms748Root;
-use slipzone_api::{Refusal, Station};
 use slipzone_api::double_exponential::{self, Node};
+use slipzone_api::{Refusal, Station};
 
 /// Coefficients of the force over a piece: at first, and at most.
 const COEFFICIENTS: (usize, usize) = (12, 96);

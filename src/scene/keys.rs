@@ -92,7 +92,8 @@ const LOADS: Values = Values::List(&Values::Positive, 1, 100_000);
 const PATH: &[Parameter] = &[
     Parameter::required("force", "forces, each above the one before it (stress times length)", LOADS),
     Parameter::optional("half_width", "half-widths, each above the one before it (length)", LOADS).in_place_of("force"),
-    Parameter::optional("indentation", "indentations, each above the one before it (length)", LOADS).in_place_of("force"),
+    Parameter::optional("indentation", "indentations, each above the one before it (length)", LOADS)
+        .in_place_of("force"),
 ];
 
 const UNTIL: &[Parameter] = &[

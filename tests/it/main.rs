@@ -29,6 +29,7 @@ mod regressions;
 mod reuse;
 mod run;
 mod scene;
+mod scenes;
 mod sketch;
 mod strain;
 mod study_plots;

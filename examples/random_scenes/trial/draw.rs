@@ -36,7 +36,8 @@ impl<'a> Artist<'a> {
             let others = keys.iter().filter(|other| other.in_place_of == Some(key.name));
             let choice: Vec<&Parameter> = std::iter::once(key).chain(others).collect();
             let key = *self.dice.one_of(&choice);
-            let value = self.value(key.values, key.samples, example.and_then(|example| example.get(key.name)), key.name);
+            let value =
+                self.value(key.values, key.samples, example.and_then(|example| example.get(key.name)), key.name);
             table.insert(key.name.into(), value);
         }
         formulas::name_parameters(self.dice, keys, &mut table);
@@ -135,7 +136,11 @@ impl<'a> Artist<'a> {
 
     fn poisson(&mut self) -> f64 {
         if !self.dice.chance(self.wild) {
-            return if self.dice.chance(0.9) { self.dice.between(0.0, 0.48) } else { *self.dice.one_of(&[0.0, 0.5, 0.25]) };
+            return if self.dice.chance(0.9) {
+                self.dice.between(0.0, 0.48)
+            } else {
+                *self.dice.one_of(&[0.0, 0.5, 0.25])
+            };
         }
         match self.dice.whole(0, 3) {
             0 => 0.5 - self.dice.log(1e-17, 0.5),
@@ -148,7 +153,11 @@ impl<'a> Artist<'a> {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_possible_wrap)] // small counts
     fn whole(&mut self, samples: &[f64], least: u64, most: u64) -> i64 {
         let drawn = if !self.dice.chance(self.wild) {
-            let typical = if samples.is_empty() { (least as f64).max(2.0) * self.dice.log(1.0, 60.0) } else { self.near(samples, true) };
+            let typical = if samples.is_empty() {
+                (least as f64).max(2.0) * self.dice.log(1.0, 60.0)
+            } else {
+                self.near(samples, true)
+            };
             (typical as u64).clamp(least, most)
         } else if self.dice.chance(0.2) {
             *self.dice.one_of(&[least, most])

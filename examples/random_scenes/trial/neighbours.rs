@@ -29,7 +29,9 @@ pub(super) fn units(case: &Case, dice: &mut Dice) -> Result<bool, String> {
 /// Whether a neighbour that is not converged misses its tolerance by little.
 fn brink(found: &Solution, other: &Solution, what: &str) -> Result<bool, String> {
     let tolerance = found.scene.solver.tolerance.get();
-    if other.status == Status::NotConverged && other.error.estimate.is_some_and(|error| error < 30.0 * tolerance) {
+    let is_near = other.error.estimate.is_some_and(|error| error < 30.0 * tolerance);
+    let is_cut_off = other.reason.as_deref().is_some_and(|reason| reason.contains("than its budget"));
+    if other.status == Status::NotConverged && is_near || is_cut_off {
         return Ok(false);
     }
     Err(format!("converged, but {what}: {:?}, {:?}", other.status, other.reason))
@@ -184,7 +186,7 @@ pub(super) fn wider(case: &Case, dice: &mut Dice) -> Result<bool, String> {
     ] {
         let (Some(one), Some(more)) = (one, more) else { continue };
         // Against a datum the indentation may fall.
-        if !(more > one) && (what == "force" || case.scene.layer.datum.is_none()) {
+        if more <= one && (what == "force" || case.scene.layer.datum.is_none()) {
             return Err(format!("the {what} is {one:e} at {half_width}, {more:e} at a larger half-width"));
         }
     }
@@ -194,7 +196,9 @@ pub(super) fn wider(case: &Case, dice: &mut Dice) -> Result<bool, String> {
 /// Under a flat punch all tractions grow with the load, and the stick zone stays.
 pub(super) fn linear(case: &Case, dice: &mut Dice) -> Result<bool, String> {
     let is_sharp = case.scene.punch.shape().is_ok_and(|shape| shape.fixed_half_width().is_some());
-    let load = case.table["load"].as_table().and_then(|load| load.iter().next().map(|(key, value)| (key.clone(), value.as_float())));
+    let load = case.table["load"]
+        .as_table()
+        .and_then(|load| load.iter().next().map(|(key, value)| (key.clone(), value.as_float())));
     let Some((key, Some(value))) = load.filter(|_| is_sharp) else { return Ok(false) };
     let times = dice.log(0.01, 100.0);
     let Some(other) = case.other(|table| set(table, &["load", &key], times * value)) else { return Ok(false) };
@@ -228,8 +232,10 @@ pub(super) fn curve(case: &Case, dice: &mut Dice) -> Result<bool, String> {
     let allowed = 3.0 * (curve.error.unwrap_or(0.0) + other.error.estimate.unwrap_or(0.0)) + ROUNDING;
     for (one, other, what) in pairs {
         let (Some(one), Some(other)) = (one, other) else { continue };
-        if !((one / other - 1.0).abs() <= allowed) {
-            return Err(format!("{what} at {key} = {load:e}: {one:e} on the curve, {other:e} alone, allowed {allowed:.1e}"));
+        if (one / other - 1.0).abs() > allowed {
+            return Err(format!(
+                "{what} at {key} = {load:e}: {one:e} on the curve, {other:e} alone, allowed {allowed:.1e}"
+            ));
         }
     }
     Ok(true)

@@ -30,9 +30,9 @@ pub(crate) fn make(dice: &mut Dice, scene: &mut Table) {
     }
     if let Some(Value::Table(friction)) = scene.get_mut("friction") {
         // A tip that is smooth and no face: what a strain C|x| is for.
-        let is_smooth = shape.as_ref().is_some_and(|shape| {
-            shape.fixed_half_width().is_none() && shape.face() == 0.0 && shape.kinks().is_empty()
-        });
+        let is_smooth = shape
+            .as_ref()
+            .is_some_and(|shape| shape.fixed_half_width().is_none() && shape.face() == 0.0 && shape.kinks().is_empty());
         friction.insert("coefficient".into(), dice.log(0.02, 1.5).into());
         if !is_smooth {
             friction.remove("strain");
@@ -88,7 +88,8 @@ fn settle_layer(dice: &mut Dice, layer: &mut Table, base: &str, thickness: f64) 
         }
     }
     let grounded = matches!(base, "rigid" | "frictionless")
-        || base == "infinite" && grading.get("gradient").and_then(Value::as_float).is_some_and(|gradient| gradient > 0.0);
+        || base == "infinite"
+            && grading.get("gradient").and_then(Value::as_float).is_some_and(|gradient| gradient > 0.0);
     if grounded {
         layer.remove("datum");
     }
@@ -134,19 +135,19 @@ fn settle_grading(dice: &mut Dice, grading: &mut Table, thickness: f64) -> bool 
             let points: Vec<Value> = (0..rows).map(|i| row(dice, i)).collect();
             *grading = table([("type", "table".into()), ("points", points.into())]);
         }
-        Some("formula") => {}
         // Other exponents are known to be refused, slowly.
         Some("volume-fraction") => {
             grading.insert("exponent".into(), (*dice.one_of(&[1.0, 1.0, 2.0, 2.0, 3.0])).into());
         }
         // What is drawn near samples belongs to a layer of about 2.
-        Some(name) => {
+        Some(name) if name != "formula" => {
             let info = slipzone::api::find(slipzone::api::Family::Grading, name);
-            if let Some(scaled) = info.and_then(|info| units::scaled(grading, info.parameters, [0.5 * thickness, 1.0])) {
+            if let Some(scaled) = info.and_then(|info| units::scaled(grading, info.parameters, [0.5 * thickness, 1.0]))
+            {
                 *grading = scaled;
             }
         }
-        None => {}
+        _ => {}
     }
     false
 }
@@ -200,7 +201,11 @@ fn settle_load(dice: &mut Dice, load: &mut Table, shape: Option<&dyn PunchShape>
 
 /// Methods now and then, and a tolerance that they may meet.
 fn settle_solver(dice: &mut Dice, solver: &mut Table) {
-    let kept = if dice.chance(0.3) { (*dice.one_of(&["flexibility", "kernel", "quadrature", "model", "forbid"])).to_owned() } else { String::new() };
+    let kept = if dice.chance(0.3) {
+        (*dice.one_of(&["flexibility", "kernel", "quadrature", "model", "forbid"])).to_owned()
+    } else {
+        String::new()
+    };
     solver.retain(|key, _| key == kept);
     if let Some(Value::Table(method)) = solver.get_mut(&kept)
         && dice.chance(0.5)

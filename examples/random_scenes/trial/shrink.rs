@@ -12,7 +12,8 @@ type Place = Vec<String>;
 /// The simplest scene found that fails the same check.
 pub(crate) fn shrunk(trial: &Trial) -> Trial {
     let Some((check, _)) = trial.run().failure else { return trial.clone() };
-    let mut best = Trial { chosen: trial.chosen.iter().copied().filter(|name| *name == check).collect(), ..trial.clone() };
+    let mut best =
+        Trial { chosen: trial.chosen.iter().copied().filter(|name| *name == check).collect(), ..trial.clone() };
     let fails = |table: &Table| best_fails(trial, table, check);
     if !fails(&best.table) {
         return trial.clone();

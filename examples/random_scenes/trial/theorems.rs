@@ -60,7 +60,9 @@ pub(super) fn equilibrium(case: &Case, _dice: &mut Dice) -> Result<bool, String>
     let Some(b) = case.found.load.half_width.filter(|b| is_narrow(case, *b)) else { return Ok(false) };
     let (x, weights) = grid(&kinks(case, b).unwrap_or_default());
     let Some(found) = case.found(|table| write_all(table, &x)) else { return Ok(false) };
-    let (Some(carried), Some(force)) = (integral(&found, &weights, |_| 1.0), found.load.force) else { return Ok(false) };
+    let (Some(carried), Some(force)) = (integral(&found, &weights, |_| 1.0), found.load.force) else {
+        return Ok(false);
+    };
     let allowed = SAMPLED + 30.0 * found.error.estimate.unwrap_or(0.0);
     if (carried / force - 1.0).abs() <= allowed {
         return Ok(true);
@@ -164,7 +166,8 @@ pub(super) fn stiffness(case: &Case, _dice: &mut Dice) -> Result<bool, String> {
 /// `dD/db = -pi A0 f^2/b` of a flat punch: its depth knows nothing of how the edge factor was computed.
 pub(super) fn energy(case: &Case, _dice: &mut Dice) -> Result<bool, String> {
     let shape = case.scene.punch.shape().map_err(|refusal| refusal.to_string())?;
-    let (Some(b), Some(f), Some(_)) = (shape.fixed_half_width(), case.found.edge.ratio, case.found.load.indentation) else {
+    let (Some(b), Some(f), Some(_)) = (shape.fixed_half_width(), case.found.edge.ratio, case.found.load.indentation)
+    else {
         return Ok(false);
     };
     if !is_narrow(case, b) || case.scene.layer.datum.is_some() {
