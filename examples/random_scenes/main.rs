@@ -41,6 +41,9 @@ fn main() -> ExitCode {
             if has("--trace") {
                 eprintln!("end {index} {seconds:.3} {:.4} {} {:.3?}", tried.work, tried.status, tried.seconds);
             }
+            if let Some((check, how)) = &tried.failure {
+                eprintln!("FAILED scene {index}: {check}: {how}");
+            }
             let finished = done.fetch_add(1, Ordering::Relaxed) + 1;
             if finished.is_multiple_of(10_000) {
                 eprintln!("{finished} done");
@@ -94,6 +97,8 @@ fn report(seed: u64, all: &[(u64, Tried, f64)], small: bool, reasons: bool) -> E
     if let Some((index, tried, _)) = largest {
         println!("\nlargest share of the budget of work: {:.3} in scene {index}", tried.work);
     }
+    let optimistic = trial::OPTIMISTIC.load(Ordering::Relaxed);
+    println!("numbers beyond three estimates, within three tolerances: {optimistic}");
     if reasons {
         let short = |tried: &Tried| {
             format!(

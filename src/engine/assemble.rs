@@ -17,7 +17,7 @@ use crate::scene::{Load, LoadKind, Model, Scene};
 use slipzone_api::{Refusal, Station};
 
 /// Points at which tractions are told before the budget is looked at again.
-const AT_ONCE: usize = 512;
+const AT_ONCE: usize = 32;
 
 /// The solution; refused when one of its numbers is not finite.
 pub(super) fn solution(

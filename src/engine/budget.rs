@@ -24,13 +24,15 @@ pub(crate) struct Meter {
     limit: AtomicU64,
     /// The limit once refinement has ended.
     end: AtomicU64,
+    budget: AtomicU64,
 }
 
 impl Default for Meter {
     /// Without a limit until [`Self::begin`].
     fn default() -> Self {
         let [read, wave_numbers, multiplied] = [0; 3].map(AtomicU64::new);
-        Self { read, wave_numbers, multiplied, limit: AtomicU64::new(u64::MAX), end: AtomicU64::new(u64::MAX) }
+        let [limit, end, budget] = [u64::MAX; 3].map(AtomicU64::new);
+        Self { read, wave_numbers, multiplied, limit, end, budget }
     }
 }
 
@@ -60,10 +62,11 @@ impl Meter {
     }
 
     /// A budget from here on.
-    pub(super) fn begin(&self) {
+    pub(super) fn begin(&self, budget: u64) {
         let spent = self.spent();
-        self.limit.store(spent.saturating_add(BUDGET / TOLD), Ordering::Relaxed);
-        self.end.store(spent.saturating_add(BUDGET), Ordering::Relaxed);
+        self.limit.store(spent.saturating_add(budget / TOLD), Ordering::Relaxed);
+        self.end.store(spent.saturating_add(budget), Ordering::Relaxed);
+        self.budget.store(budget, Ordering::Relaxed);
     }
 
     /// Refinement has ended: what is left is for telling what was found.
@@ -85,7 +88,10 @@ impl Meter {
         }
         Err(Refusal::OutOfReach {
             method: "engine",
-            why: format!("this scene asks for more work than its budget, {BUDGET:.0e} multiplications"),
+            why: format!(
+                "this scene asks for more work than its budget, {:.0e} multiplications",
+                self.budget.load(Ordering::Relaxed)
+            ),
             remedy: "take a larger `tolerance`, fewer `quantities`, or fewer points",
         })
     }
@@ -99,7 +105,7 @@ mod tests {
     fn a_budget_ends_refinement_and_leaves_room_to_tell() {
         let meter = Meter::default();
         assert!(meter.system(100_000, 1).is_ok(), "nothing is bounded before it begins");
-        meter.begin();
+        meter.begin(BUDGET);
         #[allow(clippy::cast_possible_truncation)] // of 64 bits
         meter.count_multiplications(BUDGET as usize / 2 + 1);
         let refusal = meter.within().unwrap_err().to_string();
@@ -109,7 +115,7 @@ mod tests {
         #[allow(clippy::cast_possible_truncation)]
         meter.count_readings((BUDGET / READING) as usize / 2);
         assert!(meter.within().is_err());
-        meter.begin();
+        meter.begin(BUDGET);
         assert!(meter.within().is_ok(), "another scene on the same layer has its own");
     }
 }

@@ -9,6 +9,9 @@ use crate::scene::Scene;
 use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal};
 use std::sync::Arc;
 
+/// Wave numbers that a strategy counts as having asked for before it gives up: a twentieth of the budget.
+const GIVEN_UP: usize = 50_000;
+
 /// All kernels: first the depth, which not every base defines, then what the pressure needs, then what friction adds.
 const ALL: [Component; 4] = [Component::Depth, Component::NormalSlope, Component::ShearStrain, Component::Coupling];
 
@@ -136,9 +139,12 @@ impl Layer {
         if self.is_plain() && !(self.has_depths() && wanted.deep) || self.tables.as_ref().is_some_and(serves) {
             return Ok(());
         }
+        self.meter.within()?;
         let strategy = self.strategy.refined(wanted.level);
         let tabulate = |response: &dyn LayerResponse, components| -> Result<Counted, Refusal> {
-            let table = strategy.tabulate(response, &KernelRequest { reach, components, accuracy: wanted.accuracy })?;
+            let table = strategy.tabulate(response, &KernelRequest { reach, components, accuracy: wanted.accuracy });
+            // Who gives up does not say after how much.
+            let table = table.inspect_err(|_| self.meter.count_wave_numbers(GIVEN_UP))?;
             Ok(Counted { table, meter: Arc::clone(&self.meter) })
         };
         let components = &ALL[usize::from(!(self.is_grounded && wanted.deep))..if wanted.frictional { 4 } else { 2 }];

@@ -60,8 +60,16 @@ use slipzone_api::Refusal;
 
 /// Solves a scene. Whatever happens is in the solution's `status` and `reason`.
 pub fn solve(scene: &Scene) -> Solution {
+    solve_within(scene, BUDGET)
+}
+
+/// [`solve`] with another budget of work than [`BUDGET`].
+pub fn solve_within(scene: &Scene, budget: u64) -> Solution {
     match Solver::prepare(plan::choose(scene)) {
-        Ok(mut solver) => solver.solve(),
+        Ok(mut solver) => {
+            solver.limit(budget);
+            solver.solve()
+        }
         Err((refusal, chosen)) => Solution::refused(&chosen.scene, chosen.plan, refusal.to_string()),
     }
 }

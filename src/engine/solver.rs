@@ -1,6 +1,7 @@
 //! A scene made ready to be solved for one load after another.
 
 use super::assemble;
+use super::budget::BUDGET;
 use super::layer::Layer;
 use super::loading_curve::{self, Curve, Point};
 use super::problem::{LoadInLayerUnits, Problem};
@@ -49,6 +50,8 @@ pub struct Solver {
     stand_in: Option<StandIn>,
     /// The layer itself, where a model of it is solved and its tables are known.
     aside: Option<Layer>,
+    /// Work that a load may take.
+    budget: u64,
 }
 
 impl Solver {
@@ -65,9 +68,16 @@ impl Solver {
         };
         let (chosen, problem, stand_in) = decided(chosen, problem)?;
         match Layer::new(&problem, &chosen.methods) {
-            Ok(layer) => {
-                Ok(Self { chosen, problem, layer, ladder: Ladder::default(), judged: None, stand_in, aside: None })
-            }
+            Ok(layer) => Ok(Self {
+                chosen,
+                problem,
+                layer,
+                ladder: Ladder::default(),
+                judged: None,
+                stand_in,
+                aside: None,
+                budget: BUDGET,
+            }),
             Err(refusal) => Err((refusal, Box::new(chosen))),
         }
     }
@@ -87,12 +97,12 @@ impl Solver {
         if stand_in.is_some() {
             let model = Layer::new(&problem, &chosen.methods)?;
             let (ladder, aside) = (Ladder::default(), (!layer.is_model()).then_some(layer));
-            return Ok(Self { chosen, problem, layer: model, ladder, judged: None, stand_in, aside });
+            return Ok(Self { chosen, problem, layer: model, ladder, judged: None, stand_in, aside, budget: BUDGET });
         }
         let layer = if layer.is_model() { Layer::new(&problem, &chosen.methods)? } else { layer };
         let mut layer = layer;
         let ladder = Ladder::inheriting(layer.families_for(&chosen.scene));
-        Ok(Self { chosen, problem, layer, ladder, judged: None, stand_in, aside: None })
+        Ok(Self { chosen, problem, layer, ladder, judged: None, stand_in, aside: None, budget: BUDGET })
     }
 
     /// The layer, to be used under another punch.
@@ -105,6 +115,12 @@ impl Solver {
             // Its tables are of no use to the layer.
             (Some(_), None) => self.layer.describing(&choose(&self.chosen.before_model()).scene).known_as_model(),
         }
+    }
+
+    /// Takes another budget of work than [`BUDGET`](super::BUDGET) for each load: where refinement would exceed half of it,
+    /// it ends, and the result says so.
+    pub fn limit(&mut self, budget: u64) {
+        self.budget = budget;
     }
 
     /// Takes another load; of a path, that one alone.
@@ -135,7 +151,7 @@ impl Solver {
     /// Finds the numbers, and keeps them for [`Self::solve`]; writes no report. Refinement ends where its work would exceed
     /// the [budget](super::BUDGET).
     pub fn find(&mut self) -> Result<(), Refusal> {
-        self.layer.meter().begin();
+        self.layer.meter().begin(self.budget);
         self.find_within()
     }
 
@@ -286,7 +302,7 @@ impl Solver {
 
     /// A budget for all loads on the way together.
     pub(super) fn begin_curve(&self) {
-        self.layer.meter().begin();
+        self.layer.meter().begin(self.budget);
         self.layer.meter().conclude();
     }
 

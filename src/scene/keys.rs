@@ -90,15 +90,16 @@ const LOAD: &[Parameter] = &[
 const LOADS: Values = Values::List(&Values::Positive, 1, 100_000);
 
 const PATH: &[Parameter] = &[
-    Parameter::required("force", "forces, each above the one before it", LOADS),
-    Parameter::optional("half_width", "half-widths, each above the one before it", LOADS).in_place_of("force"),
-    Parameter::optional("indentation", "indentations, each above the one before it", LOADS).in_place_of("force"),
+    Parameter::required("force", "forces, each above the one before it (stress times length)", LOADS),
+    Parameter::optional("half_width", "half-widths, each above the one before it (length)", LOADS).in_place_of("force"),
+    Parameter::optional("indentation", "indentations, each above the one before it (length)", LOADS)
+        .in_place_of("force"),
 ];
 
 const UNTIL: &[Parameter] = &[
-    Parameter::required("force", "the last force", Values::Positive),
-    Parameter::optional("half_width", "the last half-width", Values::Positive).in_place_of("force"),
-    Parameter::optional("indentation", "the last indentation", Values::Positive).in_place_of("force"),
+    Parameter::required("force", "the last force (stress times length)", Values::Positive),
+    Parameter::optional("half_width", "the last half-width (length)", Values::Positive).in_place_of("force"),
+    Parameter::optional("indentation", "the last indentation (length)", Values::Positive).in_place_of("force"),
     Parameter::optional("points", "how many loads (default 60)", Values::Whole(2, 100_000)),
 ];
 

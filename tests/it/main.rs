@@ -32,6 +32,7 @@ mod regressions;
 mod reuse;
 mod run;
 mod scene;
+mod scenes;
 mod sketch;
 #[path = "../../benches/standard.rs"]
 mod standard;

@@ -93,6 +93,9 @@ impl<'a> Artist<'a> {
 
     /// A number like the samples, or like 1.
     fn near(&mut self, samples: &[f64], positive: bool) -> f64 {
+        if !samples.is_empty() && self.dice.chance(0.4) {
+            return *self.dice.one_of(samples);
+        }
         let ends = samples.first().zip(samples.last());
         match ends {
             Some((least, most)) if *least > 0.0 => self.dice.log(0.7 * least, 1.4 * most),

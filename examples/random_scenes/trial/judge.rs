@@ -10,15 +10,17 @@ const FINEST: f64 = 1e-11;
 
 /// Share of the scenes in which any methods are taken, among them the published ones: they cost a hundred times as much
 /// and know fewer digits.
-const PUBLISHED: f64 = 0.1;
+const PUBLISHED: f64 = 0.05;
+/// Most work of the scenes in which these are taken.
+const CHEAPEST: u64 = 100_000;
 /// Most work of scenes that are all solved again.
-const DEAREST: u64 = 30_000_000;
+const DEAREST: u64 = 1_000_000;
 
 /// Whether other methods come to the same numbers: another quadrature, and where they serve another kernel strategy and
 /// another flexibility, too; never a cheaper model.
 pub(super) fn agrees(case: &Case, dice: &mut Dice) -> Result<bool, String> {
     let used = &case.found.plan;
-    if used.work > DEAREST && !dice.chance(0.05) {
+    if used.work > DEAREST && !dice.chance(0.02) {
         return Ok(false);
     }
     let families = [
@@ -36,7 +38,7 @@ pub(super) fn agrees(case: &Case, dice: &mut Dice) -> Result<bool, String> {
     // The more differs the better; but the published methods serve little.
     let mut tried: Vec<Vec<(&str, &str)>> = Vec::new();
     let pick = |dice: &mut Dice, index: usize| (families[index].1, *dice.one_of(&others[index]));
-    if dice.chance(PUBLISHED) {
+    if used.work < CHEAPEST && dice.chance(PUBLISHED) {
         tried.push((0..3).map(|index| pick(dice, index)).collect());
     }
     tried.push(vec![("quadrature", "graded-panels"), pick(dice, 2)]);

@@ -15,9 +15,10 @@ mod units;
 use dice::Dice;
 use draw::Artist;
 use formulas::Examples;
-use slipzone::engine::{Solution, Status, first_not_finite, solve};
+use slipzone::engine::{BUDGET, Solution, Status, first_not_finite, solve_within};
 use slipzone::scene::{Asked, KEYS, Scene};
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 use toml::{Table, Value};
 
@@ -31,6 +32,8 @@ pub(crate) struct Trial {
     dice: Dice,
     /// Which of the dear checks are made.
     pub(crate) chosen: Vec<&'static str>,
+    /// Work that each solve may take.
+    budget: u64,
 }
 
 /// What became of one.
@@ -56,6 +59,7 @@ pub(crate) struct Case {
     pub(crate) table: Table,
     pub(crate) scene: Scene,
     pub(crate) found: Solution,
+    budget: u64,
 }
 
 /// What must hold of a solved scene: whether it applies, or how it fails.
@@ -63,19 +67,25 @@ type Check = fn(&Case, &mut Dice) -> Result<bool, String>;
 
 /// The checks that take other solves, and the share of the scenes that they are made of.
 pub(crate) const CHECKS: [(&str, Check, f64); 12] = [
-    ("re-solved otherwise", judge::agrees, 0.5),
-    ("units", neighbours::units, 0.12),
-    ("mirror", neighbours::mirror, 0.12),
-    ("merged sublayers", neighbours::merged, 0.3),
-    ("more friction sticks more", neighbours::stick, 0.12),
-    ("a wider contact bears more", neighbours::wider, 0.12),
-    ("twice the force", neighbours::linear, 0.12),
+    ("re-solved otherwise", judge::agrees, 0.1),
+    ("units", neighbours::units, 0.05),
+    ("mirror", neighbours::mirror, 0.05),
+    ("merged sublayers", neighbours::merged, 0.07),
+    ("more friction sticks more", neighbours::stick, 0.05),
+    ("a wider contact bears more", neighbours::wider, 0.05),
+    ("twice the force", neighbours::linear, 0.05),
     ("a curve's points", neighbours::curve, 0.3),
-    ("equilibrium", theorems::equilibrium, 0.12),
-    ("reciprocity", theorems::reciprocity, 0.12),
-    ("stiffness", theorems::stiffness, 0.12),
-    ("energy release", theorems::energy, 0.12),
+    ("equilibrium", theorems::equilibrium, 0.05),
+    ("reciprocity", theorems::reciprocity, 0.05),
+    ("stiffness", theorems::stiffness, 0.05),
+    ("energy release", theorems::energy, 0.05),
 ];
+
+/// Shares of the scenes that may take the whole budget of work, some seconds, or a hundredth of it; the others a
+/// thousandth, which is enough for most and has the bound of work at work.
+const WHOLE: (f64, f64) = (0.001, 0.1);
+/// Work by which a scene may exceed its budget: one resolution's tables and readings, which are counted behind.
+const OVERSHOT: f64 = 0.05 * BUDGET as f64;
 
 /// Draws scene `index` of a run.
 pub(crate) fn draw(seed: u64, index: u64) -> Trial {
@@ -90,10 +100,14 @@ pub(crate) fn draw(seed: u64, index: u64) -> Trial {
     };
     let mut artist = Artist::new(&mut dice, wild, 0.35);
     let mut table = artist.table(KEYS, None);
-    if dice.chance(0.35) {
+    if dice.chance(0.45) {
         let flat = slipzone::api::find(slipzone::api::Family::Punch, "flat")
             .map(|info| Artist::new(&mut dice, wild, 0.35).of_plugin(info));
         table.extend(flat.map(|flat| ("punch".to_owned(), flat.into())));
+    }
+    if dice.chance(0.7) && !table.contains_key("solver") {
+        // Coarser than the default, which costs most.
+        set(&mut table, &["solver", "tolerance"], dice.log(1e-6, 1e-2));
     }
     if manner < 0.8 {
         sense::make(&mut dice, &mut table);
@@ -104,11 +118,16 @@ pub(crate) fn draw(seed: u64, index: u64) -> Trial {
     }
     // What grows with friction takes a hundred times as long.
     let grows = sense::kind(table.get("punch")).is_none_or(|kind| kind != "flat");
-    if grows && dice.chance(0.7) {
+    if grows && dice.chance(0.9) {
         table.remove("friction");
     }
     let chosen = CHECKS.iter().filter(|(_, _, share)| dice.chance(*share)).map(|(name, ..)| *name).collect();
-    Trial { table, dice, chosen }
+    let budget = match dice.roll() {
+        roll if roll < WHOLE.0 => BUDGET,
+        roll if roll < WHOLE.1 => BUDGET / 100,
+        _ => BUDGET / 1000,
+    };
+    Trial { table, dice, chosen, budget }
 }
 
 impl Trial {
@@ -135,7 +154,7 @@ impl Trial {
         let scene = match parse(&self.table) {
             Ok(scene) => scene,
             Err(error) => {
-                tried.reason = error.message.clone();
+                tried.reason.clone_from(&error.message);
                 if error.message.is_empty() || error.line > self.text().lines().count() + 1 {
                     tried.failure = Some(("refused with a reason", format!("{error:?}")));
                 }
@@ -143,16 +162,16 @@ impl Trial {
             }
         };
         let start = Instant::now();
-        let found = solve(&scene);
+        let found = solve_within(&scene, self.budget);
         tried.seconds.push(("solve", start.elapsed().as_secs_f64()));
         tried.status = name(found.status);
         tried.reason = found.reason.clone().unwrap_or_default();
-        tried.work = share_of_budget(&found);
-        if let Err(how) = sane(&found) {
+        tried.work = found.plan.work as f64 / self.budget as f64;
+        if let Err(how) = sane(&found, self.budget) {
             tried.failure = Some(("sane", how));
             return tried;
         }
-        let case = Case { table: self.table.clone(), scene, found };
+        let case = Case { table: self.table.clone(), scene, found, budget: self.budget };
         if case.found.status != Status::Converged {
             return tried;
         }
@@ -187,13 +206,8 @@ fn name(status: Status) -> &'static str {
     }
 }
 
-/// Share of the budget of work that a solve took.
-fn share_of_budget(found: &Solution) -> f64 {
-    found.plan.work as f64 / slipzone::engine::BUDGET as f64
-}
-
-/// What must hold of every result, whatever its status.
-fn sane(found: &Solution) -> Result<(), String> {
+/// What must hold of every result, whatever its status, within a budget of work.
+fn sane(found: &Solution, budget: u64) -> Result<(), String> {
     if let Some(what) = first_not_finite(found) {
         return Err(what);
     }
@@ -206,6 +220,8 @@ fn sane(found: &Solution) -> Result<(), String> {
     let tolerance = found.scene.solver.tolerance.get();
     match (found.status, &found.reason, found.error.estimate) {
         (Status::Converged, None, Some(estimate)) if estimate <= tolerance => {}
+        // Nothing that is asked for has an error.
+        (Status::Converged, None, None) if found.error.each.is_empty() => {}
         (Status::Converged, reason, estimate) => {
             return Err(format!("converged to {estimate:?} at a tolerance of {tolerance:e}: {reason:?}"));
         }
@@ -219,8 +235,8 @@ fn sane(found: &Solution) -> Result<(), String> {
         return Err("the columns of the profile differ in length".into());
     }
     let budgets = if found.path.is_some() { 3.0 } else { 1.0 };
-    if share_of_budget(found) > budgets {
-        return Err(format!("{} times the budget of work: {:?}", share_of_budget(found), found.plan));
+    if found.plan.work as f64 > budgets * budget as f64 + OVERSHOT {
+        return Err(format!("more than the budget of {budget:.0e}: {:?}", found.plan));
     }
     Ok(())
 }
@@ -230,7 +246,7 @@ impl Case {
     fn other(&self, change: impl FnOnce(&mut Table)) -> Option<Solution> {
         let mut table = self.table.clone();
         change(&mut table);
-        parse(&table).ok().map(|scene| solve(&scene))
+        parse(&table).ok().map(|scene| solve_within(&scene, self.budget))
     }
 
     /// The same, where it is found.
@@ -277,7 +293,15 @@ fn number(solution: &Solution, path: &str) -> Option<f64> {
     }
 }
 
-/// Whether the numbers of two results agree within three estimates of both; `factor` is what each of the first is to be
+/// Numbers found so far that two results are apart in by more than three of their estimates, but by less than three
+/// tolerances: what is promised holds, what is said of the number is too good.
+pub(crate) static OPTIMISTIC: AtomicU64 = AtomicU64::new(0);
+
+fn tolerance(solution: &Solution) -> f64 {
+    solution.scene.solver.tolerance.get()
+}
+
+/// Whether the numbers of two results agree within three estimates of both, or at least within what was promised; `factor` is what each of the first is to be
 /// multiplied by.
 fn agree(found: &Solution, other: &Solution, factor: impl Fn(&str) -> f64) -> Result<(), String> {
     for path in Asked::NUMBERS {
@@ -289,8 +313,12 @@ fn agree(found: &Solution, other: &Solution, factor: impl Fn(&str) -> f64) -> Re
         let estimate = |solution: &Solution| solution.error.each.get(path).copied().unwrap_or(0.0);
         let error = (here / there - 1.0).abs();
         let allowed = 3.0 * (estimate(found) + estimate(other)) + ROUNDING;
-        // Written so that NaN fails.
-        if !(error <= allowed) {
+        let promised = 3.0 * (tolerance(found).max(estimate(found)) + tolerance(other).max(estimate(other)));
+        if error > allowed && error <= promised {
+            OPTIMISTIC.fetch_add(1, Ordering::Relaxed);
+            continue;
+        }
+        if error > allowed || error.is_nan() {
             return Err(format!(
                 "{path}: {here:e} against {there:e}, apart by {error:.1e}; estimates {:.1e} and {:.1e}",
                 estimate(found),

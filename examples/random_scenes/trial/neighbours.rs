@@ -29,7 +29,9 @@ pub(super) fn units(case: &Case, dice: &mut Dice) -> Result<bool, String> {
 /// Whether a neighbour that is not converged misses its tolerance by little.
 fn brink(found: &Solution, other: &Solution, what: &str) -> Result<bool, String> {
     let tolerance = found.scene.solver.tolerance.get();
-    if other.status == Status::NotConverged && other.error.estimate.is_some_and(|error| error < 30.0 * tolerance) {
+    let is_near = other.error.estimate.is_some_and(|error| error < 30.0 * tolerance);
+    let is_cut_off = other.reason.as_deref().is_some_and(|reason| reason.contains("than its budget"));
+    if other.status == Status::NotConverged && is_near || is_cut_off {
         return Ok(false);
     }
     Err(format!("converged, but {what}: {:?}, {:?}", other.status, other.reason))
@@ -184,7 +186,7 @@ pub(super) fn wider(case: &Case, dice: &mut Dice) -> Result<bool, String> {
     ] {
         let (Some(one), Some(more)) = (one, more) else { continue };
         // Against a datum the indentation may fall.
-        if !(more > one) && (what == "force" || case.scene.layer.datum.is_none()) {
+        if more <= one && (what == "force" || case.scene.layer.datum.is_none()) {
             return Err(format!("the {what} is {one:e} at {half_width}, {more:e} at a larger half-width"));
         }
     }
@@ -230,7 +232,7 @@ pub(super) fn curve(case: &Case, dice: &mut Dice) -> Result<bool, String> {
     let allowed = 3.0 * (curve.error.unwrap_or(0.0) + other.error.estimate.unwrap_or(0.0)) + ROUNDING;
     for (one, other, what) in pairs {
         let (Some(one), Some(other)) = (one, other) else { continue };
-        if !((one / other - 1.0).abs() <= allowed) {
+        if (one / other - 1.0).abs() > allowed {
             return Err(format!(
                 "{what} at {key} = {load:e}: {one:e} on the curve, {other:e} alone, allowed {allowed:.1e}"
             ));

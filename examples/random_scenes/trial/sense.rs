@@ -11,7 +11,11 @@ use toml::{Table, Value};
 pub(crate) fn make(dice: &mut Dice, scene: &mut Table) {
     let mut layer = take(scene, "layer");
     let base = kind(layer.get("base")).unwrap_or_else(|| "rigid".into());
-    let thickness = if dice.chance(0.7) { dice.log(1.0, 30.0) } else { dice.log(0.05, 1e4) };
+    let thickness = match dice.roll() {
+        roll if roll < 0.03 => dice.log(0.05, 1.0),
+        roll if roll < 0.85 => dice.log(1.0, 30.0),
+        _ => dice.log(1.0, 1e5),
+    };
     settle_layer(dice, &mut layer, &base, thickness);
 
     let mut punch = take(scene, "punch");
@@ -131,16 +135,19 @@ fn settle_grading(dice: &mut Dice, grading: &mut Table, thickness: f64) -> bool 
             let points: Vec<Value> = (0..rows).map(|i| row(dice, i)).collect();
             *grading = table([("type", "table".into()), ("points", points.into())]);
         }
-        Some("formula") => {}
+        // Other exponents are known to be refused, slowly.
+        Some("volume-fraction") => {
+            grading.insert("exponent".into(), (*dice.one_of(&[1.0, 1.0, 2.0, 2.0, 3.0])).into());
+        }
         // What is drawn near samples belongs to a layer of about 2.
-        Some(name) => {
+        Some(name) if name != "formula" => {
             let info = slipzone::api::find(slipzone::api::Family::Grading, name);
             if let Some(scaled) = info.and_then(|info| units::scaled(grading, info.parameters, [0.5 * thickness, 1.0]))
             {
                 *grading = scaled;
             }
         }
-        None => {}
+        _ => {}
     }
     false
 }
@@ -178,9 +185,10 @@ fn settle_load(dice: &mut Dice, load: &mut Table, shape: Option<&dyn PunchShape>
         allowed.push(("indentation", depth));
     }
     let (key, most) = *dice.one_of(&allowed);
-    if let Some(Value::Table(until)) = load.get_mut("until") {
+    let by_curve = dice.chance(0.25);
+    if let Some(Value::Table(until)) = load.get_mut("until").filter(|_| by_curve) {
         *until = table([(key, most.into()), ("points", 5.into())]);
-    } else if load.contains_key("path") {
+    } else if load.contains_key("path") && by_curve {
         let face = shape.map_or(0.0, PunchShape::face);
         let least = if key == "half_width" { face } else { 0.0 };
         let steps = dice.whole(1, 5);
@@ -207,5 +215,6 @@ fn settle_solver(dice: &mut Dice, solver: &mut Table) {
     if let Some(Value::Array(models)) = solver.get_mut("forbid") {
         models.retain(|model| model.as_str() != Some("full"));
     }
-    solver.insert("tolerance".into(), dice.log(1e-10, 1e-2).into());
+    let finest = if dice.chance(0.2) { 1e-10 } else { 1e-6 };
+    solver.insert("tolerance".into(), dice.log(finest, 1e-2).into());
 }

@@ -90,7 +90,8 @@ pub(super) fn reciprocity(case: &Case, _dice: &mut Dice) -> Result<bool, String>
         return Ok(false);
     };
     let shape = case.scene.punch.shape().map_err(|refusal| refusal.to_string())?;
-    if shape.fixed_half_width().is_some() || !is_narrow(case, b) {
+    // A datum moves by how the pressure is distributed.
+    if shape.fixed_half_width().is_some() || !is_narrow(case, b) || case.scene.layer.datum.is_some() {
         return Ok(false);
     }
     let (x, weights) = grid(&kinks(case, b).unwrap_or_default());
@@ -169,7 +170,7 @@ pub(super) fn energy(case: &Case, _dice: &mut Dice) -> Result<bool, String> {
     else {
         return Ok(false);
     };
-    if !is_narrow(case, b) {
+    if !is_narrow(case, b) || case.scene.layer.datum.is_some() {
         return Ok(false);
     }
     let Ok(model) = case.scene.layer.model() else { return Ok(false) };

@@ -1,6 +1,5 @@
 //! The same scene in other units. The dimension of a key is what its summary says in brackets.
 
-use super::formulas::names;
 use slipzone::api::{Family, Parameter, Values, find};
 use toml::{Table, Value};
 
@@ -26,7 +25,7 @@ pub(crate) fn scaled(table: &Table, keys: &[Parameter], factors: [f64; 2]) -> Op
 
 fn one_value(value: &Value, key: &Parameter, table: &Table, factors: [f64; 2]) -> Option<Value> {
     match (key.values, value) {
-        (Values::Text, Value::String(text)) if key.name != "file" => formula(text, key, table, factors),
+        (Values::Text, Value::String(text)) if key.name != "file" => Some(formula(text, key, table, factors)),
         // Of a formula, and in the units of its text.
         (Values::ByName(_), value) => Some(value.clone()),
         (values, value) => nested(value, values, key, table, factors),
@@ -79,8 +78,8 @@ fn progression(dimensions: &[Dimension], index: usize) -> Option<&Dimension> {
 }
 
 /// A formula of the same numbers in other units.
-fn formula(text: &str, key: &Parameter, table: &Table, factors: [f64; 2]) -> Option<Value> {
-    let lengths = ["x", "y", "h"];
+fn formula(text: &str, key: &Parameter, table: &Table, factors: [f64; 2]) -> Value {
+    let (lengths, length) = (["x", "y", "h"], format!("{:?}", factors[0]));
     let mut out = String::new();
     let mut word = String::new();
     for c in text.chars().chain([' ']) {
@@ -89,18 +88,17 @@ fn formula(text: &str, key: &Parameter, table: &Table, factors: [f64; 2]) -> Opt
             continue;
         }
         if lengths.contains(&word.as_str()) {
-            out += &format!("({word}/{:?})", factors[0]);
+            out.extend(["(", &word, "/", &length, ")"]);
         } else {
             out += &word;
         }
         word.clear();
         out.push(c);
     }
-    debug_assert!(!names(text).contains("_"));
     let dimension = dimensions(key.summary, table).first().copied().unwrap_or([0.0, 0.0]);
     let factor = factor(dimension, factors);
     let out = out.trim_end();
-    Some(if dimension == [0.0, 0.0] { out.into() } else { format!("{factor:?}*({out})").into() })
+    if dimension == [0.0, 0.0] { out.into() } else { format!("{factor:?}*({out})").into() }
 }
 
 /// The dimensions in the first brackets of a summary that hold some; a list of three goes on like an arithmetic sequence.
