@@ -3,7 +3,7 @@
 use super::{Cell, Ended};
 use crate::chart::method::middle;
 use crate::chart::{Errors, Measured, Method};
-use crate::engine::{Solution, Status, first_not_finite, solve};
+use crate::engine::{BUDGET, Solution, Status, first_not_finite, solve_within};
 use crate::scene::parse;
 use slipzone_api::Family;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -19,6 +19,9 @@ const JUDGES: [(&str, &str); 2] = [
 const NUMBERS: &str = "[output]\nquantities = [\"load\", \"edge\", \"stick\"]\n";
 /// A number of which a judge claims no less an error than this is not judged.
 const CREDIBLE: f64 = 1e-4;
+
+/// Work that a cell may take: a tenth of what a scene may, a second or so. Beyond it a method is refused, with that reason.
+const ENOUGH: u64 = BUDGET / 10;
 
 /// A way to solve: its name, its quadrature, its lines of `[solver]`.
 struct Way {
@@ -94,7 +97,7 @@ fn attempt(scene: &str, solver: &str) -> Result<Solution, Box<Cell>> {
     let lost = |ended, reason: String| Box::new(Cell::lost(ended, reason));
     let scene = parse("atlas", &format!("{scene}{NUMBERS}[solver]\n{solver}"))
         .map_err(|error| lost(Ended::Refused, error.to_string()))?;
-    let solution = catch_unwind(AssertUnwindSafe(|| solve(&scene)))
+    let solution = catch_unwind(AssertUnwindSafe(|| solve_within(&scene, ENOUGH)))
         .map_err(|_| lost(Ended::Panicked, "the program panicked; its message is on standard error".into()))?;
     if let Some(what) = first_not_finite(&solution) {
         return Err(lost(Ended::NotFinite, what));
