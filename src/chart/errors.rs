@@ -126,3 +126,41 @@ fn norm(solution: &Solution, expected: &Solution, column: Column) -> Option<f64>
     }
     (largest > 0.0).then_some(difference / largest)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::samples;
+
+    #[test]
+    fn each_number_is_compared_with_its_own() {
+        let expected = samples::flat_with_friction();
+        let mut found = expected.clone();
+        let none = Errors::between(&found, &expected);
+        assert_eq!((none.edge, none.stick, none.load), (Some(0.0), Some(0.0), Some(0.0)));
+        found.edge.stress_intensity = found.edge.stress_intensity.map(|k| 1.001 * k);
+        found.load.indentation = found.load.indentation.map(|depth| 1.01 * depth);
+        let stick = found.stick.as_mut().unwrap();
+        // The same distance of the zone's end is more of the slip zone than of the stick zone.
+        stick.ratio = stick.ratio.map(|ratio| ratio + 1e-4);
+        stick.one_minus_ratio = stick.one_minus_ratio.map(|rest| rest - 1e-4);
+        let off = Errors::between(&found, &expected);
+        let [edge, stick] = [off.edge.unwrap(), off.stick.unwrap()];
+        assert!((edge - 1e-3).abs() < 1e-12, "{edge}");
+        let stick_expected = expected.stick.unwrap();
+        let least = stick_expected.ratio.unwrap().min(stick_expected.one_minus_ratio.unwrap());
+        assert!((stick - 1e-4 / least).abs() < 1e-9, "{stick}");
+    }
+
+    #[test]
+    fn tractions_are_weighed_as_a_flat_punch_weighs_them() {
+        let mut expected = samples::flat_with_friction();
+        expected.load.half_width = Some(1.0);
+        expected.profile.x = vec![0.0, 0.6, 1.0];
+        expected.profile.pressure = vec![Some(1.0), Some(1.0), None];
+        let mut found = expected.clone();
+        found.profile.pressure[1] = Some(1.1);
+        let off = Errors::between(&found, &expected).pressure.unwrap();
+        assert!((off - 0.08).abs() < 1e-12, "0.1 sqrt(1 - 0.36), of a largest value of 1: {off}");
+    }
+}

@@ -230,3 +230,24 @@ fn spread(mut seconds: Vec<f64>) -> Option<Spread> {
     let (least, most) = (*seconds.first()?, *seconds.last()?);
     Some(Spread { least, median: seconds[seconds.len() / 2], most })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_claim_that_does_not_hold_is_wrong_unless_the_judges_leave_it_open() {
+        let edge = |error| Errors { edge: Some(error), ..Errors::default() };
+        assert!(is_wrong(&edge(1e-5), &edge(1e-8), &edge(1e-13)));
+        assert!(!is_wrong(&edge(2.9e-8), &edge(1e-8), &edge(1e-13)), "three estimates are allowed");
+        assert!(!is_wrong(&edge(1e-5), &edge(1e-8), &edge(1e-5)), "the judges are as far apart");
+        assert!(!is_wrong(&Errors { pressure: Some(1.0), ..Errors::default() }, &edge(1e-8), &edge(0.0)), "no claim");
+    }
+
+    #[test]
+    fn a_spread_has_its_median() {
+        let found = spread(vec![3.0, 1.0, 2.0]).unwrap();
+        assert_eq!((found.least, found.median, found.most), (1.0, 2.0, 3.0));
+        assert_eq!(spread(Vec::new()), None);
+    }
+}
