@@ -68,7 +68,7 @@ impl SlipGrid {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
         let for_kernel = (per_length * width) as usize;
         // In powers of two, so that a search changes grids rarely.
-        if for_kernel <= plain { plain } else { for_kernel.next_power_of_two().min(MOST_NODES) }
+        if for_kernel <= plain { plain } else { for_kernel.min(MOST_NODES).next_power_of_two() }
     }
 
     fn resize(&mut self, nodes: usize) {

@@ -232,7 +232,7 @@ pub(super) fn curve(case: &Case, dice: &mut Dice) -> Result<bool, String> {
     let allowed = 3.0 * (curve.error.unwrap_or(0.0) + other.error.estimate.unwrap_or(0.0)) + ROUNDING;
     for (one, other, what) in pairs {
         let (Some(one), Some(other)) = (one, other) else { continue };
-        if (one / other - 1.0).abs() > allowed {
+        if (one - other).abs() > allowed * other.abs() {
             return Err(format!(
                 "{what} at {key} = {load:e}: {one:e} on the curve, {other:e} alone, allowed {allowed:.1e}"
             ));

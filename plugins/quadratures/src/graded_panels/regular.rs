@@ -26,6 +26,9 @@ pub(super) struct Regular {
     moments: Vec<f64>,
 }
 
+/// Most pieces of a panel. A kernel that varies over less is not resolved, which differences between resolutions tell.
+const MOST_CUTS: usize = 1 << 14;
+
 impl Regular {
     /// Cuts the panels so that no piece is longer than the kernel's `length` allows, and hands out the pieces.
     pub(super) fn prepare(&mut self, layout: &Layout, half_width: f64, length: f64) -> &Pieces {
@@ -34,7 +37,7 @@ impl Regular {
             let longest = half_width * panel[1].sin() * (panel[1] - panel[0]);
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive, and saturates
             let cuts = (longest / (PIECE * length)).ceil() as usize;
-            cuts.max(1)
+            cuts.clamp(1, MOST_CUTS)
         };
         let cuts: Vec<usize> = layout.mesh.breaks.windows(2).map(cuts_of).collect();
         if self.pieces.is_none() || cuts != self.cuts {
