@@ -30,6 +30,12 @@
 //! | solve it | [`engine::solve`]; many at once, [`engine::solve_all`]; one after another on one layer, [`engine::Solver`] |
 //! | know beforehand how, or why not | [`engine::plan`], [`engine::refusal`] |
 //! | write it down | [`report::text()`], [`report::json()`], [`report::csv()`] |
+//! | draw it | [`report::svg()`], [`report::curve_svg()`], [`report::layer_svg()`] |
+//! | solve many that differ in a few fields | [`study::Study`], [`study::sweep()`] |
+//! | bound the work of a scene | [`engine::solve_within`], [`engine::BUDGET`] |
+//! | help someone to write a scene | [`scene::schema()`], [`scene::KEYS`] |
+//! | check the program | [`verify::run`], [`verify::GROUPS`] |
+//! | compare methods | [`chart::run`], [`chart::atlas`] |
 //! | list what a scene can name | [`link_plugins`], then [`api::plugins`] |
 //! | add a punch or a grading | [`api::PunchProfile`], [`api::Grading`], [`api::register`] |
 //!

@@ -19,7 +19,7 @@ const START: &str = "To begin with:
 Exit codes:
   0    done
   1    the result is written, but its status is not `converged` (of a sweep: that of
-       some scene); of verify: a check failed
+       some scene); of verify: a check failed; of chart: the program's own choice was wrong
   2    bad input: arguments, scene or study
   3    a file or the system failed
   130  interrupted
@@ -112,6 +112,7 @@ Exit codes:
   3  a file or the system failed";
 
 #[derive(Debug, Args)]
+#[command(after_help = VERIFY)]
 pub(super) struct Verify {
     /// Groups of checks to run; all when none is named
     #[arg(value_name = "GROUP")]
@@ -159,6 +160,19 @@ pub(super) struct Sweep {
     #[arg(long)]
     pub(super) fresh: bool,
 }
+const VERIFY: &str = "Examples:
+  slipzone verify
+  slipzone verify friction tables --all
+  slipzone verify --json
+
+An unknown group is answered with the names of all.
+
+Exit codes:
+  0  all passed
+  1  a check failed; it is printed
+  2  there is no such group
+  3  standard output cannot be written";
+
 #[derive(Debug, Args)]
 #[command(after_help = CHART)]
 pub(super) struct Chart {

@@ -180,7 +180,8 @@ fn datum(document: &Document, scene: &Scene) -> Result<(), SceneError> {
         return Err(document
             .error(document.key(&["layer", "datum"]), "a datum where the indentation is defined already")
             .found("`datum` over a base that does not move, or a solid that stiffens without end")
-            .expected("no `datum`: the indentation is counted from far below"));
+            .expected("no `datum`: the indentation is counted from the base, or from far below")
+            .hint("it is for `half-plane` bases and homogeneous `infinite` solids"));
     }
     Ok(())
 }
@@ -203,7 +204,8 @@ fn load(document: &Document, scene: &Scene) -> Result<(), SceneError> {
         Load::HalfWidth(_) if fixed.is_some() => Err(document
             .error(document.key(&place), "a half-width as load on a punch whose contact is fixed")
             .found("`half_width`, which the punch itself sets")
-            .expected("`force` or `indentation`")),
+            .expected("`force` or `indentation`")
+            .hint("press it with `force = ...`; its width is `punch.half_width`")),
         Load::HalfWidth(b) if b.get() > reach => Err(document
             .not_allowed(&place, format!("at most {reach}, where the punch's table ends"))
             .hint("give the table rows further out, or a smaller load")),
@@ -234,7 +236,7 @@ fn without_height(shape: &dyn PunchShape, half_width: f64) -> Option<f64> {
 fn friction(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     match scene.friction {
         Some(Friction::Goodman { coefficient, .. }) if coefficient.get() > 1e3 => Err(document
-            .not_allowed(&["friction", "coefficient"], "a number above 0 and up to 1e3")
+            .not_allowed(&["friction", "coefficient"], "a number above 0 and up to 1000")
             .hint("common coefficients lie between 0.05 and 1.5")),
         _ => Ok(()),
     }

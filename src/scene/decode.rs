@@ -94,6 +94,8 @@ fn explain(document: &Document, path: &Path, message: &str) -> SceneError {
         Complaint::OutOfRange { expected, found } => {
             blamed(document, &mut path, message);
             let error = document.not_allowed(&path, expected);
+            let is_friction = path == ["friction", "coefficient"];
+            let error = if is_friction { error.hint("a contact without friction has no [friction]") } else { error };
             if let Some(found) = found { error.found(found) } else { error }
         }
         Complaint::Other(words) => {
@@ -183,10 +185,31 @@ pub(crate) fn wrong_type(document: &Document, path: &[&str], expected: &str) -> 
         // A float may be written like an integer only with a point, so it must be named.
         Some(other) => format!("the {} {found}", other.type_str()),
     };
-    document
+    let text = document.value(path).and_then(|value| value.get_ref().as_str());
+    let error = document
         .error(document.best(path), format!("`{}` has the wrong type", dotted(path)))
         .found(found)
-        .expected(expected)
+        .expected(expected);
+    match text.and_then(|text| remedy(text.trim(), expected)) {
+        Some(hint) => error.hint(hint),
+        None => error,
+    }
+}
+
+/// What to write in place of a string.
+fn remedy(text: &str, expected: &str) -> Option<String> {
+    if expected.starts_with("a table with `type`") {
+        let is_name = !text.is_empty() && text.chars().all(|c| c.is_ascii_lowercase() || c == '-');
+        return is_name.then(|| format!("write {{ type = \"{text}\" }}, and the keys that it takes"));
+    }
+    if text.parse::<f64>().is_ok_and(f64::is_finite) {
+        return Some(format!("without quotes: {text}"));
+    }
+    let number = text.split_whitespace().next()?;
+    number
+        .parse::<f64>()
+        .is_ok_and(f64::is_finite)
+        .then(|| format!("the number alone, {number}; units are named in [units]"))
 }
 
 /// The family of plugins that a path of the scene holds; a grading may hold others.

@@ -152,10 +152,11 @@ impl<'a> Document<'a> {
         } else {
             format!("unknown key `{key}` in {}", self.section(path))
         };
-        self.error(self.key(&full), message)
-            .found(format!("`{}`", clip(key)))
-            .expected(one_of(known))
-            .nearest(key, known)
+        let error = self.error(self.key(&full), message).found(format!("`{}`", clip(key))).expected(one_of(known));
+        match meant(path, key, known) {
+            Some(hint) => error.hint(hint),
+            None => error.nearest(key, known),
+        }
     }
 
     /// The name of the table at a path, as it would be written.
@@ -222,6 +223,38 @@ pub(super) fn clip(text: &str) -> String {
 }
 
 /// A syntax error in the parser's words, cut into message and expectation.
+/// What a key means that another file, another place or a formula calls so; `known` are those of its table.
+fn meant(path: &[&str], key: &str, known: &[&str]) -> Option<String> {
+    const OF_STUDIES: [&str; 4] = ["scene", "axes", "plots", "find"];
+    const OF_SCENES: [&str; 4] = ["layer", "punch", "load", "friction"];
+    /// Symbols and usual names, and the keys that they stand for.
+    const SYMBOLS: [(&[&str], &str); 9] = [
+        (&["h"], "thickness"),
+        (&["nu"], "poisson"),
+        (&["P", "F", "load"], "force"),
+        (&["b", "a"], "half_width"),
+        (&["delta", "depth"], "indentation"),
+        (&["eta", "mu", "f"], "coefficient"),
+        (&["R"], "radius"),
+        (&["gamma"], "gradient"),
+        (&["tol"], "tolerance"),
+    ];
+    if path.is_empty() && key == "grading" && known.contains(&"layer") {
+        return Some("a grading belongs to the layer: [layer.grading]".into());
+    }
+    if path.is_empty() && OF_STUDIES.contains(&key) && known.contains(&"layer") {
+        return Some("this is a study: slipzone sweep FILE".into());
+    }
+    if path.is_empty() && OF_SCENES.contains(&key) && known.contains(&"scene") {
+        return Some("this is a scene: slipzone solve FILE".into());
+    }
+    if matches!(key, "young" | "E") && path.last() == Some(&"grading") {
+        return Some("Young's moduli are said once: `moduli = \"young\"` in [layer]".into());
+    }
+    let (_, name) = SYMBOLS.into_iter().find(|(symbols, name)| symbols.contains(&key) && known.contains(name))?;
+    Some(format!("write `{name}`"))
+}
+
 fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneError {
     let message = error.message().trim();
     let (what, expected) = match message.split_once(", expected ") {
@@ -247,11 +280,18 @@ fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneError {
             Some(c) => format!("`{}`", c.escape_debug()),
         },
     };
-    let is_decimal_comma = text
-        .split_at_checked(span.start)
-        .is_some_and(|(before, after)| after.starts_with(',') && before.ends_with(|c: char| c.is_ascii_digit()));
+    let around = text.split_at_checked(span.start);
+    let comma = around.and_then(|(before, after)| Some((before, after.strip_prefix(',')?)));
+    let is_decimal_comma = comma.is_some_and(|(before, after)| {
+        before.ends_with(|c: char| c.is_ascii_digit()) && after.starts_with(|c: char| c.is_ascii_digit())
+    });
+    let is_last = comma.is_some_and(|(_, after)| after.lines().next().is_none_or(|rest| rest.trim().is_empty()));
     let error = SceneError::at(name, text, span, format!("not valid TOML: {what}"))
         .found(found)
         .expected(expected.unwrap_or("a line of TOML such as `key = value` or `[section]`"));
-    if is_decimal_comma { error.hint("decimals are written with a point, as in 5.0") } else { error }
+    match (is_decimal_comma, is_last) {
+        (true, _) => error.hint("decimals are written with a point, as in 5.0"),
+        (_, true) => error.hint("outside of [ ] and { } a line ends without a comma"),
+        _ => error,
+    }
 }
