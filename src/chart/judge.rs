@@ -17,12 +17,14 @@ pub struct Judge {
 
 /// Both: double-exponential sinc functions of the whole contact, and polynomials on panels that shrink towards its ends.
 /// The first takes the flexibility that serves every layer and lets the kernel's series begin where it chooses, the second
-/// has it begin elsewhere, where it can.
+/// has it begin elsewhere, where it can. Coarser ones follow for contacts that grow: they are many contacts in one, and the
+/// first would exceed the budget of work.
 const JUDGES: [(&str, &[&str]); 2] = [
     (
         "de-sinc",
         &[
             "quadrature = { type = \"de-sinc\", n = 192 }\nkernel = { type = \"split\" }\nflexibility = { type = \"compliance\" }\n",
+            "quadrature = { type = \"de-sinc\", n = 96 }\nkernel = { type = \"split\" }\nflexibility = { type = \"compliance\" }\n",
         ],
     ),
     (
@@ -30,6 +32,7 @@ const JUDGES: [(&str, &[&str]); 2] = [
         &[
             "quadrature = { type = \"graded-panels\", nodes = 16, panels = 24 }\nkernel = { type = \"split\", cutoff = 40.0 }\n",
             "quadrature = { type = \"graded-panels\", nodes = 16, panels = 24 }\nkernel = { type = \"split\" }\n",
+            "quadrature = { type = \"graded-panels\", nodes = 12, panels = 6 }\nkernel = { type = \"split\" }\n",
         ],
     ),
 ];
@@ -43,7 +46,7 @@ pub(super) fn output() -> String {
     format!("[output]\nx = [{}]\n", x.join(", "))
 }
 
-/// The judges of a scene. Where the second refuses the finer kernel it takes the one that the strategy chooses.
+/// The judges of a scene: the first attempt of each that tells six digits.
 pub(super) fn pair(scene: &Charted) -> [Judge; 2] {
     JUDGES.map(|(quadrature, attempts)| {
         let attempt = |lines: &&str| {
