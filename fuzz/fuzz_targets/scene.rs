@@ -1,0 +1,5 @@
+//! `cargo fuzz run scene`, as docs/random-scenes.md has it.
+
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| slipzone_fuzz::scene(bytes));
