@@ -13,7 +13,6 @@ pub use maps::ALL;
 use super::{Effort, Ended};
 use rayon::prelude::*;
 use serde::Serialize;
-use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -189,16 +188,4 @@ pub fn summary(sheets: &[Sheet]) -> String {
         }
     }
     text
-}
-
-/// The reasons of cells without numbers, and how often each is given, numbers in them left out.
-#[must_use]
-pub fn reasons(sheets: &[Sheet]) -> BTreeMap<String, usize> {
-    let mut all = BTreeMap::new();
-    let lost = sheets.iter().flat_map(|sheet| &sheet.methods).flat_map(|mapped| &mapped.cells);
-    for cell in lost.filter(|cell| !cell.ended.has_numbers()) {
-        let reason = cell.reason.as_deref().unwrap_or("no reason").to_owned();
-        *all.entry(reason).or_insert(0) += 1;
-    }
-    all
 }

@@ -21,7 +21,6 @@ pub use measure::{Ended, Run, Spread};
 pub use method::{Method, Setting};
 pub use scenes::{ALL, Charted};
 
-use crate::engine::{Status, solve};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -132,10 +131,4 @@ pub fn summary(charts: &[Chart]) -> String {
         );
     }
     text
-}
-
-/// Whether a scene's own methods solve it, for tests of the list.
-#[must_use]
-pub fn is_solved(scene: &Charted) -> bool {
-    scene.parsed("").is_ok_and(|scene| solve(&scene).status == Status::Converged)
 }
