@@ -18,7 +18,7 @@ impl Files for Bytes<'_> {
 pub fn scene(bytes: &[u8]) {
     let text = match slipzone::scene::text("fuzz.toml", bytes.to_vec()) {
         Ok(text) => text,
-        Err(error) => return told(&error, ""),
+        Err(error) => return told(&error, &String::from_utf8_lossy(bytes)),
     };
     match slipzone::scene::parse_with("fuzz.toml", &text, &Bytes(bytes)) {
         Ok(scene) => drop(slipzone::engine::plan(&scene)),
@@ -60,10 +60,12 @@ pub fn formula(bytes: &[u8]) {
 /// Bytes as a table of numbers.
 pub fn table(bytes: &[u8]) {
     let columns = Columns { count: 2..=3, number: "two or three", names: "x and height" };
-    let read = of_file("fuzz.csv", &Bytes(bytes), &columns, |row: &[f64]| -> Result<(), Wrong> {
-        assert!(row.iter().all(|number| number.is_finite()));
+    // Who takes the rows checks their range, and refuses what overflowed: `4e2053` is infinite here.
+    let take = |row: &[f64]| -> Result<(), Wrong> {
+        assert!((2..=3).contains(&row.len()));
         Ok(())
-    });
+    };
+    let read = of_file("fuzz.csv", &Bytes(bytes), &columns, take);
     if let Err(fault) = read {
         assert!(!fault.message.is_empty());
     }
