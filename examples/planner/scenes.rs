@@ -121,30 +121,10 @@ pub(crate) fn scene(dice: &mut Dice) -> String {
 pub(crate) const ALL_BUT_DEPTH: &str =
     "quantities = [\"load.force\", \"load.half_width\", \"pressure\", \"edge\", \"stick\"]";
 
-/// A number of the result by its path; `None` where there is none.
-pub(crate) fn number(solution: &Solution, path: &str) -> Option<f64> {
-    let stick = solution.stick.as_ref();
-    match path {
-        "load.force" => solution.load.force,
-        "load.half_width" => solution.load.half_width,
-        "load.indentation" => solution.load.indentation,
-        "pressure.centre" => solution.pressure.centre,
-        "pressure.mean" => solution.pressure.mean,
-        "pressure.peak" => solution.pressure.peak,
-        "edge.stress_intensity" => solution.edge.stress_intensity,
-        "edge.ratio" => solution.edge.ratio,
-        "stick.half_width" => stick?.half_width,
-        "stick.ratio" => stick?.ratio,
-        "stick.one_minus_ratio" => stick?.one_minus_ratio,
-        "stick.strain_rate" => stick?.strain_rate,
-        _ => panic!("no number is called {path}"),
-    }
-}
-
 /// Relative differences of the numbers of two solutions, each with what the first says of its error.
 pub(crate) fn differences(found: &Solution, exact: &Solution) -> Vec<(&'static str, f64, f64)> {
     let both = |path: &'static str| {
-        let (here, exact) = (number(found, path)?, number(exact, path)?);
+        let (here, exact) = (found.number(path)?, exact.number(path)?);
         let error = if exact == 0.0 { here.abs() } else { (here / exact - 1.0).abs() };
         Some((path, error, *found.error.each.get(path)?))
     };

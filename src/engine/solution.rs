@@ -150,6 +150,28 @@ pub struct Profile {
 }
 
 impl Solution {
+    /// A number by its path in the result, one of [`Asked::NUMBERS`](crate::scene::Asked::NUMBERS) such as `stick.ratio`;
+    /// `None` where it does not exist or was not asked for.
+    #[must_use]
+    pub fn number(&self, path: &str) -> Option<f64> {
+        let stick = self.stick.as_ref();
+        match path {
+            "load.force" => self.load.force,
+            "load.half_width" => self.load.half_width,
+            "load.indentation" => self.load.indentation,
+            "pressure.centre" => self.pressure.centre,
+            "pressure.mean" => self.pressure.mean,
+            "pressure.peak" => self.pressure.peak,
+            "edge.stress_intensity" => self.edge.stress_intensity,
+            "edge.ratio" => self.edge.ratio,
+            "stick.half_width" => stick?.half_width,
+            "stick.ratio" => stick?.ratio,
+            "stick.one_minus_ratio" => stick?.one_minus_ratio,
+            "stick.strain_rate" => stick?.strain_rate,
+            _ => None,
+        }
+    }
+
     /// A solution without numbers: everything that the scene alone tells, and the reason.
     pub(crate) fn refused(scene: &Scene, plan: Plan, reason: String) -> Self {
         Self {
@@ -205,4 +227,25 @@ fn assumptions(scene: &Scene) -> Vec<String> {
     let common = "linear elasticity, small strains, rigid punch, symmetric normal load";
     let parts = [plane, base, &depths, friction, common].into_iter().filter(|part| !part.is_empty());
     parts.map(String::from).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::report::samples;
+    use crate::scene::Asked;
+
+    /// Each path leads to its own number: to what the JSON of the result has there.
+    #[test]
+    fn numbers_are_found_by_their_paths() {
+        let mut solution = samples::flat_with_friction();
+        if let Some(stick) = &mut solution.stick {
+            stick.strain_rate = Some(0.25);
+        }
+        let json = serde_json::to_value(&solution).unwrap();
+        for path in Asked::NUMBERS {
+            let pointer = format!("/{}", path.replace('.', "/"));
+            assert_eq!(solution.number(path), json.pointer(&pointer).unwrap().as_f64(), "{path}");
+        }
+        assert_eq!(solution.number("edge.radius"), None);
+    }
 }

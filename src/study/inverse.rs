@@ -87,7 +87,7 @@ impl Question<'_> {
         let size = if matches!(self.find.wanted, Wanted::HalfPlaneWithin(_)) {
             2.0 // relative to the half-plane's number, which has an error of its own
         } else {
-            self.number(&solution).map_or(1.0, f64::abs)
+            solution.number(&self.find.quantity).map_or(1.0, f64::abs)
         };
         let moved = match (moved, self.slope(at)) {
             (Moved::BySlope(_), Some(slope)) => Moved::BySlope(slope),
@@ -220,14 +220,15 @@ impl Question<'_> {
 
     fn excess(&self, at: f64) -> Result<f64, String> {
         let solution = self.solution(self.value(at), true)?;
-        let number = self.number(&solution).ok_or_else(|| format!("{} is undefined", self.find.quantity))?;
+        let number =
+            solution.number(&self.find.quantity).ok_or_else(|| format!("{} is undefined", self.find.quantity))?;
         Ok(match self.find.wanted {
             Wanted::Target(target) => number - target,
             Wanted::Minimum => number,
             Wanted::Maximum => -number,
             Wanted::HalfPlaneWithin(share) => {
                 let plane = solve(&half_plane(&solution.scene)?);
-                let reference = self.number(&plane).filter(|reference| *reference != 0.0);
+                let reference = plane.number(&self.find.quantity).filter(|reference| *reference != 0.0);
                 let reference = reference
                     .ok_or_else(|| format!("{} has no value on a half-plane to compare with", self.find.quantity))?;
                 (number / reference - 1.0).abs() - share
@@ -251,10 +252,6 @@ impl Question<'_> {
         }
         let why = solution.reason.unwrap_or_else(|| "it does not converge".into());
         Err(format!("{} = {value:?}: {why}", self.find.field))
-    }
-
-    fn number(&self, solution: &Solution) -> Option<f64> {
-        Record::solved(self.study, self.row, solution.clone()).number(&self.find.quantity)
     }
 }
 

@@ -158,23 +158,20 @@ pub(super) fn has(family: Family, name: &str) -> bool {
     slipzone_api::find(family, name).is_some()
 }
 
-/// The numbers of a solution that are not given by the scene, by their path.
+/// The numbers of a solution that are compared, by their path.
 pub(super) fn numbers(solution: &Solution) -> Vec<(&'static str, f64)> {
-    let stick = solution.stick.as_ref();
+    const COMPARED: [&str; 7] = [
+        "load.force",
+        "load.half_width",
+        "load.indentation",
+        "pressure.centre",
+        "edge.ratio",
+        "stick.ratio",
+        "stick.one_minus_ratio",
+    ];
+    let known = COMPARED.into_iter().filter_map(|path| Some((path, solution.number(path)?)));
     // A smooth edge has the factor 0, which has no relative error.
-    let ratio = solution.edge.ratio.filter(|ratio| *ratio != 0.0);
-    [
-        ("load.force", solution.load.force),
-        ("load.half_width", solution.load.half_width),
-        ("load.indentation", solution.load.indentation),
-        ("pressure.centre", solution.pressure.centre),
-        ("edge.ratio", ratio),
-        ("stick.ratio", stick.and_then(|s| s.ratio)),
-        ("stick.one_minus_ratio", stick.and_then(|s| s.one_minus_ratio)),
-    ]
-    .into_iter()
-    .filter_map(|(path, value)| Some((path, value?)))
-    .collect()
+    known.filter(|(path, value)| *path != "edge.ratio" || *value != 0.0).collect()
 }
 
 /// One of them.

@@ -6,7 +6,6 @@
 mod scenes;
 
 use crate::sketch::Sketch;
-pub(crate) use scenes::number;
 use scenes::{ALL_BUT_DEPTH, Dice, differences, scene};
 use slipzone::api::Positive;
 use slipzone::engine::{Layer, Solution, Solver, Status, solve};

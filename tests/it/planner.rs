@@ -1,6 +1,5 @@
 //! No more is computed than a scene asks for.
 
-use crate::planned::number;
 use crate::sketch::Sketch;
 use serde::{Deserialize, Serialize};
 use slipzone::api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal};
@@ -85,7 +84,7 @@ fn what_is_asked_for_is_all_there_is_and_agrees() {
             let solution = solve(&scene);
             assert_eq!(solution.status, Status::Converged, "{name}, {asked}: {:?}", solution.reason);
             for path in &numbers {
-                let (found, exact) = (number(&solution, path), number(&full, path));
+                let (found, exact) = (solution.number(path), full.number(path));
                 if !scene.output.asks(path) {
                     assert_eq!(found, None, "{name}: {path} beside {asked}");
                     assert!(!solution.error.each.contains_key(*path), "{name}: {path} beside {asked}");
@@ -206,7 +205,7 @@ fn all_groups_are_the_full_answer_bit_for_bit() {
         let full = sketch.solve();
         let named = solve(&asking(&sketch, &["load", "pressure", "edge", "stick", "profile"]));
         for path in Asked::NAMES.into_iter().filter(|name| name.contains('.')) {
-            assert_eq!(number(&full, path).map(f64::to_bits), number(&named, path).map(f64::to_bits), "{name}: {path}");
+            assert_eq!(full.number(path).map(f64::to_bits), named.number(path).map(f64::to_bits), "{name}: {path}");
         }
         assert_eq!(full.error.each, named.error.each, "{name}");
         assert_eq!(full.profile.pressure, named.profile.pressure, "{name}");

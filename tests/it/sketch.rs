@@ -96,16 +96,8 @@ impl Sketch {
 
 /// The numbers of a solution that are not given by the scene, by their path.
 pub(crate) fn numbers(solution: &Solution) -> Vec<(&'static str, f64)> {
-    let stick = solution.stick.as_ref();
-    [
-        ("load.force", solution.load.force),
-        ("load.indentation", solution.load.indentation),
-        ("pressure.centre", solution.pressure.centre),
-        ("edge.ratio", solution.edge.ratio),
-        ("stick.ratio", stick.and_then(|s| s.ratio)),
-        ("stick.one_minus_ratio", stick.and_then(|s| s.one_minus_ratio)),
-    ]
-    .into_iter()
-    .filter_map(|(path, value)| Some((path, value?)))
-    .collect()
+    ["load.force", "load.indentation", "pressure.centre", "edge.ratio", "stick.ratio", "stick.one_minus_ratio"]
+        .into_iter()
+        .filter_map(|path| Some((path, solution.number(path)?)))
+        .collect()
 }

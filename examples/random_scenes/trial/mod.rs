@@ -273,26 +273,6 @@ fn write_all(table: &mut Table, x: &[f64]) {
     set(table, &["output", "x"], x.to_vec());
 }
 
-/// A number of a result by its path.
-fn number(solution: &Solution, path: &str) -> Option<f64> {
-    let stick = solution.stick.as_ref();
-    match path {
-        "load.force" => solution.load.force,
-        "load.half_width" => solution.load.half_width,
-        "load.indentation" => solution.load.indentation,
-        "pressure.centre" => solution.pressure.centre,
-        "pressure.mean" => solution.pressure.mean,
-        "pressure.peak" => solution.pressure.peak,
-        "edge.stress_intensity" => solution.edge.stress_intensity,
-        "edge.ratio" => solution.edge.ratio,
-        "stick.half_width" => stick?.half_width,
-        "stick.ratio" => stick?.ratio,
-        "stick.one_minus_ratio" => stick?.one_minus_ratio,
-        "stick.strain_rate" => stick?.strain_rate,
-        _ => None,
-    }
-}
-
 /// Numbers found so far that two results are apart in by more than three of their estimates, but by less than three
 /// tolerances: what is promised holds, what is said of the number is too good.
 pub(crate) static OPTIMISTIC: AtomicU64 = AtomicU64::new(0);
@@ -301,11 +281,11 @@ fn tolerance(solution: &Solution) -> f64 {
     solution.scene.solver.tolerance.get()
 }
 
-/// Whether the numbers of two results agree within three estimates of both, or at least within what was promised; `factor` is what each of the first is to be
-/// multiplied by.
+/// Whether the numbers of two results agree within three estimates of both, or at least within what was promised; `factor`
+/// is what each of the first is to be multiplied by.
 fn agree(found: &Solution, other: &Solution, factor: impl Fn(&str) -> f64) -> Result<(), String> {
     for path in Asked::NUMBERS {
-        let (Some(here), Some(there)) = (number(found, path), number(other, path)) else { continue };
+        let (Some(here), Some(there)) = (found.number(path), other.number(path)) else { continue };
         let here = here * factor(path);
         if here == 0.0 && there == 0.0 {
             continue;
