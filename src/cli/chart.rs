@@ -3,11 +3,9 @@
 use super::args::Chart;
 use super::named::named;
 use super::output::{self, Target};
-use super::{Failure, Outcome, interrupt, print};
-use indicatif::{ProgressBar, ProgressStyle};
+use super::{Failure, Outcome, interrupt, print, progress};
 use slipzone::chart::{self, Effort, atlas};
 use slipzone::report;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 pub(super) fn run(arguments: &Chart) -> Result<Outcome, Failure> {
@@ -19,7 +17,7 @@ pub(super) fn run(arguments: &Chart) -> Result<Outcome, Failure> {
             return list(maps.iter().map(|map| (map.name, map.about)));
         }
         let folder = folder(arguments.out.as_deref(), "atlas")?;
-        let bar = bar("cells");
+        let bar = progress::bar(1, "cells");
         let sheets = atlas::run(&maps, effort, &|progress| {
             bar.set_length(progress.all as u64);
             bar.inc(1);
@@ -32,11 +30,11 @@ pub(super) fn run(arguments: &Chart) -> Result<Outcome, Failure> {
         return list(scenes.iter().map(|scene| (scene.name, scene.about)));
     }
     let folder = folder(arguments.out.as_deref(), "chart")?;
-    let bar = bar("solves");
+    let bar = progress::bar(1, "solves");
     let charts = chart::run(&scenes, effort, &mut |progress| {
         bar.set_length(progress.all as u64);
         bar.set_position(progress.done as u64);
-        bar.set_message(progress.scene.to_owned());
+        bar.set_message(format!(" ({})", progress.scene));
     });
     bar.finish_and_clear();
     finish(&folder, chart_files(&charts), &chart::summary(&charts), chart::is_sound(&charts))
@@ -55,21 +53,10 @@ fn folder(out: Option<&Path>, default: &str) -> Result<PathBuf, Failure> {
         output::named("--out", out, "a folder called `-` is `./-`")?;
     }
     let folder = out.map_or_else(|| PathBuf::from(default), Path::to_path_buf);
-    fs::create_dir_all(&folder)
-        .map_err(|error| Failure::System(format!("cannot make the folder {}: {error}", folder.display())))?;
+    output::make_folder(&folder)?;
     Target::new(&folder.join("index.html"))?;
     interrupt::say(|| "interrupted: nothing is written".into());
     Ok(folder)
-}
-
-/// On a terminal only.
-fn bar(what: &str) -> ProgressBar {
-    let bar = ProgressBar::new(1);
-    let style = ProgressStyle::with_template(&format!(
-        "{{wide_bar}} {{human_pos}} of {{human_len}} {what} {{msg}}, {{eta}} left"
-    ));
-    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    bar
 }
 
 fn chart_files(charts: &[chart::Chart]) -> Vec<(String, String)> {

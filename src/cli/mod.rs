@@ -14,6 +14,7 @@ mod named;
 mod output;
 mod plugins;
 mod print;
+mod progress;
 mod schema;
 mod solve;
 mod sweep;

@@ -191,6 +191,12 @@ fn exists(path: &Path) -> Failure {
     Failure::Usage(format!("{} is there already", path.display()), Some(hint.into()))
 }
 
+/// Makes a folder, and those around it, where there is none.
+pub(super) fn make_folder(folder: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(folder)
+        .map_err(|error| Failure::System(format!("cannot make the folder {}: {error}", folder.display())))
+}
+
 /// Refuses standard output where a file is needed; the hint says what else there is.
 pub(super) fn named(option: &str, path: &Path, hint: &str) -> Result<(), Failure> {
     if is_dash(path) {

@@ -4,13 +4,11 @@ use super::args::Sweep;
 use super::input::{self, is_dash};
 use super::journal::Journal;
 use super::output::{self, Target};
-use super::{Failure, Outcome, interrupt, print};
-use indicatif::{ProgressBar, ProgressStyle};
+use super::{Failure, Outcome, interrupt, print, progress};
 use slipzone::report::{self, StudyTable};
 #[cfg(feature = "plot")]
 use slipzone::study::Plot;
 use slipzone::study::{Study, sweep};
-use std::fs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -25,8 +23,7 @@ pub(super) fn run(arguments: &Sweep) -> Result<Outcome, Failure> {
     }
     let study = input::study(&arguments.study)?;
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.study));
-    fs::create_dir_all(&folder)
-        .map_err(|error| Failure::System(format!("cannot make the folder {}: {error}", folder.display())))?;
+    output::make_folder(&folder)?;
     let table = Target::new(&folder.join("results.csv"))?;
     let lines = Target::new(&folder.join("results.jsonl"))?;
     #[cfg(feature = "plot")]
@@ -68,8 +65,7 @@ fn solve(study: &Study, journal: &mut Journal, folder: &Path) -> Result<(), Fail
         let finished = seen.load(Ordering::Relaxed);
         format!("interrupted: {finished} of {rows} scenes are safe in {shown}; the same command goes on from there")
     });
-    let bar = ProgressBar::new(rows).with_position(before);
-    bar.set_style(style());
+    let bar = progress::bar(rows, "scenes").with_position(before);
     bar.reset_eta();
     let done = journal.tally().clone();
     let mut failure = None;
@@ -99,12 +95,6 @@ fn solve(study: &Study, journal: &mut Journal, folder: &Path) -> Result<(), Fail
         }
         Some(other) => Err(other),
     }
-}
-
-/// A bar with what is left to do and how long that will take; on a terminal only.
-fn style() -> ProgressStyle {
-    ProgressStyle::with_template("{wide_bar} {human_pos} of {human_len} scenes, {eta} left")
-        .unwrap_or_else(|_| ProgressStyle::default_bar())
 }
 
 /// The records in the order of the study, as a table and as JSON lines: both or neither.

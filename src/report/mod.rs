@@ -12,6 +12,7 @@ mod curve_csv;
 mod json;
 mod labels;
 mod number;
+mod page;
 mod scene_line;
 mod study_table;
 #[cfg(feature = "plot")]
