@@ -28,7 +28,7 @@ pub(super) fn promised(method: &str) -> Within {
 }
 
 /// The response of a layer by a flexibility's table.
-pub(super) fn respond(layer: &str, flexibility: &str) -> Result<Box<dyn LayerResponse>, String> {
+pub(crate) fn respond(layer: &str, flexibility: &str) -> Result<Box<dyn LayerResponse>, String> {
     let scene = Contact::flat(layer).by(Family::Flexibility, flexibility).scene()?;
     response(&scene).map_err(|refusal| refusal.to_string())
 }
@@ -40,7 +40,7 @@ pub(super) fn compliance(layer: &str) -> Result<Box<dyn LayerResponse>, String> 
 
 /// Largest difference: `vv` and `uu` relative to themselves, `uv`, which may pass through zero, to their mean. NaN is
 /// infinite.
-pub(super) fn distance(found: SurfaceFlexibility, expected: SurfaceFlexibility) -> f64 {
+pub(crate) fn distance(found: SurfaceFlexibility, expected: SurfaceFlexibility) -> f64 {
     let SurfaceFlexibility { vv, uu, uv } = expected;
     worst([found.vv / vv - 1.0, found.uu / uu - 1.0, (found.uv - uv) / (vv * uu).sqrt()])
 }

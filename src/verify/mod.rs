@@ -18,7 +18,7 @@
 mod check;
 mod contact;
 mod groups;
-mod layers;
+pub(crate) mod layers;
 mod references;
 
 pub use check::{Check, Measure, Value};

@@ -1,8 +1,7 @@
 //! Flexibilities of one surface by every method.
 
 use super::{Cell, Ended};
-use crate::engine::response;
-use crate::scene::parse;
+use crate::verify::layers::{distance, respond};
 use slipzone_api::{Family, SurfaceFlexibility, plugins};
 
 /// The method that judges the others, and the one that judges it: by the roots of the characteristic equation, and by a
@@ -21,41 +20,26 @@ fn methods() -> impl Iterator<Item = &'static str> {
 
 /// A cell for each method.
 pub(super) fn cells((wave, layer): &(f64, String)) -> Vec<Cell> {
-    let judges = JUDGES.map(|method| surface(layer, method, *wave));
-    let cell = |method: &'static str| {
-        let found = match surface(layer, method, *wave) {
-            Ok(found) => found,
+    let surface = |method: &str| -> Result<SurfaceFlexibility, String> {
+        let response = respond(layer, &format!("{{ type = {method:?} }}"))?;
+        response.surface(*wave).map_err(|refusal| refusal.to_string())
+    };
+    let found: Vec<_> = methods().map(|method| (method, surface(method))).collect();
+    let by = |name: &str| found.iter().find(|(method, _)| *method == name).and_then(|(_, found)| found.clone().ok());
+    let judges = JUDGES.map(by);
+    let cell = |(method, surface): &(&str, Result<SurfaceFlexibility, String>)| {
+        let surface = match surface {
+            Ok(surface) => *surface,
             Err(refusal) => return Cell::lost(Ended::Refused, refusal),
         };
-        let judge = if method == JUDGES[0] { &judges[1] } else { &judges[0] };
-        let off = judge.as_ref().ok().map(|right| distance(found, *right));
-        if off.is_some_and(f64::is_nan) {
+        let judge = judges[usize::from(*method == JUDGES[0])];
+        let off = judge.map(|right| distance(surface, right));
+        if off == Some(f64::INFINITY) {
             return Cell::lost(Ended::NotFinite, "a flexibility is not finite");
         }
         let digits = off.map(|off| -off.max(1e-16).log10());
         let wrong = digits.is_some_and(|digits| digits < PROMISED);
         Cell { ended: Ended::Converged, wrong, digits, claimed: None, reason: None }
     };
-    methods().map(cell).collect()
-}
-
-fn surface(layer: &str, method: &str, wave: f64) -> Result<SurfaceFlexibility, String> {
-    let scene = format!(
-        "format = 1\n[layer]\n{layer}\n[punch]\ntype = \"flat\"\nhalf_width = 1.0\n[load]\nforce = 1.0\n\
-         [solver]\nflexibility = {{ type = \"{method}\" }}\n"
-    );
-    let scene = parse("atlas", &scene).map_err(|error| error.to_string())?;
-    let response = response(&scene).map_err(|refusal| refusal.to_string())?;
-    response.surface(wave).map_err(|refusal| refusal.to_string())
-}
-
-/// `vv` and `uu` relative to themselves, `uv`, which passes through zero, to their mean; NaN where one is.
-fn distance(found: SurfaceFlexibility, right: SurfaceFlexibility) -> f64 {
-    let SurfaceFlexibility { vv, uu, uv } = right;
-    let all = [found.vv / vv - 1.0, found.uu / uu - 1.0, (found.uv - uv) / (vv * uu).sqrt()];
-    if all.iter().any(|error| error.is_nan()) {
-        f64::NAN
-    } else {
-        all.iter().fold(0.0, |most, error| most.max(error.abs()))
-    }
+    found.iter().map(cell).collect()
 }
