@@ -1,5 +1,6 @@
 //! The bound of the work that a scene may take: counted, so that it is the same on every machine.
 
+use super::work::elimination;
 use slipzone_api::Refusal;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -77,7 +78,7 @@ impl Meter {
     /// Takes note of a system of so many equations and right-hand sides that is to be solved; refuses it where it would
     /// exceed the budget.
     pub(super) fn system(&self, n: usize, right: usize) -> Result<(), Refusal> {
-        self.count_multiplications(n * n * n / 3 + right * n * n);
+        self.multiplied.fetch_add(elimination(n, right), Ordering::Relaxed);
         self.within()
     }
 

@@ -9,7 +9,7 @@ use crate::scene::Scene;
 use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal};
 use std::sync::Arc;
 
-/// Wave numbers that a strategy counts as having asked for before it gives up: a twentieth of the budget.
+/// Wave numbers that a strategy counts as having asked for before it gives up: a fortieth of the budget.
 const GIVEN_UP: usize = 50_000;
 
 /// All kernels: first the depth, which not every base defines, then what the pressure needs, then what friction adds.

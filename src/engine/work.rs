@@ -18,10 +18,15 @@ pub(crate) struct Work {
 impl Work {
     /// Adds one system of `n` equations.
     pub(crate) fn count(&mut self, n: usize, right: usize) {
-        let (n, right) = (n as u64, right as u64);
         self.factorisations += 1;
-        self.operations += n * n * n / 3 + right * n * n;
+        self.operations += elimination(n, right);
     }
+}
+
+/// Multiplications in eliminating `n` equations with so many right-hand sides.
+pub(super) fn elimination(n: usize, right: usize) -> u64 {
+    let (n, right) = (n as u64, right as u64);
+    n * n * n / 3 + right * n * n
 }
 
 impl Add for Work {
