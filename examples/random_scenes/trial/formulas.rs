@@ -116,6 +116,11 @@ impl Files for Examples {
 
 /// A formula with another text in place of a name.
 pub(crate) fn replaced(text: &str, name: &str, by: &str) -> String {
+    with_words(text, |word| (word == name).then(|| by.to_owned()))
+}
+
+/// A formula with another text in place of some of its names and numbers.
+pub(crate) fn with_words(text: &str, instead: impl Fn(&str) -> Option<String>) -> String {
     let mut out = String::new();
     let mut word = String::new();
     for c in text.chars().chain([' ']) {
@@ -123,7 +128,7 @@ pub(crate) fn replaced(text: &str, name: &str, by: &str) -> String {
             word.push(c);
             continue;
         }
-        out += if word == name { by } else { &word };
+        out += instead(&word).as_ref().unwrap_or(&word);
         word.clear();
         out.push(c);
     }

@@ -1,5 +1,6 @@
 //! The same scene in other units. The dimension of a key is what its summary says in brackets.
 
+use super::formulas::with_words;
 use slipzone::api::{Family, Parameter, Values, find};
 use toml::{Table, Value};
 
@@ -79,25 +80,10 @@ fn progression(dimensions: &[Dimension], index: usize) -> Option<&Dimension> {
 
 /// A formula of the same numbers in other units.
 fn formula(text: &str, key: &Parameter, table: &Table, factors: [f64; 2]) -> Value {
-    let (lengths, length) = (["x", "y", "h"], format!("{:?}", factors[0]));
-    let mut out = String::new();
-    let mut word = String::new();
-    for c in text.chars().chain([' ']) {
-        if c.is_alphanumeric() || c == '_' || c == '.' {
-            word.push(c);
-            continue;
-        }
-        if lengths.contains(&word.as_str()) {
-            out.extend(["(", &word, "/", &length, ")"]);
-        } else {
-            out += &word;
-        }
-        word.clear();
-        out.push(c);
-    }
+    let is_length = |word: &str| ["x", "y", "h"].contains(&word);
+    let out = with_words(text, |word| is_length(word).then(|| format!("({word}/{:?})", factors[0])));
     let dimension = dimensions(key.summary, table).first().copied().unwrap_or([0.0, 0.0]);
     let factor = factor(dimension, factors);
-    let out = out.trim_end();
     if dimension == [0.0, 0.0] { out.into() } else { format!("{factor:?}*({out})").into() }
 }
 
