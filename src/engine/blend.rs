@@ -1,31 +1,33 @@
 //! Functions of a contact's half-width, known at a few half-widths.
 //!
 //! Seen from a contact that is narrow beside a graded layer, what a flat punch answers is a series in `b` and `log b`, the
-//! logarithm first with `b` (stick zone) or `b^2` (pressure): polynomials alone converge slowly, one logarithm beside
-//! them costs nothing and saves half of the points. Measured on
-//! the stick ratio of a graded layer five times as thick as the contact is wide: 4e-7 by 18 polynomials in `(b/B)^(1/2)`,
-//! 9e-9 in `(b/B)^(1/3)`, 4e-9 by 17 in `b/B` and the logarithm. More logarithms are nearly alike and lose the digits.
+//! logarithm first with `b` (stick zone) or `b^2` (pressure). Polynomials alone tell `b^p log b` no better than
+//! `n^-(2 p + 1)`; the first few of these terms beside them cost nothing.
 
+use super::chebyshev::Points;
 use super::dense::Dense;
 use arrayvec::ArrayVec;
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Refusal;
-use std::f64::consts::FRAC_PI_4;
-
-/// Polynomials tell `s^k log s` to about `n^-(2 k + 1)` by themselves. Where that is below this, the logarithm is too much
-/// like them to stand beside them.
-const ALIKE: f64 = 1e-8;
+use std::f64::consts::{LN_2, PI};
 
 /// Most half-widths.
 const MOST: usize = 256;
+
+/// Most terms with logarithms.
+const MOST_TERMS: usize = 3;
+
+/// Places of the narrowest half-widths but 0, over that of the narrowest Chebyshev point. Chebyshev points alone hardly see a
+/// logarithm: rounding of values there would grow as `n^2` in between with one term, as `n^4` with two. With these it grows 4
+/// to 26 times.
+const BESIDE: [f64; 2] = [0.3, 0.02];
 
 /// Half-widths at which functions are known, and how they are told in between.
 #[derive(Clone, Debug)]
 pub(crate) struct Blend {
     narrowest: f64,
     widest: f64,
-    /// Power of `b` beside the logarithm.
-    order: Option<i32>,
+    functions: Functions,
     /// Descending.
     half_widths: Vec<f64>,
     /// `inverse[m * n + k]`: how much of the function `m` a value at the point `k` is.
@@ -33,23 +35,22 @@ pub(crate) struct Blend {
 }
 
 impl Blend {
-    /// So many half-widths between two, crowding at both ends like Chebyshev points; for functions whose first logarithm
-    /// goes with that power of the half-width: it is told where the half-widths begin with 0.
-    pub(crate) fn new((narrowest, widest): (f64, f64), n: usize, order: i32) -> Result<Self, Refusal> {
+    /// So many half-widths between two, crowding at both ends like Chebyshev points; for functions with these terms beside what is
+    /// analytic: they are told where the half-widths begin with 0.
+    pub(crate) fn new((narrowest, widest): (f64, f64), n: usize, terms: &[Term]) -> Result<Self, Refusal> {
         let n = n.min(MOST);
-        let order = if narrowest > 0.0 { None } else { Some(order) };
-        let angle = |k: usize| (2 * k + 1) as f64 * FRAC_PI_4 / n as f64;
-        let at: Vec<f64> = (0..n).map(|k| angle(k).cos().powi(2)).collect();
+        let functions = Functions::new(if narrowest > 0.0 { &[] } else { terms }, n);
+        let at = if narrowest > 0.0 { Points::new(n).at } else { places(n) };
         let mut system = Dense::new(n, n);
         for (row, s) in system.rows.chunks_exact_mut(n).zip(&at) {
-            row.iter_mut().zip(functions(*s, n, order)).for_each(|(entry, function)| *entry = function);
+            functions.values_into(*s, row);
         }
         // Unit values at one point after another.
         system.columns.iter_mut().step_by(n + 1).for_each(|one| *one = 1.0);
         system.solve(n)?;
         let inverse = (0..n * n).map(|i| system.columns[i % n * n + i / n]).collect();
         let half_widths = at.iter().map(|s| narrowest + (widest - narrowest) * s).collect();
-        Ok(Self { narrowest, widest, order, half_widths, inverse })
+        Ok(Self { narrowest, widest, functions, half_widths, inverse })
     }
 
     /// The narrowest.
@@ -72,10 +73,19 @@ impl Blend {
         let n = self.half_widths.len();
         shares.clear();
         shares.resize(n, 0.0);
-        let factors: ArrayVec<f64, MOST> =
-            functions((half_width - self.narrowest) / (self.widest - self.narrowest), n, self.order).collect();
-        add_rows(&factors, &self.inverse, shares);
+        let mut factors = [0.0; MOST];
+        let s = (half_width - self.narrowest) / (self.widest - self.narrowest);
+        self.functions.values_into(s, &mut factors[..n]);
+        add_rows(&factors[..n], &self.inverse, shares);
     }
+}
+
+/// Points on `(0, 1)` that tell logarithms at 0 from polynomials, descending.
+fn places(n: usize) -> Vec<f64> {
+    let mut at = Points::new(n - BESIDE.len()).at;
+    let first = at[at.len() - 1];
+    at.extend(BESIDE.map(|share| share * first));
+    at
 }
 
 /// The sum of the rows of a table, each so many times, added to what there is.
@@ -108,47 +118,163 @@ impl WithSimd for AddRows<'_> {
     }
 }
 
-/// Chebyshev polynomials on `[0, 1]`, the last of them `s^order log s` unless there are many.
-fn functions(s: f64, n: usize, order: Option<i32>) -> impl Iterator<Item = f64> {
-    let x = 2.0 * s - 1.0;
-    let mut pair = (1.0, x);
-    let order = order.filter(|order| (n as f64).powi(-2 * order - 1) > ALIKE);
-    (0..n).map(move |m| {
-        let this = pair.0;
-        pair = (pair.1, 2.0 * x * pair.1 - pair.0);
-        match order.filter(|_| m + 1 == n) {
-            Some(order) if s > 0.0 => s.powi(order) * s.ln(),
-            Some(_) => 0.0,
-            None => this,
+/// A power of the half-width, and of its logarithm beside it.
+pub(crate) type Term = (usize, i32);
+
+/// Chebyshev polynomials on `[0, 1]`, and a few terms `s^p log^q s` in place of the last of them.
+///
+/// As they are, the latter are nearly alike, and like polynomials. So each is less all that the polynomials beside it tell, and
+/// those before it are taken out, so that it leads with the polynomial that it stands for. That spans the same.
+#[derive(Clone, Debug)]
+struct Functions {
+    terms: ArrayVec<Term, MOST_TERMS>,
+    /// Chebyshev coefficients that are left out of each, one after another.
+    told: Vec<f64>,
+    /// `mixed[i * terms + j]`: how much of term `j` there is in number `i`.
+    mixed: Vec<f64>,
+}
+
+impl Functions {
+    /// `n` of them, more than twice as many as terms.
+    fn new(terms: &[Term], n: usize) -> Self {
+        let m = terms.len();
+        let mut told = Vec::with_capacity(m * (n - m));
+        let mut rows: Vec<Vec<f64>> = Vec::with_capacity(m);
+        for (i, term) in terms.iter().enumerate() {
+            let coefficients = coefficients(*term, n);
+            told.extend(&coefficients[..n - m]);
+            let one = (0..m).map(|j| if i == j { 1.0 } else { 0.0 });
+            rows.push(coefficients[n - m..].iter().copied().chain(one).collect());
         }
-    })
+        // Each leads with 1 and is taken out of those after it.
+        for i in 0..m {
+            let scale = 1.0 / rows[i][i];
+            rows[i].iter_mut().for_each(|entry| *entry *= scale);
+            let (done, rest) = rows.split_at_mut(i + 1);
+            for row in rest {
+                let share = row[i];
+                row.iter_mut().zip(&done[i]).for_each(|(entry, first)| *entry -= share * first);
+            }
+        }
+        let mixed = rows.iter().flat_map(|row| row[m..].to_vec()).collect();
+        Self { terms: terms.iter().copied().collect(), told, mixed }
+    }
+
+    /// All values at a point.
+    fn values_into(&self, s: f64, out: &mut [f64]) {
+        let (mixtures, polynomials) = out.split_at_mut(self.terms.len());
+        let x = 2.0 * s - 1.0;
+        let mut pair = (1.0, x);
+        for value in &mut *polynomials {
+            *value = pair.0;
+            pair = (pair.1, 2.0 * x * pair.1 - pair.0);
+        }
+        let log = if s > 0.0 { s.ln() } else { 0.0 };
+        let told = self.told.chunks_exact(polynomials.len());
+        let left = self.terms.iter().zip(told).map(|((p, q), told)| {
+            let told: f64 = told.iter().zip(&*polynomials).map(|(told, value)| told * value).sum();
+            (0..*p).fold(log.powi(*q), |term, _| term * s) - told
+        });
+        let left: ArrayVec<f64, MOST_TERMS> = left.collect();
+        for (value, row) in mixtures.iter_mut().zip(self.mixed.chunks_exact(left.len().max(1))) {
+            *value = row.iter().zip(&left).map(|(mixed, left)| mixed * left).sum();
+        }
+    }
+}
+
+/// The first `n` Chebyshev coefficients of `s^p log^q s` on `[0, 1]`, with `q` 1 or 2.
+///
+/// `s = cos^2(angle/2)`, so that `log s = 2 L - 2 log 2` with `L = log(2 cos(angle/2)) = sum (-1)^(k+1) cos(k angle)/k`; the
+/// square of `L` has the coefficients `(-1)^k (H(k-1) + H(k))/k`, the first `pi^2/12`, with the sums `H(k) = 1 + ... + 1/k`.
+fn coefficients((p, q): Term, n: usize) -> Vec<f64> {
+    let mut sum = 0.0;
+    let of_power = |k: usize| {
+        // The first is doubled as yet.
+        if k == 0 {
+            return if q == 1 { -4.0 * LN_2 } else { 8.0 * (PI * PI / 12.0 + LN_2 * LN_2) };
+        }
+        let (inverse, sign) = (1.0 / k as f64, if k.is_multiple_of(2) { 1.0 } else { -1.0 });
+        let sums = 2.0 * sum + inverse;
+        sum += inverse;
+        sign * inverse * if q == 1 { -2.0 } else { 4.0 * sums + 8.0 * LN_2 }
+    };
+    let mut of: Vec<f64> = (0..n + p).map(of_power).collect();
+    // One factor s = (1 + cos(angle))/2 after another.
+    for _ in 0..p {
+        of = (0..of.len() - 1).map(|k| 0.5 * of[k] + 0.25 * (of[k.abs_diff(1)] + of[k + 1])).collect();
+    }
+    of[0] *= 0.5;
+    of
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::family::{OF_PRESSURE, OF_SHEAR};
     use super::*;
 
-    fn error(f: impl Fn(f64) -> f64, count: usize) -> f64 {
-        let blend = Blend::new((0.0, 3.0), count, 1).unwrap();
+    const EVERYWHERE: [f64; 7] = [0.0, 1e-6, 0.01, 0.3, 1.0, 2.2, 3.0];
+
+    fn error(f: impl Fn(f64) -> f64, count: usize, terms: &[Term], places: &[f64]) -> f64 {
+        let blend = Blend::new((0.0, 3.0), count, terms).unwrap();
         let values: Vec<f64> = blend.half_widths().iter().map(|b| f(*b)).collect();
         let mut shares = Vec::new();
-        let at = |b: f64| {
-            blend.shares_into(b, &mut shares);
+        let at = |b: &f64| {
+            blend.shares_into(*b, &mut shares);
             let blended: f64 = shares.iter().zip(&values).map(|(share, value)| share * value).sum();
-            (blended - f(b)).abs()
+            (blended - f(*b)).abs()
         };
-        [0.0, 1e-6, 0.01, 0.3, 1.0, 2.2, 3.0].into_iter().map(at).fold(0.0, f64::max)
+        places.iter().map(at).fold(0.0, f64::max)
     }
 
     #[test]
-    fn the_logarithm_of_the_narrow_end_costs_no_digit() {
-        let smooth = |b: f64| (0.5 * b).exp();
-        let logarithmic = |b: f64| if b > 0.0 { smooth(b) + 0.1 * b * b.ln() } else { 1.0 };
-        // Rounding, grown by functions that are nearly alike.
-        assert!(error(smooth, 16) < 1e-12, "{:e}", error(smooth, 16));
-        assert!(error(logarithmic, 16) < 1e-12, "{:e}", error(logarithmic, 16));
-        // What comes next, b^2 log b, converges like n^-4.
-        let next = |b: f64| if b > 0.0 { b * b * b.ln() } else { 0.0 };
-        assert!(error(next, 32) < error(next, 16) / 12.0, "{:e} and {:e}", error(next, 32), error(next, 16));
+    fn logarithms_cost_no_digit_however_alike() {
+        for terms in [OF_PRESSURE, OF_SHEAR] {
+            for count in [16, 40, 120, 256] {
+                for (p, q) in terms {
+                    // In s = b/3 the squared logarithm is one of the terms.
+                    let logarithmic = |b: f64| {
+                        let s = b / 3.0;
+                        let term = if s > 0.0 { s.powi(i32::try_from(*p).unwrap()) * s.ln().powi(*q) } else { 0.0 };
+                        (0.5 * b).exp() + term
+                    };
+                    // Rounding of 1e-16 in values of up to 4.5, grown up to 60 times.
+                    let apart = error(logarithmic, count, terms, &EVERYWHERE[2..]);
+                    assert!(apart < 5e-13, "{count} of {terms:?}: {apart:e}");
+                    // Narrower than a millionth, where no load is to speak of, many polynomials lose more.
+                    let close = error(logarithmic, count, terms, &EVERYWHERE[..2]);
+                    assert!(close < if count > 100 { 1e-8 } else { 5e-14 }, "{count} of {terms:?}: {close:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_told_converges_as_polynomials_do() {
+        // b^3 log b like n^-6 at b = 0 and n^-7 elsewhere, b^2 log b beside one logarithm like n^-4 and n^-5.
+        let cubic = |b: f64| if b > 0.0 { b.powi(3) * b.ln() } else { 0.0 };
+        let square = |b: f64| if b > 0.0 { b * b * b.ln() } else { 0.0 };
+        let ratio = |f: &dyn Fn(f64) -> f64, terms: &[Term]| {
+            error(f, 16, terms, &EVERYWHERE) / error(f, 32, terms, &EVERYWHERE)
+        };
+        assert!(ratio(&cubic, &[(1, 1), (2, 1)]) > 48.0, "{}", ratio(&cubic, &[(1, 1), (2, 1)]));
+        assert!(ratio(&square, &[(1, 1)]) > 12.0, "{}", ratio(&square, &[(1, 1)]));
+    }
+
+    #[test]
+    fn coefficients_are_those_of_the_function() {
+        // By Gauss's rule, which takes coefficients about 2 n for them: 8 log(2 n)/(2 n)^3 and less.
+        let n = 4096;
+        let alias = 8.0 * 8192.0_f64.ln() / 8192.0_f64.powi(3);
+        let points = Points::new(n).at;
+        for (p, q) in [(1, 1), (1, 2), (2, 1), (2, 2), (3, 1)] {
+            for (k, told) in coefficients((p, q), 12).into_iter().enumerate() {
+                let term = |s: &f64| {
+                    s.powi(i32::try_from(p).unwrap()) * s.ln().powi(q) * (k as f64 * (2.0 * s - 1.0).acos()).cos()
+                };
+                let sum: f64 = points.iter().map(term).sum();
+                let expected = sum * if k == 0 { 1.0 } else { 2.0 } / n as f64;
+                assert!((told - expected).abs() < alias, "{p}, {q}, {k}: {told:e} and {expected:e}");
+            }
+        }
     }
 }

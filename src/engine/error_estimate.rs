@@ -21,10 +21,6 @@ const SLOWER: f64 = 0.25;
 const SHARES: [f64; 2] = [0.5, 1e-4];
 /// That of the shear where it is stacked: it is asked for as well as the zone.
 const STACKED_SHARE: f64 = 0.5;
-/// Differences of numbers that are stacked are not taken to shrink any faster than this: beside the resolution of each flat
-/// punch there is that of telling those between, and either may be the slower from one step to the next. Under |x|^3 on a
-/// thin layer the indentation was off by five of its estimates without.
-const STACKED_FASTEST: f64 = 1.0 / 16.0;
 /// Factor on what the differences give.
 const SAFETY: f64 = 2.0;
 /// No number is claimed to be better than this: rounding of a dense solve of a few hundred unknowns.
@@ -65,7 +61,6 @@ pub(crate) fn extrapolated(history: &[Seen]) -> Option<Numbers> {
             (of_pressure, SHARES[0] * late.of_pressure)
         };
         let rate = of_all.max(relative(d2, d1).min(SLOWER));
-        let rate = if third.traces.is_stacked { rate.max(STACKED_FASTEST) } else { rate };
         // Two differences may both be small by chance.
         let d2 = d2.max(least);
         let left = if rate < NOT_SHRINKING { d2.max(rate * d1) * rate / (1.0 - rate) } else { d1.max(d2) };

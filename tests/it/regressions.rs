@@ -341,8 +341,8 @@ fn lengths_beyond_compare_do_not_panic() {
     }
 }
 
-/// Stacked contacts were taken to converge as fast as their flat punches: the indentation under `|x|^3` on a thin layer was off
-/// by 4.8 of its estimates, within the tolerance.
+/// Flat punches between those solved were told by polynomials alone once there were some forty of them, which converges slowly:
+/// the indentation under `|x|^3` on a thin layer was off by 4.8 of its estimates, within the tolerance.
 #[test]
 fn stacked_contacts_are_not_surer_than_they_are() {
     let text = |solver: &str| {
