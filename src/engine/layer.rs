@@ -12,6 +12,9 @@ use std::sync::Arc;
 /// Wave numbers that a strategy counts as having asked for before it gives up: a fortieth of the budget.
 const GIVEN_UP: usize = 50_000;
 
+/// By how much tables may reach farther than asked for, where those before them did.
+const REACH_KEPT: f64 = 4.0;
+
 /// All kernels: first the depth, which not every base defines, then what the pressure needs, then what friction adds.
 const ALL: [Component; 4] = [Component::Depth, Component::NormalSlope, Component::ShearStrain, Component::Coupling];
 
@@ -139,6 +142,12 @@ impl Layer {
         if self.is_plain() && !(self.has_depths() && wanted.deep) || self.tables.as_ref().is_some_and(serves) {
             return Ok(());
         }
+        // Who does not prove an error is judged by another level of the same reach: a level more for half the reach may be
+        // the same cut-off, and the same error.
+        let reach = match &self.tables {
+            Some(tables) if tables.error().is_none() && tables.reach <= REACH_KEPT * reach => reach.max(tables.reach),
+            _ => reach,
+        };
         self.meter.within()?;
         let strategy = self.strategy.refined(wanted.level);
         let tabulate = |response: &dyn LayerResponse, components| -> Result<Counted, Refusal> {

@@ -370,6 +370,31 @@ fn stick_zones_are_not_surer_than_a_few_resolutions_can_tell() {
     }
 }
 
+/// A contact's tables reached half as far as those of its finer twin, whose cut-off was therefore the same: the charts found a
+/// half-width off by 2.6e-8 that claimed 1e-13.
+#[test]
+fn a_cut_off_is_judged_by_another() {
+    let scene = |solver: &str| {
+        format!(
+            "format = 1\n[layer]\nthickness = 5.0\npoisson = 0.3\n\
+             grading = {{ type = \"exponential\", surface = 1.0, base = 8.0 }}\n\
+             [punch]\ntype = \"cylinder\"\nradius = 10.0\n[load]\nforce = 0.1\n[solver]\n{solver}"
+        )
+    };
+    slipzone::link_plugins();
+    let solved = |solver: &str| solve(&slipzone::scene::parse("cut.toml", &scene(solver)).unwrap());
+    let exact = solved("tolerance = 1e-10");
+    for n in [64, 128] {
+        let found =
+            solved(&format!("kernel = {{ type = \"truncated\" }}\nquadrature = {{ type = \"de-sinc\", n = {n} }}"));
+        let error = (found.number("load.half_width").unwrap() / exact.number("load.half_width").unwrap() - 1.0).abs();
+        let claimed = found.error.each["load.half_width"];
+        assert!(error <= 3.0 * claimed, "{error:e} beyond {claimed:e}");
+        // What it claims is no idle bound either: a cut-off at some hundred waves.
+        assert!(claimed < 1e-5, "{claimed:e}");
+    }
+}
+
 fn within_three_estimates(found: &Solution, exact: &Solution, paths: &[&str]) {
     assert_eq!((found.status, exact.status), (Status::Converged, Status::Converged));
     for path in paths {
