@@ -2,7 +2,7 @@
 
 use super::work::elimination;
 use slipzone_api::Refusal;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// Work that a scene may take, in multiplications: those of eliminations and of blended flat punches as they are, a kernel
 /// read off its table as 10, a wave number as 10,000. Some ten seconds at the most. A loading curve may take twice as much
@@ -26,6 +26,8 @@ pub(crate) struct Meter {
     /// The limit once refinement has ended.
     end: AtomicU64,
     budget: AtomicU64,
+    /// Whether something was refused: nothing is begun after that, however small.
+    is_used_up: AtomicBool,
 }
 
 impl Default for Meter {
@@ -33,7 +35,7 @@ impl Default for Meter {
     fn default() -> Self {
         let [read, wave_numbers, multiplied] = [0; 3].map(AtomicU64::new);
         let [limit, end, budget] = [u64::MAX; 3].map(AtomicU64::new);
-        Self { read, wave_numbers, multiplied, limit, end, budget }
+        Self { read, wave_numbers, multiplied, limit, end, budget, is_used_up: AtomicBool::new(false) }
     }
 }
 
@@ -68,25 +70,37 @@ impl Meter {
         self.limit.store(spent.saturating_add(budget / TOLD), Ordering::Relaxed);
         self.end.store(spent.saturating_add(budget), Ordering::Relaxed);
         self.budget.store(budget, Ordering::Relaxed);
+        self.is_used_up.store(false, Ordering::Relaxed);
     }
 
     /// Refinement has ended: what is left is for telling what was found.
     pub(super) fn conclude(&self) {
-        self.limit.store(self.end.load(Ordering::Relaxed), Ordering::Relaxed);
+        let end = self.end.load(Ordering::Relaxed);
+        if self.limit.swap(end, Ordering::Relaxed) != end {
+            self.is_used_up.store(false, Ordering::Relaxed);
+        }
     }
 
     /// Takes note of a system of so many equations and right-hand sides that is to be solved; refuses it where it would
     /// exceed the budget.
     pub(super) fn system(&self, n: usize, right: usize) -> Result<(), Refusal> {
-        self.multiplied.fetch_add(elimination(n, right), Ordering::Relaxed);
-        self.within()
+        let work = elimination(n, right);
+        self.room_for(work)?;
+        self.multiplied.fetch_add(work, Ordering::Relaxed);
+        Ok(())
     }
 
     /// Refuses to go on where the budget is used up.
     pub(super) fn within(&self) -> Result<(), Refusal> {
-        if self.spent() <= self.limit.load(Ordering::Relaxed) {
+        self.room_for(0)
+    }
+
+    fn room_for(&self, work: u64) -> Result<(), Refusal> {
+        let is_enough = self.spent().saturating_add(work) <= self.limit.load(Ordering::Relaxed);
+        if is_enough && !self.is_used_up.load(Ordering::Relaxed) {
             return Ok(());
         }
+        self.is_used_up.store(true, Ordering::Relaxed);
         Err(Refusal::OutOfReach {
             method: "engine",
             why: format!(
@@ -116,7 +130,13 @@ mod tests {
         #[allow(clippy::cast_possible_truncation)]
         meter.count_readings((BUDGET / READING) as usize / 2);
         assert!(meter.within().is_err());
+        meter.conclude();
+        assert!(meter.within().is_err(), "there is no more to conclude");
         meter.begin(BUDGET);
         assert!(meter.within().is_ok(), "another scene on the same layer has its own");
+        let before = meter.spent();
+        assert!(meter.system(1_000_000, 1).is_err());
+        assert_eq!(meter.spent(), before, "what is refused is not done");
+        assert!(meter.system(1, 1).is_err(), "nor is what comes after it");
     }
 }

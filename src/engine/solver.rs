@@ -157,6 +157,7 @@ impl Solver {
 
     /// The same within what is left of a budget.
     pub(super) fn find_within(&mut self) -> Result<(), Refusal> {
+        self.layer.meter().within()?;
         let tolerance = self.chosen.scene.solver.tolerance.get();
         let Some(stand_in) = self.stand_in else {
             let Self { chosen, problem, layer, ladder, judged, .. } = self;

@@ -153,9 +153,11 @@ impl Shear {
 
     /// Fills in the terms of the tangential equation in one stick zone; returns `p(a)`.
     fn see(&mut self, layer: &Layer, normal: &mut Normal, zone: StickZone) -> Result<f64, Refusal> {
-        self.used = self.resolution(zone);
-        let grid = &mut self.grids[self.used];
+        let used = self.resolution(zone);
+        let grid = &mut self.grids[used];
+        // Refused, the zone solved last stays as it is.
         layer.meter().system(grid.rule.unknowns() + 1, 1)?;
+        (self.used, self.is_solved) = (used, false);
         let rule = &mut grid.rule;
         rule.stretch(zone.half_width);
         let kernel = layer.kernel(Component::ShearStrain);

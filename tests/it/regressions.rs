@@ -341,6 +341,28 @@ fn lengths_beyond_compare_do_not_panic() {
     }
 }
 
+/// Found by random scenes: each load of a curve tried again what the budget had refused, and a refused system was counted as
+/// done (98,280 loads, three minutes, 3,400 times the budget); a stick zone refused between two grids was told on the wrong one,
+/// which panicked.
+#[test]
+fn what_the_budget_refused_is_not_tried_again() {
+    let many = "format = 1\npunch = { type = \"flat\", half_width = 1374.0 }\nlayer = { thickness = 1.44, poisson = 0.43, \
+                grading = { type = \"error-function\", above = 7.7, below = 4.0, centre = 1.5, width = 0.517 } }\n\
+                load = { until = { force = 0.244, points = 2000 } }";
+    let between = "format = 1\npunch = { type = \"flat\", half_width = 10.0 }\nload = { until = { force = 0.6 } }\n\
+                   friction = { type = \"goodman\", coefficient = 1.8 }\nlayer = { poisson = 0.24, grading = { type = \"stack\", \
+                   layers = [{ thickness = 2.0, grading = { type = \"sigmoid\", above = 100.0, below = 0.2, centre = 2.0, \
+                   width = 0.2 } }, { thickness = 4.0, grading = { type = \"homogeneous\", modulus = 1.0 } }, \
+                   { thickness = 0.5, grading = { type = \"sigmoid\", above = 0.8, below = 2.0, centre = 2.0, width = 0.9 } }] } }";
+    let budget = 20_000_000;
+    for text in [many, between] {
+        let solution = slipzone::engine::solve_within(&slipzone::scene::parse("refused", text).unwrap(), budget);
+        assert_eq!(solution.status, Status::NotConverged);
+        // Once for the last load, twice for those on the way to it.
+        assert!(solution.plan.work <= 3 * budget, "{:e}", solution.plan.work as f64);
+    }
+}
+
 /// Flat punches between those solved were told by polynomials alone once there were some forty of them, which converges slowly:
 /// the indentation under `|x|^3` on a thin layer was off by 4.8 of its estimates, within the tolerance.
 #[test]
