@@ -133,6 +133,10 @@ impl Ladder {
         } else {
             self.refined(layer, problem, methods, tolerance)?
         };
+        let errors = judged.errors;
+        for (quantity, error) in errors.iter().filter(|(quantity, _)| quantity.is_of_shear()) {
+            judged.errors.set(quantity, error.max(CLAIMED_OF_SHEAR * tolerance));
+        }
         judged.errors = judged.errors.plus(beside_differences(layer, &judged.outcome, tolerance));
         // A bound does not change with the resolution, or does by chance: differences say nothing of its error.
         if let Some(bound) = bound_of_stick(&judged.outcome) {
@@ -253,12 +257,8 @@ impl Ladder {
             // Changed its mind at the last step.
             outcome.numbers.iter().for_each(|(quantity, _)| errors.set(quantity, 1.0));
         }
-        let mut claimed = errors;
-        for (quantity, error) in errors.iter().filter(|(quantity, _)| quantity.is_of_shear()) {
-            claimed.set(quantity, error.max(CLAIMED_OF_SHEAR * tolerance));
-        }
         let how = How::Sequence { count: stage + 1, kernels_proven: layer.kernel_error(0.0).is_some() };
-        Ok(Judged { outcome, stage, errors: claimed, doubt: None, how, of_model: 0.0, stopped })
+        Ok(Judged { outcome, stage, errors, doubt: None, how, of_model: 0.0, stopped })
     }
 
     /// Solves on one stage, made when first asked for.
