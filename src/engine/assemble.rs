@@ -14,10 +14,12 @@ use super::stage::{Stage, Verdict};
 use super::stick_zone::StickZone;
 use crate::plan::Plan;
 use crate::scene::{Load, LoadKind, Model, Scene};
-use slipzone_api::{Refusal, Station};
+use slipzone_api::{Base, Refusal, Station};
 
 /// Points at which tractions are told before the budget is looked at again.
 const AT_ONCE: usize = 32;
+/// Indentation over the thickness, and slope of the punch in contact, from which strains are no longer called small.
+const SMALL: (f64, f64) = (0.1, 0.3);
 
 /// The solution; refused when one of its numbers is not finite.
 pub(super) fn solution(
@@ -125,7 +127,25 @@ fn of_pressure(
             format!("the punch's heights scatter by {noise:.1e} (root mean square) around the smooth shape taken");
         solution.assumptions.push(rest);
     }
+    solution.assumptions.extend(large_strains(problem, numbers));
     solution
+}
+
+/// What is to be said where strains are not small.
+fn large_strains(problem: &Problem, numbers: &Numbers) -> Option<String> {
+    let is_on_rigid = matches!(problem.layer.base, Base::Rigid | Base::Frictionless);
+    let depth = numbers.get(Quantity::Indentation).filter(|_| is_on_rigid);
+    // Convex: steepest at the edge.
+    let grown = numbers.get(Quantity::HalfWidth).filter(|_| problem.fixed_half_width().is_none());
+    let (depth, slope) = (depth.unwrap_or(0.0), grown.map_or(0.0, |b| problem.slope(b)));
+    let what = if depth > SMALL.0 {
+        format!("the punch sinks in by {depth:.2} of the thickness")
+    } else if slope > SMALL.1 {
+        format!("the punch has a slope of {slope:.2} at the contact's edge")
+    } else {
+        return None;
+    };
+    Some(format!("{what}: strains are not small there, and what is neglected with them is of that order"))
 }
 
 /// The solution; refused when one of its numbers is not finite.

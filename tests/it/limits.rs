@@ -178,3 +178,23 @@ fn units_change_nothing_but_units() {
         close(Some(stick(&scaled)), Some(stick(&plain)), 1.0);
     }
 }
+
+/// Linear elasticity answers any load; where its strains are not small the result says so.
+#[test]
+fn strains_that_are_not_small_are_named() {
+    let said = |punch: &str, load: &str| {
+        let text = format!(
+            "format = 1\nlayer = {{ thickness = 2.0, poisson = 0.3, grading = {{ type = \"exponential\", surface = 1.0, base = 8.0 }} }}\n\
+             punch = {{ {punch} }}\nload = {{ {load} }}\nsolver = {{ tolerance = 1e-4 }}\n"
+        );
+        let solution = slipzone::engine::solve(&slipzone::scene::parse("large.toml", &text).unwrap());
+        solution.assumptions.into_iter().find(|what| what.contains("strains are not small"))
+    };
+    let (flat, cylinder) = ("type = \"flat\", half_width = 1.0", "type = \"cylinder\", radius = 1.0");
+    assert_eq!(said(flat, "indentation = 0.19"), None);
+    assert!(said(flat, "indentation = 0.24").unwrap().starts_with("the punch sinks in by 0.12 of the thickness"));
+    assert_eq!(said(cylinder, "half_width = 0.29"), None);
+    assert!(
+        said(cylinder, "half_width = 0.4").unwrap().starts_with("the punch has a slope of 0.40 at the contact's edge")
+    );
+}
