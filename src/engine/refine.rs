@@ -128,7 +128,7 @@ impl Ladder {
             let mut outcome = solve(0, Some(&twin))?;
             let task = Self::task(problem, tolerance, kernel_level);
             self.stages[0].settle(layer, task, &mut outcome)?;
-            let errors = judged_by_twin(&outcome.numbers, &twin.numbers);
+            let errors = judged_by_twin(&outcome.seen(), &twin.seen());
             Judged { outcome, stage: 0, errors, doubt: None, how: How::Twin, of_model: 0.0, stopped: None }
         } else {
             self.refined(layer, problem, methods, tolerance)?
