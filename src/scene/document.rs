@@ -222,7 +222,6 @@ pub(super) fn clip(text: &str) -> String {
     if line.len() == text.len() { line } else { line + "..." }
 }
 
-/// A syntax error in the parser's words, cut into message and expectation.
 /// What a key means that another file, another place or a formula calls so; `known` are those of its table.
 fn meant(path: &[&str], key: &str, known: &[&str]) -> Option<String> {
     const OF_STUDIES: [&str; 4] = ["scene", "axes", "plots", "find"];
@@ -255,6 +254,7 @@ fn meant(path: &[&str], key: &str, known: &[&str]) -> Option<String> {
     Some(format!("write `{name}`"))
 }
 
+/// A syntax error in the parser's words, cut into message and expectation.
 fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneError {
     let message = error.message().trim();
     let (what, expected) = match message.split_once(", expected ") {

@@ -396,15 +396,8 @@ fn stick_zones_are_not_surer_than_a_few_resolutions_can_tell() {
 /// half-width off by 2.6e-8 that claimed 1e-13.
 #[test]
 fn a_cut_off_is_judged_by_another() {
-    let scene = |solver: &str| {
-        format!(
-            "format = 1\n[layer]\nthickness = 5.0\npoisson = 0.3\n\
-             grading = {{ type = \"exponential\", surface = 1.0, base = 8.0 }}\n\
-             [punch]\ntype = \"cylinder\"\nradius = 10.0\n[load]\nforce = 0.1\n[solver]\n{solver}"
-        )
-    };
-    slipzone::link_plugins();
-    let solved = |solver: &str| solve(&slipzone::scene::parse("cut.toml", &scene(solver)).unwrap());
+    let sketch = Sketch::flat(5.0, 0.125, 0.3).cylinder();
+    let solved = |solver: &str| sketch.clone().loaded("force = 1.0").with(&format!("[solver]\n{solver}")).solve();
     let exact = solved("tolerance = 1e-10");
     for n in [64, 128] {
         let found =
