@@ -97,8 +97,6 @@ fn report(seed: u64, all: &[(u64, Tried, f64)], small: bool, reasons: bool) -> E
     if let Some((index, tried, _)) = largest {
         println!("\nlargest share of the budget of work: {:.3} in scene {index}", tried.work);
     }
-    let optimistic = trial::OPTIMISTIC.load(Ordering::Relaxed);
-    println!("numbers beyond three estimates, within three tolerances: {optimistic}");
     if reasons {
         let short = |tried: &Tried| {
             format!(

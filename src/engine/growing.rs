@@ -112,7 +112,8 @@ impl Growing {
         let stations = Traces::stations(self.half_width);
         let mut pressure = [0.0; Traces::AT.len()];
         self.pressure_into(problem, normal, &stations, &mut pressure);
-        Ok(Outcome::new(numbers, rubbing, Some(size), pressure.map(|p| p / mean)))
+        let lost = self.stack.as_ref().map_or(0.0, Stack::lost);
+        Ok(Outcome::new(numbers, rubbing, Some(size), pressure.map(|p| p / mean), lost))
     }
 
     /// Makes a family and a stack that reach to a half-width.

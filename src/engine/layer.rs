@@ -23,7 +23,7 @@ pub struct Layer {
     response: Box<dyn LayerResponse>,
     /// The same with depths counted from a datum, where they have no meaning otherwise and one is named.
     against_datum: Option<Box<dyn LayerResponse>>,
-    is_grounded: bool,
+    pub(crate) is_grounded: bool,
     strategy: Box<dyn KernelStrategy>,
     tables: Option<Tables>,
     flexibility_evaluations: usize,
@@ -71,6 +71,9 @@ pub(crate) struct Wanted {
     /// Refinement of strategies that do not know their own error.
     pub(crate) level: u32,
 }
+
+/// No kernel counted from a datum is asked for more: rounding of its sums.
+const FINEST: f64 = 1e-14;
 
 impl Layer {
     pub(crate) fn new(problem: &Problem, methods: &Methods) -> Result<Self, Refusal> {
@@ -150,16 +153,19 @@ impl Layer {
         };
         self.meter.within()?;
         let strategy = self.strategy.refined(wanted.level);
-        let tabulate = |response: &dyn LayerResponse, components| -> Result<Counted, Refusal> {
-            let table = strategy.tabulate(response, &KernelRequest { reach, components, accuracy: wanted.accuracy });
+        let tabulate = |response: &dyn LayerResponse, components, accuracy| -> Result<Counted, Refusal> {
+            let table = strategy.tabulate(response, &KernelRequest { reach, components, accuracy });
             // Who gives up does not say after how much.
             let table = table.inspect_err(|_| self.meter.count_wave_numbers(GIVEN_UP))?;
             Ok(Counted { table, meter: Arc::clone(&self.meter) })
         };
         let components = &ALL[usize::from(!(self.is_grounded && wanted.deep))..if wanted.frictional { 4 } else { 2 }];
-        let kernels = if self.is_plain() { None } else { Some(tabulate(&*self.response, components)?) };
+        let kernels =
+            if self.is_plain() { None } else { Some(tabulate(&*self.response, components, wanted.accuracy)?) };
         let from_datum = self.against_datum.as_deref().filter(|_| wanted.deep);
-        let depth = from_datum.map(|response| tabulate(response, &ALL[..1])).transpose()?;
+        let share = self.shallowness(wanted.half_width);
+        let accuracy = (wanted.accuracy / share).max(FINEST);
+        let depth = from_datum.map(|response| tabulate(response, &ALL[..1], accuracy)).transpose()?;
         let evaluations = kernels.iter().chain(&depth).map(KernelTable::flexibility_evaluations).sum::<usize>();
         self.flexibility_evaluations += evaluations;
         self.meter.count_wave_numbers(evaluations);
@@ -202,8 +208,17 @@ impl Layer {
     /// The error that the tables prove of themselves, grown on its way into the numbers of a contact of
     /// `half_width`; `None` where only a refined twin can tell.
     pub(crate) fn kernel_error(&self, half_width: f64) -> Option<f64> {
-        let proven = self.tables.as_ref().map_or(Some(0.0), Tables::error);
-        proven.map(|error| spread(half_width) * error)
+        let Some(tables) = &self.tables else { return Some(0.0) };
+        let proven = |table: &Option<Counted>| table.as_ref().map_or(Some(0.0), Counted::error);
+        let (kernels, depth) = (proven(&tables.kernels)?, proven(&tables.depth)?);
+        Some((spread(half_width) * kernels).max(self.shallowness(half_width) * depth))
+    }
+
+    /// The half-width over the distance to a datum, where that is near: what sinks against it is as small, and an error of
+    /// its kernel as large beside it.
+    fn shallowness(&self, half_width: f64) -> f64 {
+        let distance = self.against_datum.as_ref().and_then(|response| response.depth());
+        distance.map_or(1.0, |distance| (half_width / distance).max(1.0))
     }
 
     /// The flexibility of its surface.

@@ -4,7 +4,13 @@ use super::dense::Dense;
 use super::layer::Layer;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::work::Work;
+use slipzone_api::double_exponential::{self, Node};
 use slipzone_api::{Component, Density, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
+use std::f64::consts::FRAC_2_PI;
+
+/// Nodes on either side of an integral against a datum, and more of them for each unit of its variable: the kernel's
+/// singularities lie `pi/2` off it.
+const DATUM_NODES: (f64, f64) = (24.0, 6.0);
 
 /// The pressure under one punch, in layer units; solved again for each load, in the same memory.
 pub(crate) struct Normal {
@@ -115,17 +121,15 @@ impl Normal {
 
     /// Force that gives an indentation; `None` on a half-plane.
     fn force_at(&mut self, layer: &Layer, problem: &Problem, indentation: f64) -> Option<f64> {
-        let kernel = layer.kernel(Component::Depth)?;
         let a0 = problem.elastic.a0();
-        let by_force = a0 * self.rule.potential_at_centre(self.system.column(0), kernel);
-        let by_shape = a0 * self.rule.potential_at_centre(self.system.column(1), kernel) + problem.height(0.0);
+        let by_force = a0 * sunk(&mut *self.rule, self.half_width, layer, self.system.column(0))?;
+        let by_shape = a0 * sunk(&mut *self.rule, self.half_width, layer, self.system.column(1))? + problem.height(0.0);
         Some((indentation - by_shape) / by_force)
     }
 
-    /// Depth of the punch, `delta = v(0) + g(0)`; `None` on a half-plane.
+    /// Depth of the punch, `delta = v(0) + g(0)`; `None` on a half-plane without a datum.
     pub(crate) fn depth(&mut self, layer: &Layer, problem: &Problem) -> Option<f64> {
-        let kernel = layer.kernel(Component::Depth)?;
-        let depth = self.rule.potential_at_centre(&self.unknowns, kernel);
+        let depth = sunk(&mut *self.rule, self.half_width, layer, &self.unknowns)?;
         Some(problem.elastic.a0() * depth + problem.height(0.0))
     }
 
@@ -202,4 +206,31 @@ impl Normal {
     pub(crate) fn is_sharp(&self) -> bool {
         self.edge == Edge::Sharp
     }
+}
+/// How far the middle sinks under a pressure of these unknowns, over `A0`; `None` where depths have no meaning.
+///
+/// A pressure on a layer is as rough as the kernel, and the rule resolves both alike. That on a half-plane knows nothing of a
+/// datum, however near: there `x = l sinh(t)`, of which the kernel of length `l` is a smooth function, by a double-exponential grid
+/// in `t`.
+fn sunk(rule: &mut dyn Rule, half_width: f64, layer: &Layer, unknowns: &[f64]) -> Option<f64> {
+    let (table, component) = layer.kernel(Component::Depth)?;
+    if layer.is_grounded {
+        return Some(rule.potential_at_centre(unknowns, (table, component)));
+    }
+    let length = table.length();
+    let end = (half_width / length).asinh();
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most some thousand
+    let grid = double_exponential::nodes(end, (DATUM_NODES.0 + DATUM_NODES.1 * end) as usize);
+    let station = |node: &Node| Station {
+        x: length * node.from_lower.sinh(),
+        gap: 2.0 * length * (0.5 * (end + node.from_lower)).cosh() * (0.5 * node.to_upper).sinh(),
+    };
+    let stations: Vec<Station> = grid.iter().map(station).collect();
+    let distances: Vec<f64> = stations.iter().map(|at| at.x).collect();
+    let (mut pressure, mut kernel) = (vec![0.0; grid.len()], vec![0.0; grid.len()]);
+    rule.values_into(Density { unknowns, carrier: 0.0 }, &stations, &mut pressure);
+    table.values_into(component, &distances, &mut kernel);
+    let terms = grid.iter().zip(&pressure).zip(&kernel);
+    let sum: f64 = terms.map(|((node, p), k)| node.weight * length * node.from_lower.cosh() * p * k).sum();
+    Some(FRAC_2_PI * sum)
 }

@@ -356,7 +356,7 @@ fn level(first: usize, step: usize) -> u32 {
 fn beside_differences(layer: &Layer, outcome: &Outcome, tolerance: f64) -> f64 {
     let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
     let missed = outcome.size.map_or(0.0, |size| size.missed);
-    let left_out = if outcome.is_stacked() { STACKED * tolerance } else { 0.0 };
+    let left_out = outcome.lost.map_or(0.0, |lost| lost.max(STACKED * tolerance));
     layer.kernel_error(half_width).unwrap_or(0.0) + if missed > ROUNDING { missed } else { 0.0 } + left_out
 }
 

@@ -28,6 +28,14 @@ const WAYS: (usize, f64) = (6, 1.5);
 /// and a logarithm beside one goes with the sixth.
 const GATHERED: i32 = 4;
 
+/// Error of the integrals over the slope of the shape, over that wanted of the force; the growth of nodes until it is met, and
+/// the most there may be.
+const LOST: (f64, f64, usize) = (1e-2, 1.2, 96);
+/// What rounding leaves of them.
+const ROUNDING: f64 = 1e-14;
+/// Parts of a piece from which the way to its end is measured.
+const MEASURED_FROM: [f64; 2] = [0.05, 0.5];
+
 /// The force under one punch over all half-widths of a family, and what is stacked with it.
 pub(crate) struct Stack {
     pieces: Vec<Piece>,
@@ -39,6 +47,8 @@ pub(crate) struct Stack {
     /// and of a pressure, beside which there may be a kink.
     ways: [Vec<[f64; 2]>; WAYS.0],
     crowded_ways: [Vec<[f64; 2]>; WAYS.0],
+    /// Share of the shape's height that the integrals lose.
+    lost: f64,
     room: Room,
 }
 
@@ -68,17 +78,15 @@ enum Force {
 }
 
 impl Stack {
-    /// The stack of a punch over a family; `digits` is the error wanted, relative.
-    pub(crate) fn new(problem: &Problem, family: &mut Family, digits: f64, nodes: usize) -> Result<Self, Refusal> {
-        let widest = family.widest();
-        let face = problem.face().min(widest);
-        let mut breaks = vec![face];
-        breaks.extend(problem.kinks().filter(|kink| *kink > face && *kink < widest));
-        breaks.push(widest);
-        let grid = double_exponential::nodes(1.0, nodes);
-        let ways = std::array::from_fn(|i| way(nodes * (5 + i) / 3));
-        let crowded_ways = std::array::from_fn(|i| crowded_way(nodes * (2 + i) / 2));
-        let mut stack = Self { pieces: Vec::new(), breaks, grid, ways, crowded_ways, room: Room::default() };
+    /// The stack of a punch over a family; `digits` is the error wanted, relative. Nodes of the integrals are added until they
+    /// are enough for the slope of the shape, which is as steep as the force over the half-width.
+    pub(crate) fn new(problem: &Problem, family: &mut Family, digits: f64, mut nodes: usize) -> Result<Self, Refusal> {
+        let mut stack = Self::empty(problem, family.widest(), nodes);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most LOST.2
+        while stack.lost > (LOST.0 * digits).max(ROUNDING) && nodes < LOST.2 {
+            nodes = (LOST.1 * nodes as f64).ceil() as usize;
+            stack = Self::empty(problem, family.widest(), nodes);
+        }
         for i in 1..stack.breaks.len() {
             let (from, to) = (stack.breaks[i - 1], stack.breaks[i]);
             let piece = stack.piece(problem, family, from, to, digits);
@@ -86,6 +94,60 @@ impl Stack {
             family.within_budget()?;
         }
         Ok(stack)
+    }
+
+    /// One without its force.
+    fn empty(problem: &Problem, widest: f64, nodes: usize) -> Self {
+        let face = problem.face().min(widest);
+        let mut breaks = vec![face];
+        breaks.extend(problem.kinks().filter(|kink| *kink > face && *kink < widest));
+        breaks.push(widest);
+        let mut stack = Self {
+            pieces: Vec::new(),
+            breaks,
+            grid: double_exponential::nodes(1.0, nodes),
+            ways: std::array::from_fn(|i| way(nodes * (5 + i) / 3)),
+            crowded_ways: std::array::from_fn(|i| crowded_way(nodes * (2 + i) / 2)),
+            lost: 0.0,
+            room: Room::default(),
+        };
+        stack.lost = stack.measured(problem, 2 * nodes);
+        stack
+    }
+
+    /// The largest difference of an integral over the slope from that with more nodes, over the height.
+    fn measured(&self, problem: &Problem, nodes: usize) -> f64 {
+        let fine = double_exponential::nodes(1.0, nodes);
+        let height = |grid: &[Node], from: f64, to: f64| {
+            let length = to - from;
+            length * grid.iter().map(|x| x.weight * problem.slope(from + length * x.from_lower)).sum::<f64>()
+        };
+        let mut before = 0.0;
+        let mut most = 0.0_f64;
+        for ends in self.breaks.windows(2) {
+            let (from, to) = (ends[0], ends[1]);
+            let rise = height(&fine, from, to);
+            let over = before + rise;
+            before = over;
+            if over == 0.0 {
+                continue;
+            }
+            let mut differs = |found: f64, told: f64| most = most.max(((found - told) / over).abs());
+            differs(height(&self.grid, from, to), rise);
+            for part in MEASURED_FROM {
+                let x = from + part * (to - from);
+                let told = height(&fine, x, to);
+                for ways in [&self.ways, &self.crowded_ways] {
+                    differs(stacked_beyond(ways, x, (x, to), |member, _, _| problem.slope(member)), told);
+                }
+            }
+        }
+        most
+    }
+
+    /// Share of the shape's height that the integrals lose.
+    pub(crate) fn lost(&self) -> f64 {
+        self.lost
     }
 
     fn piece(&mut self, problem: &Problem, family: &mut Family, from: f64, to: f64, digits: f64) -> Piece {

@@ -52,8 +52,8 @@ pub(crate) struct Outcome {
     pub(crate) size: Option<Size>,
     /// The pressure at [`Traces::AT`] over its mean.
     pressure: [f64; Traces::AT.len()],
-    /// Whether the contact grew.
-    is_stacked: bool,
+    /// Of a contact that grew: share of the shape's height that the integrals of its stack lose.
+    pub(crate) lost: Option<f64>,
 }
 
 impl Outcome {
@@ -63,24 +63,21 @@ impl Outcome {
         rubbing: Option<Rubbing>,
         size: Option<Size>,
         pressure: [f64; Traces::AT.len()],
+        lost: f64,
     ) -> Self {
-        Self { numbers, rubbing, size, pressure, is_stacked: true }
+        Self { numbers, rubbing, size, pressure, lost: Some(lost) }
     }
 
     /// An outcome of which only the stick zone is known.
     pub(crate) fn of_rubbing(rubbing: Rubbing) -> Self {
-        Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()])
-    }
-
-    /// Whether the contact grew, and was told as a stack.
-    pub(crate) fn is_stacked(&self) -> bool {
-        self.is_stacked
+        Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()], 0.0)
     }
 
     /// What it tells of the next resolution.
     pub(crate) fn seen(&self) -> Seen {
         let shear = self.rubbing.as_ref().and_then(|rubbing| rubbing.shear);
-        Seen { numbers: self.numbers, traces: Traces { pressure: self.pressure, shear, is_stacked: self.is_stacked } }
+        let traces = Traces { pressure: self.pressure, shear, is_stacked: self.lost.is_some() };
+        Seen { numbers: self.numbers, traces }
     }
 }
 
@@ -176,7 +173,7 @@ impl Stage {
         let mean = self.normal.mean();
         let mut pressure = [0.0; Traces::AT.len()];
         self.normal.values_into(&Traces::stations(self.normal.half_width), &mut pressure);
-        Ok(Outcome { numbers, rubbing, size, pressure: pressure.map(|p| p / mean), is_stacked: false })
+        Ok(Outcome { numbers, rubbing, size, pressure: pressure.map(|p| p / mean), lost: None })
     }
 
     /// Pressure at points strictly inside the contact solved last.

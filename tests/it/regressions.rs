@@ -239,14 +239,15 @@ fn a_load_that_hardly_exceeds_the_face_is_borne() {
 }
 
 /// The peak under shapes of high powers is a narrow one near the edge: looked for in equal steps of x, it was 38 tolerances
-/// too low and claimed to be good. Against the closed form at 2,000 angles, with a parabola through the highest three: its error
+/// too low and claimed to be good. Where the power is no even number, the pressure is stacked by integrals that had too few nodes for
+/// so steep a load: it was off by up to 300 tolerances. Against the closed form at 2,000 angles, with a parabola through the highest three: its error
 /// is of the fourth order in steps of `1/50` of the peak's width.
 #[test]
 fn the_peak_under_a_shape_of_a_high_power() {
     use slipzone::api::reference::power::Power;
     let (nu, angles) = (0.3, 2_000);
     let compliance = (4.0 - 4.0 * nu) / 4.0;
-    for exponent in [4.0, 16.0, 36.0, 62.0] {
+    for exponent in [4.0, 9.1, 16.0, 30.7, 36.0, 61.5, 62.0] {
         let exact = Power { coefficient: 0.5, exponent, half_width: 1.0, compliance };
         let at = |i: i32| exact.pressure((std::f64::consts::FRAC_PI_2 * f64::from(i) / f64::from(angles)).sin());
         let values: Vec<f64> = (0..angles).map(at).collect();
@@ -305,21 +306,34 @@ fn a_few_loads_on_the_way_take_little() {
     assert!(path.plan.work < 8 * alone, "{} for five loads, {alone} for one", path.plan.work);
 }
 
-/// Found by random scenes: numbers that were within the tolerance, but beyond three of their own estimates (4.6e-5 and 7e-6).
-/// What is promised held; what was said of these numbers was too good, and still is.
+/// Found by random scenes: a peak and a force that were within the tolerance, but beyond three of their own estimates. The nodes
+/// of a stack were too few for a steep shape; the grid of a pressure, and the error asked of its kernel, for a depth that is
+/// counted from a near datum. (A depth from 1e-4 b below was off by six tolerances.)
 #[test]
-fn coarse_tolerances_hold_where_their_estimates_are_too_good() {
-    let peak = |thickness: &str, tolerance: &str| {
-        let text = format!(
-            "format = 1\nlayer = {{ {thickness}, poisson = 0.3, grading = {{ type = \"homogeneous\", modulus = 2e5 }} }}\n\
-             punch = {{ type = \"power\", coefficient = 2e-42, exponent = 13.0 }}\nload = {{ force = 2000.0 }}\n\
-             solver = {{ tolerance = {tolerance} }}"
-        );
-        slipzone::engine::solve(&slipzone::scene::parse("peak", &text).unwrap()).pressure.peak.unwrap()
+fn neither_steep_shapes_nor_near_datums_are_surer_than_they_are() {
+    let solved = |text: &str, solver: &str| {
+        let text = format!("format = 1\n{text}\n[solver]\n{solver}");
+        solve(&slipzone::scene::parse("sure.toml", &text).unwrap())
     };
-    let layer = "thickness = 8000.0, base = { type = \"frictionless\" }";
-    let error = (peak(layer, "0.0034") / peak(layer, "1e-9") - 1.0).abs();
-    assert!(error <= 0.0034, "{error:e}");
+    let finely = "tolerance = 1e-5\nquadrature = { type = \"graded-panels\" }";
+    let narrow_peak = "layer = { thickness = 7535.26424689573, base = { type = \"frictionless\" }, \
+         poisson = 0.2649940867268281, grading = { type = \"homogeneous\", modulus = 230660.22273865133 } }\n\
+         punch = { type = \"power\", coefficient = 1.503708363594948e-42, exponent = 13.139158014001122 }\n\
+         load = { force = 1995.5400460709466 }";
+    let near_datum = "layer = { poisson = 0.20343671486093637, base = { type = \"infinite\" }, datum = 0.2621707927690318, \
+         grading = { type = \"homogeneous\", modulus = 1.0 } }\n\
+         punch = { type = \"flat\", half_width = 5.085275327328602 }\nload = { indentation = 0.001066048662366472 }";
+    let nearer_datum = "layer = { thickness = 0.7, poisson = 0.2, base = { type = \"half-plane\", shear = 3.0, poisson = 0.3 }, \
+         datum = 1e-4, grading = { type = \"homogeneous\", modulus = 1.0 } }\n\
+         punch = { type = \"flat\", half_width = 1.0 }\nload = { force = 1.0 }";
+    for (text, tolerance, paths) in [
+        (narrow_peak, "0.0034233236515418754", &["pressure.peak"][..]),
+        (nearer_datum, "1e-3", &["load.indentation"]),
+        (near_datum, "9.670022590864149e-5", &["load.force", "pressure.centre"]),
+    ] {
+        let found = solved(text, &format!("tolerance = {tolerance}"));
+        within_three_estimates(&found, &solved(text, finely), paths);
+    }
 }
 
 /// Found by random scenes: a contact 1e20 times as wide as a stack (whose thickness no check compared) asked for more nodes

@@ -15,12 +15,7 @@ const COUNT: u64 = 2000;
 #[test]
 fn two_thousand_random_scenes_hold() {
     let failed = (0..COUNT).into_par_iter().find_any(|index| draw(SEED, *index).run().failure.is_some());
-    let Some(index) = failed else {
-        // Of seven in 100,000 the estimate was too good, the number within the tolerance; of these none.
-        let optimistic = trial::OPTIMISTIC.load(std::sync::atomic::Ordering::Relaxed);
-        assert_eq!(optimistic, 0, "numbers beyond three of their estimates; the example names them");
-        return;
-    };
+    let Some(index) = failed else { return };
     let (trial, small) = (draw(SEED, index), shrunk(&draw(SEED, index)));
     panic!(
         "scene {index} of seed {SEED} (cargo run --release --example random_scenes -- 1 --seed {SEED} --only {index}):\n\

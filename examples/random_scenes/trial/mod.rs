@@ -18,7 +18,6 @@ use formulas::Examples;
 use slipzone::engine::{BUDGET, Solution, Status, first_not_finite, solve_within};
 use slipzone::scene::{Asked, KEYS, Scene};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 use toml::{Table, Value};
 
@@ -273,16 +272,8 @@ fn write_all(table: &mut Table, x: &[f64]) {
     set(table, &["output", "x"], x.to_vec());
 }
 
-/// Numbers found so far that two results are apart in by more than three of their estimates, but by less than three
-/// tolerances: what is promised holds, what is said of the number is too good.
-pub(crate) static OPTIMISTIC: AtomicU64 = AtomicU64::new(0);
-
-fn tolerance(solution: &Solution) -> f64 {
-    solution.scene.solver.tolerance.get()
-}
-
-/// Whether the numbers of two results agree within three estimates of both, or at least within what was promised; `factor`
-/// is what each of the first is to be multiplied by.
+/// Whether the numbers of two results agree within three estimates of both; `factor` is what each of the first is to be
+/// multiplied by.
 fn agree(found: &Solution, other: &Solution, factor: impl Fn(&str) -> f64) -> Result<(), String> {
     for path in Asked::NUMBERS {
         let (Some(here), Some(there)) = (found.number(path), other.number(path)) else { continue };
@@ -293,11 +284,6 @@ fn agree(found: &Solution, other: &Solution, factor: impl Fn(&str) -> f64) -> Re
         let estimate = |solution: &Solution| solution.error.each.get(path).copied().unwrap_or(0.0);
         let error = (here / there - 1.0).abs();
         let allowed = 3.0 * (estimate(found) + estimate(other)) + ROUNDING;
-        let promised = 3.0 * (tolerance(found).max(estimate(found)) + tolerance(other).max(estimate(other)));
-        if error > allowed && error <= promised {
-            OPTIMISTIC.fetch_add(1, Ordering::Relaxed);
-            continue;
-        }
         if error > allowed || error.is_nan() {
             return Err(format!(
                 "{path}: {here:e} against {there:e}, apart by {error:.1e}; estimates {:.1e} and {:.1e}",
