@@ -207,6 +207,7 @@ impl Normal {
         self.edge == Edge::Sharp
     }
 }
+
 /// How far the middle sinks under a pressure of these unknowns, over `A0`; `None` where depths have no meaning.
 ///
 /// A pressure on a layer is as rough as the kernel, and the rule resolves both alike. That on a half-plane knows nothing of a

@@ -226,7 +226,9 @@ impl Ladder {
                 let now = judged(problem, &errors).map_or(0.0, |(_, error)| error);
                 let met = now + beside_differences(layer, &outcome, tolerance) <= tolerance || now <= 2.0 * ROUNDING;
                 stalled = if now < ROUNDED && now > 0.5 * before { stalled + 1 } else { 0 };
-                done = met || stalled >= STALLED;
+                // What a stack loses at any resolution.
+                let is_vain = outcome.lost.is_some_and(|lost| lost > tolerance && now <= lost);
+                done = met || is_vain || stalled >= STALLED;
             }
             done = done || self.is_hopeless(problem, step, first, &outcome) || self.is_broken(step, first, &errors);
             if done || step + first == FINEST {

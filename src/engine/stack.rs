@@ -14,7 +14,7 @@ use slipzone_api::double_exponential::{self, Node};
 use slipzone_api::{Refusal, Station};
 
 /// Coefficients of the force over a piece: at first, and at most.
-const COEFFICIENTS: (usize, usize) = (12, 96);
+const COEFFICIENTS: (usize, usize) = (12, 384);
 /// Power of the variable in which the force over the first piece is a series.
 const POWER: i32 = 2;
 /// The longest way in `t` of `b' = x cosh(t)` that one grid integrates over.
@@ -47,7 +47,7 @@ pub(crate) struct Stack {
     /// and of a pressure, beside which there may be a kink.
     ways: [Vec<[f64; 2]>; WAYS.0],
     crowded_ways: [Vec<[f64; 2]>; WAYS.0],
-    /// Share of the shape's height that the integrals lose.
+    /// What the integrals lose of the shape's height, or the series of its force, relative.
     lost: f64,
     room: Room,
 }
@@ -89,8 +89,9 @@ impl Stack {
         }
         for i in 1..stack.breaks.len() {
             let (from, to) = (stack.breaks[i - 1], stack.breaks[i]);
-            let piece = stack.piece(problem, family, from, to, digits);
+            let (piece, tail) = stack.piece(problem, family, from, to, digits);
             stack.pieces.push(piece);
+            stack.lost = stack.lost.max(tail);
             family.within_budget()?;
         }
         Ok(stack)
@@ -145,12 +146,13 @@ impl Stack {
         most
     }
 
-    /// Share of the shape's height that the integrals lose.
+    /// What the integrals lose of the shape's height, or the series of its force, relative.
     pub(crate) fn lost(&self) -> f64 {
         self.lost
     }
 
-    fn piece(&mut self, problem: &Problem, family: &mut Family, from: f64, to: f64, digits: f64) -> Piece {
+    /// The force over a piece, and what its series leaves out.
+    fn piece(&mut self, problem: &Problem, family: &mut Family, from: f64, to: f64, digits: f64) -> (Piece, f64) {
         let mut count = COEFFICIENTS.0;
         loop {
             let points = Points::new(count);
@@ -181,7 +183,7 @@ impl Stack {
                 (Force::OfHeight { rho, kappa }, tail)
             };
             if tail < digits || 2 * count > COEFFICIENTS.1 || tail.is_nan() {
-                return Piece { from, to, force };
+                return (Piece { from, to, force }, tail);
             }
             count *= 2;
         }

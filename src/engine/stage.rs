@@ -52,7 +52,7 @@ pub(crate) struct Outcome {
     pub(crate) size: Option<Size>,
     /// The pressure at [`Traces::AT`] over its mean.
     pressure: [f64; Traces::AT.len()],
-    /// Of a contact that grew: share of the shape's height that the integrals of its stack lose.
+    /// Of a contact that grew: what its stack loses, relative.
     pub(crate) lost: Option<f64>,
 }
 
