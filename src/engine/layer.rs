@@ -23,7 +23,7 @@ pub struct Layer {
     response: Box<dyn LayerResponse>,
     /// The same with depths counted from a datum, where they have no meaning otherwise and one is named.
     against_datum: Option<Box<dyn LayerResponse>>,
-    pub(crate) is_grounded: bool,
+    is_grounded: bool,
     strategy: Box<dyn KernelStrategy>,
     tables: Option<Tables>,
     flexibility_evaluations: usize,
@@ -51,9 +51,9 @@ struct Tables {
 }
 
 impl Tables {
-    /// The larger of the errors that the tables prove; `None` where one proves none.
-    fn error(&self) -> Option<f64> {
-        self.kernels.iter().chain(&self.depth).try_fold(0.0, |most: f64, table| Some(most.max(table.error()?)))
+    /// Whether they prove their errors.
+    fn prove(&self) -> bool {
+        self.kernels.iter().chain(&self.depth).all(|table| table.error().is_some())
     }
 }
 
@@ -134,11 +134,8 @@ impl Layer {
         let reach = 2.0 * wanted.half_width;
         let wanted = Wanted { accuracy: wanted.accuracy / spread(wanted.half_width), ..wanted };
         let serves = |tables: &Tables| {
-            let precise = if tables.error().is_some() {
-                tables.accuracy <= wanted.accuracy
-            } else {
-                tables.level == wanted.level
-            };
+            let precise =
+                if tables.prove() { tables.accuracy <= wanted.accuracy } else { tables.level == wanted.level };
             let complete = (tables.frictional || !wanted.frictional) && (tables.deep || !wanted.deep);
             precise && reach <= tables.reach && complete
         };
@@ -148,7 +145,7 @@ impl Layer {
         // Who does not prove an error is judged by another level of the same reach: a level more for half the reach may be
         // the same cut-off, and the same error.
         let reach = match &self.tables {
-            Some(tables) if tables.error().is_none() && tables.reach <= REACH_KEPT * reach => reach.max(tables.reach),
+            Some(tables) if !tables.prove() && tables.reach <= REACH_KEPT * reach => reach.max(tables.reach),
             _ => reach,
         };
         self.meter.within()?;

@@ -121,16 +121,15 @@ impl Normal {
 
     /// Force that gives an indentation; `None` on a half-plane.
     fn force_at(&mut self, layer: &Layer, problem: &Problem, indentation: f64) -> Option<f64> {
-        let a0 = problem.elastic.a0();
-        let by_force = a0 * sunk(&mut *self.rule, self.half_width, layer, self.system.column(0))?;
-        let by_shape = a0 * sunk(&mut *self.rule, self.half_width, layer, self.system.column(1))? + problem.height(0.0);
+        let mut sunk = |column| sunk(&mut *self.rule, self.half_width, (layer, problem), self.system.column(column));
+        let by_force = sunk(0)?;
+        let by_shape = sunk(1)? + problem.height(0.0);
         Some((indentation - by_shape) / by_force)
     }
 
     /// Depth of the punch, `delta = v(0) + g(0)`; `None` on a half-plane without a datum.
     pub(crate) fn depth(&mut self, layer: &Layer, problem: &Problem) -> Option<f64> {
-        let depth = sunk(&mut *self.rule, self.half_width, layer, &self.unknowns)?;
-        Some(problem.elastic.a0() * depth + problem.height(0.0))
+        Some(sunk(&mut *self.rule, self.half_width, (layer, problem), &self.unknowns)? + problem.height(0.0))
     }
 
     /// Pressure at points strictly inside the contact.
@@ -208,15 +207,16 @@ impl Normal {
     }
 }
 
-/// How far the middle sinks under a pressure of these unknowns, over `A0`; `None` where depths have no meaning.
+/// How far the middle sinks under a pressure of these unknowns; `None` where depths have no meaning.
 ///
 /// A pressure on a layer is as rough as the kernel, and the rule resolves both alike. That on a half-plane knows nothing of a
 /// datum, however near: there `x = l sinh(t)`, of which the kernel of length `l` is a smooth function, by a double-exponential grid
 /// in `t`.
-fn sunk(rule: &mut dyn Rule, half_width: f64, layer: &Layer, unknowns: &[f64]) -> Option<f64> {
+fn sunk(rule: &mut dyn Rule, half_width: f64, (layer, problem): (&Layer, &Problem), unknowns: &[f64]) -> Option<f64> {
     let (table, component) = layer.kernel(Component::Depth)?;
-    if layer.is_grounded {
-        return Some(rule.potential_at_centre(unknowns, (table, component)));
+    let a0 = problem.elastic.a0();
+    if problem.layer.is_grounded() {
+        return Some(a0 * rule.potential_at_centre(unknowns, (table, component)));
     }
     let length = table.length();
     let end = (half_width / length).asinh();
@@ -233,5 +233,5 @@ fn sunk(rule: &mut dyn Rule, half_width: f64, layer: &Layer, unknowns: &[f64]) -
     table.values_into(component, &distances, &mut kernel);
     let terms = grid.iter().zip(&pressure).zip(&kernel);
     let sum: f64 = terms.map(|((node, p), k)| node.weight * length * node.from_lower.cosh() * p * k).sum();
-    Some(FRAC_2_PI * sum)
+    Some(a0 * (FRAC_2_PI * sum))
 }

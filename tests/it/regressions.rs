@@ -239,9 +239,9 @@ fn a_load_that_hardly_exceeds_the_face_is_borne() {
 }
 
 /// The peak under shapes of high powers is a narrow one near the edge: looked for in equal steps of x, it was 38 tolerances
-/// too low and claimed to be good. Where the power is no even number, the pressure is stacked by integrals that had too few nodes for
-/// so steep a load: it was off by up to 300 tolerances. Against the closed form at 2,000 angles, with a parabola through the highest three: its error
-/// is of the fourth order in steps of `1/50` of the peak's width.
+/// too low and claimed to be good. Where the power is no even number, the pressure is stacked by integrals that had too few
+/// nodes for so steep a load: it was off by up to 300 tolerances. Against the closed form at 2,000 angles, with a parabola
+/// through the highest three: its error is of the fourth order in steps of `1/50` of the peak's width.
 #[test]
 fn the_peak_under_a_shape_of_a_high_power() {
     use slipzone::api::reference::power::Power;
