@@ -45,7 +45,7 @@ pub(super) fn solution(
     }
     let rubbing = judged.outcome.rubbing.as_ref().filter(|rubbing| rubbing.verdict == Verdict::Holds);
     let mut plan = plan;
-    plan.coupling_neglected = rubbing.and_then(|rubbing| coupling::neglected(problem, rubbing.zone));
+    plan.coupling_neglected = rubbing.and_then(|rubbing| coupling::neglected(layer, problem, rubbing.zone, scene));
     let stick = judged.outcome.rubbing.as_ref().filter(|_| wishes.reports_stick()).map(|_| StickReport {
         half_width: number(Quantity::StickHalfWidth, length),
         ratio: number(Quantity::StickRatio, 1.0),
@@ -57,8 +57,9 @@ pub(super) fn solution(
     let mut solution = Solution { status, reason, stick, profile, ..told };
     if let Some(neglected) = solution.plan.coupling_neglected {
         let reason = format!(
-            "Goodman: that q does not change p makes the friction that belongs to this stick ratio about {} too small",
-            percent(neglected)
+            "Goodman: that q does not change p makes the friction that belongs to this stick ratio about {} too {}",
+            percent(neglected.abs()),
+            if neglected < 0.0 { "large" } else { "small" }
         );
         solution.assumptions.push(reason.clone());
         solution.plan.reasons.push(reason);

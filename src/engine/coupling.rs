@@ -1,28 +1,50 @@
 //! What Goodman's approximation costs, estimated.
 //!
-//! Measured on half-planes (docs/theory.md, "What Goodman's approximation costs"): at a given stick ratio `k` the friction of
-//! the coupled equations is larger by a factor of `1/(1 - c beta^2)`, where `c` depends on the ratio. What is left out of
-//! the pressure's equation is `beta q`, and `q` is of the size of `eta p`; on a half-plane `eta = beta K(k)/K'(k)`. So
-//! `c beta^2 = c (K'/K) beta eta`, which is taken for layers as well.
+//! It leaves out what the shear does to the pressure, `beta q - (1/pi) int q k_uv` in the pressure's equation. Measured on
+//! half-planes (docs/planner.md, "What Goodman's approximation neglects"): at a given stick ratio `k` the friction of the
+//! coupled equations is larger by a factor of `1/(1 - c beta^2)`, where `c` depends on the ratio.
+//!
+//! On a layer the first step from Goodman's solution towards the coupled one is taken, under a flat punch with the contact and the
+//! stick zone of the solution, and the same on the half-plane of the layer's surface. A coarse resolution makes much the same error
+//! in either: what is neglected is as much smaller than on the half-plane as the step is, or larger by as much.
 
+use super::layer::Layer;
+use super::normal::Normal;
 use super::problem::Problem;
+use super::stand_in;
+use super::stick::Shear;
 use super::stick_zone::StickZone;
+use crate::scene::Scene;
+use slipzone_api::double_exponential;
+use slipzone_api::{Component, Edge, Quadrature, Refusal, Station};
+use std::f64::consts::PI;
 
 /// `a/b`, and `c` there: the largest over Poisson's ratios from 0 to 0.45 (`tests/data/coupled_half_plane.csv`).
 const MEASURED: [(f64, f64); 6] = [(0.1, 0.60), (0.25, 0.66), (0.5, 0.78), (0.75, 1.0), (0.9, 1.36), (0.99, 2.32)];
 /// A share of the friction beyond which the measurements say nothing.
 const MOST: f64 = 0.9;
+/// Refinements of the quadrature for the steps.
+const LEVEL: u32 = 2;
+/// Nodes on either side of the middle of the stick zone and of the slip zone, and where those grids end: sums over the shear
+/// see no more of the edge.
+const NODES: (usize, f64) = (10, 3.0);
 
-/// The relative error of the friction coefficient that belongs to a stick zone, as far as the surface's own coupling goes;
-/// `None` without friction.
-pub(super) fn neglected(problem: &Problem, zone: StickZone) -> Option<f64> {
-    let (k, rest) = (zone.ratio(), zone.one_minus_ratio());
-    let complement = (rest * (1.0 + k)).sqrt();
-    // K = (pi/2)/agm(1, k'), and K' likewise.
-    let quotient = mean(complement) / mean(k);
-    let share = factor(k, rest) * quotient * problem.elastic.beta().abs() * problem.friction?;
-    let share = share.min(MOST);
-    Some(share / (1.0 - share))
+/// The relative error of the friction coefficient that belongs to a stick zone; `None` where nothing can be told.
+pub(super) fn neglected(layer: &Layer, problem: &Problem, zone: StickZone, scene: &Scene) -> Option<f64> {
+    let beta = problem.elastic.beta();
+    let share = (factor(zone.ratio(), zone.one_minus_ratio()) * beta * beta).min(MOST);
+    let of_half_plane = share / (1.0 - share);
+    if layer.is_plain() {
+        return Some(of_half_plane);
+    }
+    let quadrature = scene.solver.quadrature.as_ref()?.refined(LEVEL);
+    let half_plane = Scene { layer: stand_in::half_plane(&scene.layer, &problem.layer), ..scene.clone() };
+    let step = |layer: &Layer| first_step(layer, beta, zone, quadrature.clone()).ok();
+    // On an incompressible half-plane there is no shear.
+    let plain = if beta == 0.0 { 0.0 } else { step(&Layer::of(&half_plane).ok()?)? };
+    let own = step(layer)?;
+    let neglected = if own.abs() < plain.abs() { of_half_plane * own / plain } else { of_half_plane + own - plain };
+    neglected.is_finite().then_some(neglected)
 }
 
 /// `c`: between the measurements and beyond them along `ln(a/(b - a))`.
@@ -34,12 +56,48 @@ fn factor(ratio: f64, rest: f64) -> f64 {
     pair[0].1 + (pair[1].1 - pair[0].1) * (at - from) / (to - from)
 }
 
-/// The arithmetic-geometric mean of 1 and a number in (0, 1].
-fn mean(other: f64) -> f64 {
-    const STEPS: usize = 12;
-    let (mut a, mut g) = (1.0, other.max(f64::MIN_POSITIVE));
-    for _ in 0..STEPS {
-        (a, g) = (0.5 * (a + g), (a * g).sqrt());
-    }
-    a
+/// By how much the friction coefficient of a stick zone grows, relative, when the pressure of a frictionless flat punch gives way to
+/// the one that the shear under it makes.
+fn first_step(layer: &Layer, beta: f64, zone: StickZone, quadrature: Box<dyn Quadrature>) -> Result<f64, Refusal> {
+    let mut normal = Normal::new(&*quadrature, Edge::Sharp)?;
+    normal.press_flat(layer, zone.contact(), |_| 0.0)?;
+    let mut shear = Shear::new(quadrature)?;
+    shear.under(layer, &mut normal);
+    let goodman = shear.solve(layer, &mut normal, beta, zone)?;
+
+    let at = normal.collocation().to_vec();
+    let mut pressure = vec![0.0; at.len()];
+    normal.values_into(&at, &mut pressure);
+    let own = shear.values(&at, &pressure);
+    let points = right_half(zone, &normal, &shear);
+    let (mut distances, mut kernel) = (vec![0.0; 2 * points.len()], vec![0.0; 2 * points.len()]);
+    let slope = |(at, q): (&Station, f64)| {
+        let both = points.iter().flat_map(|(r, _)| [(at.x - r).abs(), at.x + r]);
+        distances.iter_mut().zip(both).for_each(|(distance, t)| *distance = t);
+        layer.kernel_values(Component::Coupling, &distances, &mut kernel);
+        // The shear is odd, its kernel even.
+        let sum: f64 = kernel.chunks_exact(2).zip(&points).map(|(k, (_, share))| (k[0] - k[1]) * share).sum();
+        beta * q - sum / PI
+    };
+    let slopes: Vec<f64> = at.iter().zip(own).map(slope).collect();
+    normal.press_flat(layer, zone.contact(), |i| slopes[i])?;
+    shear.under(layer, &mut normal);
+    Ok(shear.solve(layer, &mut normal, beta, zone)? / goodman - 1.0)
+}
+
+/// Points of the right half of the contact, and the shear that each stands for.
+fn right_half(zone: StickZone, normal: &Normal, shear: &Shear) -> Vec<(f64, f64)> {
+    let grid = double_exponential::nodes_up_to(1.0, NODES.0, NODES.1);
+    let a = zone.half_width;
+    // The gaps of the stick zone's points are to its own end, as its rule wants them.
+    let sticking: Vec<Station> =
+        grid.iter().map(|node| Station { x: a * node.from_lower, gap: a * node.to_upper }).collect();
+    let slipping: Vec<Station> = grid.iter().map(|node| zone.in_slip(node)).collect();
+    let (mut q, mut p) = (vec![0.0; grid.len()], vec![0.0; grid.len()]);
+    shear.in_stick_into(&sticking, &mut q);
+    normal.values_into(&slipping, &mut p);
+    let sticks = sticking.iter().zip(&q).zip(&grid).map(|((at, q), node)| (at.x, q * a * node.weight));
+    let (eta, width) = (shear.friction, zone.slip_width);
+    let slips = slipping.iter().zip(&p).zip(&grid).map(|((at, p), node)| (at.x, eta * p * width * node.weight));
+    sticks.chain(slips).collect()
 }

@@ -55,7 +55,7 @@ impl Normal {
             self.solved_at = None;
             let n = self.size();
             layer.meter().system(n, 2)?;
-            self.assemble(layer, problem, half_width, 1);
+            self.assemble(layer, half_width, 1, |_, at| problem.slope(at.x) / problem.elastic.a0());
             self.rule.resultant_into(&mut self.system.rows[n * (n - 1)..]);
             let (force, shape) = self.system.columns.split_at_mut(n);
             force.fill(0.0);
@@ -88,7 +88,7 @@ impl Normal {
     pub(crate) fn press_smooth(&mut self, layer: &Layer, problem: &Problem, half_width: f64) -> Result<(), Refusal> {
         let n = self.size();
         layer.meter().system(n, 1)?;
-        self.assemble(layer, problem, half_width, 0);
+        self.assemble(layer, half_width, 0, |_, at| problem.slope(at.x) / problem.elastic.a0());
         if let Some(condition) = self.rule.edge_condition() {
             self.system.rows[n * (n - 1)..].copy_from_slice(condition);
             self.system.columns[n - 1] = 0.0;
@@ -101,8 +101,28 @@ impl Normal {
         Ok(())
     }
 
-    /// Writes the collocated equations, and the face's slope as right-hand side `column`.
-    fn assemble(&mut self, layer: &Layer, problem: &Problem, half_width: f64, column: usize) {
+    /// The pressure of unit force under a flat face with sharp corners; the surface has a slope of its own there, `A0` times
+    /// what is given at each collocation point.
+    pub(crate) fn press_flat(
+        &mut self,
+        layer: &Layer,
+        half_width: f64,
+        slope: impl Fn(usize) -> f64,
+    ) -> Result<(), Refusal> {
+        let n = self.size();
+        layer.meter().system(n, 1)?;
+        self.assemble(layer, half_width, 0, |i, _| slope(i));
+        self.rule.resultant_into(&mut self.system.rows[n * (n - 1)..]);
+        self.system.columns[n - 1] = 1.0;
+        self.system.solve(1)?;
+        self.unknowns.copy_from_slice(self.system.column(0));
+        self.force = 1.0;
+        self.edge_factor = self.rule.edge_factor(&self.unknowns);
+        Ok(())
+    }
+
+    /// Writes the collocated equations, and slopes over `A0` as right-hand side `column`.
+    fn assemble(&mut self, layer: &Layer, half_width: f64, column: usize, slope: impl Fn(usize, &Station) -> f64) {
         self.half_width = half_width;
         self.rule.stretch(half_width);
         let n = self.size();
@@ -110,9 +130,8 @@ impl Normal {
         self.rule.operator_into(layer.kernel(Component::NormalSlope), &mut self.system.rows[..equations * n]);
         let right = &mut self.system.columns[column * n..(column + 1) * n];
         right.fill(0.0);
-        let a0 = problem.elastic.a0();
-        for (right, station) in right.iter_mut().zip(self.rule.collocation()) {
-            *right = problem.slope(station.x) / a0;
+        for (i, (right, station)) in right.iter_mut().zip(self.rule.collocation()).enumerate() {
+            *right = slope(i, station);
         }
         if let Some(scale) = self.rule.row_scale() {
             right.iter_mut().zip(scale).for_each(|(right, scale)| *right *= scale);
@@ -130,6 +149,11 @@ impl Normal {
     /// Depth of the punch, `delta = v(0) + g(0)`; `None` on a half-plane without a datum.
     pub(crate) fn depth(&mut self, layer: &Layer, problem: &Problem) -> Option<f64> {
         Some(sunk(&mut *self.rule, self.half_width, (layer, problem), &self.unknowns)? + problem.height(0.0))
+    }
+
+    /// The points at which its equations are collocated.
+    pub(crate) fn collocation(&self) -> &[Station] {
+        self.rule.collocation()
     }
 
     /// Pressure at points strictly inside the contact.

@@ -8,6 +8,7 @@ mod cc13;
 mod chart;
 #[cfg(feature = "cli")]
 mod command_line;
+mod coupled;
 mod examples;
 #[cfg(feature = "plot")]
 mod figures;

@@ -1,0 +1,188 @@
+//! Both equations coupled, by boundary elements of constant traction that share nothing with the engine but the flexibility:
+//! what Goodman's approximation neglects on layers, beside the estimate of it.
+
+use crate::sketch::Sketch;
+use bilby::GaussLegendre;
+use faer::Mat;
+use faer::prelude::Solve;
+use slipzone::api::{Flexibility, LayerResponse, SurfaceFlexibility};
+use slipzone::engine::{Slip, Status};
+use slipzone_flexibilities::Compliance;
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// Wave numbers up to which the kernels are summed, and panels of that sum.
+const WAVES: (f64, usize) = (150.0, 110);
+/// Elements over the stick zone and over the slip zone.
+const ELEMENTS: [usize; 2] = [44, 56];
+
+/// An element of constant traction, its mirror image understood.
+#[derive(Clone, Copy)]
+struct Element {
+    from: f64,
+    to: f64,
+}
+
+impl Element {
+    fn middle(self) -> f64 {
+        0.5 * (self.from + self.to)
+    }
+
+    fn width(self) -> f64 {
+        self.to - self.from
+    }
+
+    /// `int ln|x - r| dr`.
+    fn logarithm(self, x: f64) -> f64 {
+        let whole = |t: f64| if t == 0.0 { 0.0 } else { t * t.abs().ln() - t };
+        whole(x - self.from) - whole(x - self.to)
+    }
+}
+
+/// A unit of half-width, shear modulus and force.
+struct Coupled {
+    beta: f64,
+    waves: Vec<(f64, f64, SurfaceFlexibility)>,
+    elements: Vec<Element>,
+    /// Elements that stick.
+    sticking: usize,
+    /// Kernels integrated once over the distance, between middles: differences first, then sums.
+    tables: [Vec<[f64; 3]>; 2],
+}
+
+impl Coupled {
+    fn new(response: &dyn LayerResponse, beta: f64, h: f64, a: f64) -> Self {
+        let rule = GaussLegendre::new(8).expect("nodes");
+        let (most, panels) = WAVES;
+        let step = |i: usize| most * (i as f64 / panels as f64).powi(2);
+        let mut waves = Vec::new();
+        for i in 0..panels {
+            let (middle, half) = (0.5 * (step(i) + step(i + 1)), 0.5 * (step(i + 1) - step(i)));
+            for (x, weight) in rule.rule().nodes.iter().zip(&rule.rule().weights) {
+                let s = middle + half * x;
+                let f = response.surface(s * h).expect("a flexibility");
+                let f = SurfaceFlexibility { vv: f.vv - 1.0, uu: f.uu - 1.0, uv: f.uv + beta };
+                waves.push((s, weight * half, f));
+            }
+        }
+        let [inside, outside] = ELEMENTS;
+        let one_end = |i: usize| a * (1.0 - (1.0 - i as f64 / inside as f64).powi(5));
+        let both_ends = |i: usize| {
+            let (t, rest) = (i as f64 / outside as f64, 1.0 - i as f64 / outside as f64);
+            a + (1.0 - a) * t.powi(5) / (t.powi(5) + rest.powi(5))
+        };
+        let mut elements: Vec<Element> =
+            (0..inside).map(|i| Element { from: one_end(i), to: one_end(i + 1) }).collect();
+        elements.extend((0..outside).map(|i| Element { from: both_ends(i), to: both_ends(i + 1) }));
+        let mut coupled = Self { beta, waves, elements, sticking: inside, tables: [Vec::new(), Vec::new()] };
+        coupled.tables = [-1.0, 1.0].map(|sign| {
+            let pairs = coupled.elements.iter().flat_map(|x| coupled.elements.iter().map(move |r| (x, r)));
+            pairs.map(|(x, r)| coupled.kernels(x.middle() + sign * r.middle())).collect()
+        });
+        coupled
+    }
+
+    /// `int_0^t` of `k_vv`, `k_uu` and `k_uv`.
+    fn kernels(&self, t: f64) -> [f64; 3] {
+        self.waves.iter().fold([0.0; 3], |[vv, uu, uv], (s, weight, m)| {
+            let (even, odd) = (weight * 2.0 * (0.5 * s * t).sin().powi(2) / s, weight * (s * t).sin() / s);
+            [vv + m.vv * even, uu + m.uu * even, uv + m.uv * odd]
+        })
+    }
+
+    /// `q(a) - eta p(a)` where the friction coefficient is `eta` and the stick zone as wide as it is.
+    fn mismatch(&self, eta: f64, with_coupling: bool) -> f64 {
+        let (n, m) = (self.elements.len(), self.sticking);
+        let mut matrix = Mat::<f64>::zeros(n + m, n + m);
+        let mut right = Mat::<f64>::zeros(n + m, 1);
+        // Where the shear of an element stands, and by how much it is multiplied.
+        let shear = |j: usize| if j < m { (n + j, 1.0) } else { (j, eta) };
+        // v at a middle, over A0.
+        let depth = |i: usize, add: &mut dyn FnMut(usize, f64)| {
+            let x = self.elements[i].middle();
+            for (j, r) in self.elements.iter().enumerate() {
+                let (near, far) = (self.tables[0][i * n + j], self.tables[1][i * n + j]);
+                let p = r.logarithm(x) + r.logarithm(-x) + r.width() * (near[0] + far[0]);
+                add(j, p / PI);
+                if with_coupling {
+                    // beta times the shear from the middle of the contact to there.
+                    let before = if j < i { r.width() } else { 0.0 } + if j == i { 0.5 * r.width() } else { 0.0 };
+                    let q = r.width() * (near[2] - far[2]) / PI - self.beta * before;
+                    let (at, factor) = shear(j);
+                    add(at, factor * q);
+                }
+            }
+        };
+        for i in 0..n - 1 {
+            depth(i + 1, &mut |at, value| matrix[(i, at)] += value);
+            depth(i, &mut |at, value| matrix[(i, at)] -= value);
+        }
+        for (j, r) in self.elements.iter().enumerate() {
+            matrix[(n - 1, j)] = 2.0 * r.width();
+        }
+        right[(n - 1, 0)] = 1.0;
+        // u at the middles that stick.
+        for i in 0..m {
+            let x = self.elements[i].middle();
+            for (j, r) in self.elements.iter().enumerate() {
+                let (near, far) = (self.tables[0][i * n + j], self.tables[1][i * n + j]);
+                let q = r.logarithm(x) - r.logarithm(-x) + r.width() * (near[1] - far[1]);
+                let (at, factor) = shear(j);
+                matrix[(n + i, at)] += factor * q / PI;
+                let before = if j < i { r.width() } else { 0.0 } + if j == i { 0.5 * r.width() } else { 0.0 };
+                matrix[(n + i, j)] += self.beta * before - r.width() * (near[2] + far[2]) / PI;
+            }
+        }
+        let found = matrix.partial_piv_lu().solve(&right);
+        found[(n + m - 1, 0)] - eta * found[(m - 1, 0)]
+    }
+
+    /// The friction coefficient of the stick zone.
+    fn friction(&self, guess: f64, with_coupling: bool) -> f64 {
+        let mut last = (0.9 * guess, self.mismatch(0.9 * guess, with_coupling));
+        let mut next = guess;
+        for _ in 0..20 {
+            let value = self.mismatch(next, with_coupling);
+            let step = value * (next - last.0) / (value - last.1);
+            last = (next, value);
+            next -= step;
+            if step.abs() < 1e-8 * next.abs() {
+                break;
+            }
+        }
+        next
+    }
+}
+
+/// Goodman's friction and the coupled equations' by the same elements: their quotient does not feel how coarse these are.
+#[test]
+fn what_goodman_neglects_on_layers_is_what_the_coupled_equations_say() {
+    let layers = [
+        (1.0, 1.0, 0.3, 0.3, false),
+        (0.5, 1.0, 0.2, 0.4, false),
+        (2.0, 0.125, 0.1, 0.5, false),
+        (5.0, 8.0, 0.3, 0.2, true),
+        (1.0, 0.125, 0.3, 0.3, false),
+        (0.3, 1.0, 0.3, 0.3, false),
+        (0.5, 1.0, 0.45, 0.1, false),
+        (20.0, 1.0, 0.0, 0.25, false),
+        (0.5, 1.0, 0.5, 0.1, false),
+    ];
+    for (h, ratio, nu, eta, grown) in layers {
+        let flat = Sketch::flat(h, ratio, nu).rubbing(eta);
+        let solution = if grown { flat.clone().cylinder() } else { flat.clone() }.solve();
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+        let stick = solution.stick.expect("friction");
+        let signed = if stick.slip == Some(Slip::Outward) { -eta } else { eta };
+        let told = solution.plan.coupling_neglected.expect("an estimate");
+
+        let model = Arc::new(flat.scene().layer.model().expect("a layer"));
+        let response = Compliance {}.respond(&model).expect("a flexibility");
+        let coupled = Coupled::new(&*response, model.elastic.beta(), h, stick.ratio.expect("a stick zone"));
+        let goodman = coupled.friction(signed, false);
+        assert!((goodman / signed - 1.0).abs() < 5e-3, "elements: {goodman} for {signed}");
+        let truth = coupled.friction(goodman, true) / goodman - 1.0;
+        println!("h/b = {h}, mu1/mu3 = {ratio}, nu = {nu}, eta = {signed}: {told:.4} told, {truth:.4} true");
+        assert!((told / truth - 1.0).abs() < 0.2, "h/b = {h}, mu1/mu3 = {ratio}, nu = {nu}: {told} told, {truth} true");
+    }
+}
