@@ -5,7 +5,7 @@ use crate::scene::{Layer, LoadKind, Model, Scene};
 use serde::Serialize;
 use slipzone_api::{Base, Flexibility, KernelStrategy, Quadrature};
 use slipzone_flexibilities::{ClosedForm, Compliance};
-use slipzone_kernels::Split;
+use slipzone_kernels::{Moments, Split};
 
 use slipzone_quadratures::DeSinc;
 
@@ -76,6 +76,13 @@ impl Chosen {
             self.plan.flexibility = self.methods.flexibility.typetag_name().into();
             // What was said of the flexibility is said of the model's.
             reason.clone_into(&mut self.plan.reasons[0]);
+            if model == Model::CorrectedHalfPlane {
+                self.methods.kernel = Box::new(Moments {});
+                self.scene.solver.kernel = Some(self.methods.kernel.clone());
+                self.plan.kernel = self.methods.kernel.typetag_name().into();
+                "moments: first terms of the kernels in powers of b/h, what they leave out bounded"
+                    .clone_into(&mut self.plan.reasons[1]);
+            }
         }
         self.scene.solver.model = Some(model);
         self.plan.model = model;

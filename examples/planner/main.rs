@@ -39,12 +39,15 @@ fn parsed(text: &str) -> Scene {
     slipzone::scene::parse("planner.toml", text).unwrap_or_else(|e| panic!("{e}\n{text}"))
 }
 
+/// Models that stand for layers thicker than their contacts are wide, whatever the scene.
+const THICK: [Model; 3] = [Model::HalfPlane, Model::CorrectedHalfPlane, Model::Homogeneous];
+
 /// Every model forced on every scene: its true errors over the bounds that it states. Whether all are below 1.
 fn bounds(count: u64, seed: u64) -> bool {
     let one = |index: u64| {
         let text = scene(&mut dice(seed, index));
         let mut found = Vec::new();
-        for model in [Model::HalfPlane, Model::Homogeneous] {
+        for model in THICK {
             let output = if model == Model::HalfPlane { ALL_BUT_DEPTH } else { "points = 2" };
             let with = |model: Model| {
                 let name = model.name();
@@ -68,12 +71,12 @@ fn bounds(count: u64, seed: u64) -> bool {
         found
     };
     let all: Vec<_> = (0..count).into_par_iter().flat_map_iter(one).collect();
-    for model in [Model::HalfPlane, Model::Homogeneous] {
+    for model in THICK {
         for path in Asked::NAMES {
             let of = all.iter().filter(|one| one.0 == model && one.1 == path);
             let Some(worst) = of.clone().max_by(|one, other| one.2.total_cmp(&other.2)) else { continue };
             let (name, scenes) = (model.name(), of.count());
-            println!("{name:12} {path:22} {scenes:5} scenes, true error at most {:.3} of the bound", worst.2);
+            println!("{name:20} {path:22} {scenes:5} scenes, true error at most {:.3} of the bound", worst.2);
             if std::env::var_os("WORST").is_some() {
                 println!("{}", worst.3);
             }

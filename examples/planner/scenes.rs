@@ -68,12 +68,16 @@ fn grading(dice: &mut Dice, h: f64, share: f64) -> String {
     }
 }
 
+/// Share of the scenes of contacts wider than their layers are thick.
+const WIDE: f64 = 0.1;
+
 /// A scene of a contact of about unit half-width, its `[solver]` and `[output]` left out.
 pub(crate) fn scene(dice: &mut Dice) -> String {
-    let h = dice.log(4.0, 3e4);
+    let is_wide = dice.roll() < WIDE;
+    let h = if is_wide { dice.log(0.03, 0.2) } else { dice.log(4.0, 3e4) };
     let share = dice.log(1e-4, 3.0);
     let nu = dice.between(0.0, 0.48);
-    let base = match dice.one_of(&[0, 1, 2, 3, 4]) {
+    let base = match if is_wide { dice.one_of(&[0, 2]) } else { dice.one_of(&[0, 1, 2, 3, 4]) } {
         0 | 1 => "{ type = \"rigid\" }".into(),
         2 => "{ type = \"frictionless\" }".into(),
         3 => format!(
@@ -92,21 +96,27 @@ pub(crate) fn scene(dice: &mut Dice) -> String {
     } else {
         format!("thickness = {h:?}\nbase = {base}\ngrading = {{ {} }}", grading(dice, h, share))
     };
-    let punch = match dice.one_of(&[0, 0, 0, 1, 1, 2, 3, 4, 5]) {
+    let punch = match if is_wide { dice.one_of(&[1, 3, 5]) } else { dice.one_of(&[0, 0, 0, 1, 1, 2, 3, 4, 5]) } {
         0 => "type = \"flat\"\nhalf_width = 1.0".into(),
         1 => "type = \"cylinder\"\nradius = 1.0".into(),
         2 => "type = \"wedge\"\nslope = 0.5".into(),
-        3 => format!("type = \"power\"\ncoefficient = 0.5\nexponent = {:?}", dice.log(1.2, 16.0)),
+        3 => format!("type = \"power\"\ncoefficient = 0.5\nexponent = {:?}", dice.log(1.2, 64.0)),
         4 => format!("type = \"rounded-flat\"\nhalf_width = {:?}\nradius = 1.0", dice.between(0.05, 0.95)),
         _ => "type = \"polynomial\"\ncoefficients = [0.3, 0.1]".into(),
     };
     let grows = !punch.contains("\"flat\"");
-    let load = match (grows, dice.roll() < 0.5) {
+    let load = match (grows, is_wide || dice.roll() < 0.5) {
         (true, true) => "half_width = 1.0",
         _ => "force = 1.0",
     };
     // A growing contact with friction takes a hundred times as long.
-    let rubs = if grows { 0.03 } else { 0.6 };
+    let rubs = if is_wide {
+        0.0
+    } else if grows {
+        0.03
+    } else {
+        0.6
+    };
     let friction = if dice.roll() < rubs {
         format!("[friction]\ntype = \"goodman\"\ncoefficient = {:?}\n", dice.log(0.05, 0.8))
     } else {

@@ -119,6 +119,9 @@ fn of_pressure(
     let stand_in = match solution.plan.model {
         Model::Full => None,
         Model::HalfPlane => Some("the solid taken for a half-plane of its surface's material"),
+        Model::CorrectedHalfPlane => {
+            Some("the solid taken for a half-plane of its surface's material, with the first correction by its base")
+        }
         Model::Homogeneous => Some("the layer taken for one of its surface's material throughout"),
         Model::Thin => Some("the layer taken for thin: each point of it yields by what presses on it, edges shifted"),
     };

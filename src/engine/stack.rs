@@ -22,6 +22,9 @@ const LONGEST: f64 = 6.0;
 /// Points closer to the middle than that, over the half-width, are taken to be there: `cosh` has an end.
 const CLOSEST: f64 = 1e-290;
 
+/// A height below this, beside the others of a shape, is none.
+const FAINTEST: f64 = 1e-290;
+
 /// Sets of nodes for integrals over the half-width, and by how much in `ln b'` each reaches farther than the one before.
 const WAYS: (usize, f64) = (6, 1.5);
 /// Power of the variable of Gauss and Legendre that is the part of the way: square roots at its beginning become powers,
@@ -169,8 +172,8 @@ impl Stack {
                     let force = self.force_by_tilt(problem, family, b);
                     let slope = problem.slope(b);
                     let mean: f64 = self.grid.iter().map(|x| x.weight * problem.slope(b * x.from_lower)).sum();
-                    // Slopes too small for a number: as if they went on as they are farther out.
-                    let (rho, kappa) = if slope == 0.0 {
+                    // Slopes too small for a number with all its digits: as if they went on as they are farther out.
+                    let (rho, kappa) = if b * mean < FAINTEST {
                         (*rhos.last().unwrap_or(&0.0), *kappas.last().unwrap_or(&1.0))
                     } else {
                         (force / (b * mean), mean / slope)

@@ -7,8 +7,9 @@ use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
 use crate::plan::has_closed_form;
 use crate::scene::{Layer, Model, Scene};
-use slipzone_api::{Base, LayerModel, Poisson, Positive};
+use slipzone_api::{Base, KernelStrategy, LayerModel, Poisson, Positive};
 use slipzone_gradings::Homogeneous;
+use slipzone_kernels::Moments;
 
 /// Share of the tolerance that a model may use up; the rest is the numerical error's.
 pub(super) const SHARE: f64 = 0.5;
@@ -91,6 +92,10 @@ pub(super) fn decide(scene: &Scene, problem: &Problem, open: bool) -> Decision {
     match solver.model {
         // Of a thin layer there is nothing to be solved in its place: see `thin`.
         Some(Model::Full | Model::Thin) => Decision::Full,
+        Some(Model::CorrectedHalfPlane) if !open && !has_moments(scene) => Decision::Inapplicable(
+            "the model `corrected-half-plane` brings a kernel strategy of its own, and the scene names its methods"
+                .into(),
+        ),
         Some(model) => match obstacle(model, scene, problem) {
             Some(Obstacle::Same) => Decision::Full,
             Some(Obstacle::No(why)) => Decision::Inapplicable(format!("the model `{}` {why}", model.name())),
@@ -108,14 +113,15 @@ pub(super) fn decide(scene: &Scene, problem: &Problem, open: bool) -> Decision {
             }
             let departure = Departure::of(&problem.layer, 0.01 * b);
             // Where the flexibility is as cheap as it gets, another grading saves nothing.
-            let saves = |model: &Model| *model == Model::HalfPlane || !has_closed_form(&scene.layer);
+            let saves = |model: &Model| *model != Model::Homogeneous || !has_closed_form(&scene.layer);
             let fits = |model: &Model| {
                 let stand_in = StandIn { model: *model, is_forced: false, departure, thickness };
-                let is_near = stand_in.bound(problem, b).worst().is_some_and(|(_, bound)| bound <= allowed);
+                let is_near = stand_in.bound(problem, b).worst().is_some_and(|(_, bound)| bound <= allowed)
+                    && (*model != Model::CorrectedHalfPlane || left_out(problem, b) <= SHARE * allowed);
                 (is_near && !solver.forbid.contains(model) && obstacle(*model, scene, problem).is_none())
                     .then_some(stand_in)
             };
-            [Model::HalfPlane, Model::Homogeneous]
+            [Model::HalfPlane, Model::CorrectedHalfPlane, Model::Homogeneous]
                 .iter()
                 .filter(|model| saves(model))
                 .find_map(fits)
@@ -125,11 +131,16 @@ pub(super) fn decide(scene: &Scene, problem: &Problem, open: bool) -> Decision {
     }
 }
 
+/// Whether a scene names the kernel strategy of the corrected half-plane.
+fn has_moments(scene: &Scene) -> bool {
+    scene.solver.kernel.as_ref().is_some_and(|kernel| kernel.typetag_name() == Moments {}.typetag_name())
+}
+
 /// Less than any bound for a contact of that half-width, at the price of one look at the law.
 fn least(layer: &LayerModel, b: f64) -> f64 {
     match layer.exponent() {
         Some(0.0) if layer.base == Base::Infinite => f64::INFINITY,
-        Some(0.0) => b * b,
+        Some(0.0) => b.powi(4),
         Some(exponent) => b * exponent.abs(),
         None if layer.law.sublayers().is_empty() => b * layer.material(&*layer.law, 1.0).shear.ln().abs(),
         None => 0.0,
@@ -154,6 +165,9 @@ fn obstacle(model: Model, scene: &Scene, problem: &Problem) -> Option<Obstacle> 
         return Some(Obstacle::No("has no bound on the strain left in the stick zone, which is asked for"));
     }
     match model {
+        Model::CorrectedHalfPlane if !matches!(scene.layer.base, Base::Rigid | Base::Frictionless) => {
+            Some(Obstacle::No("takes a layer on a rigid base"))
+        }
         Model::HalfPlane if problem.wants_depth() && scene.layer.has_depths() => {
             Some(Obstacle::No("has no indentation: leave `load.indentation` out of `output.quantities`"))
         }
@@ -181,6 +195,7 @@ impl StandIn {
         let bound = self.bound(problem, contact_size::guess(problem)).worst().map_or(0.0, |(_, bound)| bound);
         let what = match self.model {
             Model::HalfPlane => "base and grading change",
+            Model::CorrectedHalfPlane => "the grading, and the base beyond the first correction, change",
             _ => "the grading changes",
         };
         format!("{name}: {what} no number asked for by more than about {bound:.0e}")
@@ -196,12 +211,14 @@ impl StandIn {
         let b = half_width / self.thickness;
         let Departure { base, gradient } = self.departure;
         let base = if self.model == Model::HalfPlane { base } else { 0.0 };
+        // Kernels tell what they leave out of the base, but not what becomes of it in the drive of the shear.
+        let rest = if self.model == Model::CorrectedHalfPlane { SECOND_CORRECTION * b.powi(4) } else { 0.0 };
         // A contact of a given depth is as uncertain as the depth is.
         let by_depth = if problem.is_pressed_by_depth() { DEPTH * gradient } else { 0.0 };
         let of_pressure = BASE.0 * base * b * b + GRADIENT.0 * gradient * b + by_depth;
         let beta = problem.elastic.beta().abs();
         // The coupling's kernel has a logarithm, and what it is compared with is beta.
-        let coupled = (BASE.1 * base * b + GRADIENT.1 * gradient * b * (1.0 + (1.0 + b.recip()).ln())) / beta;
+        let coupled = (BASE.1 * base * b + rest + GRADIENT.1 * gradient * b * (1.0 + (1.0 + b.recip()).ln())) / beta;
         let eta = problem.friction.unwrap_or(beta);
         let mut bound = Numbers::default();
         let kept: Vec<Quantity> = problem.given().collect();
@@ -223,6 +240,12 @@ impl StandIn {
     }
 }
 
+/// What the kernels of the corrected half-plane leave out of those of the layer, as they state it.
+fn left_out(problem: &Problem, b: f64) -> f64 {
+    let sums = if problem.wants_depth() || problem.is_pressed_by_depth() { 0.5 } else { b };
+    SECOND_CORRECTION * b.powi(4) + MOMENTS * sums
+}
+
 /// A layer on its base, of its surface's material throughout.
 fn homogeneous(layer: &Layer, material: &LayerModel) -> Layer {
     let nu = material.law.poisson(0.0).unwrap_or(material.solid.poisson.get());
@@ -242,5 +265,9 @@ pub(crate) fn half_plane(layer: &Layer, material: &LayerModel) -> Layer {
 const BASE: (f64, f64) = (3.0, 3.0);
 /// The same by a gradient, over `b` and over `b log b`.
 const GRADIENT: (f64, f64) = (4.0, 2.0);
+/// Error of the kernels with their first correction, over `b^4`, as they state it: `int s^3 |M_vv| ds (2 b)^4/6` at most.
+const SECOND_CORRECTION: f64 = 26.0;
+/// What the sums that these are made of are good to: over `b` where they are the coupling's, as it is where they are the depth's.
+const MOMENTS: f64 = 2e-6;
 /// Error of the depth by a gradient.
 const DEPTH: f64 = 1.0;

@@ -116,7 +116,7 @@ const SOLVER: &[Parameter] = &[
     Parameter::optional("forbid", "models that are not to stand for it", Values::List(&MODELS, 0, 4)),
 ];
 
-const MODELS: Values = Values::OneOf(&["full", "half-plane", "homogeneous", "thin"]);
+const MODELS: Values = Values::OneOf(&["full", "half-plane", "corrected-half-plane", "homogeneous", "thin"]);
 
 const OUTPUT: &[Parameter] = &[
     Parameter::optional(

@@ -11,6 +11,8 @@ pub enum Model {
     Full,
     /// A homogeneous half-plane of the surface's material: base and grading are too far away to matter.
     HalfPlane,
+    /// The same with the first correction by a rigid base: the contact is narrow beside the layer.
+    CorrectedHalfPlane,
     /// The layer on its base, of the surface's material throughout: the grading is too weak to matter.
     Homogeneous,
     /// A layer so thin that each point of its surface yields by what presses on it.
@@ -19,7 +21,7 @@ pub enum Model {
 
 impl Model {
     /// All of them, the cheapest first.
-    pub const ALL: [Self; 4] = [Self::HalfPlane, Self::Thin, Self::Homogeneous, Self::Full];
+    pub const ALL: [Self; 5] = [Self::HalfPlane, Self::Thin, Self::CorrectedHalfPlane, Self::Homogeneous, Self::Full];
 
     /// Its name in a scene.
     #[must_use]
@@ -27,6 +29,7 @@ impl Model {
         match self {
             Self::Full => "full",
             Self::HalfPlane => "half-plane",
+            Self::CorrectedHalfPlane => "corrected-half-plane",
             Self::Homogeneous => "homogeneous",
             Self::Thin => "thin",
         }

@@ -1,15 +1,18 @@
 //! Kernel strategies: how the contact kernels `k(t)` are got from `F(s)`. One file per plugin.
 
 mod even_table;
+mod moments;
 mod split;
 mod truncated;
 mod wave_numbers;
 
+pub use moments::Moments;
 pub use split::Split;
 pub use truncated::Truncated;
 
 /// Names every module that registers a plugin, so that no linker drops this crate.
 pub fn link() {
+    moments::link();
     split::link();
     truncated::link();
 }
