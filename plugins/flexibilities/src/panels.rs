@@ -1,9 +1,11 @@
 //! A layer as panels of depth on each of which its elastic constants are polynomials.
 
 use crate::coefficients::{Coefficients, MOST, Polynomial};
+use crate::propagator::Propagator;
+use crate::slices::Slices;
 use slipzone_api::{LayerModel, Material, ModulusLaw, Stretch};
 use std::f64::consts::PI;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// A stretch of depth, in units of the thickness of the whole.
 #[derive(Clone, Debug)]
@@ -19,10 +21,33 @@ pub(crate) struct Panel {
 /// How a panel's constants vary.
 #[derive(Clone, Debug)]
 pub(crate) enum Matter {
+    /// All are the same everywhere. What a slice of such a material does is shared.
+    Homogeneous(Material, Arc<Propagator>),
     /// All but the modulus are the same everywhere, and that is `exp(gamma y)`, `y` from 0 to 1 over the panel.
     Exponential(Material, f64),
-    /// Polynomials in a variable from -1 at the top to 1 at the bottom.
-    Smooth(Box<Coefficients>),
+    /// Polynomials.
+    Smooth(Box<Slices>),
+}
+
+impl Panel {
+    /// The parts above and below a depth within.
+    fn cut(&self, depth: f64) -> [Self; 2] {
+        let bottom = self.top + self.thickness;
+        [(self.top, depth), (depth, bottom)].map(|(top, bottom)| {
+            let (start, part) = ((top - self.top) / self.thickness, (bottom - top) / self.thickness);
+            let (unit, matter) = match &self.matter {
+                Matter::Homogeneous(..) => (self.unit, self.matter.clone()),
+                Matter::Exponential(material, gamma) => {
+                    (self.unit * (gamma * start).exp(), Matter::Exponential(*material, gamma * part))
+                }
+                Matter::Smooth(slices) => {
+                    let own = slices.coefficients.window(2.0 * start + part - 1.0, part);
+                    (self.unit, Matter::Smooth(Box::new(Slices::new(own))))
+                }
+            };
+            Self { top, thickness: bottom - top, unit, matter }
+        })
+    }
 }
 
 /// The panels of a layer, top first.
@@ -83,7 +108,11 @@ impl Panels {
             let (material, span) = (layer.material(law, from), to - from);
             see(material.shear);
             see(layer.material(law, to).shear);
-            let matter = Matter::Exponential(material, gamma * span);
+            let matter = if gamma == 0.0 {
+                Matter::Homogeneous(material, self.propagator(material))
+            } else {
+                Matter::Exponential(material, gamma * span)
+            };
             let top = stretch.in_whole(from);
             self.all.push(Panel { top, thickness: span * thickness, unit: material.shear, matter });
             return Some(());
@@ -107,13 +136,40 @@ impl Panels {
             }
             see(fit.extremes.0);
             see(fit.extremes.1);
-            let matter = Matter::Smooth(Box::new(fit.coefficients));
+            let matter = Matter::Smooth(Box::new(Slices::new(fit.coefficients)));
             self.all.push(Panel { top, thickness: wide, unit: fit.unit, matter });
             if self.all.len() > MOST_PANELS {
                 return None;
             }
         }
         Some(())
+    }
+
+    /// Of a slice of a material in units of its own modulus: that of a panel above which is made of the like.
+    fn propagator(&self, material: Material) -> Arc<Propagator> {
+        let like = |panel: &Panel| match &panel.matter {
+            Matter::Homogeneous(own, propagator) if own.elastic == material.elastic => Some(Arc::clone(propagator)),
+            _ => None,
+        };
+        let constants = Coefficients::of(material, material.shear);
+        self.all.iter().rev().find_map(like).unwrap_or_else(|| Arc::new(Propagator::new(|_| constants)))
+    }
+
+    /// Adds what lies between the layer and a depth below it.
+    pub(crate) fn extend(&mut self, substrate: Material, depth: f64) {
+        let matter = Matter::Homogeneous(substrate, self.propagator(substrate));
+        self.all.push(Panel { top: 1.0, thickness: depth - 1.0, unit: substrate.shear, matter });
+    }
+
+    /// Cuts the panel that holds a depth in two there; returns the number of panels above it.
+    pub(crate) fn cut(&mut self, depth: f64) -> usize {
+        let at = self.all.partition_point(|panel| panel.top + panel.thickness <= depth);
+        if self.all.get(at).is_none_or(|panel| panel.top >= depth) {
+            return at;
+        }
+        let parts = self.all[at].cut(depth);
+        self.all.splice(at..=at, parts);
+        at + 1
     }
 
     /// `int 8 mu/(1 + kappa) dy` and `int lambda dy` over the layer: how it resists being stretched as a whole, and how
@@ -125,11 +181,14 @@ impl Panels {
         };
         self.all.iter().fold((0.0, 0.0), |(stiffness, contraction), panel| {
             let (own, contracted) = match &panel.matter {
-                Matter::Exponential(material, gamma) => {
-                    let growth = if *gamma == 0.0 { 1.0 } else { gamma.exp_m1() / gamma };
-                    (8.0 / (1.0 + material.elastic.kappa) * growth, material.elastic.lambda())
+                Matter::Homogeneous(Material { elastic, .. }, _) => (8.0 / (1.0 + elastic.kappa), elastic.lambda()),
+                Matter::Exponential(Material { elastic, .. }, gamma) => {
+                    (8.0 / (1.0 + elastic.kappa) * gamma.exp_m1() / gamma, elastic.lambda())
                 }
-                Matter::Smooth(coefficients) => (mean(&coefficients.stiffness), mean(&coefficients.contraction)),
+                Matter::Smooth(slices) => {
+                    let Coefficients { stiffness, contraction, .. } = &slices.coefficients;
+                    (mean(stiffness), mean(contraction))
+                }
             };
             (stiffness + own * panel.unit * panel.thickness, contraction + contracted * panel.thickness)
         })
