@@ -1,5 +1,6 @@
 //! Integrals from the lower end of a range to each of its Chebyshev nodes.
 
+use pulp::Simd;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::OnceLock;
 
@@ -7,11 +8,11 @@ use std::sync::OnceLock;
 pub(crate) const NODES: usize = 18;
 const HALF: usize = NODES / 2;
 
-/// Values side by side: one for each unit state.
-pub(crate) type Lanes = [f64; 4];
+/// Values side by side: two components of each of the four unit states.
+pub(crate) type Pair = [[f64; 4]; 2];
 
 /// Values at all nodes.
-pub(crate) type Field = [Lanes; NODES];
+pub(crate) type Field = [Pair; NODES];
 
 /// What leads from values at the nodes to integrals, the even and the odd part of a function apart: the nodes are symmetric.
 pub(crate) struct Integration {
@@ -47,27 +48,38 @@ impl Integration {
         }
     }
 
-    /// The integrals from the lower end to each node, and over the whole range.
+    /// Adds the integrals from the lower end to each node to `start`, which is the same everywhere; returns what that is at
+    /// the upper end.
     #[inline(always)]
-    pub(crate) fn integrals(&self, values: &Field) -> (Field, Lanes) {
-        let (mut even, mut odd) = ([[0.0; 4]; HALF], [[0.0; 4]; HALF]);
+    pub(crate) fn integrate<S: Simd>(&self, start: &Pair, values: &mut Field) -> Pair {
+        let (mut even, mut odd) = ([Pair::default(); HALF], [Pair::default(); HALF]);
         for k in 0..HALF {
             let (above, below) = (values[k], values[NODES - 1 - k]);
-            even[k] = std::array::from_fn(|i| above[i] + below[i]);
-            odd[k] = std::array::from_fn(|i| above[i] - below[i]);
+            even[k] = pair(|c, i| above[c][i] + below[c][i]);
+            odd[k] = pair(|c, i| above[c][i] - below[c][i]);
         }
-        let (half_even, half_odd) = (product(&self.even[HALF], &even), product(&self.odd[HALF], &odd));
-        let mut integrals = [[0.0; 4]; NODES];
+        let half = product::<S>(&self.even[HALF], &even, Pair::default());
+        let upper = product::<S>(&self.odd[HALF], &odd, Pair::default());
+        let middle = pair(|c, i| start[c][i] + half[c][i] - upper[c][i]);
         for k in 0..HALF {
-            let (even, odd) = (product(&self.even[k], &even), product(&self.odd[k], &odd));
-            for i in 0..4 {
-                let common = half_even[i] - half_odd[i] + odd[i];
-                integrals[k][i] = common + even[i];
-                integrals[NODES - 1 - k][i] = common - even[i];
-            }
+            let (even, common) =
+                (product::<S>(&self.even[k], &even, Pair::default()), product::<S>(&self.odd[k], &odd, middle));
+            values[k] = pair(|c, i| common[c][i] + even[c][i]);
+            values[NODES - 1 - k] = pair(|c, i| common[c][i] - even[c][i]);
         }
-        (integrals, half_even.map(|half| 2.0 * half))
+        pair(|c, i| start[c][i] + 2.0 * half[c][i])
     }
+}
+
+#[inline(always)]
+pub(crate) fn pair(value: impl Fn(usize, usize) -> f64) -> Pair {
+    std::array::from_fn(|c| std::array::from_fn(|i| value(c, i)))
+}
+
+/// `a b + c`, rounded once where the machine's vectors can.
+#[inline(always)]
+pub(crate) fn fused<S: Simd>(a: f64, b: f64, c: f64) -> f64 {
+    if S::IS_SCALAR { a * b + c } else { a.mul_add(b, c) }
 }
 
 /// A primitive of the Chebyshev polynomial of degree `l` at `cos(angle)`.
@@ -81,12 +93,9 @@ fn primitive(l: usize, angle: f64) -> f64 {
 }
 
 #[inline(always)]
-fn product(row: &[f64; HALF], values: &[Lanes; HALF]) -> Lanes {
-    let mut sum = [0.0; 4];
+fn product<S: Simd>(row: &[f64; HALF], values: &[Pair; HALF], mut sum: Pair) -> Pair {
     for (weight, value) in row.iter().zip(values) {
-        for i in 0..4 {
-            sum[i] += weight * value[i];
-        }
+        sum = pair(|c, i| fused::<S>(*weight, value[c][i], sum[c][i]));
     }
     sum
 }
@@ -94,18 +103,22 @@ fn product(row: &[f64; HALF], values: &[Lanes; HALF]) -> Lanes {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pulp::Scalar;
 
     #[test]
     fn powers_are_integrated_exactly() {
         let rule = Integration::get();
         for power in 0..i32::try_from(NODES).unwrap() {
-            let values = rule.nodes.map(|z| [z.powi(power), 1.0, 0.0, -z.powi(power)]);
-            let (integrals, whole) = rule.integrals(&values);
+            let mut values = rule.nodes.map(|z| [[z.powi(power), 1.0, 0.0, -z.powi(power)]; 2]);
+            let start = [[1.0, 0.0, 3.0, -1.0], [0.0; 4]];
+            let whole = rule.integrate::<Scalar>(&start, &mut values);
             let exact = |z: f64| z.powi(power + 1) / f64::from(power + 1);
-            for (z, found) in rule.nodes.iter().zip(&integrals).chain([(&1.0, &whole)]) {
-                // A few roundings of sums of order one.
-                assert!((found[0] - exact(*z)).abs() < 1e-15, "{power} at {z}: {found:?}");
-                assert!((found[1] - z).abs() < 1e-15 && found[2] == 0.0 && found[3] == -found[0]);
+            for (z, found) in rule.nodes.iter().zip(&values).chain([(&1.0, &whole)]) {
+                let expected = pair(|c, i| start[c][i] + [exact(*z), *z, 0.0, -exact(*z)][i]);
+                for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
+                    // A few roundings of sums of order one.
+                    assert!((found - expected).abs() < 2e-15, "{power} at {z}: {found} instead of {expected}");
+                }
             }
         }
     }

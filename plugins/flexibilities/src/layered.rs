@@ -5,7 +5,7 @@ use crate::propagator::{Propagator, Rows, THICK};
 use crate::slice::{Slice, THIN};
 use crate::surface_tail;
 use nalgebra::Matrix2;
-use pulp::{Arch, Simd, WithSimd};
+use pulp::{Arch, Scalar, Simd, WithSimd};
 use slipzone_api::{Base, Elastic, LayerModel, LayerResponse, Material, Refusal, SurfaceFlexibility};
 use std::sync::Arc;
 
@@ -55,10 +55,10 @@ impl Layered {
 
     /// Compliance at the surface in units of `1/mu1`, at wave numbers above 0.
     #[inline(always)]
-    fn compliance<const L: usize>(&self, s: &[f64; L]) -> Compliances<L> {
+    fn compliance<S: Simd, const L: usize>(&self, s: &[f64; L]) -> Compliances<L> {
         let reach = self.reach(s);
         let mut column = self.standing(s, reach);
-        column.carry(&self.panels.all, s, reach);
+        column.carry::<S>(&self.panels.all, s, reach);
         column.unscaled(s)
     }
 
@@ -68,14 +68,14 @@ impl Layered {
         // What a load does at a depth y falls like exp(-s y), what it does there and back like the square.
         let reach = 2.0 * self.reach(&s);
         if reach <= datum {
-            return (self.compliance(&s), Matrix2::zeros());
+            return (self.compliance::<Scalar, 1>(&s), Matrix2::zeros());
         }
         let (above, below) = self.panels.all.split_at(above);
         let mut column = self.standing(&s, reach);
-        column.carry(below, &s, reach);
+        column.carry::<Scalar>(below, &s, reach);
         let there = matrix(&column.unscaled(&s), 0);
         column.transfer = Some([Matrix2::identity()]);
-        column.carry(above, &s, reach);
+        column.carry::<Scalar>(above, &s, reach);
         (column.unscaled(&s), there * column.transfer.map_or_else(Matrix2::zeros, |[transfer]| transfer))
     }
 
@@ -93,11 +93,9 @@ impl Layered {
         }
         match self.layer.substrate() {
             Some(material) => Column::half_plane(material, s),
-            None => Column {
-                scaled: [[[0.0; L]; 2]; 2],
-                slides: self.layer.base == Base::Frictionless,
-                transfer: None,
-            },
+            None => {
+                Column { scaled: [[[0.0; L]; 2]; 2], slides: self.layer.base == Base::Frictionless, transfer: None }
+            }
         }
     }
 
@@ -118,7 +116,7 @@ impl LayerResponse for Layered {
         if s == 0.0 {
             return Ok(self.at_origin());
         }
-        Ok(surface_tail::scaled(&matrix(&self.compliance(&[s]), 0), s, self.layer.elastic))
+        Ok(surface_tail::scaled(&matrix(&self.compliance::<Scalar, 1>(&[s]), 0), s, self.layer.elastic))
     }
 
     fn surface_into(&self, wave_numbers: &[f64], out: &mut [SurfaceFlexibility]) -> Result<(), Refusal> {
@@ -193,7 +191,7 @@ impl WithSimd for Rise<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _simd: S) -> Compliances<LANES> {
-        self.layer.compliance(&self.s)
+        self.layer.compliance::<S, LANES>(&self.s)
     }
 }
 
@@ -263,10 +261,10 @@ impl<const L: usize> Column<L> {
 
     /// Carries the column through panels, but for what is deeper than `reach`.
     #[inline(always)]
-    fn carry(&mut self, panels: &[Panel], s: &[f64; L], reach: f64) {
+    fn carry<S: Simd>(&mut self, panels: &[Panel], s: &[f64; L], reach: f64) {
         let felt = panels.partition_point(|panel| panel.top < reach);
         for panel in panels[..felt].iter().rev() {
-            panel.carry(s, reach, self);
+            panel.carry::<S, L>(s, reach, self);
         }
     }
 
@@ -292,7 +290,8 @@ impl<const L: usize> Column<L> {
         let (per_softness, per_squared) = (softness.recip(), squared.recip());
         let [[xx, xy], [yx, yy]] = &mut self.scaled;
         for i in 0..L {
-            (xx[i], xy[i], yx[i], yy[i]) = (xx[i] * per_softness, xy[i] * unit, yx[i] * per_squared, yy[i] * per_softness);
+            (xx[i], xy[i], yx[i], yy[i]) =
+                (xx[i] * per_softness, xy[i] * unit, yx[i] * per_squared, yy[i] * per_softness);
         }
         // Two states: each with a unit traction and what displacements go with that; on a base on which the layer slides with
         // a unit of what that leaves free.
@@ -334,7 +333,7 @@ fn matrix<const L: usize>(compliances: &Compliances<L>, i: usize) -> Matrix2<f64
 impl Panel {
     /// Carries columns through the panel, but for what is deeper than `reach`.
     #[inline(always)]
-    fn carry<const L: usize>(&self, s: &[f64; L], reach: f64, column: &mut Column<L>) {
+    fn carry<S: Simd, const L: usize>(&self, s: &[f64; L], reach: f64, column: &mut Column<L>) {
         // The whole, where it is the whole: a thin panel far down has no digits in the difference.
         let is_whole = reach >= self.top + self.thickness;
         let depth = if is_whole { self.thickness } else { reach - self.top };
@@ -345,7 +344,7 @@ impl Panel {
                 let count = ((most * depth / THICK).ceil() as usize).max(1);
                 let delta = depth / count as f64;
                 let waves = s.map(|s| s * delta);
-                let rows = rows(propagator, &waves);
+                let rows = rows::<S, L>(propagator, &waves);
                 for _ in 0..count {
                     column.rise(&rows, &waves, delta, self.unit);
                 }
@@ -373,7 +372,7 @@ impl Panel {
                 let count = (depth / delta).ceil() as usize;
                 let waves = s.map(|s| s * delta);
                 for k in (0..count).rev() {
-                    column.rise(&rows(&slices.get(halvings, k), &waves), &waves, delta, self.unit);
+                    column.rise(&rows::<S, L>(&slices.get(halvings, k), &waves), &waves, delta, self.unit);
                 }
             }
         }
@@ -382,9 +381,9 @@ impl Panel {
 
 /// What a slice does at wave numbers over its thickness.
 #[inline(always)]
-fn rows<const L: usize>(propagator: &Propagator, s: &[f64; L]) -> [Rows<L>; 2] {
+fn rows<S: Simd, const L: usize>(propagator: &Propagator, s: &[f64; L]) -> [Rows<L>; 2] {
     let q = s.map(|s| s * s);
-    propagator.at(&q, q.iter().fold(0.0, |most, q| q.max(most)))
+    propagator.at::<S, L>(&q, q.iter().fold(0.0, |most, q| q.max(most)))
 }
 
 #[cfg(test)]

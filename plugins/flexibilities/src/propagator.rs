@@ -1,6 +1,6 @@
 //! What becomes of states that rise through a slice, for all wave numbers at once.
 
-use crate::integration::{Field, Integration, Lanes, NODES};
+use crate::integration::{Integration, NODES, Pair, fused, pair};
 use pulp::{Arch, Simd, WithSimd};
 
 /// Largest wave number of a slice, in units of its thickness.
@@ -34,7 +34,7 @@ pub(crate) struct Propagator {
 }
 
 /// Two rows of coefficients.
-type Entries = [Lanes; 2];
+type Entries = Pair;
 
 /// Two rows of a propagator at some wave numbers.
 pub(crate) type Rows<const L: usize> = [[[f64; L]; 4]; 2];
@@ -46,44 +46,52 @@ impl Propagator {
     }
 
     #[inline(always)]
-    fn build(constants: &Field) -> Self {
+    fn build<S: Simd>(constants: &[[f64; 4]; NODES]) -> Self {
         let rule = Integration::get();
+        let (mut displacements, mut tractions, mut sizes) =
+            (Vec::with_capacity(MOST), Vec::with_capacity(MOST), Vec::with_capacity(MOST));
         let unit = |component: usize| std::array::from_fn(|state| if state == component { 1.0 } else { 0.0 });
-        let (mut displacements, mut tractions, mut sizes) = (Vec::new(), Vec::new(), Vec::new());
-        let mut fields: [Field; 4] = [[[0.0; 4]; NODES]; 4];
-        let (mut largest, mut power) = ([[0.0_f64; 4]; 4], 1.0);
-        for m in 0..MOST {
-            let start = |component: usize| if m == 0 { unit(component) } else { [0.0; 4] };
-            let [u, w, sigma, tau] = &mut fields;
-            let rate = field(|j, i| -(constants[j][1] * u[j][i] + constants[j][2] * tau[j][i]));
-            let sigma_top = integrate(rule, start(2), &rate, sigma);
-            let tau_top = integrate(rule, start(3), &field(|j, i| sigma[j][i]), tau);
-            let rate = field(|j, i| -(w[j][i] + constants[j][0] * sigma[j][i]));
-            let u_top = integrate(rule, start(0), &rate, u);
-            let rate = field(|j, i| constants[j][2] * u[j][i] - constants[j][3] * tau[j][i]);
-            let w_top = integrate(rule, start(1), &rate, w);
+        // `sigma` and, of the power before, `w`; in turn `tau` and `u`.
+        let mut field = [[unit(2), [0.0; 4]]; NODES];
+        let mut sigma = unit(2);
+        let mut start = [[unit(3), unit(0)], [[0.0; 4], unit(1)]];
+        let (mut largest, mut power) = ([Pair::default(); 2], 1.0);
+        for _ in 0..MOST {
+            for ([sigma, w], [softness, ..]) in field.iter_mut().zip(constants) {
+                *w = std::array::from_fn(|i| -fused::<S>(*softness, sigma[i], w[i]));
+            }
+            let [tau, u] = rule.integrate::<S>(&start[0], &mut field);
+            for ([tau, u], [_, stiffness, contraction, cross]) in field.iter_mut().zip(constants) {
+                let (t, d) = (*tau, *u);
+                *tau = std::array::from_fn(|i| -fused::<S>(*stiffness, d[i], contraction * t[i]));
+                *u = std::array::from_fn(|i| fused::<S>(*contraction, d[i], -cross * t[i]));
+            }
+            let [next_sigma, w] = rule.integrate::<S>(&start[1], &mut field);
             let mut relative = 0.0_f64;
-            for (largest, top) in largest.iter_mut().flatten().zip([u_top, w_top, sigma_top, tau_top].iter().flatten()) {
-                let size = top.abs() * power;
-                *largest = largest.max(size);
-                relative = relative.max(if size == 0.0 { 0.0 } else { size / *largest });
+            for (largest, top) in largest.iter_mut().zip([[u, w], [sigma, tau]]) {
+                let size = pair(|c, i| top[c][i].abs() * power);
+                *largest = pair(|c, i| largest[c][i].max(size[c][i]));
+                let entries = size.iter().flatten().zip(largest.iter().flatten());
+                relative =
+                    entries.fold(relative, |most, (size, largest)| most.max(size / largest.max(f64::MIN_POSITIVE)));
             }
             power *= THICK * THICK;
-            displacements.push([u_top, w_top]);
-            tractions.push([sigma_top, tau_top]);
+            displacements.push([u, w]);
+            tractions.push([sigma, tau]);
             sizes.push(relative);
             if relative <= NEGLIGIBLE {
                 break;
             }
+            (sigma, start) = (next_sigma, [Pair::default(); 2]);
         }
         Self { displacements, tractions, sizes }
     }
 
     /// Rows `u`, `w` and rows `sigma`, `tau` at squares of wave numbers, of which `most` is the largest.
     #[inline(always)]
-    pub(crate) fn at<const L: usize>(&self, q: &[f64; L], most: f64) -> [Rows<L>; 2] {
+    pub(crate) fn at<S: Simd, const L: usize>(&self, q: &[f64; L], most: f64) -> [Rows<L>; 2] {
         let terms = self.terms(most);
-        [sum(&self.displacements[..terms], q), sum(&self.tractions[..terms], q)]
+        [sum::<S, L>(&self.displacements[..terms], q), sum::<S, L>(&self.tractions[..terms], q)]
     }
 
     /// Powers that matter up to a square of the wave number: entries begin with the second power at the latest.
@@ -102,34 +110,15 @@ impl Propagator {
 /// Powers that each entry has at least: none begins later.
 const FIRST: usize = 3;
 
-#[inline(always)]
-fn field(value: impl Fn(usize, usize) -> f64) -> Field {
-    let mut field = [[0.0; 4]; NODES];
-    for (j, lanes) in field.iter_mut().enumerate() {
-        for (i, lane) in lanes.iter_mut().enumerate() {
-            *lane = value(j, i);
-        }
-    }
-    field
-}
-
-/// Integrates from `start` at the bottom; returns what that leads to at the top.
-#[inline(always)]
-fn integrate(rule: &Integration, start: Lanes, rate: &Field, out: &mut Field) -> Lanes {
-    let (integrals, whole) = rule.integrals(rate);
-    *out = field(|j, i| start[i] + integrals[j][i]);
-    std::array::from_fn(|i| start[i] + whole[i])
-}
-
 /// Horner's scheme for eight entries at a time: as many as registers hold.
 #[inline(always)]
-fn sum<const L: usize>(orders: &[Entries], q: &[f64; L]) -> Rows<L> {
+fn sum<S: Simd, const L: usize>(orders: &[Entries], q: &[f64; L]) -> Rows<L> {
     let mut sums = [[[0.0; L]; 4]; 2];
     for order in orders.iter().rev() {
         for (sums, coefficients) in sums.iter_mut().zip(order) {
             for (sum, c) in sums.iter_mut().zip(coefficients) {
                 for i in 0..L {
-                    sum[i] = sum[i] * q[i] + c;
+                    sum[i] = fused::<S>(sum[i], q[i], *c);
                 }
             }
         }
@@ -138,13 +127,13 @@ fn sum<const L: usize>(orders: &[Entries], q: &[f64; L]) -> Rows<L> {
 }
 
 /// [`Propagator::build`] in the vectors that the machine has.
-struct Build<'a>(&'a Field);
+struct Build<'a>(&'a [[f64; 4]; NODES]);
 
 impl WithSimd for Build<'_> {
     type Output = Propagator;
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _simd: S) -> Propagator {
-        Propagator::build(self.0)
+        Propagator::build::<S>(self.0)
     }
 }
