@@ -1,7 +1,7 @@
 //! A layer of any law on any base, slice by slice.
 
 use crate::panels::{Matter, Panel, Panels};
-use crate::propagator::{Propagator, Rows, THICK};
+use crate::propagator::{Propagator, Rows, THICKEST};
 use crate::slice::{Slice, THIN};
 use crate::surface_tail;
 use nalgebra::Matrix2;
@@ -12,6 +12,10 @@ use std::sync::Arc;
 /// A base is forgotten where `exp(-2 s y)` times the contrast of moduli, and times the square of the polynomial that goes
 /// with it (below `exp(8)` there), drops under `exp(-33) = 5e-15`: what is put in its place is as good to a digit at least.
 const FORGOTTEN: f64 = 41.0;
+
+/// Largest `s delta` of a slice whose digits all count. Rising states lose `exp(2 s delta)` of them; what is lost at a depth
+/// `y` counts as `exp(-2 s y)` at the surface, so that slices may be as thick as they are deep.
+const THICK: f64 = 2.0;
 
 /// Wave numbers that are carried upwards together, by which factor they may differ, and up to where that is no matter.
 const LANES: usize = 4;
@@ -337,7 +341,7 @@ impl Panel {
         // The whole, where it is the whole: a thin panel far down has no digits in the difference.
         let is_whole = reach >= self.top + self.thickness;
         let depth = if is_whole { self.thickness } else { reach - self.top };
-        let most = s.iter().fold(0.0_f64, |most, s| most.max(*s));
+        let (least, most) = s.iter().fold((f64::INFINITY, 0.0_f64), |(least, most), s| (s.min(least), s.max(most)));
         match &self.matter {
             Matter::Homogeneous(_, propagator) => {
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `s depth` is bounded
@@ -365,8 +369,9 @@ impl Panel {
                 column.slides = false;
             }
             Matter::Smooth(slices) => {
+                let thick = (least * self.top).clamp(THICK, THICKEST);
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // not negative; `as` saturates
-                let halvings = (most * self.thickness / THICK).log2().ceil().max(0.0) as u32;
+                let halvings = (most * self.thickness / thick).log2().ceil().max(0.0) as u32;
                 let delta = self.thickness * (-f64::from(halvings)).exp2();
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `s depth` is bounded
                 let count = (depth / delta).ceil() as usize;

@@ -3,11 +3,11 @@
 use crate::integration::{Integration, NODES, Pair, fused, pair};
 use pulp::{Arch, Simd, WithSimd};
 
-/// Largest wave number of a slice, in units of its thickness.
-pub(crate) const THICK: f64 = 2.0;
+/// Largest wave number of a slice, over its thickness.
+pub(crate) const THICKEST: f64 = 4.0;
 
 /// Most powers of the square of the wave number.
-const MOST: usize = 24;
+const MOST: usize = 32;
 
 /// A term below this part of the largest of its entry is left out.
 const NEGLIGIBLE: f64 = f64::EPSILON / 32.0;
@@ -75,7 +75,7 @@ impl Propagator {
                 relative =
                     entries.fold(relative, |most, (size, largest)| most.max(size / largest.max(f64::MIN_POSITIVE)));
             }
-            power *= THICK * THICK;
+            power *= THICKEST * THICKEST;
             displacements.push([u, w]);
             tractions.push([sigma, tau]);
             sizes.push(relative);
@@ -97,7 +97,7 @@ impl Propagator {
     /// Powers that matter up to a square of the wave number: entries begin with the second power at the latest.
     #[inline(always)]
     fn terms(&self, most: f64) -> usize {
-        let fraction = most / (THICK * THICK);
+        let fraction = most / (THICKEST * THICKEST);
         let (mut terms, mut faded) = (self.sizes.len().min(FIRST), 1.0);
         while terms < self.sizes.len() && self.sizes[terms] * faded > NEGLIGIBLE {
             terms += 1;
