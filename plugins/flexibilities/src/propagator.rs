@@ -10,7 +10,7 @@ pub(crate) const THICKEST: f64 = 4.0;
 const MOST: usize = 32;
 
 /// A term below this part of the largest of its entry is left out.
-const NEGLIGIBLE: f64 = f64::EPSILON / 32.0;
+const NEGLIGIBLE: f64 = f64::EPSILON / 8.0;
 
 /// The states at the top of a slice for each unit state at its bottom, in powers of `q = s^2`.
 ///

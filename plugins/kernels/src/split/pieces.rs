@@ -43,6 +43,8 @@ const MOST_PIECES: usize = 512;
 const FIRST_NODES: f64 = 0.6;
 /// A piece that starts beyond `t` is up to this part of `t` wide: singularities are that far away.
 const WIDENING: f64 = 0.25;
+/// And it is tried with this part of `t` at least.
+const LEAST_WIDENING: f64 = 0.1;
 /// Widest piece, in units of the thickness.
 const WIDEST: f64 = 4.0;
 /// A piece is made as wide as should leave this part of the error that it may have.
@@ -133,7 +135,9 @@ impl Pieces {
             (before, attempts) = (f64::INFINITY, 0);
             let widest = if plan.is_local { WIDEST } else { f64::INFINITY };
             let widest = if lower < plan.local { plan.width } else { widest };
-            width = (fit * width).min((1.5 * width).max(WIDENING * lower)).min(widest);
+            // Noise says nothing of a better width.
+            let (least, most) = (width.max(LEAST_WIDENING * lower), (1.5 * width).max(WIDENING * lower));
+            width = if stalled { most } else { (fit * width).clamp(least, most) }.min(widest);
         }
         if lower < plan.reach {
             // Not everything is covered.
