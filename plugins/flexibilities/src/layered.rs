@@ -1,11 +1,11 @@
 //! A layer of any law on any base, slice by slice.
 
-use crate::coefficients::{self, Coefficients, Compliances};
 use crate::panels::{Matter, Panel, Panels};
+use crate::propagator::{Propagator, Rows, THICKEST};
 use crate::slice::{Slice, THIN};
 use crate::surface_tail;
 use nalgebra::Matrix2;
-use pulp::{Arch, Simd, WithSimd};
+use pulp::{Arch, Scalar, Simd, WithSimd};
 use slipzone_api::{Base, Elastic, LayerModel, LayerResponse, Material, Refusal, SurfaceFlexibility};
 use std::sync::Arc;
 
@@ -13,7 +13,8 @@ use std::sync::Arc;
 /// with it (below `exp(8)` there), drops under `exp(-33) = 5e-15`: what is put in its place is as good to a digit at least.
 const FORGOTTEN: f64 = 41.0;
 
-/// Largest `s delta` of a slice in which the constants vary.
+/// Largest `s delta` of a slice whose digits all count. Rising states lose `exp(2 s delta)` of them; what is lost at a depth
+/// `y` counts as `exp(-2 s y)` at the surface, so that slices may be as thick as they are deep.
 const THICK: f64 = 2.0;
 
 /// Wave numbers that are carried upwards together, by which factor they may differ, and up to where that is no matter.
@@ -58,51 +59,33 @@ impl Layered {
 
     /// Compliance at the surface in units of `1/mu1`, at wave numbers above 0.
     #[inline(always)]
-    fn compliance<const L: usize>(&self, s: &[f64; L]) -> Compliances<L> {
+    fn compliance<S: Simd, const L: usize>(&self, s: &[f64; L]) -> Compliances<L> {
         let reach = self.reach(s);
         let mut column = self.standing(s, reach);
-        self.carry(s, (0.0, reach.min(1.0)), &mut column);
-        column.compliance
+        column.carry::<S>(&self.panels.all, s, reach);
+        column.unscaled(s)
     }
 
-    /// The same, and what a traction on the surface displaces at the depth `datum`.
-    fn compliance_and_datum(&self, s: f64, datum: f64) -> (Compliances<1>, Matrix2<f64>) {
+    /// The same, and what a traction on the surface displaces at the depth `datum`, above which the first `above` panels lie.
+    fn compliance_and_datum(&self, s: f64, datum: f64, above: usize) -> (Compliances<1>, Matrix2<f64>) {
         let s = [s];
         // What a load does at a depth y falls like exp(-s y), what it does there and back like the square.
         let reach = 2.0 * self.reach(&s);
         if reach <= datum {
-            return (self.compliance(&s), Matrix2::zeros());
+            return (self.compliance::<Scalar, 1>(&s), Matrix2::zeros());
         }
+        let (above, below) = self.panels.all.split_at(above);
         let mut column = self.standing(&s, reach);
-        self.carry(&s, (datum, reach.min(1.0)), &mut column);
-        let there = matrix(&column.compliance, 0);
+        column.carry::<Scalar>(below, &s, reach);
+        let there = matrix(&column.unscaled(&s), 0);
         column.transfer = Some([Matrix2::identity()]);
-        if let (true, Some(material)) = (datum > 1.0, self.layer.substrate()) {
-            let matter = Matter::Exponential(material, 0.0);
-            Panel { top: 1.0, thickness: datum - 1.0, unit: material.shear, matter }.carry(
-                &s,
-                (1.0, datum),
-                &mut column,
-            );
-        }
-        self.carry(&s, (0.0, datum.min(reach).min(1.0)), &mut column);
-        (column.compliance, there * column.transfer.map_or_else(Matrix2::zeros, |[transfer]| transfer))
+        column.carry::<Scalar>(above, &s, reach);
+        (column.unscaled(&s), there * column.transfer.map_or_else(Matrix2::zeros, |[transfer]| transfer))
     }
 
     /// Depth below which nothing is felt at the surface.
     fn reach(&self, s: &[f64]) -> f64 {
         0.5 * (FORGOTTEN + self.panels.contrast) / s.iter().copied().fold(f64::INFINITY, f64::min)
-    }
-
-    /// Carries columns from the lower to the upper of two depths.
-    #[inline(always)]
-    fn carry<const L: usize>(&self, s: &[f64; L], span: (f64, f64), column: &mut Column<L>) {
-        let panels = &self.panels.all;
-        let from = panels.partition_point(|panel| panel.top + panel.thickness <= span.0);
-        let to = panels.partition_point(|panel| panel.top < span.1);
-        for panel in panels[from.min(to)..to].iter().rev() {
-            panel.carry(s, span, column);
-        }
     }
 
     /// What the layer stands on, as far as it is felt: where its base is out of sight any start does.
@@ -115,7 +98,7 @@ impl Layered {
         match self.layer.substrate() {
             Some(material) => Column::half_plane(material, s),
             None => {
-                Column { compliance: [[[0.0; L]; 2]; 2], slides: self.layer.base == Base::Frictionless, transfer: None }
+                Column { scaled: [[[0.0; L]; 2]; 2], slides: self.layer.base == Base::Frictionless, transfer: None }
             }
         }
     }
@@ -137,7 +120,7 @@ impl LayerResponse for Layered {
         if s == 0.0 {
             return Ok(self.at_origin());
         }
-        Ok(surface_tail::scaled(&matrix(&self.compliance(&[s]), 0), s, self.layer.elastic))
+        Ok(surface_tail::scaled(&matrix(&self.compliance::<Scalar, 1>(&[s]), 0), s, self.layer.elastic))
     }
 
     fn surface_into(&self, wave_numbers: &[f64], out: &mut [SurfaceFlexibility]) -> Result<(), Refusal> {
@@ -166,11 +149,12 @@ impl LayerResponse for Layered {
     fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
         let Panel { thickness, matter, .. } = &self.panels.all[0];
         match matter {
+            Matter::Homogeneous(material, _) => surface_tail::exponential(material.elastic, 0.0, terms),
             Matter::Exponential(material, gamma) => {
                 surface_tail::exponential(material.elastic, gamma / thickness, terms)
             }
-            Matter::Smooth(coefficients) => surface_tail::of(&self.layer, terms.min(MOST_TERMS)).unwrap_or_else(|| {
-                let own = coefficients.window(-1.0, 2.0 / thickness);
+            Matter::Smooth(slices) => surface_tail::of(&self.layer, terms.min(MOST_TERMS)).unwrap_or_else(|| {
+                let own = slices.coefficients.window(-1.0, 2.0 / thickness);
                 surface_tail::by_values(self.layer.elastic, &own, terms.min(TERMS_BY_VALUES))
             }),
         }
@@ -182,12 +166,17 @@ impl LayerResponse for Layered {
 
     fn against_datum(&self) -> Option<Box<dyn LayerResponse>> {
         let datum = self.layer.datum?;
-        Some(Box::new(AgainstDatum { layer: self.clone(), datum }))
+        let mut cut = self.clone();
+        if let (true, Some(material)) = (datum > 1.0, self.layer.substrate()) {
+            cut.panels.extend(material, datum);
+        }
+        let above = cut.panels.cut(datum);
+        Some(Box::new(AgainstDatum { layer: self.clone(), cut, above, datum }))
     }
 
     fn depth(&self) -> Option<f64> {
         let promised = |panel: &Panel| match panel.matter {
-            Matter::Exponential(..) => 1.0,
+            Matter::Homogeneous(..) | Matter::Exponential(..) => 1.0,
             Matter::Smooth(_) => panel.top + SMOOTH_DEPTH * panel.thickness,
         };
         let smooth = self.panels.all.iter().map(promised).fold(1.0, f64::min);
@@ -206,7 +195,7 @@ impl WithSimd for Rise<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _simd: S) -> Compliances<LANES> {
-        self.layer.compliance(&self.s)
+        self.layer.compliance::<S, LANES>(&self.s)
     }
 }
 
@@ -214,6 +203,9 @@ impl WithSimd for Rise<'_> {
 #[derive(Debug)]
 struct AgainstDatum {
     layer: Layered,
+    /// The same with an end of a panel at the datum, and how many panels lie above it.
+    cut: Layered,
+    above: usize,
     datum: f64,
 }
 
@@ -222,7 +214,7 @@ impl LayerResponse for AgainstDatum {
         if s == 0.0 {
             return Ok(SurfaceFlexibility { vv: 0.0, ..self.layer.at_origin() });
         }
-        let (surface, there) = self.layer.compliance_and_datum(s, self.datum);
+        let (surface, there) = self.cut.compliance_and_datum(s, self.datum, self.above);
         let surface = matrix(&surface, 0);
         let elastic = self.layer.layer.elastic;
         let vv = surface_tail::scaled(&(surface - there), s, elastic).vv;
@@ -243,11 +235,14 @@ impl LayerResponse for AgainstDatum {
     }
 }
 
+/// A compliance `d = C t` for each of some wave numbers: rows `u`, `v`, columns `sigma_xy`, `sigma_yy`.
+type Compliances<const L: usize> = [[[f64; L]; 2]; 2];
+
 /// Parts of the layer, as they are carried upwards at some wave numbers.
 #[derive(Debug)]
 struct Column<const L: usize> {
-    /// On top, in units of `1/mu1`.
-    compliance: Compliances<L>,
+    /// The compliance on top, in units of `1/mu1`, of `(u, v/s)` to `(sigma_xy, sigma_yy/s)`.
+    scaled: Compliances<L>,
     /// Whether there is nothing yet but a rigid base without friction.
     slides: bool,
     /// Tractions at the datum for tractions on top, once the datum is passed.
@@ -257,49 +252,80 @@ struct Column<const L: usize> {
 impl<const L: usize> Column<L> {
     fn half_plane(material: Material, s: &[f64; L]) -> Self {
         let compliance = surface_tail::half_plane_compliance(material.elastic) / material.shear;
-        let entry = |i: usize, j: usize| s.map(|s| compliance[(i, j)] / s);
-        let compliance = [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]];
-        Self { compliance, slides: false, transfer: None }
+        let entry = |i: usize, j: usize, power: i32| s.map(|s| compliance[(i, j)] * s.powi(power));
+        let scaled = [[entry(0, 0, -1), entry(0, 1, 0)], [entry(1, 0, -2), entry(1, 1, -1)]];
+        Self { scaled, slides: false, transfer: None }
+    }
+
+    /// The compliance on top.
+    fn unscaled(&self, s: &[f64; L]) -> Compliances<L> {
+        let [[xx, xy], [yx, yy]] = self.scaled;
+        [[xx, std::array::from_fn(|i| xy[i] / s[i])], [std::array::from_fn(|i| yx[i] * s[i]), yy]]
+    }
+
+    /// Carries the column through panels, but for what is deeper than `reach`.
+    #[inline(always)]
+    fn carry<S: Simd>(&mut self, panels: &[Panel], s: &[f64; L], reach: f64) {
+        let felt = panels.partition_point(|panel| panel.top < reach);
+        for panel in panels[..felt].iter().rev() {
+            panel.carry::<S, L>(s, reach, self);
+        }
     }
 
     /// Puts a slice on top of one of the columns; the scales are the units of compliance at its top and at its bottom.
-    fn raise(&mut self, i: usize, slice: &Slice, (top_scale, bottom_scale): (f64, f64)) {
+    fn raise(&mut self, i: usize, s: f64, slice: &Slice, (top_scale, bottom_scale): (f64, f64)) {
+        let [[xx, xy], [yx, yy]] = &mut self.scaled;
         let compliance = if self.slides {
             slice.over_smooth_base()
         } else {
-            let below = matrix(&self.compliance, i) / bottom_scale;
+            let below = Matrix2::new(xx[i], xy[i] / s, yx[i] * s, yy[i]) / bottom_scale;
             if let Some(transfer) = &mut self.transfer {
                 transfer[i] *= slice.traction(&below);
             }
             slice.over(&below)
-        };
-        for (row, entries) in compliance.row_iter().zip(&mut self.compliance) {
-            for (entry, lanes) in row.iter().zip(entries) {
-                lanes[i] = entry * top_scale;
-            }
-        }
+        } * top_scale;
+        (xx[i], xy[i], yx[i], yy[i]) = (compliance.m11, compliance.m12 * s, compliance.m21 / s, compliance.m22);
     }
 
-    /// Puts a slice of polynomial coefficients, in the distance from its bottom, on top of all columns; `s` are the wave
-    /// numbers over its thickness.
+    /// Puts a slice of some depth on top of all columns, stresses in the unit `unit`; `s` are the wave numbers over its depth.
     #[inline(always)]
-    fn rise(&mut self, coefficients: &Coefficients, s: &[f64; L], scale: f64) {
-        let (none, one) = ([0.0; L], [1.0; L]);
-        let bottom = if self.slides {
-            self.slides = false;
-            [[one, none], [none, none], [none, none], [none, one]]
-        } else {
-            let scaled = self.compliance.map(|row| row.map(|lanes| lanes.map(|c| c / scale)));
-            [scaled[0], scaled[1], [one, none], [none, one]]
-        };
-        let top = coefficients.rise(s, bottom);
+    fn rise(&mut self, [displacements, tractions]: &[Rows<L>; 2], s: &[f64; L], depth: f64, unit: f64) {
+        let (softness, squared) = (depth / unit, depth * depth / unit);
+        let (per_softness, per_squared) = (softness.recip(), squared.recip());
+        let [[xx, xy], [yx, yy]] = &mut self.scaled;
+        for i in 0..L {
+            (xx[i], xy[i], yx[i], yy[i]) =
+                (xx[i] * per_softness, xy[i] * unit, yx[i] * per_squared, yy[i] * per_softness);
+        }
+        // Two states: each with a unit traction and what displacements go with that; on a base on which the layer slides with
+        // a unit of what that leaves free.
+        let free = if self.slides { [0, 3] } else { [2, 3] };
+        self.slides = false;
+        let mut top = [[[0.0; L]; 2]; 4];
+        for (top, row) in top.iter_mut().zip(displacements.iter().chain(tractions)) {
+            for (j, top) in top.iter_mut().enumerate() {
+                let below = [&self.scaled[0][j], &self.scaled[1][j]];
+                for i in 0..L {
+                    top[i] = row[0][i] * below[0][i] + row[1][i] * below[1][i] + row[free[j]][i];
+                }
+            }
+        }
+        let [u, w, sigma, tau] = &top;
         if let Some(transfer) = &mut self.transfer {
             for (i, transfer) in transfer.iter_mut().enumerate() {
-                let tractions = Matrix2::new(top[2][0][i], top[2][1][i], top[3][0][i], top[3][1][i]);
+                let tractions = Matrix2::new(sigma[0][i], sigma[1][i] / s[i], tau[0][i] * s[i], tau[1][i]);
                 *transfer *= tractions.try_inverse().unwrap_or_else(Matrix2::zeros);
             }
         }
-        self.compliance = coefficients::compliance(&top).map(|row| row.map(|lanes| lanes.map(|c| c * scale)));
+        let [[xx, xy], [yx, yy]] = &mut self.scaled;
+        for i in 0..L {
+            let determinant = (sigma[0][i] * tau[1][i] - sigma[1][i] * tau[0][i]).recip();
+            let scaled = softness * determinant;
+            xx[i] = (u[0][i] * tau[1][i] - u[1][i] * tau[0][i]) * scaled;
+            xy[i] = (u[1][i] * sigma[0][i] - u[0][i] * sigma[1][i]) * (determinant / unit);
+            yx[i] = (w[0][i] * tau[1][i] - w[1][i] * tau[0][i]) * (squared * determinant);
+            yy[i] = (w[1][i] * sigma[0][i] - w[0][i] * sigma[1][i]) * scaled;
+        }
     }
 }
 
@@ -309,25 +335,27 @@ fn matrix<const L: usize>(compliances: &Compliances<L>, i: usize) -> Matrix2<f64
 }
 
 impl Panel {
-    /// Carries columns through as much of the panel as lies within `span`.
+    /// Carries columns through the panel, but for what is deeper than `reach`.
     #[inline(always)]
-    fn carry<const L: usize>(&self, s: &[f64; L], span: (f64, f64), column: &mut Column<L>) {
-        let (top, bottom) = (span.0.max(self.top), span.1.min(self.top + self.thickness));
+    fn carry<S: Simd, const L: usize>(&self, s: &[f64; L], reach: f64, column: &mut Column<L>) {
         // The whole, where it is the whole: a thin panel far down has no digits in the difference.
-        let is_whole = span.0 <= self.top && span.1 >= self.top + self.thickness;
-        let depth = if is_whole { self.thickness } else { bottom - top };
-        // In units of the panel: where the part begins, and how thick it is.
-        let (start, part) = ((top - self.top) / self.thickness, depth / self.thickness);
-        let most = s.iter().fold(0.0_f64, |most, s| most.max(*s));
+        let is_whole = reach >= self.top + self.thickness;
+        let depth = if is_whole { self.thickness } else { reach - self.top };
+        let (least, most) = s.iter().fold((f64::INFINITY, 0.0_f64), |(least, most), s| (s.min(least), s.max(most)));
         match &self.matter {
-            // One slice of constant coefficients: the wave numbers rise together.
-            Matter::Exponential(material, 0.0) if most * depth <= THICK => {
-                let coefficients = Coefficients::constant(*material);
-                column.rise(&coefficients, &s.map(|s| s * depth), depth / self.unit);
+            Matter::Homogeneous(_, propagator) => {
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `s depth` is bounded
+                let count = ((most * depth / THICK).ceil() as usize).max(1);
+                let delta = depth / count as f64;
+                let waves = s.map(|s| s * delta);
+                let rows = rows::<S, L>(propagator, &waves);
+                for _ in 0..count {
+                    column.rise(&rows, &waves, delta, self.unit);
+                }
             }
             Matter::Exponential(material, gamma) => {
-                let (unit, gamma) = (self.unit * (gamma * start).exp(), gamma * part);
-                let scale = depth / unit;
+                let gamma = gamma * (depth / self.thickness);
+                let scale = depth / self.unit;
                 for (i, s) in s.iter().enumerate() {
                     let doublings = ((s * depth).max(gamma.abs()) / THIN).log2().ceil().max(0.0);
                     let delta = (-doublings).exp2();
@@ -336,23 +364,31 @@ impl Panel {
                     for _ in 0..doublings as u32 {
                         slice = slice.doubled();
                     }
-                    column.raise(i, &slice, (scale * delta, scale * delta / gamma.exp()));
+                    column.raise(i, *s, &slice, (scale * delta, scale * delta / gamma.exp()));
                 }
                 column.slides = false;
             }
-            Matter::Smooth(coefficients) => {
+            Matter::Smooth(slices) => {
+                let thick = (least * self.top).clamp(THICK, THICKEST);
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // not negative; `as` saturates
+                let halvings = (most * self.thickness / thick).log2().ceil().max(0.0) as u32;
+                let delta = self.thickness * (-f64::from(halvings)).exp2();
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `s depth` is bounded
-                let count = ((most * depth / THICK).ceil() as usize).max(1);
-                let (start, width) = (-1.0 + 2.0 * start, 2.0 * part / count as f64);
-                let delta = depth / count as f64;
+                let count = (depth / delta).ceil() as usize;
                 let waves = s.map(|s| s * delta);
-                for k in (1..=count).rev() {
-                    let own = coefficients.window(start + k as f64 * width, -width);
-                    column.rise(&own, &waves, delta / self.unit);
+                for k in (0..count).rev() {
+                    column.rise(&rows::<S, L>(&slices.get(halvings, k), &waves), &waves, delta, self.unit);
                 }
             }
         }
     }
+}
+
+/// What a slice does at wave numbers over its thickness.
+#[inline(always)]
+fn rows<S: Simd, const L: usize>(propagator: &Propagator, s: &[f64; L]) -> [Rows<L>; 2] {
+    let q = s.map(|s| s * s);
+    propagator.at::<S, L>(&q, q.iter().fold(0.0, |most, q| q.max(most)))
 }
 
 #[cfg(test)]

@@ -8,9 +8,12 @@ mod exponential;
 mod fixtures;
 mod graded_half_plane;
 mod half_plane;
+mod integration;
 mod layered;
 mod panels;
+mod propagator;
 mod slice;
+mod slices;
 mod surface_tail;
 mod transfer_matrix;
 

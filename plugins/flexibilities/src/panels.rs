@@ -1,9 +1,12 @@
 //! A layer as panels of depth on each of which its elastic constants are polynomials.
 
 use crate::coefficients::{Coefficients, MOST, Polynomial};
+use crate::propagator::Propagator;
+use crate::slices::Slices;
+use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::{LayerModel, Material, ModulusLaw, Stretch};
 use std::f64::consts::PI;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// A stretch of depth, in units of the thickness of the whole.
 #[derive(Clone, Debug)]
@@ -19,10 +22,33 @@ pub(crate) struct Panel {
 /// How a panel's constants vary.
 #[derive(Clone, Debug)]
 pub(crate) enum Matter {
+    /// All are the same everywhere. What a slice of such a material does is shared.
+    Homogeneous(Material, Arc<Propagator>),
     /// All but the modulus are the same everywhere, and that is `exp(gamma y)`, `y` from 0 to 1 over the panel.
     Exponential(Material, f64),
-    /// Polynomials in a variable from -1 at the top to 1 at the bottom.
-    Smooth(Box<Coefficients>),
+    /// Polynomials.
+    Smooth(Box<Slices>),
+}
+
+impl Panel {
+    /// The parts above and below a depth within.
+    fn cut(&self, depth: f64) -> [Self; 2] {
+        let bottom = self.top + self.thickness;
+        [(self.top, depth), (depth, bottom)].map(|(top, bottom)| {
+            let (start, part) = ((top - self.top) / self.thickness, (bottom - top) / self.thickness);
+            let (unit, matter) = match &self.matter {
+                Matter::Homogeneous(..) => (self.unit, self.matter.clone()),
+                Matter::Exponential(material, gamma) => {
+                    (self.unit * (gamma * start).exp(), Matter::Exponential(*material, gamma * part))
+                }
+                Matter::Smooth(slices) => {
+                    let own = slices.coefficients.window(2.0 * start + part - 1.0, part);
+                    (self.unit, Matter::Smooth(Box::new(Slices::new(own))))
+                }
+            };
+            Self { top, thickness: bottom - top, unit, matter }
+        })
+    }
 }
 
 /// The panels of a layer, top first.
@@ -83,7 +109,11 @@ impl Panels {
             let (material, span) = (layer.material(law, from), to - from);
             see(material.shear);
             see(layer.material(law, to).shear);
-            let matter = Matter::Exponential(material, gamma * span);
+            let matter = if gamma == 0.0 {
+                Matter::Homogeneous(material, self.propagator(material))
+            } else {
+                Matter::Exponential(material, gamma * span)
+            };
             let top = stretch.in_whole(from);
             self.all.push(Panel { top, thickness: span * thickness, unit: material.shear, matter });
             return Some(());
@@ -107,13 +137,40 @@ impl Panels {
             }
             see(fit.extremes.0);
             see(fit.extremes.1);
-            let matter = Matter::Smooth(Box::new(fit.coefficients));
+            let matter = Matter::Smooth(Box::new(Slices::new(fit.coefficients)));
             self.all.push(Panel { top, thickness: wide, unit: fit.unit, matter });
             if self.all.len() > MOST_PANELS {
                 return None;
             }
         }
         Some(())
+    }
+
+    /// Of a slice of a material in units of its own modulus: that of a panel above which is made of the like.
+    fn propagator(&self, material: Material) -> Arc<Propagator> {
+        let like = |panel: &Panel| match &panel.matter {
+            Matter::Homogeneous(own, propagator) if own.elastic == material.elastic => Some(Arc::clone(propagator)),
+            _ => None,
+        };
+        let constants = Coefficients::of(material, material.shear);
+        self.all.iter().rev().find_map(like).unwrap_or_else(|| Arc::new(Propagator::new(|_| constants)))
+    }
+
+    /// Adds what lies between the layer and a depth below it.
+    pub(crate) fn extend(&mut self, substrate: Material, depth: f64) {
+        let matter = Matter::Homogeneous(substrate, self.propagator(substrate));
+        self.all.push(Panel { top: 1.0, thickness: depth - 1.0, unit: substrate.shear, matter });
+    }
+
+    /// Cuts the panel that holds a depth in two there; returns the number of panels above it.
+    pub(crate) fn cut(&mut self, depth: f64) -> usize {
+        let at = self.all.partition_point(|panel| panel.top + panel.thickness <= depth);
+        if self.all.get(at).is_none_or(|panel| panel.top >= depth) {
+            return at;
+        }
+        let parts = self.all[at].cut(depth);
+        self.all.splice(at..=at, parts);
+        at + 1
     }
 
     /// `int 8 mu/(1 + kappa) dy` and `int lambda dy` over the layer: how it resists being stretched as a whole, and how
@@ -125,11 +182,14 @@ impl Panels {
         };
         self.all.iter().fold((0.0, 0.0), |(stiffness, contraction), panel| {
             let (own, contracted) = match &panel.matter {
-                Matter::Exponential(material, gamma) => {
-                    let growth = if *gamma == 0.0 { 1.0 } else { gamma.exp_m1() / gamma };
-                    (8.0 / (1.0 + material.elastic.kappa) * growth, material.elastic.lambda())
+                Matter::Homogeneous(Material { elastic, .. }, _) => (8.0 / (1.0 + elastic.kappa), elastic.lambda()),
+                Matter::Exponential(Material { elastic, .. }, gamma) => {
+                    (8.0 / (1.0 + elastic.kappa) * gamma.exp_m1() / gamma, elastic.lambda())
                 }
-                Matter::Smooth(coefficients) => (mean(&coefficients.stiffness), mean(&coefficients.contraction)),
+                Matter::Smooth(slices) => {
+                    let Coefficients { stiffness, contraction, .. } = &slices.coefficients;
+                    (mean(stiffness), mean(contraction))
+                }
             };
             (stiffness + own * panel.unit * panel.thickness, contraction + contracted * panel.thickness)
         })
@@ -152,27 +212,24 @@ impl Fit {
     fn of(layer: &LayerModel, law: &dyn ModulusLaw, start: f64, width: f64) -> Option<Self> {
         let at = |x: f64| layer.material(law, start + 0.5 * width * (1.0 + x));
         let unit = at(0.0).shear;
-        let mut values = [[0.0; MOST]; 4];
+        let mut values = [[0.0; 4]; MOST];
         let mut extremes = (f64::INFINITY, 0.0_f64);
-        for (j, x) in Chebyshev::get().nodes.iter().enumerate() {
+        for (values, x) in values.iter_mut().zip(&Chebyshev::get().nodes) {
             let material = at(*x);
             extremes = (extremes.0.min(material.shear), extremes.1.max(material.shear));
-            for (values, value) in values.iter_mut().zip(Coefficients::of(material, unit)) {
-                values[j] = value;
-            }
+            *values = Coefficients::of(material, unit);
         }
         if !values.iter().flatten().all(|value| value.is_finite()) {
             return None;
         }
-        let fitted = values.map(|values| Chebyshev::get().through(&values));
-        let mut error = fitted.iter().fold(0.0_f64, |most, (_, last)| most.max(*last));
+        let (fitted, last) = Arch::new().dispatch(Through(&values));
+        let mut error = last.into_iter().fold(0.0_f64, f64::max);
         let mut is_smooth = error <= TOLERANCE.0;
-        let [softness, stiffness, contraction, cross] = fitted.map(|(polynomial, _)| polynomial);
+        let [softness, stiffness, contraction, cross] = fitted;
         let coefficients = Coefficients { softness, stiffness, contraction, cross };
         for x in BESIDE {
             let own = [&coefficients.softness, &coefficients.stiffness, &coefficients.contraction, &coefficients.cross];
-            for ((polynomial, value), values) in own.iter().zip(Coefficients::of(at(x), unit)).zip(&values) {
-                let size = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+            for ((polynomial, value), size) in own.iter().zip(Coefficients::of(at(x), unit)).zip(sizes(&values)) {
                 let beside = if size == 0.0 { 0.0 } else { (polynomial.at(x) - value).abs() / size };
                 is_smooth &= beside <= TOLERANCE.1;
                 error = error.max(beside);
@@ -187,7 +244,7 @@ struct Chebyshev {
     nodes: [f64; MOST],
     /// Rows: `cos(k theta_j)`.
     cosines: [[f64; MOST]; MOST],
-    /// Rows: coefficients of `T_k`.
+    /// Columns: coefficients of `T_k`.
     powers: [[f64; MOST]; MOST],
 }
 
@@ -208,31 +265,69 @@ impl Chebyshev {
             Self {
                 nodes: std::array::from_fn(|j| angle(j).cos()),
                 cosines: std::array::from_fn(|k| std::array::from_fn(|j| (k as f64 * angle(j)).cos())),
-                powers,
+                powers: std::array::from_fn(|j| std::array::from_fn(|k| powers[k][j])),
             }
         })
     }
+}
 
-    /// The polynomial through values at the nodes, rounding dropped, and the last coefficients of its series, relative.
-    fn through(&self, values: &[f64; MOST]) -> (Polynomial, f64) {
-        let size = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+/// The largest of each constant.
+fn sizes(values: &[[f64; 4]; MOST]) -> [f64; 4] {
+    values.iter().fold([0.0; 4], |most, values| std::array::from_fn(|i| values[i].abs().max(most[i])))
+}
+
+/// The polynomials through values of four constants at the nodes, rounding dropped, and the last coefficients of their
+/// series, relative.
+struct Through<'a>(&'a [[f64; 4]; MOST]);
+
+impl WithSimd for Through<'_> {
+    type Output = ([Polynomial; 4], [f64; 4]);
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _simd: S) -> Self::Output {
+        let Self(values) = self;
+        let rule = Chebyshev::get();
+        let sizes = sizes(values);
         // What varies alone, so that what does not vary is a constant.
         let level = values[MOST / 2];
-        let mut series: [f64; MOST] = std::array::from_fn(|k| {
-            let sum: f64 = self.cosines[k].iter().zip(values).map(|(cosine, value)| cosine * (value - level)).sum();
-            sum * if k == 0 { 1.0 } else { 2.0 } / MOST as f64
-        });
-        series[0] += level;
-        let last = series[MOST - LAST..].iter().fold(0.0_f64, |most, c| most.max(c.abs()));
-        let last = if size == 0.0 { 0.0 } else { last / size };
-        let count = 1 + series.iter().rposition(|c| c.abs() > ROUNDING * size).unwrap_or(0);
-        series[count..].fill(0.0);
-        let mut terms = [0.0; MOST];
-        for (c, powers) in series[..count].iter().zip(&self.powers) {
-            for (term, power) in terms.iter_mut().zip(powers) {
-                *term += c * power;
+        let varying = values.map(|values| std::array::from_fn(|i| values[i] - level[i]));
+        let mut series = [[0.0; 4]; MOST];
+        for (k, (series, cosines)) in series.iter_mut().zip(&rule.cosines).enumerate() {
+            add_products(series, cosines, &varying);
+            let scale = if k == 0 { 1.0 } else { 2.0 } / MOST as f64;
+            *series = series.map(|c| c * scale);
+        }
+        series[0] = std::array::from_fn(|i| series[0][i] + level[i]);
+        let mut last = [0.0_f64; 4];
+        let mut counts = [1; 4];
+        for (k, series) in series.iter_mut().enumerate() {
+            for i in 0..4 {
+                if k >= MOST - LAST && sizes[i] != 0.0 {
+                    last[i] = last[i].max(series[i].abs() / sizes[i]);
+                }
+                if series[i].abs() > ROUNDING * sizes[i] {
+                    counts[i] = k + 1;
+                }
             }
         }
-        (Polynomial::new(&terms[..count]), last)
+        for (k, series) in series.iter_mut().enumerate() {
+            *series = std::array::from_fn(|i| if k < counts[i] { series[i] } else { 0.0 });
+        }
+        let mut terms = [[0.0; 4]; MOST];
+        for (term, powers) in terms.iter_mut().zip(&rule.powers) {
+            add_products(term, powers, &series);
+        }
+        let polynomial = |i: usize| Polynomial::new(&terms.map(|term| term[i])[..counts[i]]);
+        (std::array::from_fn(polynomial), last)
+    }
+}
+
+/// `sum += factors values`, one after the other.
+#[inline(always)]
+fn add_products(sum: &mut [f64; 4], factors: &[f64; MOST], values: &[[f64; 4]; MOST]) {
+    for (factor, value) in factors.iter().zip(values) {
+        for i in 0..4 {
+            sum[i] += factor * value[i];
+        }
     }
 }

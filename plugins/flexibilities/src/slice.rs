@@ -1,6 +1,6 @@
 //! A slice of the layer as a two-port between its faces, and how slices are stacked.
 
-use crate::coefficients::{Coefficients, NEGLIGIBLE};
+use crate::coefficients::Coefficients;
 use nalgebra::{Matrix2, Matrix4};
 use slipzone_api::Material;
 
@@ -9,6 +9,10 @@ pub(crate) const THIN: f64 = 0.5;
 
 /// Most terms of that series.
 const MOST_TERMS: u32 = 40;
+
+/// Terms of that series below this, times the fourth power of the wave number in units of the slice, are left out: no
+/// compliance and no entry of a propagator is smaller than that power, and each keeps its relative precision.
+const NEGLIGIBLE: f64 = f64::EPSILON / 32.0;
 
 /// What a slice does between its top and its bottom: displacements `d = (u, v)`, tractions `t = (sigma_xy, sigma_yy)`,
 ///

@@ -19,6 +19,7 @@
 
 use crate::coefficients::Coefficients;
 use nalgebra::Matrix2;
+use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::taylor::Taylor;
 use slipzone_api::{Elastic, LayerModel, Moduli, Plane, Solid, SurfaceFlexibility};
 
@@ -116,32 +117,89 @@ fn smooth(elastic: Elastic, modulus: &[f64], beta: &[f64], terms: usize) -> Vec<
     let terms = terms.min(modulus.len().saturating_sub(1));
     let gradient = logarithmic_gradient(modulus, terms);
     // H0, H1, ...: the coefficients of 1, y, y^2, ... in each, one fewer from order to order.
-    let mut orders = vec![vec![SurfaceFlexibility::default(); terms + 1]];
-    for (order, beta) in orders[0].iter_mut().zip(beta) {
-        order.uv = -beta;
+    let mut orders = vec![Order::new(terms + 1)];
+    for (uv, beta) in orders[0].uv.iter_mut().zip(beta) {
+        *uv = -beta;
     }
-    orders[0][0] = half_plane(elastic);
-    for k in 1..=terms {
-        let before = &orders[k - 1];
-        let next = (0..=terms - k).map(|degree| {
-            let (grade, higher) = ((degree + 1) as f64, before[degree + 1]);
-            let mut right = SurfaceFlexibility { vv: grade * higher.vv, uu: grade * higher.uu, uv: grade * higher.uv };
-            for (w, lower) in gradient[..=degree].iter().rev().zip(before) {
-                right.vv -= w * lower.vv;
-                right.uu -= w * lower.uu;
-                right.uv -= w * lower.uv;
-            }
-            for j in 1..k {
-                for (left, other) in orders[j][..=degree].iter().zip(orders[k - j][..=degree].iter().rev()) {
-                    subtract_product(&mut right, *left, *other);
-                }
-            }
-            solved(right)
-        });
-        let next = next.collect();
+    orders[0].set(0, half_plane(elastic));
+    for _ in 1..=terms {
+        let next = Arch::new().dispatch(Next { orders: &orders, gradient: &gradient });
         orders.push(next);
     }
-    orders[1..].iter().map(|order| order[0]).collect()
+    orders[1..].iter().map(|order| order.get(0)).collect()
+}
+
+/// A Taylor polynomial of matrices, entry by entry.
+struct Order {
+    vv: Vec<f64>,
+    uu: Vec<f64>,
+    uv: Vec<f64>,
+}
+
+impl Order {
+    fn new(count: usize) -> Self {
+        Self { vv: vec![0.0; count], uu: vec![0.0; count], uv: vec![0.0; count] }
+    }
+
+    fn get(&self, degree: usize) -> SurfaceFlexibility {
+        SurfaceFlexibility { vv: self.vv[degree], uu: self.uu[degree], uv: self.uv[degree] }
+    }
+
+    fn set(&mut self, degree: usize, value: SurfaceFlexibility) {
+        (self.vv[degree], self.uu[degree], self.uv[degree]) = (value.vv, value.uu, value.uv);
+    }
+}
+
+/// The order after some, in the vectors that the machine has.
+struct Next<'a> {
+    orders: &'a [Order],
+    gradient: &'a [f64],
+}
+
+impl WithSimd for Next<'_> {
+    type Output = Order;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _simd: S) -> Order {
+        let Self { orders, gradient } = self;
+        let k = orders.len();
+        let before = &orders[k - 1];
+        let count = before.uu.len() - 1;
+        let mut right = Order::new(count);
+        for degree in 0..count {
+            let (grade, higher) = ((degree + 1) as f64, before.get(degree + 1));
+            right.set(
+                degree,
+                SurfaceFlexibility { vv: grade * higher.vv, uu: grade * higher.uu, uv: grade * higher.uv },
+            );
+        }
+        for (degree, w) in gradient[..count].iter().enumerate() {
+            subtract(&mut right.vv[degree..], *w, &before.vv);
+            subtract(&mut right.uu[degree..], *w, &before.uu);
+            subtract(&mut right.uv[degree..], *w, &before.uv);
+        }
+        // 2 Hj e e^T Hk-j, of the off-diagonal entry one triangle: both orders of each pair are summed.
+        for (left, other) in orders[1..].iter().zip(orders[1..].iter().rev()) {
+            for degree in 0..count {
+                let (uu, uv) = (2.0 * left.uu[degree], 2.0 * left.uv[degree]);
+                subtract(&mut right.uu[degree..], uu, &other.uu);
+                subtract(&mut right.uv[degree..], uu, &other.uv);
+                subtract(&mut right.vv[degree..], uv, &other.uv);
+            }
+        }
+        for degree in 0..count {
+            right.set(degree, solved(right.get(degree)));
+        }
+        right
+    }
+}
+
+/// `sum -= factor terms`, as far as the sum goes.
+#[inline(always)]
+fn subtract(sum: &mut [f64], factor: f64, terms: &[f64]) {
+    for (sum, term) in sum.iter_mut().zip(terms) {
+        *sum -= factor * term;
+    }
 }
 
 /// Taylor coefficients of `w = mu'/mu`, `terms` of them, from `terms + 1` of `mu`: `mu' = w mu`, power by power.

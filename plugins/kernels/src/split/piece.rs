@@ -53,30 +53,36 @@ impl Piece {
     pub(super) fn through((nodes, checks): (&[Sample], &[Sample]), at_origin: bool, odd: bool, aim: f64) -> Self {
         let upper = checks.last().expect("a check at the upper end").1;
         let parity = [odd, !odd, odd].map(|odd| odd && at_origin);
-        let mut piece = Self { rows: Vec::new(), error: 0.0, noise: 0.0 };
+        let mut piece = Self { rows: Vec::with_capacity(nodes.len()), error: 0.0, noise: 0.0 };
         for part in 0..3 {
-            let values: Vec<f64> = nodes.iter().map(|(.., v)| v[part]).collect();
-            let mut series = chebyshev(&values, parity[part]);
+            let mut values = [0.0; MOST_NODES];
+            for (value, (.., all)) in values.iter_mut().zip(nodes) {
+                *value = all[part];
+            }
+            let values = &values[..nodes.len()];
+            let series = chebyshev(values, parity[part]);
+            let mut series = &series[..nodes.len()];
             let weight = match part {
                 2 if at_origin && !odd => LARGEST_LOG,
                 2 => upper.ln().abs().max(1.0),
                 _ => 1.0,
             };
             let noise = NOISE * values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-            let left_out = remainder(&series, noise);
+            let left_out = remainder(series, noise);
             // Drop what is not wanted.
             let mut dropped = 0.0;
-            while let Some(c) = series.last() {
+            while let [kept @ .., c] = series {
                 if dropped + c.abs() > 0.1 * aim / weight {
                     break;
                 }
                 dropped += c.abs();
-                series.pop();
+                series = kept;
             }
-            let mut powers = monomials(&series, parity[part]);
+            let mut powers = monomials(series, parity[part]);
+            let powers = &mut powers[..series.len()];
             if parity[part] {
                 // The table multiplies by t.
-                for c in &mut powers {
+                for c in &mut *powers {
                     *c /= upper;
                 }
             }
@@ -86,11 +92,9 @@ impl Piece {
             });
             piece.error += weight * (3.0 * seen.max(left_out) + dropped);
             piece.noise += weight * noise;
-            for (power, c) in powers.into_iter().enumerate() {
-                if piece.rows.len() <= power {
-                    piece.rows.push([0.0; 3]);
-                }
-                piece.rows[power][part] = c;
+            piece.rows.resize(piece.rows.len().max(powers.len()), [0.0; 3]);
+            for (row, c) in piece.rows.iter_mut().zip(powers) {
+                row[part] = *c;
             }
         }
         piece
@@ -114,52 +118,61 @@ const SLOWEST: f64 = 0.95;
 
 /// Coefficients of `T_0, T_1, ...` in the interpolant through values at `cos((2j + 1) pi/2n)`, or, of an `odd` one, of
 /// `T_1, T_3, ...` through values at `cos((2j + 1) pi/4n)`.
-fn chebyshev(values: &[f64], odd: bool) -> Vec<f64> {
-    let n = values.len();
-    let cosines = COSINES[n].get_or_init(|| (0..8 * n).map(|m| (PI * m as f64 / (4 * n) as f64).cos()).collect());
-    let coefficient = |k: usize| {
-        let order = if odd { 2 * k + 1 } else { 2 * k };
-        let mut angle = order;
-        let sum: f64 = values
-            .iter()
-            .map(|value| {
-                let cosine = cosines[angle];
-                angle = (angle + 2 * order) % (8 * n);
-                value * cosine
-            })
-            .sum();
-        sum * if order == 0 { 1.0 } else { 2.0 } / n as f64
-    };
-    (0..n).map(coefficient).collect()
+fn chebyshev(values: &[f64], odd: bool) -> [f64; MOST_NODES] {
+    let mut series = [0.0; MOST_NODES];
+    for (c, row) in series.iter_mut().zip(cosines(values.len(), odd).chunks_exact(values.len())) {
+        *c = row.iter().zip(values).map(|(cosine, value)| value * cosine).sum();
+    }
+    series
 }
 
-/// `cos(m pi/4n)` for each number of nodes, made when first asked for.
-static COSINES: [OnceLock<Vec<f64>>; MOST_NODES + 1] = [const { OnceLock::new() }; MOST_NODES + 1];
+/// What leads from values to those coefficients, row by row; made when first asked for.
+fn cosines(nodes: usize, odd: bool) -> &'static [f64] {
+    static COSINES: [[OnceLock<Vec<f64>>; MOST_NODES + 1]; 2] =
+        [const { [const { OnceLock::new() }; MOST_NODES + 1] }; 2];
+    COSINES[usize::from(odd)][nodes].get_or_init(|| {
+        let entry = |k: usize, j: usize| {
+            let order = if odd { 2 * k + 1 } else { 2 * k };
+            // The angle in units of pi/4n, within a turn.
+            let angle = order * (2 * j + 1) % (8 * nodes);
+            let weight = if order == 0 { 1.0 } else { 2.0 } / nodes as f64;
+            weight * (PI * angle as f64 / (4 * nodes) as f64).cos()
+        };
+        (0..nodes).flat_map(|k| (0..nodes).map(move |j| entry(k, j))).collect()
+    })
+}
 
 /// `sum_k series[k] T_k(v)` in powers of `v`; of an odd series, `sum_k series[k] T_(2k+1)(x)/x` in powers of
 /// `v = 2 x^2 - 1`.
-fn monomials(series: &[f64], odd: bool) -> Vec<f64> {
-    let n = series.len();
-    let mut sum = vec![0.0; n];
-    let (mut older, mut newer) = (vec![0.0; n], vec![0.0; n]);
-    for (k, c) in series.iter().enumerate() {
-        let mut next = vec![0.0; n];
-        match k {
-            0 => next[0] = 1.0,
-            // T_1(v) = v; T_3(x)/x = 2 v - 1. Both families go on by the same recurrence.
-            1 if odd => (next[0], next[1]) = (-1.0, 2.0),
-            1 => next[1] = 1.0,
-            _ => {
-                for j in 0..n {
-                    next[j] = if j > 0 { 2.0 * newer[j - 1] } else { 0.0 } - older[j];
-                }
-            }
+fn monomials(series: &[f64], odd: bool) -> [f64; MOST_NODES] {
+    let mut sum = [0.0; MOST_NODES];
+    for (k, (c, row)) in series.iter().zip(&powers()[usize::from(odd)]).enumerate() {
+        for (sum, power) in sum[..=k].iter_mut().zip(row) {
+            *sum += c * power;
         }
-        for (sum, t) in sum.iter_mut().zip(&next) {
-            *sum += c * t;
-        }
-        older = newer;
-        newer = next;
     }
     sum
+}
+
+/// Coefficients of one polynomial after the other.
+type Rows = [[f64; MOST_NODES]; MOST_NODES];
+
+/// Those of `T_k(v)` and of `T_(2k+1)(x)/x`, made when first asked for.
+fn powers() -> &'static [Rows; 2] {
+    static POWERS: OnceLock<[Rows; 2]> = OnceLock::new();
+    POWERS.get_or_init(|| {
+        [false, true].map(|odd| {
+            let mut rows = [[0.0; MOST_NODES]; MOST_NODES];
+            rows[0][0] = 1.0;
+            // T_1(v) = v; T_3(x)/x = 2 v - 1. Both families go on by the same recurrence.
+            (rows[1][0], rows[1][1]) = if odd { (-1.0, 2.0) } else { (0.0, 1.0) };
+            for k in 2..MOST_NODES {
+                for j in 0..=k {
+                    let raised = if j > 0 { 2.0 * rows[k - 1][j - 1] } else { 0.0 };
+                    rows[k][j] = raised - rows[k - 2][j];
+                }
+            }
+            rows
+        })
+    })
 }

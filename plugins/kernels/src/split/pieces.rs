@@ -43,14 +43,20 @@ const MOST_PIECES: usize = 512;
 const FIRST_NODES: f64 = 0.6;
 /// A piece that starts beyond `t` is up to this part of `t` wide: singularities are that far away.
 const WIDENING: f64 = 0.25;
+/// And it is tried with this part of `t` at least.
+const LEAST_WIDENING: f64 = 0.1;
 /// Widest piece, in units of the thickness.
 const WIDEST: f64 = 4.0;
-/// A piece that was halved and has not come below this part of its error is as good as it gets: noise.
+/// A piece is made as wide as should leave this part of the error that it may have.
+const SAFE: f64 = 0.4;
+/// By how much one that fails is made narrower at first; if it fails again, by the first of these.
+const NARROWER: (f64, f64) = (0.5, 0.85);
+/// A piece that was narrowed and has not come below this part of its error is as good as it gets: noise.
 const STALL: f64 = 0.6;
 /// No noise is larger than this.
 const LARGEST_NOISE: f64 = 1e-11;
-/// Halvings of one piece before its error is accepted as it is.
-const MOST_HALVINGS: u32 = 12;
+/// A piece is made narrower as often as this before its error is accepted as it is.
+const MOST_ATTEMPTS: u32 = 12;
 
 impl Pieces {
     /// Interpolates `parts(t)`, which fills one [`Values`] per kernel, with `nodes` of them in a piece.
@@ -64,7 +70,7 @@ impl Pieces {
         let fewer = (FIRST_NODES * nodes as f64).ceil() as usize;
         let at_origin = Variable::chebyshev(fewer, &[NEAR_ORIGIN, 1.0]);
         let elsewhere = Variable::chebyshev(nodes, &[1.0]);
-        let (mut lower, mut width, mut halvings, mut quiet) = (0.0, plan.width, 0, 0);
+        let (mut lower, mut width, mut attempts, mut quiet) = (0.0, plan.width, 0, 0);
         let mut floor: Vec<f64> = plan.kernels.iter().map(|(_, aim)| *aim).collect();
         let mut before = f64::INFINITY;
         let mut values = vec![vec![Values::default(); plan.kernels.len()]; nodes + 2];
@@ -94,10 +100,12 @@ impl Pieces {
                 .zip(&floor)
                 .map(|(piece, floor)| piece.error / floor.max(piece.noise))
                 .fold(0.0, f64::max);
+            // The error grows with the width to the power of the number of nodes.
+            let fit = (SAFE / worst).powf((variable.nodes as f64).recip());
             let stalled = worst > STALL * before && pieced.iter().all(|piece| piece.error < LARGEST_NOISE);
-            if worst > 1.0 && !stalled && halvings < MOST_HALVINGS {
-                (before, halvings) = (worst, halvings + 1);
-                width *= 0.5;
+            if worst > 1.0 && !stalled && attempts < MOST_ATTEMPTS {
+                width *= if attempts == 0 { fit.clamp(NARROWER.0, NARROWER.1) } else { NARROWER.0 };
+                (before, attempts) = (worst, attempts + 1);
                 continue;
             }
             if worst > 1.0 {
@@ -124,9 +132,12 @@ impl Pieces {
                 return pieces;
             }
             lower = upper;
-            (before, halvings) = (f64::INFINITY, 0);
+            (before, attempts) = (f64::INFINITY, 0);
             let widest = if plan.is_local { WIDEST } else { f64::INFINITY };
-            width = (1.5 * width).max(WIDENING * lower).min(if lower < plan.local { plan.width } else { widest });
+            let widest = if lower < plan.local { plan.width } else { widest };
+            // Noise says nothing of a better width.
+            let (least, most) = (width.max(LEAST_WIDENING * lower), (1.5 * width).max(WIDENING * lower));
+            width = if stalled { most } else { (fit * width).clamp(least, most) }.min(widest);
         }
         if lower < plan.reach {
             // Not everything is covered.

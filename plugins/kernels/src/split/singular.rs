@@ -39,13 +39,13 @@ impl Singular {
         let taylor = signed_taylor(column, &column.series, DEGREE + digits);
         let allowed = MODERATE * taylor[0].abs().max(1.0);
         let open = Self::windowed(column, &taylor, 0.0);
-        if reach <= depth && open.largest(reach) <= allowed {
+        if reach <= depth && open.stays_below(allowed, reach) {
             return open;
         }
         let mut t0 = WIDEST * depth;
         let mut singular = Self::windowed(column, &taylor, 1.0 / (t0 * t0));
         for _ in 0..MOST_STEPS {
-            if singular.largest(reach.min(GONE * t0)) <= allowed {
+            if singular.stays_below(allowed, reach.min(GONE * t0)) {
                 break;
             }
             t0 *= NARROWER;
@@ -83,12 +83,12 @@ impl Singular {
         if self.odd { (FRAC_PI_2 * re, -im) } else { (-FRAC_PI_2 * im, -re) }
     }
 
-    /// Largest of both on a grid over `[0, reach]`; the logarithm's where it is larger than one included.
-    fn largest(&self, reach: f64) -> f64 {
-        (0..=64).fold(0.0, |most, i| {
+    /// Whether both do on a grid over `[0, reach]`, the logarithm's with the logarithm where that is larger than one.
+    fn stays_below(&self, allowed: f64, reach: f64) -> bool {
+        (0..=64).all(|i| {
             let t = reach * f64::from(i) / 64.0;
             let (sign, log) = self.at(t);
-            most.max(sign.abs() / FRAC_PI_2).max(log.abs() * t.max(1.0).ln().max(1.0))
+            sign.abs() / FRAC_PI_2 <= allowed && log.abs() * t.max(1.0).ln().max(1.0) <= allowed
         })
     }
 

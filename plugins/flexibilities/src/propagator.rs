@@ -1,0 +1,139 @@
+//! What becomes of states that rise through a slice, for all wave numbers at once.
+
+use crate::integration::{Integration, NODES, Pair, fused, pair};
+use pulp::{Arch, Simd, WithSimd};
+
+/// Largest wave number of a slice, over its thickness.
+pub(crate) const THICKEST: f64 = 4.0;
+
+/// Most powers of the square of the wave number.
+const MOST: usize = 32;
+
+/// A term below this part of the largest of its entry is left out.
+const NEGLIGIBLE: f64 = f64::EPSILON / 8.0;
+
+/// The states at the top of a slice for each unit state at its bottom, in powers of `q = s^2`.
+///
+/// A state is `(u, w, sigma, tau) = (u, v/s, sigma_xy, sigma_yy/s)`. Of the wave number its equations hold `q` alone, and no
+/// entry is small because `s` is: in the distance from the bottom, over the thickness,
+///
+/// ```text
+/// u' = -q w - sigma/mu                     sigma' = -q (8 mu/(1 + kappa) u + lambda tau)
+/// w' = lambda u - (beta/mu) tau            tau' = sigma
+/// ```
+///
+/// Power by power of `q`, each component is an integral of what is known.
+#[derive(Clone, Debug)]
+pub(crate) struct Propagator {
+    /// By the power of `q`: rows `u`, `w`, columns the states at the bottom.
+    displacements: Vec<Entries>,
+    /// The same of `sigma`, `tau`.
+    tractions: Vec<Entries>,
+    /// Bounds on the terms of each power where the wave number is largest, relative to what they are added to.
+    sizes: Vec<f64>,
+}
+
+/// Two rows of coefficients.
+type Entries = Pair;
+
+/// Two rows of a propagator at some wave numbers.
+pub(crate) type Rows<const L: usize> = [[[f64; L]; 4]; 2];
+
+impl Propagator {
+    /// Of a slice whose constants (softness, stiffness, contraction, cross) are given from 0 at its bottom to 1 at its top.
+    pub(crate) fn new(constants: impl Fn(f64) -> [f64; 4]) -> Self {
+        Arch::new().dispatch(Build(&Integration::get().nodes.map(constants)))
+    }
+
+    #[inline(always)]
+    fn build<S: Simd>(constants: &[[f64; 4]; NODES]) -> Self {
+        let rule = Integration::get();
+        let (mut displacements, mut tractions, mut sizes) =
+            (Vec::with_capacity(MOST), Vec::with_capacity(MOST), Vec::with_capacity(MOST));
+        let unit = |component: usize| std::array::from_fn(|state| if state == component { 1.0 } else { 0.0 });
+        // `sigma` and, of the power before, `w`; in turn `tau` and `u`.
+        let mut field = [[unit(2), [0.0; 4]]; NODES];
+        let mut sigma = unit(2);
+        let mut start = [[unit(3), unit(0)], [[0.0; 4], unit(1)]];
+        let (mut largest, mut power) = ([Pair::default(); 2], 1.0);
+        for _ in 0..MOST {
+            for ([sigma, w], [softness, ..]) in field.iter_mut().zip(constants) {
+                *w = std::array::from_fn(|i| -fused::<S>(*softness, sigma[i], w[i]));
+            }
+            let [tau, u] = rule.integrate::<S>(&start[0], &mut field);
+            for ([tau, u], [_, stiffness, contraction, cross]) in field.iter_mut().zip(constants) {
+                let (t, d) = (*tau, *u);
+                *tau = std::array::from_fn(|i| -fused::<S>(*stiffness, d[i], contraction * t[i]));
+                *u = std::array::from_fn(|i| fused::<S>(*contraction, d[i], -cross * t[i]));
+            }
+            let [next_sigma, w] = rule.integrate::<S>(&start[1], &mut field);
+            let mut relative = 0.0_f64;
+            for (largest, top) in largest.iter_mut().zip([[u, w], [sigma, tau]]) {
+                let size = pair(|c, i| top[c][i].abs() * power);
+                *largest = pair(|c, i| largest[c][i].max(size[c][i]));
+                let entries = size.iter().flatten().zip(largest.iter().flatten());
+                relative =
+                    entries.fold(relative, |most, (size, largest)| most.max(size / largest.max(f64::MIN_POSITIVE)));
+            }
+            power *= THICKEST * THICKEST;
+            displacements.push([u, w]);
+            tractions.push([sigma, tau]);
+            sizes.push(relative);
+            if relative <= NEGLIGIBLE {
+                break;
+            }
+            (sigma, start) = (next_sigma, [Pair::default(); 2]);
+        }
+        Self { displacements, tractions, sizes }
+    }
+
+    /// Rows `u`, `w` and rows `sigma`, `tau` at squares of wave numbers, of which `most` is the largest.
+    #[inline(always)]
+    pub(crate) fn at<S: Simd, const L: usize>(&self, q: &[f64; L], most: f64) -> [Rows<L>; 2] {
+        let terms = self.terms(most);
+        [sum::<S, L>(&self.displacements[..terms], q), sum::<S, L>(&self.tractions[..terms], q)]
+    }
+
+    /// Powers that matter up to a square of the wave number: entries begin with the second power at the latest.
+    #[inline(always)]
+    fn terms(&self, most: f64) -> usize {
+        let fraction = most / (THICKEST * THICKEST);
+        let (mut terms, mut faded) = (self.sizes.len().min(FIRST), 1.0);
+        while terms < self.sizes.len() && self.sizes[terms] * faded > NEGLIGIBLE {
+            terms += 1;
+            faded *= fraction;
+        }
+        terms
+    }
+}
+
+/// Powers that each entry has at least: none begins later.
+const FIRST: usize = 3;
+
+/// Horner's scheme for eight entries at a time: as many as registers hold.
+#[inline(always)]
+fn sum<S: Simd, const L: usize>(orders: &[Entries], q: &[f64; L]) -> Rows<L> {
+    let mut sums = [[[0.0; L]; 4]; 2];
+    for order in orders.iter().rev() {
+        for (sums, coefficients) in sums.iter_mut().zip(order) {
+            for (sum, c) in sums.iter_mut().zip(coefficients) {
+                for i in 0..L {
+                    sum[i] = fused::<S>(sum[i], q[i], *c);
+                }
+            }
+        }
+    }
+    sums
+}
+
+/// [`Propagator::build`] in the vectors that the machine has.
+struct Build<'a>(&'a [[f64; 4]; NODES]);
+
+impl WithSimd for Build<'_> {
+    type Output = Propagator;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _simd: S) -> Propagator {
+        Propagator::build::<S>(self.0)
+    }
+}
