@@ -113,9 +113,13 @@ fn saved(count: u64, seed: u64) -> bool {
         )));
         let ill = |one: &Solution| one.status != Status::Converged;
         let off = differences(&planned, &exact);
-        let holds = ill(&exact) || (!ill(&planned) && off.iter().all(|one| one.1 <= 1.01 * tolerance));
-        if !holds {
-            println!("{text}tolerance {tolerance:e}: {:?} {:?} {off:?}", planned.status, planned.reason);
+        let is_within = ill(&exact) || (!ill(&planned) && off.iter().all(|one| one.1 <= 1.01 * tolerance));
+        // Of the layer itself the estimate may be exceeded, but no more than three times: the planner did nothing.
+        let is_full = planned.plan.model == Model::Full && !ill(&planned);
+        let holds = is_within || is_full && off.iter().all(|one| one.1 <= 3.0 * one.2);
+        if !is_within {
+            let model = planned.plan.model.name();
+            println!("{text}tolerance {tolerance:e}, {model}: {:?} {:?} {off:?}", planned.status, planned.reason);
         }
         (planned.plan.model, planned.plan, full.plan, time / time_full, holds, !ill(&exact))
     };

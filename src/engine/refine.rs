@@ -24,6 +24,10 @@ const BESIDE_PINNED: u32 = 3;
 const SHOWN: f64 = 1e-3;
 /// Steps that may be refused before the first that is solved.
 const SKIPPED: usize = 7;
+/// Distance of the unknowns in the middle of a contact, over the half-width and times their number, and over the kernels' length where
+/// these are not seen.
+const WIDE: f64 = 5.5;
+const UNSEEN: f64 = 3.0;
 /// What a step of refinement leaves of what it changed, on a loading curve; a tenth to a fortieth is seen.
 const LEFT: f64 = 0.1;
 /// Steps that a loading curve may take beyond those of its last load.
@@ -220,7 +224,8 @@ impl Ladder {
             stopped = None;
             history.push(outcome.seen());
             let mut done = false;
-            if let Some(estimate) = extrapolated(&history) {
+            let unseen = is_unseen(layer, &outcome, self.stages[step].unknowns());
+            if let Some(estimate) = extrapolated(&history, unseen) {
                 let before = judged(problem, &errors).map_or(f64::INFINITY, |(_, error)| error);
                 errors = estimate;
                 let now = judged(problem, &errors).map_or(0.0, |(_, error)| error);
@@ -360,6 +365,12 @@ fn beside_differences(layer: &Layer, outcome: &Outcome, tolerance: f64) -> f64 {
     let missed = outcome.size.map_or(0.0, |size| size.missed);
     let left_out = outcome.lost.map_or(0.0, |lost| lost.max(STACKED * tolerance));
     layer.kernel_error(half_width).unwrap_or(0.0) + if missed > ROUNDING { missed } else { 0.0 } + left_out
+}
+
+/// Whether so few unknowns stand too far apart to see the layer.
+fn is_unseen(layer: &Layer, outcome: &Outcome, unknowns: usize) -> bool {
+    let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
+    WIDE * half_width > UNSEEN * layer.length() * unknowns as f64
 }
 
 /// Errors of a stick zone that is only bounded, not found; `None` where it is found.

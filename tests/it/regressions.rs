@@ -271,12 +271,11 @@ fn the_peak_under_a_shape_of_a_high_power() {
 /// Refused as no number: of a height that is one, near the tip, the mean slope was none.
 #[test]
 fn a_shape_too_faint_at_its_tip_for_a_number_has_a_force() {
-    let found = solve(&parsed(
-        "format = 1\nlayer = { thickness = 0.1266, poisson = 0.2426, plane = \"stress\", \
+    let scene = "format = 1\nlayer = { thickness = 0.1266, poisson = 0.2426, plane = \"stress\", \
          grading = { type = \"exponential\", surface = 1.0, base = 4.656 } }\n\
          punch = { type = \"power\", coefficient = 0.5, exponent = 54.85368879868397 }\nload = { half_width = 1.0 }\n\
-         [solver]\ntolerance = 1.1315717425898631e-3\nmodel = \"full\"\n",
-    ));
+         [solver]\ntolerance = 1.1315717425898631e-3\nmodel = \"full\"\n";
+    let found = solve(&slipzone::scene::parse("faint.toml", scene).expect("a scene"));
     assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
     assert!((found.load.force.unwrap() / 68.137 - 1.0).abs() < 2e-3, "{:?}", found.load.force);
 }

@@ -43,7 +43,7 @@ impl Panel {
                 }
                 Matter::Smooth(slices) => {
                     let own = slices.coefficients.window(2.0 * start + part - 1.0, part);
-                    (self.unit, Matter::Smooth(Box::new(Slices::new(own))))
+                    (self.unit, Matter::Smooth(Box::new(Slices::new(&own))))
                 }
             };
             Self { top, thickness: bottom - top, unit, matter }
@@ -137,7 +137,7 @@ impl Panels {
             }
             see(fit.extremes.0);
             see(fit.extremes.1);
-            let matter = Matter::Smooth(Box::new(Slices::new(fit.coefficients)));
+            let matter = Matter::Smooth(Box::new(Slices::new(&fit.coefficients)));
             self.all.push(Panel { top, thickness: wide, unit: fit.unit, matter });
             if self.all.len() > MOST_PANELS {
                 return None;

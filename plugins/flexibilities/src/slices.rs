@@ -20,8 +20,8 @@ pub(crate) struct Slices {
 }
 
 impl Slices {
-    pub(crate) fn new(coefficients: Coefficients) -> Self {
-        Self { coefficients, levels: Default::default() }
+    pub(crate) fn new(coefficients: &Coefficients) -> Self {
+        Self { coefficients: *coefficients, levels: Default::default() }
     }
 
     /// The `k`-th of `2^halvings` slices from the top.
