@@ -39,7 +39,10 @@ impl Method {
     pub fn all() -> Vec<Self> {
         let names = |family| plugins().into_iter().filter(move |info| info.family == family).map(|info| info.name);
         let pairs = names(Family::Quadrature).flat_map(|quadrature| {
-            names(Family::Kernel).map(move |kernel| Self { quadrature: Some(quadrature), kernel: Some(kernel) })
+            // Moments are the planner's, for narrow contacts alone.
+            names(Family::Kernel)
+                .filter(|kernel| *kernel != "moments")
+                .map(move |kernel| Self { quadrature: Some(quadrature), kernel: Some(kernel) })
         });
         [Self { quadrature: None, kernel: None }].into_iter().chain(pairs).collect()
     }

@@ -148,9 +148,9 @@ pub(super) fn open(info: &PluginInfo) -> String {
     format!("{{ type = {:?} }}", info.name)
 }
 
-/// The plugins of a family.
+/// The members of a family that serve any contact: moments serve narrow ones alone, and have checks of their own.
 pub(super) fn members(family: Family) -> impl Iterator<Item = &'static PluginInfo> {
-    plugins().into_iter().filter(move |info| info.family == family)
+    plugins().into_iter().filter(move |info| info.family == family && info.name != "moments")
 }
 
 /// Whether a plugin is linked: some are optional.

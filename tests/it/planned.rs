@@ -29,7 +29,7 @@ fn asked(sketch: &Sketch, solver: &str) -> Solution {
 #[test]
 fn every_bound_holds_and_every_choice_is_within_tolerance() {
     let mut chosen = [0; 3];
-    for index in 0..150 {
+    for index in 0..220 {
         let mut dice = Dice(1_000_003 + index);
         let text = scene(&mut dice);
         if text.contains("friction") && !text.contains("\"flat\"") {
@@ -53,7 +53,9 @@ fn every_bound_holds_and_every_choice_is_within_tolerance() {
                     "seed {index}, {model}: {path} is off by {error:e}, not {stated:e}\n{text}"
                 );
             }
-            let planned = with(&format!("tolerance = {tolerance:e}"), output);
+            // What the corrected half-plane serves is left to it otherwise.
+            let forbidden = if model == "homogeneous" { "forbid = [\"corrected-half-plane\"]" } else { "" };
+            let planned = with(&format!("tolerance = {tolerance:e}\n{forbidden}"), output);
             assert_eq!(planned.status, Status::Converged, "seed {index}: {:?}\n{text}", planned.reason);
             for (path, error, _) in differences(&planned, &full) {
                 assert!(
@@ -87,10 +89,10 @@ fn a_thick_layer_is_a_half_plane_where_the_tolerance_allows_it() {
     let again = solve(&found.scene);
     assert_eq!(again.edge.ratio.map(f64::to_bits), found.edge.ratio.map(f64::to_bits));
     // A half-plane has no indentation.
-    assert_eq!(thick().with("[solver]\ntolerance = 1e-3").solve().plan.model, Model::Full);
+    assert_eq!(thick().with("[solver]\ntolerance = 1e-3").solve().plan.model, Model::CorrectedHalfPlane);
 }
 
-/// Between the half-plane and the layer: sixteen wave numbers, the depth told, errors within what is stated, and no closer to
+/// Between the half-plane and the layer: two dozen wave numbers, the depth told, errors within what is stated, and no closer to
 /// the truth than the next term of the kernels allows.
 #[test]
 fn a_half_plane_with_its_first_correction_stands_for_a_thick_layer() {
@@ -99,7 +101,7 @@ fn a_half_plane_with_its_first_correction_stands_for_a_thick_layer() {
     };
     let found = at("1e-5", "");
     assert_eq!((found.status, found.plan.model), (Status::Converged, Model::CorrectedHalfPlane), "{:?}", found.reason);
-    assert_eq!((found.plan.flexibility_evaluations, found.plan.kernel.as_str()), (16, "moments"));
+    assert_eq!((found.plan.flexibility_evaluations, found.plan.kernel.as_str()), (24, "moments"));
     assert!(found.plan.reasons[0].starts_with("corrected-half-plane: the grading"), "{:?}", found.plan.reasons);
     let full = at("1e-10", "model = \"full\"");
     for (path, error, stated) in differences(&found, &full) {
@@ -109,7 +111,7 @@ fn a_half_plane_with_its_first_correction_stands_for_a_thick_layer() {
     assert_eq!(forced.status, Status::NotConverged);
     let edge = forced.edge.ratio.unwrap() / full.edge.ratio.unwrap() - 1.0;
     let stated = forced.error.each["edge.ratio"];
-    assert!(edge.abs() > 1e-9 && edge.abs() <= stated && stated < 1e-6, "{edge:e}, {stated:e} stated");
+    assert!(edge.abs() > 1e-9 && edge.abs() <= stated && stated < 2e-6, "{edge:e}, {stated:e} stated");
 
     // What the scene in the result says gives the same result; other methods beside the model are refused.
     let again = solve(&found.scene);
@@ -122,7 +124,7 @@ fn a_half_plane_with_its_first_correction_stands_for_a_thick_layer() {
 
 #[test]
 fn a_choice_can_be_forced_and_forbidden() {
-    let forbidden = asked(&thick(), "tolerance = 1e-3\nforbid = [\"half-plane\"]");
+    let forbidden = asked(&thick(), "tolerance = 1e-3\nforbid = [\"half-plane\", \"corrected-half-plane\"]");
     assert_eq!((forbidden.status, forbidden.plan.model), (Status::Converged, Model::Full));
     let forced = asked(&thick(), "tolerance = 1e-8\nmodel = \"half-plane\"");
     assert_eq!(forced.status, Status::NotConverged, "{:?}", forced.reason);

@@ -41,6 +41,7 @@ pub(super) fn cases() -> Vec<Case> {
         all.push(against(table.into(), 0));
     }
     all.extend(members(Family::Kernel).filter(|info| info.name != "split").map(|info| against(open(info), 3)));
+    all.push(moments());
     all
 }
 
@@ -68,6 +69,33 @@ fn against(table: String, level: u32) -> Case {
                 };
                 let name = format!("kernel of {what}, {name}: split against {table}");
                 sheet.error(&name, difference(&own, &by) / unit, Within::new(claimed, why), "another strategy");
+            }
+        }
+        Ok(())
+    })
+}
+
+/// The first terms of the kernels against all of them, over what they say that they leave out.
+fn moments() -> Case {
+    Case::new("moments", |sheet| {
+        let response = compliance(&layer(1.0, 1.0, 0.3))?;
+        for reach in [0.01, 0.2] {
+            let narrow = |table: &str| tabulate_up_to(reach, &*response, table, 0);
+            let (own, first) = (narrow("{ type = \"split\" }")?, narrow("{ type = \"moments\" }")?);
+            let claimed = first.error().ok_or("moments bound their error")?;
+            for (component, what) in COMPONENTS {
+                let scale = if component == Component::Depth { 1.0 } else { reach };
+                let distances = T.map(|t| 0.5 * reach * t);
+                let [own, first] = [&own, &first].map(|table| {
+                    let mut out = vec![0.0; T.len()];
+                    table.values_into(component, &distances, &mut out);
+                    out
+                });
+                let over = own.iter().zip(&first).map(|(own, first)| scale * (own - first) / claimed);
+                let name =
+                    format!("kernel of {what}, homogeneous: split against moments up to {reach}, over their bound");
+                let within = Within::new(0.0, "the next moments, and what sums over 24 wave numbers are good to");
+                sheet.at_most(&name, worst(over), 1.0, within, "docs/planner.md");
             }
         }
         Ok(())
@@ -108,10 +136,19 @@ fn cut_off() -> Case {
 }
 
 fn tabulate(response: &dyn LayerResponse, table: &str, level: u32) -> Result<Box<dyn KernelTable>, String> {
+    tabulate_up_to(2.0, response, table, level)
+}
+
+fn tabulate_up_to(
+    reach: f64,
+    response: &dyn LayerResponse,
+    table: &str,
+    level: u32,
+) -> Result<Box<dyn KernelTable>, String> {
     let scene = Contact::flat(layer(1.0, 1.0, 0.3)).by(Family::Kernel, table).scene()?;
     let strategy = scene.solver.kernel.ok_or("the scene names a kernel")?;
     let components = COMPONENTS.map(|(component, _)| component);
-    let request = KernelRequest { reach: 2.0, components: &components, accuracy: 1e-11 };
+    let request = KernelRequest { reach, components: &components, accuracy: 1e-11 };
     let strategy = if strategy.is_pinned() { strategy } else { strategy.refined(level) };
     strategy.tabulate(response, &request).map_err(|refusal| refusal.to_string())
 }
