@@ -24,7 +24,7 @@ const MEASURED: [(f64, f64); 6] = [(0.1, 0.60), (0.25, 0.66), (0.5, 0.78), (0.75
 /// A share of the friction beyond which the measurements say nothing.
 const MOST: f64 = 0.9;
 /// Refinements of the quadrature for the steps.
-const LEVEL: u32 = 2;
+const LEVEL: u32 = 1;
 /// Nodes on either side of the middle of the stick zone and of the slip zone, and where those grids end: sums over the shear
 /// see no more of the edge.
 const NODES: (usize, f64) = (10, 3.0);

@@ -13,8 +13,8 @@ const METHOD: &str = "compliance";
 ///
 /// Good to about 1e-14 for every wave number, gradient (none included) and Poisson's ratio: small entries
 /// keep their relative precision too, up to 5e-14 where the moduli differ by a factor of 1e6. A law that is
-/// `exp(gamma y)` costs less than a microsecond per wave number, any other 3 to 8 (`cargo bench --bench main --
-/// flexibility/compliance`).
+/// `exp(gamma y)` costs less than a microsecond per wave number, any other little more once the slices are made that all
+/// wave numbers share (`cargo bench --bench main -- flexibility/compliance`).
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Compliance {}
