@@ -23,8 +23,9 @@ use std::f64::consts::PI;
 const MEASURED: [(f64, f64); 6] = [(0.1, 0.60), (0.25, 0.66), (0.5, 0.78), (0.75, 1.0), (0.9, 1.36), (0.99, 2.32)];
 /// A share of the friction beyond which the measurements say nothing.
 const MOST: f64 = 0.9;
-/// Refinements of the quadrature for the steps.
-const LEVEL: u32 = 1;
+/// Refinements of the quadrature for the steps, at least and at most; and kernel lengths in the half-width that the coarsest serves.
+const LEVELS: (f64, f64) = (1.0, 8.0);
+const SERVED: f64 = 3.0;
 /// Nodes on either side of the middle of the stick zone and of the slip zone, and where those grids end: sums over the shear
 /// see no more of the edge.
 const NODES: (usize, f64) = (10, 3.0);
@@ -37,7 +38,11 @@ pub(super) fn neglected(layer: &Layer, problem: &Problem, zone: StickZone, scene
     if layer.is_plain() {
         return Some(of_half_plane);
     }
-    let quadrature = scene.solver.quadrature.as_ref()?.refined(LEVEL);
+    // A level tells details shorter by sqrt 2.
+    let finer = 2.0 * (zone.contact() / (SERVED * layer.length())).log2();
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few
+    let level = (LEVELS.0 + finer.max(0.0)).ceil().min(LEVELS.1) as u32;
+    let quadrature = scene.solver.quadrature.as_ref()?.refined(level);
     let half_plane = Scene { layer: stand_in::half_plane(&scene.layer, &problem.layer), ..scene.clone() };
     let step = |layer: &Layer| first_step(layer, beta, zone, quadrature.clone()).ok();
     // On an incompressible half-plane there is no shear.
