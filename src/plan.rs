@@ -173,3 +173,8 @@ fn flexibility_for(layer: &Layer) -> (Box<dyn Flexibility>, &'static str) {
 pub(crate) fn has_closed_form(layer: &Layer) -> bool {
     matches!(layer.base, Base::Rigid | Base::Infinite) && layer.model().is_ok_and(|model| model.exponent().is_some())
 }
+
+/// Whether a kernel strategy serves any contact: moments serve narrow ones alone, and are the planner's.
+pub(crate) fn serves_any_contact(kernel: &str) -> bool {
+    kernel != Moments {}.typetag_name()
+}

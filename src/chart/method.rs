@@ -1,6 +1,7 @@
 //! What is charted: ways to solve a scene, and how finely.
 
 use super::Effort;
+use crate::plan::serves_any_contact;
 use serde::Serialize;
 use slipzone_api::{Family, PluginInfo, Values, plugins};
 
@@ -39,9 +40,8 @@ impl Method {
     pub fn all() -> Vec<Self> {
         let names = |family| plugins().into_iter().filter(move |info| info.family == family).map(|info| info.name);
         let pairs = names(Family::Quadrature).flat_map(|quadrature| {
-            // Moments are the planner's, for narrow contacts alone.
             names(Family::Kernel)
-                .filter(|kernel| *kernel != "moments")
+                .filter(|kernel| serves_any_contact(kernel))
                 .map(move |kernel| Self { quadrature: Some(quadrature), kernel: Some(kernel) })
         });
         [Self { quadrature: None, kernel: None }].into_iter().chain(pairs).collect()

@@ -111,6 +111,7 @@ impl Normal {
     ) -> Result<(), Refusal> {
         let n = self.size();
         layer.meter().system(n, 1)?;
+        self.solved_at = None;
         self.assemble(layer, half_width, 0, |i, _| slope(i));
         self.rule.resultant_into(&mut self.system.rows[n * (n - 1)..]);
         self.system.columns[n - 1] = 1.0;

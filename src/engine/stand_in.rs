@@ -5,11 +5,10 @@
 use super::contact_size;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
-use crate::plan::has_closed_form;
+use crate::plan::{has_closed_form, serves_any_contact};
 use crate::scene::{Layer, Model, Scene};
-use slipzone_api::{Base, KernelStrategy, LayerModel, Poisson, Positive};
+use slipzone_api::{Base, LayerModel, Poisson, Positive};
 use slipzone_gradings::Homogeneous;
-use slipzone_kernels::Moments;
 
 /// Share of the tolerance that a model may use up; the rest is the numerical error's.
 pub(super) const SHARE: f64 = 0.5;
@@ -133,7 +132,7 @@ pub(super) fn decide(scene: &Scene, problem: &Problem, open: bool) -> Decision {
 
 /// Whether a scene names the kernel strategy of the corrected half-plane.
 fn has_moments(scene: &Scene) -> bool {
-    scene.solver.kernel.as_ref().is_some_and(|kernel| kernel.typetag_name() == Moments {}.typetag_name())
+    scene.solver.kernel.as_ref().is_some_and(|kernel| !serves_any_contact(kernel.typetag_name()))
 }
 
 /// Less than any bound for a contact of that half-width, at the price of one look at the law.

@@ -1,6 +1,7 @@
 //! Scenes in one line, for the checks.
 
 use crate::engine::{Solution, Status, solve};
+use crate::plan::serves_any_contact;
 use crate::scene::{Scene, parse};
 use slipzone_api::{Family, PluginInfo, plugins};
 use std::fmt::Write;
@@ -148,9 +149,9 @@ pub(super) fn open(info: &PluginInfo) -> String {
     format!("{{ type = {:?} }}", info.name)
 }
 
-/// The members of a family that serve any contact: moments serve narrow ones alone, and have checks of their own.
+/// The members of a family that serve any contact; others have checks of their own.
 pub(super) fn members(family: Family) -> impl Iterator<Item = &'static PluginInfo> {
-    plugins().into_iter().filter(move |info| info.family == family && info.name != "moments")
+    plugins().into_iter().filter(move |info| info.family == family && serves_any_contact(info.name))
 }
 
 /// Whether a plugin is linked: some are optional.

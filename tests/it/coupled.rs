@@ -8,6 +8,7 @@ use faer::prelude::Solve;
 use slipzone::api::{Flexibility, LayerResponse, SurfaceFlexibility};
 use slipzone::engine::{Slip, Status};
 use slipzone_flexibilities::Compliance;
+use std::cmp::Ordering;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -90,6 +91,16 @@ impl Coupled {
         })
     }
 
+    /// The part of the `j`-th element between the middle of the contact and that of the `i`-th.
+    fn up_to(&self, i: usize, j: usize) -> f64 {
+        let share = match j.cmp(&i) {
+            Ordering::Less => 1.0,
+            Ordering::Equal => 0.5,
+            Ordering::Greater => 0.0,
+        };
+        share * self.elements[j].width()
+    }
+
     /// `q(a) - eta p(a)` where the friction coefficient is `eta` and the stick zone as wide as it is.
     fn mismatch(&self, eta: f64, with_coupling: bool) -> f64 {
         let (n, m) = (self.elements.len(), self.sticking);
@@ -105,9 +116,7 @@ impl Coupled {
                 let p = r.logarithm(x) + r.logarithm(-x) + r.width() * (near[0] + far[0]);
                 add(j, p / PI);
                 if with_coupling {
-                    // beta times the shear from the middle of the contact to there.
-                    let before = if j < i { r.width() } else { 0.0 } + if j == i { 0.5 * r.width() } else { 0.0 };
-                    let q = r.width() * (near[2] - far[2]) / PI - self.beta * before;
+                    let q = r.width() * (near[2] - far[2]) / PI - self.beta * self.up_to(i, j);
                     let (at, factor) = shear(j);
                     add(at, factor * q);
                 }
@@ -129,8 +138,7 @@ impl Coupled {
                 let q = r.logarithm(x) - r.logarithm(-x) + r.width() * (near[1] - far[1]);
                 let (at, factor) = shear(j);
                 matrix[(n + i, at)] += factor * q / PI;
-                let before = if j < i { r.width() } else { 0.0 } + if j == i { 0.5 * r.width() } else { 0.0 };
-                matrix[(n + i, j)] += self.beta * before - r.width() * (near[2] + far[2]) / PI;
+                matrix[(n + i, j)] += self.beta * self.up_to(i, j) - r.width() * (near[2] + far[2]) / PI;
             }
         }
         let found = matrix.partial_piv_lu().solve(&right);

@@ -268,6 +268,25 @@ fn the_peak_under_a_shape_of_a_high_power() {
     }
 }
 
+/// Converged with 7.5 of its estimates, two tolerances: on a layer of a thirtieth of the half-width coarse resolutions agreed
+/// by chance.
+#[test]
+fn resolutions_that_do_not_see_a_thin_layer_are_not_believed_to_agree() {
+    let solved = |tolerance: &str| {
+        let text = format!(
+            "format = 1\npunch = {{ type = \"power\", coefficient = 0.5, exponent = 7.209107275215471 }}\nload = {{ half_width = 1.0 }}\n\
+             output = {{ points = 2 }}\n[solver]\ntolerance = {tolerance}\n[layer]\npoisson = 0.35193137582614115\nplane = \"stress\"\n\
+             thickness = 0.03269658385300438\ngrading = {{ type = \"table\", points = [[0.0, 1.0], \
+             [0.0065393167706008755, 0.9999664611555973], [0.013078633541201751, 0.9995272226009726], \
+             [0.019617950311802624, 0.9996436912546441], [0.026157267082403502, 0.999497032899562], \
+             [0.03269658385300438, 0.9995035572275126]] }}\n"
+        );
+        solve(&slipzone::scene::parse("thin.toml", &text).expect("a scene"))
+    };
+    let (found, exact) = (solved("1.5149228518118327e-6"), solved("1e-8"));
+    within_three_estimates(&found, &exact, &["load.force", "load.indentation", "pressure.centre"]);
+}
+
 /// Refused as no number: of a height that is one, near the tip, the mean slope was none.
 #[test]
 fn a_shape_too_faint_at_its_tip_for_a_number_has_a_force() {

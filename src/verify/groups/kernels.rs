@@ -86,11 +86,7 @@ fn moments() -> Case {
             for (component, what) in COMPONENTS {
                 let scale = if component == Component::Depth { 1.0 } else { reach };
                 let distances = T.map(|t| 0.5 * reach * t);
-                let [own, first] = [&own, &first].map(|table| {
-                    let mut out = vec![0.0; T.len()];
-                    table.values_into(component, &distances, &mut out);
-                    out
-                });
+                let [own, first] = [&own, &first].map(|table| values_at(&distances, &**table, component));
                 let over = own.iter().zip(&first).map(|(own, first)| scale * (own - first) / claimed);
                 let name =
                     format!("kernel of {what}, homogeneous: split against moments up to {reach}, over their bound");
@@ -154,8 +150,12 @@ fn tabulate_up_to(
 }
 
 fn values(table: &dyn KernelTable, component: Component) -> Vec<f64> {
-    let mut out = vec![0.0; T.len()];
-    table.values_into(component, &T, &mut out);
+    values_at(&T, table, component)
+}
+
+fn values_at(distances: &[f64], table: &dyn KernelTable, component: Component) -> Vec<f64> {
+    let mut out = vec![0.0; distances.len()];
+    table.values_into(component, distances, &mut out);
     out
 }
 
