@@ -262,7 +262,8 @@ fn tractions(
         None => (!sharp).then_some(0.0),
     };
     let stations: Vec<Station> = relative.iter().map(|x| Station { x: x * b, gap: (1.0 - x.abs()) * b }).collect();
-    let inside: Vec<Station> = stations.iter().copied().filter(|station| station.gap > 0.0).collect();
+    let mut inside = Vec::with_capacity(stations.len());
+    inside.extend(stations.iter().copied().filter(|station| station.gap > 0.0));
     let mut pressure = vec![0.0; inside.len()];
     let mut shear = Some(Vec::with_capacity(inside.len()));
     for (at, pressure) in inside.chunks(AT_ONCE).zip(pressure.chunks_mut(AT_ONCE)) {

@@ -42,13 +42,16 @@ impl Blend {
         let functions = Functions::new(if narrowest > 0.0 { &[] } else { terms }, n);
         let at = if narrowest > 0.0 { Points::new(n).at } else { places(n) };
         let mut system = Dense::new(n, n);
-        for (row, s) in system.rows.chunks_exact_mut(n).zip(&at) {
-            functions.values_into(*s, row);
-        }
-        // Unit values at one point after another.
-        system.columns.iter_mut().step_by(n + 1).for_each(|one| *one = 1.0);
-        system.solve(n)?;
-        let inverse = (0..n * n).map(|i| system.columns[i % n * n + i / n]).collect();
+        system.solve(|rows, columns| {
+            for (row, s) in rows.chunks_exact_mut(n).zip(&at) {
+                functions.values_into(*s, row);
+            }
+            // Unit values at one point after another.
+            columns.fill(0.0);
+            columns.iter_mut().step_by(n + 1).for_each(|one| *one = 1.0);
+            n
+        })?;
+        let inverse = (0..n * n).map(|i| system.column(i % n)[i / n]).collect();
         let half_widths = at.iter().map(|s| narrowest + (widest - narrowest) * s).collect();
         Ok(Self { narrowest, widest, functions, half_widths, inverse })
     }

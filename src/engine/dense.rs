@@ -7,17 +7,21 @@ use faer::linalg::lu::partial_pivoting::{factor, solve};
 use faer::perm::PermRef;
 use faer::{MatMut, Par};
 use slipzone_api::Refusal;
+use std::cell::Cell;
 
 /// So many equations at most are eliminated one by one: factorising in blocks takes more instructions below about
 /// 70, and its products of matrices keep twice the processor's largest cache for themselves, per thread.
-const FEW: usize = 64;
+const FEW: usize = elimination::MOST;
 
-/// A square system of fixed size and a few right-hand sides. Solving it allocates nothing.
+thread_local! {
+    /// Room of this thread for the matrix of a few equations: to clear one for each system would cost more than to fill it.
+    static ROOM: Cell<Vec<f64>> = const { Cell::new(Vec::new()) };
+}
+
+/// A square system of fixed size and a few right-hand sides. Solving it again allocates nothing.
 pub(crate) struct Dense {
-    /// The matrix, row by row, to be filled before each [`Self::solve`], which uses it up.
-    pub(crate) rows: Vec<f64>,
     /// Right-hand sides one after another before, solutions after [`Self::solve`].
-    pub(crate) columns: Vec<f64>,
+    columns: Vec<f64>,
     size: usize,
     /// Room for more than a few equations.
     blocks: Option<Blocks>,
@@ -29,7 +33,6 @@ impl Dense {
     /// Room for `n` equations and `right` right-hand sides.
     pub(crate) fn new(n: usize, right: usize) -> Self {
         Self {
-            rows: vec![0.0; n * n],
             columns: vec![0.0; n * right],
             size: n,
             blocks: (n > FEW).then(|| Blocks::new(n, right)),
@@ -48,15 +51,27 @@ impl Dense {
         &self.columns[k * n..(k + 1) * n]
     }
 
-    /// Replaces the first `right` right-hand sides by their solutions.
-    pub(crate) fn solve(&mut self, right: usize) -> Result<(), Refusal> {
+    /// Fills in the matrix, row by row, and the right-hand sides, one after another; both hold what earlier systems left. Replaces
+    /// as many of the right-hand sides as `fill` returns by their solutions.
+    pub(crate) fn solve(&mut self, fill: impl FnOnce(&mut [f64], &mut [f64]) -> usize) -> Result<(), Refusal> {
         let n = self.size();
+        let right = if let Some(blocks) = &mut self.blocks {
+            let right = fill(&mut blocks.rows, &mut self.columns);
+            blocks.solve(&mut self.columns[..n * right]);
+            right
+        } else {
+            let mut room = ROOM.take();
+            if room.len() < n * n {
+                room.resize(FEW * FEW, 0.0);
+            }
+            let rows = &mut room[..n * n];
+            let right = fill(rows, &mut self.columns);
+            elimination::solve(rows, &mut self.columns[..n * right], n);
+            ROOM.set(room);
+            right
+        };
         self.work.count(n, right);
-        let columns = &mut self.columns[..n * right];
-        match &mut self.blocks {
-            None => elimination::solve(&mut self.rows, columns, n),
-            Some(blocks) => blocks.solve(&mut self.rows, columns),
-        }
+        let columns = &self.columns[..n * right];
         // A singular matrix gives infinities or NaN and no error.
         if columns.iter().all(|v| v.is_finite()) {
             return Ok(());
@@ -71,6 +86,7 @@ impl Dense {
 
 /// Factorisation in blocks.
 struct Blocks {
+    rows: Vec<f64>,
     forward: Vec<usize>,
     inverse: Vec<usize>,
     scratch: MemBuffer,
@@ -80,14 +96,19 @@ impl Blocks {
     fn new(n: usize, right: usize) -> Self {
         let factor = factor::lu_in_place_scratch::<usize, f64>(n, n, Par::Seq, faer::Spec::default());
         let solve = solve::solve_transpose_in_place_scratch::<usize, f64>(n, right, Par::Seq);
-        Self { forward: vec![0; n], inverse: vec![0; n], scratch: MemBuffer::new(factor.or(solve)) }
+        Self {
+            rows: vec![0.0; n * n],
+            forward: vec![0; n],
+            inverse: vec![0; n],
+            scratch: MemBuffer::new(factor.or(solve)),
+        }
     }
 
     /// As [`elimination::solve`].
-    fn solve(&mut self, rows: &mut [f64], columns: &mut [f64]) {
+    fn solve(&mut self, columns: &mut [f64]) {
         let n = self.forward.len();
         // Rows one after another are the columns of the transpose, which is factorised where it stands.
-        let mut transpose = MatMut::from_column_major_slice_mut(rows, n, n);
+        let mut transpose = MatMut::from_column_major_slice_mut(&mut self.rows, n, n);
         let stack = MemStack::new(&mut self.scratch);
         let (forward, inverse) = (&mut self.forward, &mut self.inverse);
         factor::lu_in_place(transpose.as_mut(), forward, inverse, Par::Seq, stack, faer::Spec::default());
@@ -106,13 +127,19 @@ mod tests {
     fn solves_again_and_again_and_notices_singularity() {
         let mut system = Dense::new(2, 2);
         for scale in [1.0, -3.0] {
-            system.rows.copy_from_slice(&[2.0 * scale, scale, 0.0, 4.0 * scale]);
-            system.columns.copy_from_slice(&[4.0 * scale, 8.0 * scale, 2.0 * scale, 0.0]);
-            system.solve(2).unwrap();
+            let filled = system.solve(|rows, columns| {
+                rows.copy_from_slice(&[2.0 * scale, scale, 0.0, 4.0 * scale]);
+                columns.copy_from_slice(&[4.0 * scale, 8.0 * scale, 2.0 * scale, 0.0]);
+                2
+            });
+            filled.unwrap();
             assert_eq!((system.column(0), system.column(1)), (&[1.0, 2.0][..], &[1.0, 0.0][..]));
         }
-        system.rows.fill(0.0);
-        assert!(system.solve(1).is_err());
+        let singular = system.solve(|rows, _| {
+            rows.fill(0.0);
+            1
+        });
+        assert!(singular.is_err());
         assert_eq!(system.work, Work { factorisations: 3, operations: 3 * 2 + 2 * 8 + 4 });
     }
 
@@ -123,15 +150,17 @@ mod tests {
             let mut system = Dense::new(n, 2);
             let entry = |i: usize, j: usize| (((i * 37 + j * 101 + i * i * j) % 211) as f64 / 105.5 - 1.0).powi(3);
             let unknown = |j: usize, k: usize| 1.0 + (j + 3 * k) as f64;
-            for i in 0..n {
-                for j in 0..n {
-                    system.rows[i * n + j] = entry(i, j);
+            let solved = system.solve(|rows, columns| {
+                columns.fill(0.0);
+                for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+                    rows[i * n + j] = entry(i, j);
                     for k in 0..2 {
-                        system.columns[k * n + i] += entry(i, j) * unknown(j, k);
+                        columns[k * n + i] += entry(i, j) * unknown(j, k);
                     }
                 }
-            }
-            system.solve(2).unwrap();
+                2
+            });
+            solved.unwrap();
             for (k, j) in (0..2).flat_map(|k| (0..n).map(move |j| (k, j))) {
                 let (got, expected) = (system.column(k)[j], unknown(j, k));
                 // The matrices are conditioned like 1e4 at worst, and unknowns reach 100.

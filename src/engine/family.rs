@@ -353,13 +353,16 @@ impl Family {
     /// Solves for `W`.
     fn tilted(&mut self, layer: &Layer, b: f64) -> Result<(), Refusal> {
         layer.meter().system(self.rule.unknowns(), 1)?;
-        self.rule.stretch(b);
-        self.rule.operator_into(layer.kernel(Component::NormalSlope), &mut self.system.rows);
-        match self.rule.row_scale() {
-            Some(scale) => self.system.columns.iter_mut().zip(scale).for_each(|(right, scale)| *right = -scale),
-            None => self.system.columns.fill(-1.0),
-        }
-        self.system.solve(1)?;
+        let Self { rule, system, .. } = self;
+        rule.stretch(b);
+        system.solve(|rows, right| {
+            rule.operator_into(layer.kernel(Component::NormalSlope), rows);
+            match rule.row_scale() {
+                Some(scale) => right.iter_mut().zip(scale).for_each(|(right, scale)| *right = -scale),
+                None => right.fill(-1.0),
+            }
+            1
+        })?;
         self.tilt.push(self.system.column(0).iter().copied());
         Ok(())
     }

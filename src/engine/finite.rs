@@ -2,7 +2,7 @@
 //!
 //! `serde_json` writes both as `null`, and a parsed `null` no longer tells. So the solution is serialised once
 //! into nothing, by a serializer that looks at every number on its way: whatever field is added to a solution,
-//! or to a plugin in its scene, is looked at too.
+//! or to a plugin in its scene, is looked at too. Only the profile, most of the numbers, is looked at by itself first.
 
 use super::Solution;
 use serde::ser::{self, Serialize};
@@ -10,7 +10,8 @@ use std::fmt::{self, Display};
 
 /// Path and value of the first number of a solution that is not finite, such as `` `load.force` is NaN ``.
 pub fn first_not_finite(solution: &Solution) -> Option<String> {
-    solution.serialize(Probe).err().map(|found| found.to_string())
+    let known = solution.profile.is_finite().then_some("profile");
+    solution.serialize(Probe { known }).err().map(|found| found.to_string())
 }
 
 /// For the writers of formats that have no NaN.
@@ -24,7 +25,11 @@ pub(crate) fn insist(solution: &Solution) {
 }
 
 /// Walks through a value. Where it is, it learns only on the way out of an error.
-struct Probe;
+#[derive(Default)]
+struct Probe {
+    /// A field of a struct that is known to be finite.
+    known: Option<&'static str>,
+}
 
 /// What was found, or what kept the probe from looking; small, since every number passes one on.
 #[derive(Debug)]
@@ -63,7 +68,7 @@ impl ser::Error for Found {
 
 /// Looks at what a field or a key leads to.
 fn field<T: Serialize + ?Sized>(name: &str, value: &T) -> Result<(), Found> {
-    value.serialize(Probe).map_err(|found| found.within(format_args!(".{name}")))
+    value.serialize(Probe::default()).map_err(|found| found.within(format_args!(".{name}")))
 }
 
 /// Scalars that cannot be infinite.
@@ -133,7 +138,7 @@ impl ser::Serializer for Probe {
         Ok(Inside::default())
     }
     fn serialize_struct(self, _: &'static str, _: usize) -> Result<Inside, Found> {
-        Ok(Inside::default())
+        Ok(Inside { known: self.known, ..Inside::default() })
     }
     fn serialize_struct_variant(self, _: &'static str, _: u32, _: &'static str, _: usize) -> Result<Inside, Found> {
         Ok(Inside::default())
@@ -145,13 +150,14 @@ impl ser::Serializer for Probe {
 struct Inside {
     next: usize,
     key: String,
+    known: Option<&'static str>,
 }
 
 impl Inside {
     fn item<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Found> {
         let index = self.next;
         self.next += 1;
-        value.serialize(Probe).map_err(|found| found.within(format_args!("[{index}]")))
+        value.serialize(Probe::default()).map_err(|found| found.within(format_args!("[{index}]")))
     }
 }
 
@@ -179,7 +185,7 @@ macro_rules! fields {
             type Ok = ();
             type Error = Found;
             fn serialize_field<T: Serialize + ?Sized>(&mut self, name: &'static str, value: &T) -> Result<(), Found> {
-                field(name, value)
+                if self.known == Some(name) { Ok(()) } else { field(name, value) }
             }
             fn end(self) -> Result<(), Found> {
                 Ok(())
@@ -204,7 +210,7 @@ impl ser::SerializeMap for Inside {
         K: Serialize + ?Sized,
         T: Serialize + ?Sized,
     {
-        value.serialize(Probe).map_err(|found| found.within(format_args!(".{}", word(key))))
+        value.serialize(Probe::default()).map_err(|found| found.within(format_args!(".{}", word(key))))
     }
     fn end(self) -> Result<(), Found> {
         Ok(())

@@ -55,13 +55,17 @@ impl Normal {
             self.solved_at = None;
             let n = self.size();
             layer.meter().system(n, 2)?;
-            self.assemble(layer, half_width, 1, |_, at| problem.slope(at.x) / problem.elastic.a0());
-            self.rule.resultant_into(&mut self.system.rows[n * (n - 1)..]);
-            let (force, shape) = self.system.columns.split_at_mut(n);
-            force.fill(0.0);
-            force[n - 1] = 1.0;
-            self.is_flat = shape.iter().all(|slope| *slope == 0.0);
-            self.system.solve(if self.is_flat { 1 } else { 2 })?;
+            self.stretch(half_width);
+            let Self { rule, system, is_flat, .. } = self;
+            system.solve(|rows, columns| {
+                let (force, shape) = columns.split_at_mut(n);
+                assemble(&mut **rule, layer, rows, shape, |_, at| problem.slope(at.x) / problem.elastic.a0());
+                rule.resultant_into(&mut rows[n * (n - 1)..]);
+                force.fill(0.0);
+                force[n - 1] = 1.0;
+                *is_flat = shape.iter().all(|slope| *slope == 0.0);
+                if *is_flat { 1 } else { 2 }
+            })?;
             self.solved_at = Some(half_width);
         }
         let load = match problem.load {
@@ -88,12 +92,16 @@ impl Normal {
     pub(crate) fn press_smooth(&mut self, layer: &Layer, problem: &Problem, half_width: f64) -> Result<(), Refusal> {
         let n = self.size();
         layer.meter().system(n, 1)?;
-        self.assemble(layer, half_width, 0, |_, at| problem.slope(at.x) / problem.elastic.a0());
-        if let Some(condition) = self.rule.edge_condition() {
-            self.system.rows[n * (n - 1)..].copy_from_slice(condition);
-            self.system.columns[n - 1] = 0.0;
-        }
-        self.system.solve(1)?;
+        self.stretch(half_width);
+        let Self { rule, system, .. } = self;
+        system.solve(|rows, columns| {
+            assemble(&mut **rule, layer, rows, columns, |_, at| problem.slope(at.x) / problem.elastic.a0());
+            if let Some(condition) = rule.edge_condition() {
+                rows[n * (n - 1)..].copy_from_slice(condition);
+                columns[n - 1] = 0.0;
+            }
+            1
+        })?;
         self.unknowns.copy_from_slice(self.system.column(0));
         self.rule.resultant_into(&mut self.resultant);
         self.force = self.resultant.iter().zip(&self.unknowns).map(|(r, u)| r * u).sum();
@@ -112,31 +120,23 @@ impl Normal {
         let n = self.size();
         layer.meter().system(n, 1)?;
         self.solved_at = None;
-        self.assemble(layer, half_width, 0, |i, _| slope(i));
-        self.rule.resultant_into(&mut self.system.rows[n * (n - 1)..]);
-        self.system.columns[n - 1] = 1.0;
-        self.system.solve(1)?;
+        self.stretch(half_width);
+        let Self { rule, system, .. } = self;
+        system.solve(|rows, columns| {
+            assemble(&mut **rule, layer, rows, columns, |i, _| slope(i));
+            rule.resultant_into(&mut rows[n * (n - 1)..]);
+            columns[n - 1] = 1.0;
+            1
+        })?;
         self.unknowns.copy_from_slice(self.system.column(0));
         self.force = 1.0;
         self.edge_factor = self.rule.edge_factor(&self.unknowns);
         Ok(())
     }
 
-    /// Writes the collocated equations, and slopes over `A0` as right-hand side `column`.
-    fn assemble(&mut self, layer: &Layer, half_width: f64, column: usize, slope: impl Fn(usize, &Station) -> f64) {
+    fn stretch(&mut self, half_width: f64) {
         self.half_width = half_width;
         self.rule.stretch(half_width);
-        let n = self.size();
-        let equations = self.rule.collocation().len();
-        self.rule.operator_into(layer.kernel(Component::NormalSlope), &mut self.system.rows[..equations * n]);
-        let right = &mut self.system.columns[column * n..(column + 1) * n];
-        right.fill(0.0);
-        for (i, (right, station)) in right.iter_mut().zip(self.rule.collocation()).enumerate() {
-            *right = slope(i, station);
-        }
-        if let Some(scale) = self.rule.row_scale() {
-            right.iter_mut().zip(scale).for_each(|(right, scale)| *right *= scale);
-        }
     }
 
     /// Force that gives an indentation; `None` on a half-plane.
@@ -229,6 +229,25 @@ impl Normal {
     /// Whether the contact's edge is sharp.
     pub(crate) fn is_sharp(&self) -> bool {
         self.edge == Edge::Sharp
+    }
+}
+
+/// Writes the collocated equations, and slopes over `A0` as their right-hand side.
+fn assemble(
+    rule: &mut dyn Rule,
+    layer: &Layer,
+    rows: &mut [f64],
+    right: &mut [f64],
+    slope: impl Fn(usize, &Station) -> f64,
+) {
+    let collocated = rule.collocation().len() * rule.unknowns();
+    rule.operator_into(layer.kernel(Component::NormalSlope), &mut rows[..collocated]);
+    right.fill(0.0);
+    for (i, (right, station)) in right.iter_mut().zip(rule.collocation()).enumerate() {
+        *right = slope(i, station);
+    }
+    if let Some(scale) = rule.row_scale() {
+        right.iter_mut().zip(scale).for_each(|(right, scale)| *right *= scale);
     }
 }
 

@@ -149,6 +149,15 @@ pub struct Profile {
     pub strain: Option<Vec<Option<f64>>>,
 }
 
+impl Profile {
+    /// Whether each of its numbers is finite.
+    pub(super) fn is_finite(&self) -> bool {
+        let mut columns = [Some(&self.pressure), self.shear.as_ref(), self.strain.as_ref()].into_iter().flatten();
+        self.x.iter().all(|x| x.is_finite())
+            && columns.all(|column| column.iter().flatten().all(|value| value.is_finite()))
+    }
+}
+
 impl Solution {
     /// A number by its path in the result, one of [`Asked::NUMBERS`](crate::scene::Asked::NUMBERS) such as `stick.ratio`;
     /// `None` where it does not exist or was not asked for.

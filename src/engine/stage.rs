@@ -32,7 +32,7 @@ pub(crate) struct Stage {
     /// Under a flat punch with friction.
     pub(crate) shear: Option<Shear>,
     /// Of a contact that grows with the load.
-    pub(crate) growing: Option<Growing>,
+    pub(crate) growing: Option<Box<Growing>>,
     slip_check: SlipCheck,
     /// The friction curve, and the half-width that it belongs to: it depends on no load.
     curve: Option<(f64, Samples)>,
@@ -127,7 +127,7 @@ impl Stage {
         let edge = if problem.fixed_half_width().is_some() { Edge::Sharp } else { Edge::Smooth };
         let normal = Normal::new(quadrature.as_ref(), edge)?;
         let grows = problem.fixed_half_width().is_none();
-        let growing = grows.then(|| Growing::new(problem, quadrature.clone()));
+        let growing = grows.then(|| Box::new(Growing::new(problem, quadrature.clone())));
         let shear = match problem.friction {
             Some(_) if !problem.is_stacked() => Some(Shear::new(quadrature)?),
             _ => None,
@@ -220,7 +220,7 @@ impl Stage {
 
     /// Whether friction cannot be told of a contact as it grew.
     pub(crate) fn is_broken(&self) -> bool {
-        self.growing.as_ref().is_some_and(Growing::is_broken)
+        self.growing.as_ref().is_some_and(|growing| growing.is_broken())
     }
 
     /// Unknowns of the pressure.
@@ -231,7 +231,7 @@ impl Stage {
     /// Work in its systems so far.
     pub(crate) fn work(&self) -> Work {
         let of_shear = self.shear.as_ref().map_or(Work::default(), Shear::work);
-        let of_members = self.growing.as_ref().map_or(Work::default(), Growing::work);
+        let of_members = self.growing.as_ref().map_or(Work::default(), |growing| growing.work());
         self.normal.work() + of_shear + of_members
     }
 

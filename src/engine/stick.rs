@@ -50,7 +50,6 @@ pub(crate) struct Shear {
 struct StickGrid {
     rule: Box<dyn Rule>,
     system: Dense,
-    operator: Vec<f64>,
     carrier: Vec<f64>,
     /// The collocation points, seen from the contact's edge.
     stations: Vec<Station>,
@@ -66,7 +65,6 @@ impl StickGrid {
         let room = vec![0.0; points];
         Ok(Self {
             system: Dense::new(n + 1, 1),
-            operator: vec![0.0; points * n],
             carrier: room.clone(),
             stations: rule.collocation().to_vec(),
             coupled: room.clone(),
@@ -126,7 +124,7 @@ impl Shear {
         zone: StickZone,
     ) -> Result<f64, Refusal> {
         let p_edge = self.see(layer, normal, zone)?;
-        let friction = self.balance(beta, p_edge, |_, _, by_slip| [by_slip, 0.0])?;
+        let friction = self.balance(layer, beta, p_edge, |_, _, by_slip| [by_slip, 0.0])?;
         (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, friction, friction * p_edge, true);
         self.strain_rate = 0.0;
         Ok(friction)
@@ -146,7 +144,8 @@ impl Shear {
     ) -> Result<f64, Refusal> {
         let p_edge = self.see(layer, normal, zone)?;
         let strained = linear_strain::equation(layer, zone.half_width, self.grids[self.used].rule.collocation());
-        self.strain_rate = self.balance(beta, p_edge, |i, scale, by_slip| [scale * strained[i], friction * by_slip])?;
+        let beside = |i: usize, scale: f64, by_slip: f64| [scale * strained[i], friction * by_slip];
+        self.strain_rate = self.balance(layer, beta, p_edge, beside)?;
         (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, friction, friction * p_edge, true);
         Ok(self.strain_rate)
     }
@@ -160,9 +159,7 @@ impl Shear {
         (self.used, self.is_solved) = (used, false);
         let rule = &mut grid.rule;
         rule.stretch(zone.half_width);
-        let kernel = layer.kernel(Component::ShearStrain);
-        rule.operator_into(kernel, &mut grid.operator);
-        rule.carrier_into(kernel, &mut grid.carrier);
+        rule.carrier_into(layer.kernel(Component::ShearStrain), &mut grid.carrier);
 
         for (station, own) in grid.stations.iter_mut().zip(rule.collocation()) {
             *station = zone.in_contact(*own);
@@ -178,29 +175,31 @@ impl Shear {
     /// and what is taken off the right side.
     fn balance(
         &mut self,
+        layer: &Layer,
         beta: f64,
         p_edge: f64,
         beside: impl Fn(usize, f64, f64) -> [f64; 2],
     ) -> Result<f64, Refusal> {
-        let grid = &mut self.grids[self.used];
-        let n = grid.rule.unknowns();
-        let scale = grid.rule.row_scale();
-        let (rows, right) = (&mut grid.system.rows, &mut grid.system.columns);
-        for (i, row) in rows.chunks_exact_mut(n + 1).take(grid.by_slip.len()).enumerate() {
-            let scale = scale.map_or(1.0, |scale| scale[i]);
-            let [factor, known] = beside(i, scale, p_edge * grid.carrier[i] + scale * grid.by_slip[i]);
-            row[..n].copy_from_slice(&grid.operator[i * n..(i + 1) * n]);
-            row[n] = factor;
-            right[i] = scale * (grid.coupled[i] - beta * grid.pressure[i]) - known;
-        }
-        if let Some(condition) = grid.rule.edge_condition() {
-            let row = &mut rows[n * (n + 1)..];
-            row[..n].copy_from_slice(condition);
-            row[n] = 0.0;
-            right[n] = 0.0;
-        }
-        grid.system.solve(1)?;
-        let (other, unknowns) = grid.system.column(0).split_last().expect("one unknown more than q has");
+        let StickGrid { rule, system, carrier, coupled, pressure, by_slip, .. } = &mut self.grids[self.used];
+        let n = rule.unknowns();
+        system.solve(|rows, right| {
+            rule.operator_into(layer.kernel(Component::ShearStrain), &mut rows[..by_slip.len() * (n + 1)]);
+            let scale = rule.row_scale();
+            for (i, by_slip) in by_slip.iter().enumerate() {
+                let scale = scale.map_or(1.0, |scale| scale[i]);
+                let [factor, known] = beside(i, scale, p_edge * carrier[i] + scale * by_slip);
+                rows[i * (n + 1) + n] = factor;
+                right[i] = scale * (coupled[i] - beta * pressure[i]) - known;
+            }
+            if let Some(condition) = rule.edge_condition() {
+                let row = &mut rows[n * (n + 1)..];
+                row[..n].copy_from_slice(condition);
+                row[n] = 0.0;
+                right[n] = 0.0;
+            }
+            1
+        })?;
+        let (other, unknowns) = system.column(0).split_last().expect("one unknown more than q has");
         self.unknowns.clear();
         self.unknowns.extend_from_slice(unknowns);
         Ok(*other)

@@ -110,8 +110,10 @@ pub trait Rule: Send + Sync {
         None
     }
 
-    /// The operator: `rows[i * unknowns + j]`, rows = collocation points, columns = unknowns; each row times
-    /// its [`Self::row_scale`]. `kernel` is `None` on a half-plane, where only the Cauchy part is left.
+    /// The operator: a row for each collocation point, an entry for each unknown; each row times its
+    /// [`Self::row_scale`]. `kernel` is `None` on a half-plane, where only the Cauchy part is left.
+    ///
+    /// `rows` are of one length, which may be more than the unknowns: what follows these in a row is left alone.
     fn operator_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]);
 
     /// The operator applied to the carrier, at each collocation point; times its [`Self::row_scale`].

@@ -204,15 +204,15 @@ impl Rule for ChebyshevRule {
     }
 
     fn operator_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]) {
-        let n = self.unknowns();
-        assert_eq!(rows.len(), n * self.stations.len(), "rows = collocation points, columns = unknowns");
+        let (n, length) = (self.unknowns(), rows.len() / self.stations.len());
+        assert_eq!(rows.len(), length * self.stations.len(), "a row for each collocation point");
         let mut scratch = self.scratch();
         let last = self.stations.len() - 1;
-        for (i, (row, station)) in rows.chunks_mut(n).zip(&self.stations).enumerate() {
+        for (i, (row, station)) in rows.chunks_mut(length).zip(&self.stations).enumerate() {
             if let Some(kernel) = kernel {
                 self.folded_kernel(kernel, station.x, Parts::value, &mut scratch);
             }
-            for (j, entry) in row.iter_mut().enumerate() {
+            for (j, entry) in row[..n].iter_mut().enumerate() {
                 // Stations ascend in x, angles in the grid.
                 let (minus, plus) = self.grid.minus_and_plus(last - i, j);
                 let cauchy = 1.0 / minus + self.mirror() / plus;

@@ -129,8 +129,8 @@ impl Fine {
         self.reach[i]
     }
 
-    /// `rows[i][j] += scale[i] sum_k folded[i][k] (step/factor) dP_k/dF_j` for a few rows and all unknowns `j`.
-    pub(super) fn gather(&self, grid: &Grid, folded: &[f64], scale: &[f64], rows: &mut [f64]) {
+    /// `rows[i][j] += scale[i] sum_k folded[i][k] (step/factor) dP_k/dF_j` for a few rows of that length and all unknowns `j`.
+    pub(super) fn gather(&self, grid: &Grid, folded: &[f64], scale: &[f64], rows: (&mut [f64], usize)) {
         Arch::new().dispatch(Gather { fine: self, grid, folded, scale, rows });
     }
 
@@ -186,7 +186,8 @@ struct Gather<'a> {
     grid: &'a Grid,
     folded: &'a [f64],
     scale: &'a [f64],
-    rows: &'a mut [f64],
+    /// And their length.
+    rows: (&'a mut [f64], usize),
 }
 
 impl WithSimd for Gather<'_> {
@@ -194,9 +195,10 @@ impl WithSimd for Gather<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self { fine, grid, folded, scale, rows } = self;
+        let Self { fine, grid, folded, scale, rows: (rows, length) } = self;
         let (count, n, factor) = (fine.x.len(), grid.unknowns(), fine.factor);
-        for ((row, folded), scale) in rows.chunks_exact_mut(n).zip(folded.chunks_exact(count)).zip(scale) {
+        for ((row, folded), scale) in rows.chunks_exact_mut(length).zip(folded.chunks_exact(count)).zip(scale) {
+            let row = &mut row[..n];
             let (weight, first) = (&fine.weight[grid.first..], grid.first);
             if factor == 1 {
                 let (values, values_rest) = S::as_simd_f64s(&folded[first..first + n]);
@@ -222,7 +224,8 @@ impl WithSimd for Gather<'_> {
             let k = cell * factor + within + 1;
             let (p, q) = between.split_at(n);
             let ((p, p_rest), (q, q_rest)) = (S::as_simd_f64s(p), S::as_simd_f64s(q));
-            for ((row, folded), scale) in rows.chunks_exact_mut(n).zip(folded.chunks_exact(count)).zip(scale) {
+            for ((row, folded), scale) in rows.chunks_exact_mut(length).zip(folded.chunks_exact(count)).zip(scale) {
+                let row = &mut row[..n];
                 let (a, b) = (scale * folded[k], scale * folded[k + 1]);
                 let (row, rest) = S::as_mut_simd_f64s(row);
                 let (wide_a, wide_b) = (simd.splat_f64s(a), simd.splat_f64s(b));

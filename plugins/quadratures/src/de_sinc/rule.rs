@@ -100,21 +100,22 @@ impl Rule for DeSincRule {
     }
 
     fn operator_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]) {
-        let n = self.unknowns();
-        assert_eq!(rows.len(), n * self.stations.len(), "rows = collocation points, columns = unknowns");
-        rows.copy_from_slice(&self.grid.cauchy);
+        let (n, length) = (self.unknowns(), rows.len() / self.stations.len());
+        assert_eq!(rows.len(), length * self.stations.len(), "a row for each collocation point");
+        let cauchy = self.grid.cauchy.chunks_exact(n);
+        rows.chunks_exact_mut(length).zip(cauchy).for_each(|(row, cauchy)| row[..n].copy_from_slice(cauchy));
         let Some(kernel) = kernel else { return };
         let fine = self.fine(kernel.0.length());
         let scene = self.scene(&fine, kernel);
         let Scratch { folded, .. } = &mut self.scratch;
         let mut scale = [0.0; ROWS];
-        for (block, rows) in rows.chunks_mut(ROWS * n).enumerate() {
-            let here = block * ROWS..block * ROWS + rows.len() / n;
+        for (block, rows) in rows.chunks_mut(ROWS * length).enumerate() {
+            let here = block * ROWS..block * ROWS + rows.len() / length;
             for (scale, row) in scale.iter_mut().zip(&self.grid.scale[here.clone()]) {
                 *scale = self.half_width / PI * row;
             }
             scene.fold(here, folded);
-            fine.gather(&self.grid, folded, &scale, rows);
+            fine.gather(&self.grid, folded, &scale, (rows, length));
         }
     }
 

@@ -61,18 +61,19 @@ impl Rule for PanelRule {
 
     fn operator_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]) {
         let layout = &self.layout;
-        assert_eq!(rows.len(), layout.cauchy.len(), "rows = collocation points, columns = unknowns");
+        let (n, length) = (layout.resultant.len(), rows.len() / layout.angles.len());
+        assert_eq!(rows.len(), length * layout.angles.len(), "a row for each collocation point");
+        let rows = rows.chunks_exact_mut(length).map(|row| &mut row[..n]).zip(layout.cauchy.chunks_exact(n));
         let Some(kernel) = kernel else {
-            rows.copy_from_slice(&layout.cauchy);
+            rows.for_each(|(row, cauchy)| row.copy_from_slice(cauchy));
             return;
         };
-        let n = layout.resultant.len();
         self.regular.prepare(layout, self.half_width, kernel.0.length());
-        for (i, (row, target)) in rows.chunks_mut(n).zip(&layout.angles).enumerate() {
+        for ((row, cauchy), (target, scale)) in rows.zip(layout.angles.iter().zip(&layout.row_scale)) {
             self.regular.sum_at(*target, layout, self.half_width, kernel);
             self.regular.gather_into(layout, row);
-            for (out, cauchy) in row.iter_mut().zip(&layout.cauchy[i * n..(i + 1) * n]) {
-                *out = cauchy + layout.row_scale[i] * *out;
+            for (out, cauchy) in row.iter_mut().zip(cauchy) {
+                *out = cauchy + scale * *out;
             }
         }
     }
