@@ -131,6 +131,13 @@ fn of_pressure(
             format!("the punch's heights scatter by {noise:.1e} (root mean square) around the smooth shape taken");
         solution.assumptions.push(rest);
     }
+    let rounded = problem.layer.law.smoothing_error();
+    if rounded > 0.0 {
+        let why = format!(
+            "the grading is rounded at the surface, where it has too few derivatives: {rounded:.0e} of each error"
+        );
+        solution.assumptions.push(why);
+    }
     solution.assumptions.extend(large_strains(problem, numbers));
     solution
 }

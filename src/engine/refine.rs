@@ -231,8 +231,9 @@ impl Ladder {
                 let now = judged(problem, &errors).map_or(0.0, |(_, error)| error);
                 let met = now + beside_differences(layer, &outcome, tolerance) <= tolerance || now <= 2.0 * ROUNDING;
                 stalled = if now < ROUNDED && now > 0.5 * before { stalled + 1 } else { 0 };
-                // What a stack loses at any resolution.
-                let is_vain = outcome.lost.is_some_and(|lost| lost > tolerance && now <= lost);
+                // What a stack loses at any resolution, and a law that was smoothed.
+                let lost = outcome.lost.unwrap_or(0.0).max(layer.smoothing_error());
+                let is_vain = lost > tolerance && now <= lost;
                 done = met || is_vain || stalled >= STALLED;
             }
             done = done || self.is_hopeless(problem, step, first, &outcome) || self.is_broken(step, first, &errors);
@@ -359,12 +360,13 @@ fn level(first: usize, step: usize) -> u32 {
 }
 
 /// Error that differences between resolutions do not see: what the kernels prove of theirs, what a contact misses of its
-/// load, and what a stack leaves out at all of them, which follows the tolerance.
+/// load, what a smoothed law makes, and what a stack leaves out at all of them, which follows the tolerance.
 fn beside_differences(layer: &Layer, outcome: &Outcome, tolerance: f64) -> f64 {
     let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
     let missed = outcome.size.map_or(0.0, |size| size.missed);
     let left_out = outcome.lost.map_or(0.0, |lost| lost.max(STACKED * tolerance));
-    layer.kernel_error(half_width).unwrap_or(0.0) + if missed > ROUNDING { missed } else { 0.0 } + left_out
+    let missed = if missed > ROUNDING { missed } else { 0.0 };
+    layer.kernel_error(half_width).unwrap_or(0.0) + missed + left_out + layer.smoothing_error()
 }
 
 /// Whether so few unknowns stand too far apart to see the layer.

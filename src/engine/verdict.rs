@@ -30,7 +30,13 @@ fn objection(problem: &Problem, stage: &mut Stage, judged: &Judged, tolerance: f
     }
     let (worst, error) = judged.errors.worst().unwrap_or((Quantity::Force, 0.0));
     let inexact = || {
-        let why = if error < ROUNDED { "; double precision allows no more" } else { "" };
+        let why = if error < ROUNDED {
+            "; double precision allows no more"
+        } else if problem.layer.law.smoothing_error() > 0.5 * tolerance {
+            "; the grading, rounded at the surface, allows no more"
+        } else {
+            ""
+        };
         let name = worst.path();
         (
             Status::NotConverged,

@@ -276,6 +276,39 @@ fn mixtures_of_one_phase_are_homogeneous() {
     }
 }
 
+/// `1 + 3 (y/h)^1.5`, which is rounded at the surface, against the limit of ever finer roundings of another kind,
+/// `(y + e)^1.5` with two corrections: what is claimed covers the difference, and is not much more.
+#[test]
+fn broken_powers_of_the_depth_are_as_good_as_their_rounding() {
+    let layer = |exponent: f64, base: f64| {
+        let phase = |modulus: f64| format!("{{ modulus = {modulus:?}, poisson = 0.3 }}");
+        let (surface, base) = (phase(1.0), phase(base));
+        let keys = format!("surface = {surface}, base = {base}, exponent = {exponent:?}, rule = \"mixture\"");
+        lines(2.0, &format!("grading = {{ type = \"volume-fraction\", {keys} }}"))
+    };
+    let at = |tolerance: f64| Sketch::on(layer(1.5, 4.0)).with(&format!("[solver]\ntolerance = {tolerance:e}")).solve();
+    let (coarse, fine) = (at(1e-4), at(1e-8));
+    assert_eq!((coarse.status, fine.status), (Status::Converged, Status::NotConverged));
+    assert!(fine.reason.as_ref().unwrap().contains("rounded at the surface"));
+    assert!(fine.assumptions.iter().any(|text| text.contains("rounded at the surface")));
+    for (path, limit) in
+        [("load.indentation", 0.131_386_620), ("pressure.centre", 0.403_742_10), ("edge.ratio", 0.221_688_55)]
+    {
+        let (claimed, off) = (fine.error.each[path], (fine.number(path).unwrap() / limit - 1.0).abs());
+        assert!(off < claimed && claimed < 1e-4, "{path}: {off:.1e} off, {claimed:.1e} claimed");
+    }
+    // The corner feels the rounding most.
+    let of_edge = (fine.edge.ratio.unwrap() / 0.221_688_55 - 1.0).abs();
+    assert!(of_edge > 0.1 * fine.error.each["edge.ratio"], "{of_edge:.1e}");
+
+    // Coarse kernels of hardly rounded laws want more than one look.
+    for (exponent, tolerance) in [(2.5, 1e-3), (2.9, 1e-3), (2.9, 1e-6), (3.5, 1e-8)] {
+        for sketch in [Sketch::on(layer(exponent, 0.5)), Sketch::on(layer(exponent, 8.0)).rubbing(0.3).cylinder()] {
+            solved(sketch, tolerance);
+        }
+    }
+}
+
 /// Within `y << width` both blurred interfaces are straight lines but for a cube of `y/width`.
 #[test]
 fn wide_interfaces_are_linear_to_third_order() {

@@ -74,6 +74,11 @@ pub trait ModulusLaw: Debug + Send + Sync {
         None
     }
 
+    /// Relative error of a contact's numbers because the law is not quite what it stands for: smoother at the surface.
+    fn smoothing_error(&self) -> f64 {
+        0.0
+    }
+
     /// Taylor coefficients of `modulus(depth)/surface_modulus()` at the surface: `terms` of them, or as many
     /// as are known (the first is 1). They set the kernel's jump and logarithm; where they are not known they are taken
     /// from values, with fewer digits and more work.

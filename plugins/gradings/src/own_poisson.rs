@@ -51,6 +51,10 @@ impl ModulusLaw for OwnPoisson {
         self.law().exponent()
     }
 
+    fn smoothing_error(&self) -> f64 {
+        self.law().smoothing_error()
+    }
+
     fn surface_series(&self, terms: usize) -> Vec<f64> {
         self.law().surface_series(terms)
     }

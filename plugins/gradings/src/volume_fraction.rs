@@ -15,9 +15,9 @@ use slipzone_api::{Grading, ModulusLaw, Parameter, Positive, Refusal, Setting, V
 
 /// A volume fraction `(y/h)^exponent` of the base's material in that of the surface, and a rule for what the mixture is.
 ///
-/// Moduli are of the kind that the scene names. With an exponent that is no whole number the law's derivatives at the
-/// surface exist up to the next whole number above the exponent, less one, and no further; with one below 1 there is no
-/// first one either, which is refused.
+/// Moduli are of the kind that the scene names. With an exponent that is no whole number the law has only so many derivatives
+/// at the surface; with few of them it is rounded there, over a thousandth of the thickness, and what that changes is
+/// part of the errors stated. With an exponent below 1 the gradient at the surface is infinite, which is refused.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct VolumeFraction {
@@ -66,7 +66,7 @@ impl Grading for VolumeFraction {
             });
         }
         let mixture = rule.mixture(*surface, *base, setting.moduli);
-        Ok(Box::new(Law { mixture, exponent: exponent.get() }))
+        Ok(Box::new(Law::new(mixture, exponent.get())))
     }
 }
 

@@ -58,7 +58,7 @@ slipzone_api::register!(Kernel, "split", "Fourier integral up to a wave number, 
 /// Terms of the series asked for at first: most often enough, and they cost as their square.
 const FEW_TERMS: usize = 16;
 /// Times the aim is tightened when the bound misses the accuracy, and by how much.
-const ATTEMPTS: (u32, f64) = (3, 0.1);
+const ATTEMPTS: (u32, f64) = (6, 0.1);
 /// By how much nearer structure is looked for when the cut leaves too much.
 const NEARER: f64 = 0.4;
 /// Rounding of a sum: this times the sum of its terms' sizes.

@@ -57,6 +57,11 @@ impl ModulusLaw for Law {
         self.sublayers[0].law.surface_modulus()
     }
 
+    /// As if each of its sublayers were the first.
+    fn smoothing_error(&self) -> f64 {
+        self.sublayers.iter().map(|sublayer| sublayer.law.smoothing_error()).fold(0.0, f64::max)
+    }
+
     fn surface_series(&self, terms: usize) -> Vec<f64> {
         self.rescaled(self.sublayers[0].law.surface_series(terms))
     }
