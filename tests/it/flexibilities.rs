@@ -10,6 +10,9 @@ use std::sync::Arc;
 /// What the method promises of any law: its slices are refined until they change less.
 const PROMISED: f64 = 1e-11;
 
+/// What the method is asked for where less will do.
+const ROUGH: f64 = 1e-12;
+
 /// The scene of a case: its layer under any punch.
 fn scene(case: &Value) -> Result<Scene, String> {
     let keys = ["thickness", "poisson", "plane", "moduli", "base", "grading"];
@@ -31,10 +34,12 @@ fn distance(found: SurfaceFlexibility, expected: SurfaceFlexibility) -> f64 {
     each.into_iter().fold(0.0, |worst, error| if error.abs() <= worst { worst } else { error.abs() })
 }
 
-/// The largest difference over the wave numbers of a case, and where it is.
-fn worst(case: &Value) -> Result<(f64, f64), String> {
+/// The largest difference over the wave numbers of a case, and where it is: as good as can be, or to [`ROUGH`].
+fn worst(case: &Value, is_rough: bool) -> Result<(f64, f64), String> {
     let layer = Arc::new(scene(case)?.layer.model().map_err(|refusal| refusal.to_string())?);
-    let response = Compliance {}.respond(&layer).map_err(|refusal| refusal.to_string())?;
+    let full = Compliance {}.respond(&layer).map_err(|refusal| refusal.to_string())?;
+    let rough = full.roughly(ROUGH).filter(|_| is_rough);
+    let response = rough.unwrap_or(&*full);
     let column = |key: &str| -> Vec<f64> {
         case[key].as_array().expect("a list").iter().map(|x| x.as_f64().expect("a number")).collect()
     };
@@ -57,7 +62,7 @@ fn every_grading_on_every_base_agrees_with_an_independent_program() {
     let mut failed = Vec::new();
     for case in file["cases"].as_array().expect("a list") {
         let about = case["about"].as_str().expect("a text");
-        match worst(case) {
+        match worst(case, false) {
             Ok((difference, s)) => {
                 println!("{difference:8.1e} at s = {s:<6} {about}");
                 if difference.is_nan() || difference > PROMISED {
@@ -69,6 +74,22 @@ fn every_grading_on_every_base_agrees_with_an_independent_program() {
                 assert!(why.contains("not built"), "{about}: {why}");
             }
             Err(why) => failed.push(format!("{about}: {why}")),
+        }
+    }
+    assert!(failed.is_empty(), "{}", failed.join("\n"));
+}
+
+#[test]
+fn asked_for_less_it_keeps_what_was_asked_for() {
+    let file: Value = serde_json::from_str(include_str!("../data/flexibilities.json")).expect("valid JSON");
+    let mut failed = Vec::new();
+    for case in file["cases"].as_array().expect("a list") {
+        let about = case["about"].as_str().expect("a text");
+        // What is refused is refused above.
+        let Ok((difference, s)) = worst(case, true) else { continue };
+        println!("{difference:8.1e} at s = {s:<6} {about}");
+        if difference.is_nan() || difference > ROUGH {
+            failed.push(format!("{about}: {difference:.1e} at s = {s}"));
         }
     }
     assert!(failed.is_empty(), "{}", failed.join("\n"));

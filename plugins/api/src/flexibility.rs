@@ -65,6 +65,14 @@ pub trait LayerResponse: Send + Sync {
         None
     }
 
+    /// The same response, with errors allowed: of up to `accuracy` times the entry itself in `vv` and `uu`, times
+    /// `sqrt(vv uu)` in `uv`. `None` where that would save nothing. What is asked of the response itself stays as good
+    /// as it can be, whoever asked for less before.
+    fn roughly(&self, accuracy: f64) -> Option<&dyn LayerResponse> {
+        let _ = accuracy;
+        None
+    }
+
     /// Depth `d` below which the surface feels something that its own derivatives do not tell (a base,
     /// a kink): what is left of `s F` after its series in `1/s` decays like `exp(-2 s d)`. `None` when
     /// `s F` equals its limit at every `s`: a homogeneous half-plane.

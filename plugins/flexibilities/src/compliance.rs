@@ -1,8 +1,10 @@
 //! Stable recursion of the compliance from the base to the surface.
 
+use crate::by_need::ByNeed;
 use crate::exponential::{STEEPEST, too_steep};
 use crate::graded_half_plane;
 use crate::layered::Layered;
+use crate::precision::FULL;
 use serde::{Deserialize, Serialize};
 use slipzone_api::{Base, Flexibility, LayerModel, LayerResponse, Refusal};
 use std::sync::Arc;
@@ -34,7 +36,11 @@ impl Flexibility for Compliance {
                 remedy: "give the layer a thickness, and a base such as { type = \"half-plane\", ... }".into(),
             }),
             (_, Some(gamma)) if gamma.abs() > STEEPEST => Err(too_steep(METHOD, gamma)),
-            _ => Ok(Box::new(Layered::new(Arc::clone(layer), METHOD)?)),
+            // Neither asks for polynomials: less precision would save nothing.
+            _ if layer.law.stretches().iter().all(|stretch| stretch.law.exponent().is_some()) => {
+                Ok(Box::new(Layered::new(Arc::clone(layer), &FULL, METHOD)?))
+            }
+            _ => Ok(Box::new(ByNeed::new(Arc::clone(layer), METHOD)?)),
         }
     }
 }

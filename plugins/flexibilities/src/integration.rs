@@ -4,68 +4,85 @@ use pulp::Simd;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::OnceLock;
 
-/// Nodes: two more than the constants of a panel need, because products of them are integrated.
-pub(crate) const NODES: usize = 18;
-const HALF: usize = NODES / 2;
+/// Half the nodes to rounding: two more than the constants of a panel need, because products of them are integrated.
+pub(crate) const HALF: usize = 9;
+
+/// Half the nodes to twelve digits.
+pub(crate) const HALF_ROUGH: usize = 7;
 
 /// Values side by side: two components of each of the four unit states.
 pub(crate) type Pair = [[f64; 4]; 2];
 
-/// Values at all nodes.
-pub(crate) type Field = [Pair; NODES];
+/// Something at all nodes: those above the middle, from the upper end on, and their mirror images.
+pub(crate) type Nodes<T, const H: usize> = [[T; H]; 2];
 
-/// What leads from values at the nodes to integrals, the even and the odd part of a function apart: the nodes are symmetric.
-pub(crate) struct Integration {
-    /// From 0 at the lower end to 1; the first half are those above the middle, and the others mirror them.
-    pub(crate) nodes: [f64; NODES],
+/// What leads from values at `2 H` nodes to integrals, the even and the odd part of a function apart: the nodes are symmetric.
+pub(crate) struct Integration<const H: usize> {
+    /// From 0 at the lower end to 1.
+    pub(crate) nodes: Nodes<f64, H>,
     /// Rows: from the middle to each node above it, and to the upper end.
-    even: [[f64; HALF]; HALF + 1],
-    odd: [[f64; HALF]; HALF + 1],
+    even: [[f64; H]; H],
+    odd: [[f64; H]; H],
+    even_end: [f64; H],
+    odd_end: [f64; H],
 }
 
-impl Integration {
+impl Integration<HALF> {
     /// The rule, made when first asked for.
-    pub(crate) fn get() -> &'static Self {
-        static RULE: OnceLock<Integration> = OnceLock::new();
+    pub(crate) fn full() -> &'static Self {
+        static RULE: OnceLock<Integration<HALF>> = OnceLock::new();
         RULE.get_or_init(Self::new)
     }
+}
 
+impl Integration<HALF_ROUGH> {
+    /// The same of fewer nodes.
+    pub(crate) fn rough() -> &'static Self {
+        static RULE: OnceLock<Integration<HALF_ROUGH>> = OnceLock::new();
+        RULE.get_or_init(Self::new)
+    }
+}
+
+impl<const H: usize> Integration<H> {
     fn new() -> Self {
-        let angle = |j: usize| PI * (2 * j + 1) as f64 / (2 * NODES) as f64;
-        // Angle 0 is the upper end.
-        let end = |j: usize| if j < HALF { angle(j) } else { 0.0 };
-        let entry = |j: usize, k: usize, first: usize| -> f64 {
+        let angle = |j: usize| PI * (2 * j + 1) as f64 / (4 * H) as f64;
+        let entry = |end: f64, k: usize, first: usize| -> f64 {
             let term = |l: usize| {
-                let weight = if l == 0 { 0.5 } else { 1.0 } / NODES as f64;
-                weight * (l as f64 * angle(k)).cos() * (primitive(l, end(j)) - primitive(l, FRAC_PI_2))
+                let weight = if l == 0 { 0.5 } else { 1.0 } / (2 * H) as f64;
+                weight * (l as f64 * angle(k)).cos() * (primitive(l, end) - primitive(l, FRAC_PI_2))
             };
-            (first..NODES).step_by(2).map(term).sum()
+            (first..2 * H).step_by(2).map(term).sum()
         };
+        let row = |end: f64, first: usize| std::array::from_fn(|k| entry(end, k, first));
+        let above: [f64; H] = std::array::from_fn(|j| 0.5 * (1.0 + angle(j).cos()));
         Self {
-            nodes: std::array::from_fn(|j| 0.5 * (1.0 + angle(j).cos())),
-            even: std::array::from_fn(|j| std::array::from_fn(|k| entry(j, k, 0))),
-            odd: std::array::from_fn(|j| std::array::from_fn(|k| entry(j, k, 1))),
+            nodes: [above, above.map(|z| 1.0 - z)],
+            even: std::array::from_fn(|j| row(angle(j), 0)),
+            odd: std::array::from_fn(|j| row(angle(j), 1)),
+            // Angle 0 is the upper end.
+            even_end: row(0.0, 0),
+            odd_end: row(0.0, 1),
         }
     }
 
     /// Adds the integrals from the lower end to each node to `start`, which is the same everywhere; returns what that is at
     /// the upper end.
     #[inline(always)]
-    pub(crate) fn integrate<S: Simd>(&self, start: &Pair, values: &mut Field) -> Pair {
-        let (mut even, mut odd) = ([Pair::default(); HALF], [Pair::default(); HALF]);
-        for k in 0..HALF {
-            let (above, below) = (values[k], values[NODES - 1 - k]);
+    pub(crate) fn integrate<S: Simd>(&self, start: &Pair, [above, below]: &mut Nodes<Pair, H>) -> Pair {
+        let (mut even, mut odd) = ([Pair::default(); H], [Pair::default(); H]);
+        for k in 0..H {
+            let (above, below) = (above[k], below[k]);
             even[k] = pair(|c, i| above[c][i] + below[c][i]);
             odd[k] = pair(|c, i| above[c][i] - below[c][i]);
         }
-        let half = product::<S>(&self.even[HALF], &even, Pair::default());
-        let upper = product::<S>(&self.odd[HALF], &odd, Pair::default());
+        let half = product::<S, H>(&self.even_end, &even, Pair::default());
+        let upper = product::<S, H>(&self.odd_end, &odd, Pair::default());
         let middle = pair(|c, i| start[c][i] + half[c][i] - upper[c][i]);
-        for k in 0..HALF {
+        for k in 0..H {
             let (even, common) =
-                (product::<S>(&self.even[k], &even, Pair::default()), product::<S>(&self.odd[k], &odd, middle));
-            values[k] = pair(|c, i| common[c][i] + even[c][i]);
-            values[NODES - 1 - k] = pair(|c, i| common[c][i] - even[c][i]);
+                (product::<S, H>(&self.even[k], &even, Pair::default()), product::<S, H>(&self.odd[k], &odd, middle));
+            above[k] = pair(|c, i| common[c][i] + even[c][i]);
+            below[k] = pair(|c, i| common[c][i] - even[c][i]);
         }
         pair(|c, i| start[c][i] + 2.0 * half[c][i])
     }
@@ -93,7 +110,7 @@ fn primitive(l: usize, angle: f64) -> f64 {
 }
 
 #[inline(always)]
-fn product<S: Simd>(row: &[f64; HALF], values: &[Pair; HALF], mut sum: Pair) -> Pair {
+fn product<S: Simd, const H: usize>(row: &[f64; H], values: &[Pair; H], mut sum: Pair) -> Pair {
     for (weight, value) in row.iter().zip(values) {
         sum = pair(|c, i| fused::<S>(*weight, value[c][i], sum[c][i]));
     }
@@ -107,13 +124,17 @@ mod tests {
 
     #[test]
     fn powers_are_integrated_exactly() {
-        let rule = Integration::get();
-        for power in 0..i32::try_from(NODES).unwrap() {
-            let mut values = rule.nodes.map(|z| [[z.powi(power), 1.0, 0.0, -z.powi(power)]; 2]);
+        powers_by(Integration::full());
+        powers_by(Integration::rough());
+    }
+
+    fn powers_by<const H: usize>(rule: &Integration<H>) {
+        for power in 0..i32::try_from(2 * H).unwrap() {
+            let mut values = rule.nodes.map(|half| half.map(|z| [[z.powi(power), 1.0, 0.0, -z.powi(power)]; 2]));
             let start = [[1.0, 0.0, 3.0, -1.0], [0.0; 4]];
             let whole = rule.integrate::<Scalar>(&start, &mut values);
             let exact = |z: f64| z.powi(power + 1) / f64::from(power + 1);
-            for (z, found) in rule.nodes.iter().zip(&values).chain([(&1.0, &whole)]) {
+            for (z, found) in rule.nodes.iter().flatten().zip(values.iter().flatten()).chain([(&1.0, &whole)]) {
                 let expected = pair(|c, i| start[c][i] + [exact(*z), *z, 0.0, -exact(*z)][i]);
                 for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
                     // A few roundings of sums of order one.

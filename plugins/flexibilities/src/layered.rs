@@ -1,6 +1,7 @@
 //! A layer of any law on any base, slice by slice.
 
 use crate::panels::{Matter, Panel, Panels};
+use crate::precision::Precision;
 use crate::propagator::{Propagator, Rows, THICKEST};
 use crate::slice::{Slice, THIN};
 use crate::surface_tail;
@@ -8,14 +9,6 @@ use nalgebra::Matrix2;
 use pulp::{Arch, Scalar, Simd, WithSimd};
 use slipzone_api::{Base, Elastic, LayerModel, LayerResponse, Material, Refusal, SurfaceFlexibility};
 use std::sync::Arc;
-
-/// A base is forgotten where `exp(-2 s y)` times the contrast of moduli, and times the square of the polynomial that goes
-/// with it (below `exp(8)` there), drops under `exp(-33) = 5e-15`: what is put in its place is as good to a digit at least.
-const FORGOTTEN: f64 = 41.0;
-
-/// Largest `s delta` of a slice whose digits all count. Rising states lose `exp(2 s delta)` of them; what is lost at a depth
-/// `y` counts as `exp(-2 s y)` at the surface, so that slices may be as thick as they are deep.
-const THICK: f64 = 2.0;
 
 /// Wave numbers that are carried upwards together, by which factor they may differ, and up to where that is no matter.
 const LANES: usize = 4;
@@ -29,14 +22,10 @@ const MOST_TERMS: usize = 24;
 /// Terms of the surface series that the values of a law give, where it does not tell them itself.
 const TERMS_BY_VALUES: usize = 8;
 
-/// By how many of its thicknesses below its top a panel shows a law to be no different from what is above: polynomials
-/// fit where the nearest singularity is about as far away as that.
-const SMOOTH_DEPTH: f64 = 4.0;
-
 /// No law is taken to have finer structure at its surface: one that has shows it in the kernel's bound.
 const LEAST_DEPTH: f64 = 1.0 / 32.0;
 
-/// The compliance `d = C t`, carried from the base to the surface slice by slice.
+/// The compliance `d = C t`, carried from the base to the surface slice by slice, to a given precision.
 #[derive(Clone, Debug)]
 pub(crate) struct Layered {
     layer: Arc<LayerModel>,
@@ -47,8 +36,12 @@ pub(crate) struct Layered {
 
 impl Layered {
     /// Refuses a law that varies too fast.
-    pub(crate) fn new(layer: Arc<LayerModel>, method: &'static str) -> Result<Self, Refusal> {
-        let panels = Panels::new(&layer).ok_or(Refusal::OutOfReach {
+    pub(crate) fn new(
+        layer: Arc<LayerModel>,
+        precision: &'static Precision,
+        method: &'static str,
+    ) -> Result<Self, Refusal> {
+        let panels = Panels::new(&layer, precision).ok_or(Refusal::OutOfReach {
             method,
             why: "the grading varies too fast over the depth, or is no number somewhere".into(),
             remedy: "smooth it",
@@ -62,7 +55,7 @@ impl Layered {
     fn compliance<S: Simd, const L: usize>(&self, s: &[f64; L]) -> Compliances<L> {
         let reach = self.reach(s);
         let mut column = self.standing(s, reach);
-        column.carry::<S>(&self.panels.all, s, reach);
+        column.carry::<S>(&self.panels.all, s, (reach, self.panels.precision.thick));
         column.unscaled(s)
     }
 
@@ -74,18 +67,18 @@ impl Layered {
         if reach <= datum {
             return (self.compliance::<Scalar, 1>(&s), Matrix2::zeros());
         }
-        let (above, below) = self.panels.all.split_at(above);
+        let ((above, below), thick) = (self.panels.all.split_at(above), self.panels.precision.thick);
         let mut column = self.standing(&s, reach);
-        column.carry::<Scalar>(below, &s, reach);
+        column.carry::<Scalar>(below, &s, (reach, thick));
         let there = matrix(&column.unscaled(&s), 0);
         column.transfer = Some([Matrix2::identity()]);
-        column.carry::<Scalar>(above, &s, reach);
+        column.carry::<Scalar>(above, &s, (reach, thick));
         (column.unscaled(&s), there * column.transfer.map_or_else(Matrix2::zeros, |[transfer]| transfer))
     }
 
     /// Depth below which nothing is felt at the surface.
     fn reach(&self, s: &[f64]) -> f64 {
-        0.5 * (FORGOTTEN + self.panels.contrast) / s.iter().copied().fold(f64::INFINITY, f64::min)
+        0.5 * (self.panels.precision.forgotten + self.panels.contrast) / s.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
     /// What the layer stands on, as far as it is felt: where its base is out of sight any start does.
@@ -177,7 +170,7 @@ impl LayerResponse for Layered {
     fn depth(&self) -> Option<f64> {
         let promised = |panel: &Panel| match panel.matter {
             Matter::Homogeneous(..) | Matter::Exponential(..) => 1.0,
-            Matter::Smooth(_) => panel.top + SMOOTH_DEPTH * panel.thickness,
+            Matter::Smooth(_) => panel.top + self.panels.precision.shown * panel.thickness,
         };
         let smooth = self.panels.all.iter().map(promised).fold(1.0, f64::min);
         Some(self.panels.first_break.min(smooth.max(LEAST_DEPTH)))
@@ -263,12 +256,12 @@ impl<const L: usize> Column<L> {
         [[xx, std::array::from_fn(|i| xy[i] / s[i])], [std::array::from_fn(|i| yx[i] * s[i]), yy]]
     }
 
-    /// Carries the column through panels, but for what is deeper than `reach`.
+    /// Carries the column through panels in slices up to `thick`, but for what is deeper than `reach`.
     #[inline(always)]
-    fn carry<S: Simd>(&mut self, panels: &[Panel], s: &[f64; L], reach: f64) {
+    fn carry<S: Simd>(&mut self, panels: &[Panel], s: &[f64; L], (reach, thick): (f64, f64)) {
         let felt = panels.partition_point(|panel| panel.top < reach);
         for panel in panels[..felt].iter().rev() {
-            panel.carry::<S, L>(s, reach, self);
+            panel.carry::<S, L>((s, reach, thick), self);
         }
     }
 
@@ -335,9 +328,9 @@ fn matrix<const L: usize>(compliances: &Compliances<L>, i: usize) -> Matrix2<f64
 }
 
 impl Panel {
-    /// Carries columns through the panel, but for what is deeper than `reach`.
+    /// Carries columns through the panel in slices up to `thick`, but for what is deeper than `reach`.
     #[inline(always)]
-    fn carry<S: Simd, const L: usize>(&self, s: &[f64; L], reach: f64, column: &mut Column<L>) {
+    fn carry<S: Simd, const L: usize>(&self, (s, reach, thick): (&[f64; L], f64, f64), column: &mut Column<L>) {
         // The whole, where it is the whole: a thin panel far down has no digits in the difference.
         let is_whole = reach >= self.top + self.thickness;
         let depth = if is_whole { self.thickness } else { reach - self.top };
@@ -345,7 +338,7 @@ impl Panel {
         match &self.matter {
             Matter::Homogeneous(_, propagator) => {
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `s depth` is bounded
-                let count = ((most * depth / THICK).ceil() as usize).max(1);
+                let count = ((most * depth / thick).ceil() as usize).max(1);
                 let delta = depth / count as f64;
                 let waves = s.map(|s| s * delta);
                 let rows = rows::<S, L>(propagator, &waves);
@@ -369,7 +362,7 @@ impl Panel {
                 column.slides = false;
             }
             Matter::Smooth(slices) => {
-                let thick = (least * self.top).clamp(THICK, THICKEST);
+                let thick = (least * self.top).clamp(thick, THICKEST);
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // not negative; `as` saturates
                 let halvings = (most * self.thickness / thick).log2().ceil().max(0.0) as u32;
                 let delta = self.thickness * (-f64::from(halvings)).exp2();

@@ -1,5 +1,6 @@
 //! Flexibilities: how the surface flexibility `F(s)` of a layer is got. One file per plugin.
 
+mod by_need;
 mod closed_form;
 mod coefficients;
 mod compliance;
@@ -11,6 +12,7 @@ mod half_plane;
 mod integration;
 mod layered;
 mod panels;
+mod precision;
 mod propagator;
 mod slice;
 mod slices;

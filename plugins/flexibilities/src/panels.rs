@@ -1,6 +1,7 @@
 //! A layer as panels of depth on each of which its elastic constants are polynomials.
 
 use crate::coefficients::{Coefficients, MOST, Polynomial};
+use crate::precision::Precision;
 use crate::propagator::Propagator;
 use crate::slices::Slices;
 use pulp::{Arch, Simd, WithSimd};
@@ -42,8 +43,7 @@ impl Panel {
                     (self.unit * (gamma * start).exp(), Matter::Exponential(*material, gamma * part))
                 }
                 Matter::Smooth(slices) => {
-                    let own = slices.coefficients.window(2.0 * start + part - 1.0, part);
-                    (self.unit, Matter::Smooth(Box::new(Slices::new(&own))))
+                    (self.unit, Matter::Smooth(Box::new(slices.window(2.0 * start + part - 1.0, part))))
                 }
             };
             Self { top, thickness: bottom - top, unit, matter }
@@ -52,8 +52,10 @@ impl Panel {
 }
 
 /// The panels of a layer, top first.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(crate) struct Panels {
+    /// How precisely they follow the law.
+    pub(crate) precision: &'static Precision,
     /// Each where the one above it ends.
     pub(crate) all: Vec<Panel>,
     /// `ln(max mu/min mu)`.
@@ -62,15 +64,9 @@ pub(crate) struct Panels {
     pub(crate) first_break: f64,
 }
 
-/// Largest relative error of a coefficient: the last ones of its Chebyshev series, and two values beside the nodes.
-const TOLERANCE: (f64, f64) = (4e-15, 2e-14);
-
-/// A law's own rounding may be larger than that: coefficients below this that halving the panel leaves above a part of
+/// A law's own rounding may be larger than a panel's errors: coefficients below this that halving the panel leaves above a part of
 /// what they were are taken for it. Those of a smooth law fall by far more, those of a jump are larger.
 const NOISE: (f64, f64) = (1e-12, 0.3);
-
-/// A Chebyshev coefficient below this is rounding.
-const ROUNDING: f64 = 6e-16;
 
 /// Coefficients that must be small at the end of a series.
 const LAST: usize = 3;
@@ -89,8 +85,8 @@ const BESIDE: [f64; 2] = [-0.991, 0.983];
 
 impl Panels {
     /// `None` for a law that varies too fast, or is not finite.
-    pub(crate) fn new(layer: &LayerModel) -> Option<Self> {
-        let mut panels = Self { first_break: 1.0, ..Self::default() };
+    pub(crate) fn new(layer: &LayerModel, precision: &'static Precision) -> Option<Self> {
+        let mut panels = Self { precision, all: Vec::new(), contrast: 0.0, first_break: 1.0 };
         let mut extremes = (f64::INFINITY, 0.0_f64);
         for stretch in layer.law.stretches() {
             if !panels.all.is_empty() {
@@ -121,7 +117,7 @@ impl Panels {
         // Depths over the law's own range, deepest on the stack first.
         let mut stack = vec![(from, to - from, f64::INFINITY)];
         while let Some((start, width, before)) = stack.pop() {
-            let fit = Fit::of(layer, law, start, width)?;
+            let fit = Fit::of(layer, law, (start, width), self.precision)?;
             let (top, wide) = (stretch.in_whole(start), width * thickness);
             let is_thinnest = wide <= THINNEST || width <= THINNEST;
             let is_noise = fit.error < NOISE.0 && fit.error > NOISE.1 * before;
@@ -137,7 +133,7 @@ impl Panels {
             }
             see(fit.extremes.0);
             see(fit.extremes.1);
-            let matter = Matter::Smooth(Box::new(Slices::new(&fit.coefficients)));
+            let matter = Matter::Smooth(Box::new(Slices::new(&fit.coefficients, self.precision)));
             self.all.push(Panel { top, thickness: wide, unit: fit.unit, matter });
             if self.all.len() > MOST_PANELS {
                 return None;
@@ -153,7 +149,7 @@ impl Panels {
             _ => None,
         };
         let constants = Coefficients::of(material, material.shear);
-        self.all.iter().rev().find_map(like).unwrap_or_else(|| Arc::new(Propagator::new(|_| constants)))
+        self.all.iter().rev().find_map(like).unwrap_or_else(|| Arc::new(Propagator::new(self.precision, |_| constants)))
     }
 
     /// Adds what lies between the layer and a depth below it.
@@ -209,7 +205,7 @@ struct Fit {
 
 impl Fit {
     /// Over depths from `start` on; `None` where the law is not finite.
-    fn of(layer: &LayerModel, law: &dyn ModulusLaw, start: f64, width: f64) -> Option<Self> {
+    fn of(layer: &LayerModel, law: &dyn ModulusLaw, (start, width): (f64, f64), precision: &Precision) -> Option<Self> {
         let at = |x: f64| layer.material(law, start + 0.5 * width * (1.0 + x));
         let unit = at(0.0).shear;
         let mut values = [[0.0; 4]; MOST];
@@ -222,16 +218,16 @@ impl Fit {
         if !values.iter().flatten().all(|value| value.is_finite()) {
             return None;
         }
-        let (fitted, last) = Arch::new().dispatch(Through(&values));
+        let (fitted, last) = Arch::new().dispatch(Through(&values, precision.dropped));
         let mut error = last.into_iter().fold(0.0_f64, f64::max);
-        let mut is_smooth = error <= TOLERANCE.0;
+        let mut is_smooth = error <= precision.fit.0;
         let [softness, stiffness, contraction, cross] = fitted;
         let coefficients = Coefficients { softness, stiffness, contraction, cross };
         for x in BESIDE {
             let own = [&coefficients.softness, &coefficients.stiffness, &coefficients.contraction, &coefficients.cross];
             for ((polynomial, value), size) in own.iter().zip(Coefficients::of(at(x), unit)).zip(sizes(&values)) {
                 let beside = if size == 0.0 { 0.0 } else { (polynomial.at(x) - value).abs() / size };
-                is_smooth &= beside <= TOLERANCE.1;
+                is_smooth &= beside <= precision.fit.1;
                 error = error.max(beside);
             }
         }
@@ -278,14 +274,14 @@ fn sizes(values: &[[f64; 4]; MOST]) -> [f64; 4] {
 
 /// The polynomials through values of four constants at the nodes, rounding dropped, and the last coefficients of their
 /// series, relative.
-struct Through<'a>(&'a [[f64; 4]; MOST]);
+struct Through<'a>(&'a [[f64; 4]; MOST], f64);
 
 impl WithSimd for Through<'_> {
     type Output = ([Polynomial; 4], [f64; 4]);
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _simd: S) -> Self::Output {
-        let Self(values) = self;
+        let Self(values, dropped) = self;
         let rule = Chebyshev::get();
         let sizes = sizes(values);
         // What varies alone, so that what does not vary is a constant.
@@ -305,7 +301,7 @@ impl WithSimd for Through<'_> {
                 if k >= MOST - LAST && sizes[i] != 0.0 {
                     last[i] = last[i].max(series[i].abs() / sizes[i]);
                 }
-                if series[i].abs() > ROUNDING * sizes[i] {
+                if series[i].abs() > dropped * sizes[i] {
                     counts[i] = k + 1;
                 }
             }

@@ -1,6 +1,7 @@
 //! What becomes of states that rise through a slice, for all wave numbers at once.
 
-use crate::integration::{Integration, NODES, Pair, fused, pair};
+use crate::integration::{HALF, Integration, Nodes, Pair, fused, pair};
+use crate::precision::Precision;
 use pulp::{Arch, Simd, WithSimd};
 
 /// Largest wave number of a slice, over its thickness.
@@ -8,9 +9,6 @@ pub(crate) const THICKEST: f64 = 4.0;
 
 /// Most powers of the square of the wave number.
 const MOST: usize = 32;
-
-/// A term below this part of the largest of its entry is left out.
-const NEGLIGIBLE: f64 = f64::EPSILON / 8.0;
 
 /// The states at the top of a slice for each unit state at its bottom, in powers of `q = s^2`.
 ///
@@ -31,6 +29,8 @@ pub(crate) struct Propagator {
     tractions: Vec<Entries>,
     /// Bounds on the terms of each power where the wave number is largest, relative to what they are added to.
     sizes: Vec<f64>,
+    /// A term below this part of the largest of its entry is left out.
+    negligible: f64,
 }
 
 /// Two rows of coefficients.
@@ -41,27 +41,32 @@ pub(crate) type Rows<const L: usize> = [[[f64; L]; 4]; 2];
 
 impl Propagator {
     /// Of a slice whose constants (softness, stiffness, contraction, cross) are given from 0 at its bottom to 1 at its top.
-    pub(crate) fn new(constants: impl Fn(f64) -> [f64; 4]) -> Self {
-        Arch::new().dispatch(Build(&Integration::get().nodes.map(constants)))
+    pub(crate) fn new(precision: &Precision, constants: impl Fn(f64) -> [f64; 4]) -> Self {
+        if precision.half == HALF {
+            Build::by(Integration::full(), precision.negligible, constants)
+        } else {
+            Build::by(Integration::rough(), precision.negligible, constants)
+        }
     }
 
     #[inline(always)]
-    fn build<S: Simd>(constants: &[[f64; 4]; NODES]) -> Self {
-        let rule = Integration::get();
+    fn build<S: Simd, const H: usize>(build: &Build<'_, H>) -> Self {
+        let Build { rule, constants, negligible } = build;
         let (mut displacements, mut tractions, mut sizes) =
             (Vec::with_capacity(MOST), Vec::with_capacity(MOST), Vec::with_capacity(MOST));
-        let unit = |component: usize| std::array::from_fn(|state| if state == component { 1.0 } else { 0.0 });
         // `sigma` and, of the power before, `w`; in turn `tau` and `u`.
-        let mut field = [[unit(2), [0.0; 4]]; NODES];
+        let mut field = [[[unit(2), [0.0; 4]]; H]; 2];
         let mut sigma = unit(2);
-        let mut start = [[unit(3), unit(0)], [[0.0; 4], unit(1)]];
         let (mut largest, mut power) = ([Pair::default(); 2], 1.0);
-        for _ in 0..MOST {
-            for ([sigma, w], [softness, ..]) in field.iter_mut().zip(constants) {
+        for power_of_q in 0..MOST {
+            let start = &STARTS[power_of_q.min(1)];
+            for ([sigma, w], [softness, ..]) in field.iter_mut().flatten().zip(constants.iter().flatten()) {
                 *w = std::array::from_fn(|i| -fused::<S>(*softness, sigma[i], w[i]));
             }
             let [tau, u] = rule.integrate::<S>(&start[0], &mut field);
-            for ([tau, u], [_, stiffness, contraction, cross]) in field.iter_mut().zip(constants) {
+            for ([tau, u], [_, stiffness, contraction, cross]) in
+                field.iter_mut().flatten().zip(constants.iter().flatten())
+            {
                 let (t, d) = (*tau, *u);
                 *tau = std::array::from_fn(|i| -fused::<S>(*stiffness, d[i], contraction * t[i]));
                 *u = std::array::from_fn(|i| fused::<S>(*contraction, d[i], -cross * t[i]));
@@ -79,12 +84,12 @@ impl Propagator {
             displacements.push([u, w]);
             tractions.push([sigma, tau]);
             sizes.push(relative);
-            if relative <= NEGLIGIBLE {
+            if relative <= *negligible {
                 break;
             }
-            (sigma, start) = (next_sigma, [Pair::default(); 2]);
+            sigma = next_sigma;
         }
-        Self { displacements, tractions, sizes }
+        Self { displacements, tractions, sizes, negligible: *negligible }
     }
 
     /// Rows `u`, `w` and rows `sigma`, `tau` at squares of wave numbers, of which `most` is the largest.
@@ -99,12 +104,23 @@ impl Propagator {
     fn terms(&self, most: f64) -> usize {
         let fraction = most / (THICKEST * THICKEST);
         let (mut terms, mut faded) = (self.sizes.len().min(FIRST), 1.0);
-        while terms < self.sizes.len() && self.sizes[terms] * faded > NEGLIGIBLE {
+        while terms < self.sizes.len() && self.sizes[terms] * faded > self.negligible {
             terms += 1;
             faded *= fraction;
         }
         terms
     }
+}
+
+/// What each integral begins with: `tau` and `u`, then the `sigma` of the next power and `w`; of the first power a unit of each
+/// state, of the others nothing.
+static STARTS: [[Pair; 2]; 2] = [[[unit(3), unit(0)], [[0.0; 4], unit(1)]], [[[0.0; 4]; 2]; 2]];
+
+/// A unit of one component of the four states.
+const fn unit(component: usize) -> [f64; 4] {
+    let mut unit = [0.0; 4];
+    unit[component] = 1.0;
+    unit
 }
 
 /// Powers that each entry has at least: none begins later.
@@ -127,13 +143,24 @@ fn sum<S: Simd, const L: usize>(orders: &[Entries], q: &[f64; L]) -> Rows<L> {
 }
 
 /// [`Propagator::build`] in the vectors that the machine has.
-struct Build<'a>(&'a [[f64; 4]; NODES]);
+struct Build<'a, const H: usize> {
+    rule: &'a Integration<H>,
+    constants: Nodes<[f64; 4], H>,
+    negligible: f64,
+}
 
-impl WithSimd for Build<'_> {
+impl<const H: usize> Build<'_, H> {
+    fn by(rule: &Integration<H>, negligible: f64, constants: impl Fn(f64) -> [f64; 4]) -> Propagator {
+        let constants = rule.nodes.map(|half| half.map(&constants));
+        Arch::new().dispatch(Build { rule, constants, negligible })
+    }
+}
+
+impl<const H: usize> WithSimd for Build<'_, H> {
     type Output = Propagator;
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _simd: S) -> Propagator {
-        Propagator::build::<S>(self.0)
+        Propagator::build::<S, H>(&self)
     }
 }

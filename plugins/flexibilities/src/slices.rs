@@ -1,6 +1,7 @@
 //! A panel in slices thin enough for a wave.
 
 use crate::coefficients::Coefficients;
+use crate::precision::Precision;
 use crate::propagator::Propagator;
 use std::borrow::Cow;
 use std::sync::OnceLock;
@@ -16,12 +17,18 @@ type Level = OnceLock<Box<[OnceLock<Propagator>]>>;
 pub(crate) struct Slices {
     /// In a variable from -1 at the top to 1 at the bottom.
     pub(crate) coefficients: Coefficients,
+    precision: &'static Precision,
     levels: [Level; KEPT],
 }
 
 impl Slices {
-    pub(crate) fn new(coefficients: &Coefficients) -> Self {
-        Self { coefficients: *coefficients, levels: Default::default() }
+    pub(crate) fn new(coefficients: &Coefficients, precision: &'static Precision) -> Self {
+        Self { coefficients: *coefficients, precision, levels: Default::default() }
+    }
+
+    /// The same over a part.
+    pub(crate) fn window(&self, start: f64, width: f64) -> Self {
+        Self::new(&self.coefficients.window(start, width), self.precision)
     }
 
     /// The `k`-th of `2^halvings` slices from the top.
@@ -30,7 +37,7 @@ impl Slices {
         let make = || {
             let width = 2.0 / count as f64;
             let bottom = (k + 1) as f64 * width - 1.0;
-            Propagator::new(|z| self.coefficients.at(bottom - width * z))
+            Propagator::new(self.precision, |z| self.coefficients.at(bottom - width * z))
         };
         let Some(level) = self.levels.get(halvings as usize) else { return Cow::Owned(make()) };
         let slices = level.get_or_init(|| std::iter::repeat_with(OnceLock::new).take(count).collect());

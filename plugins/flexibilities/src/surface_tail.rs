@@ -17,9 +17,11 @@
 //!
 //! with the same `L` for every `kappa`, constant over depth or not, because `2 beta + lambda = 1`. The `Hk` are symmetric.
 
+mod orders;
+
 use crate::coefficients::Coefficients;
 use nalgebra::Matrix2;
-use pulp::{Arch, Simd, WithSimd};
+use orders::Orders;
 use slipzone_api::taylor::Taylor;
 use slipzone_api::{Elastic, LayerModel, Moduli, Plane, Solid, SurfaceFlexibility};
 
@@ -116,90 +118,9 @@ fn constants(solid: Solid, modulus: Taylor, nu: &Taylor) -> (Taylor, Taylor) {
 fn smooth(elastic: Elastic, modulus: &[f64], beta: &[f64], terms: usize) -> Vec<SurfaceFlexibility> {
     let terms = terms.min(modulus.len().saturating_sub(1));
     let gradient = logarithmic_gradient(modulus, terms);
-    // H0, H1, ...: the coefficients of 1, y, y^2, ... in each, one fewer from order to order.
-    let mut orders = vec![Order::new(terms + 1)];
-    for (uv, beta) in orders[0].uv.iter_mut().zip(beta) {
-        *uv = -beta;
-    }
-    orders[0].set(0, half_plane(elastic));
-    for _ in 1..=terms {
-        let next = Arch::new().dispatch(Next { orders: &orders, gradient: &gradient });
-        orders.push(next);
-    }
-    orders[1..].iter().map(|order| order.get(0)).collect()
-}
-
-/// A Taylor polynomial of matrices, entry by entry.
-struct Order {
-    vv: Vec<f64>,
-    uu: Vec<f64>,
-    uv: Vec<f64>,
-}
-
-impl Order {
-    fn new(count: usize) -> Self {
-        Self { vv: vec![0.0; count], uu: vec![0.0; count], uv: vec![0.0; count] }
-    }
-
-    fn get(&self, degree: usize) -> SurfaceFlexibility {
-        SurfaceFlexibility { vv: self.vv[degree], uu: self.uu[degree], uv: self.uv[degree] }
-    }
-
-    fn set(&mut self, degree: usize, value: SurfaceFlexibility) {
-        (self.vv[degree], self.uu[degree], self.uv[degree]) = (value.vv, value.uu, value.uv);
-    }
-}
-
-/// The order after some, in the vectors that the machine has.
-struct Next<'a> {
-    orders: &'a [Order],
-    gradient: &'a [f64],
-}
-
-impl WithSimd for Next<'_> {
-    type Output = Order;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _simd: S) -> Order {
-        let Self { orders, gradient } = self;
-        let k = orders.len();
-        let before = &orders[k - 1];
-        let count = before.uu.len() - 1;
-        let mut right = Order::new(count);
-        for degree in 0..count {
-            let (grade, higher) = ((degree + 1) as f64, before.get(degree + 1));
-            right.set(
-                degree,
-                SurfaceFlexibility { vv: grade * higher.vv, uu: grade * higher.uu, uv: grade * higher.uv },
-            );
-        }
-        for (degree, w) in gradient[..count].iter().enumerate() {
-            subtract(&mut right.vv[degree..], *w, &before.vv);
-            subtract(&mut right.uu[degree..], *w, &before.uu);
-            subtract(&mut right.uv[degree..], *w, &before.uv);
-        }
-        // 2 Hj e e^T Hk-j, of the off-diagonal entry one triangle: both orders of each pair are summed.
-        for (left, other) in orders[1..].iter().zip(orders[1..].iter().rev()) {
-            for degree in 0..count {
-                let (uu, uv) = (2.0 * left.uu[degree], 2.0 * left.uv[degree]);
-                subtract(&mut right.uu[degree..], uu, &other.uu);
-                subtract(&mut right.uv[degree..], uu, &other.uv);
-                subtract(&mut right.vv[degree..], uv, &other.uv);
-            }
-        }
-        for degree in 0..count {
-            right.set(degree, solved(right.get(degree)));
-        }
-        right
-    }
-}
-
-/// `sum -= factor terms`, as far as the sum goes.
-#[inline(always)]
-fn subtract(sum: &mut [f64], factor: f64, terms: &[f64]) {
-    for (sum, term) in sum.iter_mut().zip(terms) {
-        *sum -= factor * term;
-    }
+    let coupling: Vec<f64> = beta.iter().map(|beta| -beta).collect();
+    let orders = Orders::new(half_plane(elastic), &coupling, &gradient, terms);
+    (1..=terms).map(|order| orders.at_surface(order)).collect()
 }
 
 /// Taylor coefficients of `w = mu'/mu`, `terms` of them, from `terms + 1` of `mu`: `mu' = w mu`, power by power.

@@ -12,6 +12,7 @@ mod singular;
 mod spectrum;
 mod spherical_bessel;
 mod table;
+mod waves;
 
 use beyond::{Beyond, Cut, MOST_TERMS};
 use column::Column;
@@ -27,6 +28,7 @@ use spectrum::Spectrum;
 use std::f64::consts::FRAC_PI_2;
 use std::num::NonZeroU8;
 use table::Table;
+use waves::Waves;
 
 /// The Fourier integral over `[0, S]` and, beyond, the whole series of `s F` in `1/s`, transformed exactly.
 ///
@@ -63,10 +65,20 @@ const ATTEMPTS: (u32, f64) = (6, 0.1);
 const NEARER: f64 = 0.4;
 /// Rounding of a sum: this times the sum of its terms' sizes.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Up to this phase at the cut no panel sees more waves than its nodes tell: sums over them are the transform.
+const SLOW: f64 = 32.0;
+/// Rounding of a wave by that of its phase, over the phase.
+const PHASE: f64 = 2.0 * f64::EPSILON;
 /// Rounding of `s F` that a flexibility may bring, over its size.
 const FLEXIBILITY: f64 = 32.0 * f64::EPSILON;
+/// Error that a flexibility is allowed, over what is wanted of the slopes and the depth that it feels, over what is wanted of the
+/// depth, and at most.
+const ROUGHNESS: (f64, f64) = (3e-3, 1e-2);
+const ROUGHEST: f64 = 1e-11;
 /// What is left of the depth's integrand beyond the cut is smaller than the slope's by `1/S`, at least by this.
 const DEPTH_GAIN: f64 = 4.0;
+/// Where `exp(-2 s d)` makes a kernel singular, in terms of `d`: at this times `i d`.
+const ECHO: f64 = 2.0;
 /// First width of the pieces over the depth, and over the window.
 const WIDTH: (f64, f64) = (0.5, 0.7);
 
@@ -81,9 +93,18 @@ impl KernelStrategy for Split {
         };
         let (mut depth, mut accuracy, mut evaluations) = (depth, request.accuracy, 0);
         let mut best: Option<Draft> = None;
-        for _ in 0..ATTEMPTS.0 {
-            let draft = self.draft(response, request, depth, accuracy)?;
+        let (mut attempts, mut may_be_rough) = (ATTEMPTS.0, !self.is_pinned());
+        while attempts > 0 {
+            // The flexibility's own error is to be a small part of the whole.
+            let (slope, value) = (ROUGHNESS.0 * depth * accuracy / request.reach, ROUGHNESS.1 * accuracy);
+            let roughness = slope.min(value).min(ROUGHEST);
+            let rough = if may_be_rough { response.roughly(roughness) } else { None };
+            let draft = match rough {
+                Some(rough) => self.draft(rough, request, depth, (accuracy, roughness))?,
+                None => self.draft(response, request, depth, (accuracy, 0.0))?,
+            };
             evaluations += draft.evaluations;
+            let too_rough = draft.roughened > 0.5 * request.accuracy;
             let rounded = draft.rounding > 0.5 * request.accuracy;
             // The grading has structure closer to the surface than it seemed.
             if draft.error.is_finite() && draft.beyond > 0.5 * request.accuracy {
@@ -93,10 +114,18 @@ impl KernelStrategy for Split {
                 best = Some(draft);
             }
             let error = best.as_ref().map_or(f64::INFINITY, |best| best.error);
-            if error <= request.accuracy || rounded || self.is_pinned() {
+            if error <= request.accuracy {
                 break;
             }
-            accuracy *= ATTEMPTS.1;
+            // It is on a soft base, where the flexibility is large: as well as can be, then.
+            if too_rough {
+                may_be_rough = false;
+                continue;
+            }
+            if rounded || self.is_pinned() {
+                break;
+            }
+            (attempts, accuracy) = (attempts - 1, accuracy * ATTEMPTS.1);
         }
         let draft = best.expect("at least one attempt");
         if !draft.error.is_finite() {
@@ -136,6 +165,8 @@ struct Draft {
     rounding: f64,
     /// The part that a cut further out removes.
     beyond: f64,
+    /// The part that a better flexibility removes.
+    roughened: f64,
     evaluations: usize,
 }
 
@@ -145,21 +176,27 @@ impl Split {
         response: &dyn LayerResponse,
         request: &KernelRequest,
         depth: f64,
-        accuracy: f64,
+        (accuracy, roughness): (f64, f64),
     ) -> Result<Draft, Refusal> {
         let reach = request.reach;
-        let mut plan = self.plan(response, request, depth, accuracy, FEW_TERMS);
+        let mut plan = self.plan(response, request, depth, (accuracy, roughness), FEW_TERMS);
         let short = plan.settled && power_series::serve(&plan.columns, plan.cut, depth, reach);
         if !short {
-            plan = self.plan(response, request, depth, accuracy, MOST_TERMS);
+            plan = self.plan(response, request, depth, (accuracy, roughness), MOST_TERMS);
         }
         let short = power_series::serve(&plan.columns, plan.cut, depth, reach);
         let Integral { columns, cut, .. } = plan;
         let (beyond_error, at_cutoff) = cut.rest(&columns, response, depth)?;
-        let spectrum = Spectrum::new(&columns, response, (cut.cutoff, at_cutoff), reach, short)?;
+        let slow = cut.cutoff * reach <= SLOW;
+        let spectrum = Spectrum::new(&columns, response, (cut.cutoff, at_cutoff), reach, short || slow)?;
         let beyond = Beyond::new(cut, &columns);
         let mut rounded: Vec<f64> = (0..columns.len())
-            .map(|i| FLEXIBILITY * spectrum.size[i] + ROUNDING * beyond.size(i) + 2.0 * f64::EPSILON * cut.cutoff)
+            .map(|i| {
+                let phase = if slow && !short { PHASE * cut.cutoff * reach } else { 0.0 };
+                (FLEXIBILITY + phase) * spectrum.size[i].whole
+                    + ROUNDING * beyond.size(i)
+                    + 2.0 * f64::EPSILON * cut.cutoff
+            })
             .collect();
         let (pieces, length) = if short {
             let (pieces, powers) = power_series::pieces(&columns, &spectrum, &beyond, reach);
@@ -169,16 +206,26 @@ impl Split {
             (pieces, depth)
         } else {
             let is_local = response.surface(0.0)? == SurfaceFlexibility::default() && response.pole() == 0.0;
-            interpolated(&columns, &spectrum, &beyond, &rounded, depth, (reach, is_local))
+            interpolated(&columns, (&spectrum, slow), &beyond, &rounded, depth, (reach, is_local))
         };
-        let (mut error, mut rounding, mut left) = (0.0_f64, 0.0_f64, 0.0_f64);
+        let (mut error, mut rounding, mut left, mut roughened) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
         for (i, column) in columns.iter().enumerate() {
             let scale = if column.component == Component::Depth { 1.0 } else { reach };
             rounding = rounding.max(scale * (rounded[i] + pieces.kernels[i].noise + spectrum.noise[i]));
             left = left.max(scale * beyond_error[i]);
-            error = error.max(scale * (beyond_error[i] + spectrum.error[i] + pieces.kernels[i].error + rounded[i]));
+            roughened = roughened.max(scale * spectrum.size[i].roughened);
+            let of_all = beyond_error[i] + spectrum.error[i] + spectrum.size[i].roughened + pieces.kernels[i].error;
+            error = error.max(scale * (of_all + rounded[i]));
         }
-        Ok(Draft { pieces, length, error, rounding, beyond: left, evaluations: spectrum.evaluations + beyond::CHECKS })
+        Ok(Draft {
+            pieces,
+            length,
+            error,
+            rounding,
+            beyond: left,
+            roughened,
+            evaluations: spectrum.evaluations + beyond::CHECKS,
+        })
     }
 }
 
@@ -196,11 +243,11 @@ impl Split {
         response: &dyn LayerResponse,
         request: &KernelRequest,
         depth: f64,
-        accuracy: f64,
+        (accuracy, roughness): (f64, f64),
         terms: usize,
     ) -> Integral {
         let tail = response.tail(terms);
-        let column = |c: &Component| Column::new(*c, response, &tail, accuracy, request.reach);
+        let column = |c: &Component| Column::new(*c, response, &tail, accuracy, request.reach).roughened(roughness);
         let columns: Vec<Column> = request.components.iter().map(column).collect();
         let slope_aim =
             columns.iter().map(|c| if c.component == Component::Depth { DEPTH_GAIN * c.aim } else { c.aim });
@@ -222,7 +269,7 @@ impl Split {
 /// The kernels by interpolation, and the shortest length over which their parts vary.
 fn interpolated(
     columns: &[Column],
-    spectrum: &Spectrum,
+    (spectrum, slow): (&Spectrum, bool),
     beyond: &Beyond,
     rounded: &[f64],
     depth: f64,
@@ -234,7 +281,7 @@ fn interpolated(
     let plan = Plan {
         reach,
         is_local,
-        width: if window.is_finite() { (WIDTH.0 * depth).min(WIDTH.1 * window) } else { reach },
+        width: if window.is_finite() || reach > depth { (WIDTH.0 * depth).min(WIDTH.1 * window) } else { reach },
         local: if window.is_finite() { singular.iter().map(Singular::gone).fold(0.0, f64::max) } else { 0.0 },
         kernels: columns
             .iter()
@@ -244,20 +291,30 @@ fn interpolated(
     };
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small positive count
     let nodes = (5.0 - aim.log10()).clamp(6.0, MOST_NODES as f64) as usize;
-    let mut bessel = vec![0.0; spectrum.terms()];
+    let digits = beyond.digits(columns);
+    let waves = slow.then(|| Waves::new(columns, spectrum));
+    let mut bessel = vec![0.0; if slow { 0 } else { spectrum.terms() }];
+    let mut sums = vec![0.0; columns.len()];
     let mut integrals = vec![Complex64::default(); beyond.terms()];
     let mut transforms = vec![Complex64::default(); columns.len()];
     let pieces = Pieces::new(&plan, nodes, |t, out| {
         transforms.fill(Complex64::default());
-        spectrum.add(t, &mut bessel, &mut transforms);
-        beyond.add(t, &mut integrals, &mut transforms);
-        for (((out, transform), column), singular) in out.iter_mut().zip(&transforms).zip(columns).zip(&singular) {
+        sums.fill(0.0);
+        match &waves {
+            Some(waves) => waves.add(t, &mut sums),
+            None => spectrum.add(t, &mut bessel, &mut transforms),
+        }
+        beyond.add((t, digits), &mut integrals, &mut transforms);
+        let each = out.iter_mut().zip(&transforms).zip(&sums).zip(columns).zip(&singular);
+        for ((((out, transform), sum), column), singular) in each {
             let value = if column.component.is_odd() { transform.im + FRAC_PI_2 * column.pole } else { transform.re };
             let (sign, log) = singular.at(t);
-            *out = [value - sign - t.ln() * log, sign, log];
+            *out = [sum + value - sign - t.ln() * log, sign, log];
         }
     });
-    (pieces, depth.min(window))
+    // What the depth sends back is singular at twice its distance, windows before that.
+    let nearest = if window.is_finite() || reach <= depth { depth } else { ECHO * depth };
+    (pieces, nearest.min(window))
 }
 
 /// See [`crate::link`].

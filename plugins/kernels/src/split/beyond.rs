@@ -32,6 +32,9 @@ pub(super) const CHECKS: usize = 2;
 /// more. This times it over the depth is three times as much.
 const SAFETY: f64 = 1.5;
 
+/// Part of the error that the transforms of the series may take: too little to be counted.
+const TRANSFORMED: f64 = 1e-3;
+
 /// Decay of the base's remainder from one check to the other.
 const E_SQUARED: f64 = 7.4;
 
@@ -158,9 +161,15 @@ impl Beyond {
         self.scaled[column].iter().map(|term| term.abs()).sum()
     }
 
-    /// Adds the transforms at `t > 0` to `out`; `scratch` holds [`Self::terms`] numbers.
-    pub(super) fn add(&self, t: f64, scratch: &mut [Complex64], out: &mut [Complex64]) {
-        exponential_integral::sequence(self.cutoff * t, scratch);
+    /// How many digits of the transforms matter.
+    pub(super) fn digits(&self, columns: &[Column]) -> f64 {
+        let digits = |(i, column): (usize, &Column)| (self.size(i) / (TRANSFORMED * column.aim)).log10();
+        columns.iter().enumerate().map(digits).fold(0.0, f64::max)
+    }
+
+    /// Adds the transforms at `t > 0` to so many digits to `out`; `scratch` holds [`Self::terms`] numbers.
+    pub(super) fn add(&self, (t, digits): (f64, f64), scratch: &mut [Complex64], out: &mut [Complex64]) {
+        exponential_integral::sequence(self.cutoff * t, digits, scratch);
         for (out, scaled) in out.iter_mut().zip(&self.scaled) {
             *out += scaled.iter().zip(scratch.iter()).map(|(c, e)| e * c).sum::<Complex64>();
         }

@@ -16,6 +16,8 @@ pub(super) struct Column {
     pub(super) aim: f64,
     /// `c`.
     pub(super) pole: f64,
+    /// Relative error that the flexibility was allowed.
+    pub(super) roughness: f64,
     beta: f64,
 }
 
@@ -41,7 +43,12 @@ impl Column {
             series.resize(series.len().max(1), 0.0);
             series[0] -= pole;
         }
-        Self { component, series, aim, pole, beta: response.elastic().beta() }
+        Self { component, series, aim, pole, roughness: 0.0, beta: response.elastic().beta() }
+    }
+
+    /// The same of a flexibility that may err by as much, relatively.
+    pub(super) fn roughened(self, roughness: f64) -> Self {
+        Self { roughness, ..self }
     }
 
     /// `W(s)`, `s > 0`.
@@ -51,6 +58,16 @@ impl Column {
             Component::ShearStrain => f.uu - 1.0 - if self.pole == 0.0 { 0.0 } else { self.pole / s },
             Component::Coupling => f.uv + self.beta,
             Component::Depth => f.vv / s,
+        }
+    }
+
+    /// What a relative error of the flexibility is multiplied by in `W(s)`.
+    pub(super) fn exposed(&self, s: f64, f: &SurfaceFlexibility) -> f64 {
+        match self.component {
+            Component::NormalSlope => f.vv.abs(),
+            Component::ShearStrain => f.uu.abs(),
+            Component::Coupling => (f.vv * f.uu).abs().sqrt(),
+            Component::Depth => (f.vv / s).abs(),
         }
     }
 

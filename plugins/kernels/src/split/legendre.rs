@@ -21,17 +21,29 @@ pub(super) struct Panel {
 /// Rounding of `s F`, of order one, in a Legendre coefficient: it is counted with the rounding of the whole.
 const NOISE: f64 = 16.0 * f64::EPSILON;
 
+/// The flexibility's error is counted twice: as it is, and for what it hides of a panel's last coefficients.
+const TWICE: f64 = 2.0;
+
 /// Coefficients below this that no longer fall are noise that the flexibility brings: no panel resolves it.
 pub(super) const LARGEST_NOISE: f64 = 1e-9;
 
-/// One panel; what it leaves unresolved, the factor by which its coefficients fall, and `int |W|`, and whether what is
+/// One panel; what it leaves unresolved, the factor by which its coefficients fall, its size, and whether what is
 /// left is noise, per kernel.
 pub(super) struct Sampled {
     pub(super) panel: Panel,
     pub(super) error: Vec<f64>,
     pub(super) ratio: Vec<f64>,
-    pub(super) size: Vec<f64>,
+    pub(super) size: Vec<Size>,
     pub(super) noisy: Vec<bool>,
+}
+
+/// What an integral is measured by.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Size {
+    /// `int |W| ds`.
+    pub(super) whole: f64,
+    /// What the flexibility's error may make of it.
+    pub(super) roughened: f64,
 }
 
 /// An end of a panel, and the flexibility `at` it: at the origin a little beside it, where the depth is defined too.
@@ -122,7 +134,8 @@ impl Legendre {
         response.surface_into(&s, &mut f)?;
         let some = || Vec::with_capacity(columns.len());
         let panel = Panel { middle, half, waves: vec![], nodes: s, weighted: vec![] };
-        let mut sampled = Sampled { panel, error: some(), ratio: some(), size: some(), noisy: vec![] };
+        let mut sampled =
+            Sampled { panel, error: some(), ratio: some(), size: Vec::with_capacity(columns.len()), noisy: vec![] };
         let waves = self.waves(half * reach);
         let ends = [lower, upper].map(|end| (end, values((end.at - middle) / half, self.nodes.len())));
         for column in columns {
@@ -134,16 +147,24 @@ impl Legendre {
             };
             let weighted: Vec<f64> = sampled.panel.nodes.iter().zip(&f).zip(&self.weights).map(weigh).collect();
             let mut coefficients = self.coefficients(&weighted);
+            // What the flexibility's error may make of the integral over [-1, 1].
+            let mut rough = 0.0;
+            if column.roughness > 0.0 {
+                let nodes = sampled.panel.nodes.iter().zip(&f).zip(&self.weights);
+                let exposed: f64 = nodes.map(|((s, f), weight)| weight * column.exposed(*s, f)).sum();
+                rough = column.roughness * exposed;
+            }
             // The second evaluation: at the ends, where an unresolved P_n is largest.
             let seen = ends.iter().fold(0.0_f64, |most, (end, p)| {
                 let sum: f64 = coefficients.iter().zip(p).map(|(c, p)| c * p).sum();
                 most.max((sum - column.weight(end.at, &end.flexibility)).abs())
             });
-            let (error, ratio, noisy) = unresolved(&coefficients, seen, &waves, lower.s == 0.0, summed);
+            let noise = NOISE.max(0.5 * rough);
+            let (error, ratio, noisy) = unresolved(&coefficients, (seen, noise), &waves, lower.s == 0.0, summed);
             sampled.error.push(2.0 * half * error);
             sampled.ratio.push(ratio);
             sampled.noisy.push(noisy);
-            sampled.size.push(half * size);
+            sampled.size.push(Size { whole: half * size, roughened: TWICE * half * rough });
             for (l, c) in coefficients.iter_mut().enumerate() {
                 *c *= if l % 4 < 2 { 2.0 * half } else { -2.0 * half };
             }
@@ -159,12 +180,18 @@ impl Legendre {
 /// lower ones (`P_(2n-l)` looks like `P_l` on the nodes). `summed` at the nodes, not by orders of the wave, it is also
 /// `P_(n+j)` in the wave that is taken for `P_(n-j)`.
 ///
-/// `seen` is the error of the interpolant seen at the ends. Also returns the factor from one coefficient to the next, and
-/// whether they have ended in noise.
-fn unresolved(coefficients: &[f64], seen: f64, waves: &[f64], at_origin: bool, summed: bool) -> (f64, f64, bool) {
+/// `seen` is the error of the interpolant seen at the ends, and the `noise` in the values is counted elsewhere. Also
+/// returns the factor from one coefficient to the next, and whether they have ended in noise.
+fn unresolved(
+    coefficients: &[f64],
+    (seen, noise): (f64, f64),
+    waves: &[f64],
+    at_origin: bool,
+    summed: bool,
+) -> (f64, f64, bool) {
     let n = coefficients.len();
     let most = |range: std::ops::Range<usize>| coefficients[range].iter().fold(0.0_f64, |most, c| most.max(c.abs()));
-    let last = (most(n - 3..n).max(seen) - NOISE).max(0.0);
+    let last = (most(n - 3..n).max(seen) - noise).max(0.0);
     let earlier = most(n / 2 - 2..n / 2 + 1).max(f64::MIN_POSITIVE);
     let noisy = last > 0.3 * earlier && last < LARGEST_NOISE;
     if noisy {
@@ -181,7 +208,7 @@ fn unresolved(coefficients: &[f64], seen: f64, waves: &[f64], at_origin: bool, s
     } else {
         // A fast decay may hide a slow one, which shows last.
         let (lately, before) = (most(n - 4..n), most(3 * n / 4 - 4..3 * n / 4).max(f64::MIN_POSITIVE));
-        let local = if lately > NOISE { (lately / before).powf(1.0 / (n - 3 * n / 4) as f64) } else { 0.0 };
+        let local = if lately > noise { (lately / before).powf(1.0 / (n - 3 * n / 4) as f64) } else { 0.0 };
         ((last / earlier).powf(2.0 / n as f64).max(overall).max(local).powf(CAUTION.1), last)
     };
     let ratio = ratio.clamp(0.05, SLOWEST);

@@ -5,7 +5,7 @@ use super::column::Column;
 use super::piece::LARGEST_LOG;
 use super::pieces::{Kernel, Pieces};
 use super::polynomial;
-use super::singular::signed_taylor;
+use super::singular::{Singular, signed_taylor};
 use super::spectrum::Spectrum;
 use slipzone_api::elementary::EULER_GAMMA;
 use std::f64::consts::FRAC_PI_2;
@@ -17,16 +17,17 @@ const MOST_POWERS: usize = 2 * polynomial::MOST;
 const SHARE: f64 = 0.03;
 
 /// The powers cancel like `exp(S t)`: their rounding, of order one, may be this part of the aim.
-const ROUNDING_SHARE: f64 = 0.1;
+const ROUNDING_SHARE: f64 = 0.2;
 
 /// Rounding of one coefficient over the sizes of what it is summed from.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// Whether the series serve: they keep the digits, and jump and logarithm stay of the order of the kernel.
+/// Whether the series serve: they keep the digits, and jump and logarithm do not outgrow the kernel.
 pub(super) fn serve(columns: &[Column], cut: Cut, depth: f64, reach: f64) -> bool {
     let phase = cut.cutoff * reach;
     let serves = |column: &Column| {
-        phase.exp() * f64::EPSILON <= ROUNDING_SHARE * column.aim && column.is_moderate(cut.terms, reach)
+        phase.exp() * f64::EPSILON <= ROUNDING_SHARE * column.aim
+            && (column.is_moderate(cut.terms, reach) || Singular::is_tame(column, cut.terms, reach))
     };
     reach <= depth && columns.iter().all(serves)
 }

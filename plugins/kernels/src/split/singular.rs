@@ -20,6 +20,8 @@ pub(super) struct Singular {
     narrowness: f64,
 }
 
+/// How much larger than the kernel's order of magnitude jump and logarithm may be on short reaches.
+const TAME: f64 = 20.0;
 /// Widest window, over the depth: the smooth part then varies no faster than the layer makes it.
 const WIDEST: f64 = 0.8;
 /// The window narrows by this factor until the parts are small enough.
@@ -39,7 +41,9 @@ impl Singular {
         let taylor = signed_taylor(column, &column.series, DEGREE + digits);
         let allowed = MODERATE * taylor[0].abs().max(1.0);
         let open = Self::windowed(column, &taylor, 0.0);
-        if reach <= depth && open.stays_below(allowed, reach) {
+        // What does not grow needs no window, unless the kernel is to end as it does far away.
+        let is_constant = taylor[1..].iter().all(|c| *c == 0.0);
+        if (reach <= depth || is_constant && reach <= 1.0) && open.stays_below(allowed, reach) {
             return open;
         }
         let mut t0 = WIDEST * depth;
@@ -52,6 +56,13 @@ impl Singular {
             singular = Self::windowed(column, &taylor, 1.0 / (t0 * t0));
         }
         singular
+    }
+
+    /// Whether the parts of the first `terms` of a series, as they are, do not outgrow the kernel on `[0, reach]` by more than
+    /// what a smooth rest undoes without loss.
+    pub(super) fn is_tame(column: &Column, terms: usize, reach: f64) -> bool {
+        let taylor = signed_taylor(column, column.used(terms), terms);
+        Self::windowed(column, &taylor, 0.0).stays_below(TAME * taylor[0].abs().max(1.0), reach)
     }
 
     fn windowed(column: &Column, taylor: &[f64], narrowness: f64) -> Self {

@@ -1,7 +1,7 @@
 //! The integral over `[0, S]`: Legendre series of what stands before the wave, panel by panel.
 
 use super::column::Column;
-use super::legendre::{End, LARGEST_NOISE, Legendre, Panel, Sampled};
+use super::legendre::{End, LARGEST_NOISE, Legendre, Panel, Sampled, Size};
 use super::spherical_bessel;
 use num_complex::Complex64;
 use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
@@ -18,8 +18,8 @@ pub(super) struct Spectrum {
     pub(super) error: Vec<f64>,
     /// What of it is the flexibility's own noise.
     pub(super) noise: Vec<f64>,
-    /// `int_0^S |W| ds`, per kernel.
-    pub(super) size: Vec<f64>,
+    /// Per kernel.
+    pub(super) size: Vec<Size>,
     /// Wave numbers asked for, the failed panels' included.
     pub(super) evaluations: usize,
 }
@@ -91,7 +91,7 @@ impl Spectrum {
             panels: Vec::new(),
             error: vec![0.0; columns.len()],
             noise: vec![0.0; columns.len()],
-            size: vec![0.0; columns.len()],
+            size: vec![Size::default(); columns.len()],
             evaluations: 1,
         };
         let aim = columns.iter().map(|column| column.aim).fold(f64::INFINITY, f64::min);
@@ -130,7 +130,8 @@ impl Spectrum {
                     *sum += error;
                 }
                 for (sum, size) in spectrum.size.iter_mut().zip(size) {
-                    *sum += size;
+                    sum.whole += size.whole;
+                    sum.roughened += size.roughened;
                 }
                 continue;
             }
@@ -172,6 +173,11 @@ impl Spectrum {
             }
         }
         std::iter::repeat_with(move || next_moment(&mut terms))
+    }
+
+    /// The panels, in no order.
+    pub(super) fn panels(&self) -> &[Panel] {
+        &self.panels
     }
 
     /// Longest series of a panel.

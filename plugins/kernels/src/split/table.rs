@@ -131,7 +131,8 @@ impl Table {
 
     /// The piece that holds the first distance, and how many distances from there on it holds; `None` is what lies
     /// beyond all pieces.
-    fn run(&self, distances: &[f64]) -> (Option<usize>, usize) {
+    #[inline(always)]
+    fn run<S: Simd>(&self, simd: S, distances: &[f64]) -> (Option<usize>, usize) {
         if self.ends.len() == 1 && self.far == f64::INFINITY {
             return (Some(0), distances.len());
         }
@@ -144,8 +145,7 @@ impl Table {
             let lower = if piece == 0 { -1.0 } else { self.ends[piece - 1] };
             (Some(piece), (lower, if last { self.far } else { self.ends[piece] }))
         };
-        let outside = |t: &f64| t.abs() <= range.0 || t.abs() > range.1;
-        (piece, distances.iter().position(outside).unwrap_or(distances.len()).max(1))
+        (piece, lanes::within(simd, distances, range).max(1))
     }
 
     /// Writes the parts; returns whether any has a logarithm.
@@ -154,7 +154,7 @@ impl Table {
         let odd = kernel.component.is_odd();
         let mut has_log = false;
         while !t.is_empty() {
-            let (piece, count) = self.run(t);
+            let (piece, count) = self.run(simd, t);
             let (here, later) = t.split_at(count);
             let [a, b, c] = out;
             let ((a, a_later), (b, b_later), (c, c_later)) =

@@ -19,6 +19,23 @@ pub(super) struct Piece<'a> {
     pub(super) odd: [bool; 3],
 }
 
+/// How many distances lie within a range before the first that does not: its lower end belongs to what is outside.
+#[inline(always)]
+pub(super) fn within<S: Simd>(simd: S, t: &[f64], (lower, upper): (f64, f64)) -> usize {
+    let (vectors, rest) = S::as_simd_f64s(t);
+    let (low, high) = (simd.splat_f64s(lower), simd.splat_f64s(upper));
+    for (i, t) in vectors.iter().enumerate() {
+        let size = simd.abs_f64s(*t);
+        let outside = simd.or_m64s(simd.less_than_or_equal_f64s(size, low), simd.less_than_f64s(high, size));
+        let first = simd.first_true_m64s(outside);
+        if first < S::F64_LANES {
+            return i * S::F64_LANES + first;
+        }
+    }
+    let outside = |t: &f64| t.abs() <= lower || t.abs() > upper;
+    vectors.len() * S::F64_LANES + rest.iter().position(outside).unwrap_or(rest.len())
+}
+
 /// Writes the parts at all distances, which are within the piece.
 #[inline(always)]
 pub(super) fn parts_into<S: Simd>(simd: S, piece: Piece, t: &[f64], out: [&mut [f64]; 3]) {
@@ -94,6 +111,31 @@ fn block<S: Simd, const N: usize>(simd: S, piece: &Piece, t: &[S::f64s; N], out:
 mod tests {
     use super::*;
     use pulp::{Arch, Scalar, WithSimd};
+
+    struct Within<'a>(&'a [f64], (f64, f64));
+
+    impl WithSimd for Within<'_> {
+        type Output = usize;
+
+        #[inline(always)]
+        fn with_simd<S: Simd>(self, simd: S) -> usize {
+            within(simd, self.0, self.1)
+        }
+    }
+
+    #[test]
+    fn a_run_ends_at_the_first_distance_outside() {
+        for count in 0..30 {
+            for end in 0..=count {
+                for outside in [1.0, -0.5, 2.5, -3.0] {
+                    let t: Vec<f64> = (0..count).map(|i| if i < end { [2.0, -1.5][i % 2] } else { outside }).collect();
+                    let found =
+                        [Arch::new().dispatch(Within(&t, (1.0, 2.0))), Within(&t, (1.0, 2.0)).with_simd(Scalar::new())];
+                    assert_eq!(found, [end; 2], "{count} distances");
+                }
+            }
+        }
+    }
 
     struct Write<'a>(Piece<'a>, &'a [f64]);
 

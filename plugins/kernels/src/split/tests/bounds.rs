@@ -187,3 +187,29 @@ proptest! {
         }
     }
 }
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// The same where a coarse table is made of a flexibility that is no better than it must be, before a fine one or after.
+    #[test]
+    fn bounds_hold_of_rough_flexibilities(
+        slope in 0.05_f64..3.0,
+        nu in -0.99_f64..0.5,
+        reach in (-2.0_f64..0.7).prop_map(|e| 10.0_f64.powf(e)),
+        accuracy in (-9.5_f64..-4.0).prop_map(|e| 10.0_f64.powf(e)),
+        coarse_first in any::<bool>(),
+    ) {
+        let response = layer(Quadratic(slope), nu);
+        let first = table(&*response, reach, &ALL, if coarse_first { accuracy } else { 1e-12 });
+        let second = table(&*response, reach, &ALL, if coarse_first { 1e-12 } else { accuracy });
+        let (coarse, fine) = if coarse_first { (first, second) } else { (second, first) };
+        let allowed = bound(&*coarse) + bound(&*fine);
+        prop_assert!(bound(&*coarse) <= accuracy, "{:e} for {accuracy:e}", bound(&*coarse));
+        let t = distances(reach);
+        for component in ALL {
+            let error = distance(component, reach, &values(&*coarse, component, &t), &values(&*fine, component, &t));
+            prop_assert!(error <= allowed, "{component:?}: {error:e} above {allowed:e}");
+        }
+    }
+}
