@@ -281,7 +281,7 @@ impl Ladder {
         self.make(problem, methods, (index, quadrature_level))?;
         let task = Self::task(problem, tolerance, kernel_level);
         let (before, here) = self.stages.split_at_mut(index);
-        let family = before.last_mut().and_then(|stage| stage.growing.as_mut()?.family.as_mut());
+        let family = before.last().and_then(|stage| stage.growing.as_ref()?.family.as_ref());
         here[0].solve(layer, task, coarse, family)
     }
 
