@@ -116,6 +116,13 @@ impl Growing {
         Ok(Outcome::new(numbers, rubbing, Some(size), pressure.map(|p| p / mean), lost))
     }
 
+    /// Whether it knows the flat punches that a contact of about that half-width is a stack of.
+    pub(crate) fn serves(&self, task: Task, half_width: f64) -> bool {
+        let rubs = task.problem.friction.is_some();
+        let serves = |family: &Family| family.serves(task, rubs, half_width);
+        self.is_solver && self.broken.is_none() && self.family.as_ref().is_some_and(serves)
+    }
+
     /// Makes a family and a stack that reach to a half-width.
     fn provide(
         &mut self,
