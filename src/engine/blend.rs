@@ -22,6 +22,11 @@ const MOST_TERMS: usize = 3;
 /// to 26 times.
 const BESIDE: [f64; 2] = [0.3, 0.02];
 
+/// So many half-widths are told side by side.
+pub(crate) const LANES: usize = 16;
+/// One number for each of them.
+pub(crate) type Lanes = [f64; LANES];
+
 /// Half-widths at which functions are known, and how they are told in between.
 #[derive(Clone, Debug)]
 pub(crate) struct Blend {
@@ -40,7 +45,7 @@ impl Blend {
     pub(crate) fn new((narrowest, widest): (f64, f64), n: usize, terms: &[Term]) -> Result<Self, Refusal> {
         let n = n.min(MOST);
         let functions = Functions::new(if narrowest > 0.0 { &[] } else { terms }, n);
-        let at = if narrowest > 0.0 { Points::new(n).at } else { places(n) };
+        let at = if narrowest > 0.0 { Points::get(n).at.clone() } else { places(n) };
         let mut system = Dense::new(n, n);
         system.solve(|rows, columns| {
             for (row, s) in rows.chunks_exact_mut(n).zip(&at) {
@@ -71,21 +76,50 @@ impl Blend {
         &self.half_widths
     }
 
-    /// How much of the value at each point there is in the value at a half-width.
-    pub(crate) fn shares_into(&self, half_width: f64, shares: &mut Vec<f64>) {
+    /// How many functions tell what is between.
+    pub(crate) fn functions(&self) -> usize {
+        self.half_widths.len()
+    }
+
+    /// How much there is of each function, for `width` things whose values at the points are the rows of a table.
+    pub(crate) fn coefficients(&self, rows: &[f64], width: usize) -> Vec<f64> {
         let n = self.half_widths.len();
-        shares.clear();
-        shares.resize(n, 0.0);
-        let mut factors = [0.0; MOST];
-        let s = (half_width - self.narrowest) / (self.widest - self.narrowest);
-        self.functions.values_into(s, &mut factors[..n]);
-        add_rows(&factors[..n], &self.inverse, shares);
+        assert_eq!(rows.len(), n * width, "one row for each point");
+        let mut coefficients = vec![0.0; n * width];
+        for (inverse, to) in self.inverse.chunks_exact(n).zip(coefficients.chunks_exact_mut(width)) {
+            add_rows(inverse, rows, to);
+        }
+        coefficients
+    }
+
+    /// The functions at some half-widths, one after another.
+    pub(crate) fn functions_into(&self, half_widths: &Lanes, out: &mut Vec<Lanes>) {
+        out.clear();
+        out.resize(self.half_widths.len(), [0.0; LANES]);
+        let per_width = 1.0 / (self.widest - self.narrowest);
+        let s = half_widths.map(|half_width| (half_width - self.narrowest) * per_width);
+        self.functions.lanes_into(&s, out);
+    }
+
+    /// The functions at a half-width.
+    pub(crate) fn functions_at(&self, half_width: f64, out: &mut Vec<f64>) {
+        out.clear();
+        out.resize(self.half_widths.len(), 0.0);
+        self.functions.values_into((half_width - self.narrowest) / (self.widest - self.narrowest), out);
+    }
+
+    /// One thing at a half-width, of which there is so much of each function.
+    pub(crate) fn sum(&self, half_width: f64, coefficients: &[f64]) -> f64 {
+        let mut values = [0.0; MOST];
+        let values = &mut values[..coefficients.len()];
+        self.functions.values_into((half_width - self.narrowest) / (self.widest - self.narrowest), values);
+        values.iter().zip(coefficients).map(|(value, coefficient)| value * coefficient).sum()
     }
 }
 
 /// Points on `(0, 1)` that tell logarithms at 0 from polynomials, descending.
 fn places(n: usize) -> Vec<f64> {
-    let mut at = Points::new(n - BESIDE.len()).at;
+    let mut at = Points::get(n - BESIDE.len()).at.clone();
     let first = at[at.len() - 1];
     at.extend(BESIDE.map(|share| share * first));
     at
@@ -163,6 +197,12 @@ impl Functions {
         Self { terms: terms.iter().copied().collect(), told, mixed }
     }
 
+    /// All values at some points.
+    fn lanes_into(&self, s: &Lanes, out: &mut [Lanes]) {
+        let logs = if self.terms.is_empty() { [0.0; LANES] } else { s.map(|s| if s > 0.0 { s.ln() } else { 0.0 }) };
+        Arch::new().dispatch(InLanes { functions: self, s, logs: &logs, out });
+    }
+
     /// All values at a point.
     fn values_into(&self, s: f64, out: &mut [f64]) {
         let (mixtures, polynomials) = out.split_at_mut(self.terms.len());
@@ -181,6 +221,65 @@ impl Functions {
         let left: ArrayVec<f64, MOST_TERMS> = left.collect();
         for (value, row) in mixtures.iter_mut().zip(self.mixed.chunks_exact(left.len().max(1))) {
             *value = row.iter().zip(&left).map(|(mixed, left)| mixed * left).sum();
+        }
+    }
+}
+
+struct InLanes<'a> {
+    functions: &'a Functions,
+    s: &'a Lanes,
+    /// The logarithms.
+    logs: &'a Lanes,
+    out: &'a mut [Lanes],
+}
+
+impl WithSimd for InLanes<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self { functions: Functions { terms, told, mixed }, s, logs, out } = self;
+        let (mixtures, polynomials) = out.split_at_mut(terms.len());
+        polynomials_in_lanes(simd, s, polynomials);
+        let mut left = [[0.0; LANES]; MOST_TERMS];
+        for ((left, (p, q)), told) in left.iter_mut().zip(terms).zip(told.chunks_exact(polynomials.len())) {
+            for ((left, s), log) in left.iter_mut().zip(s).zip(logs) {
+                *left = (0..*p).fold(log.powi(*q), |term, _| term * s);
+            }
+            let left = S::as_mut_simd_f64s(left).0;
+            for (told, value) in told.iter().zip(&*polynomials) {
+                let less = simd.splat_f64s(-told);
+                for (left, value) in left.iter_mut().zip(S::as_simd_f64s(value).0) {
+                    *left = simd.mul_add_e_f64s(less, *value, *left);
+                }
+            }
+        }
+        for (value, row) in mixtures.iter_mut().zip(mixed.chunks_exact(terms.len().max(1))) {
+            let value = S::as_mut_simd_f64s(value).0;
+            for (mixed, left) in row.iter().zip(&left) {
+                let mixed = simd.splat_f64s(*mixed);
+                for (value, left) in value.iter_mut().zip(S::as_simd_f64s(left).0) {
+                    *value = simd.mul_add_e_f64s(mixed, *left, *value);
+                }
+            }
+        }
+    }
+}
+
+/// Chebyshev polynomials on `[0, 1]`, at least one of them, one after another.
+#[inline(always)]
+pub(crate) fn polynomials_in_lanes<S: Simd>(simd: S, s: &Lanes, out: &mut [Lanes]) {
+    let [first, rest @ ..] = out else { return };
+    *first = [1.0; LANES];
+    let Some(second) = rest.first_mut() else { return };
+    *second = s.map(|s| 2.0 * s - 1.0);
+    let twice = second.map(|x| 2.0 * x);
+    let twice = S::as_simd_f64s(&twice).0;
+    for m in 2..out.len() {
+        let (before, here) = out.split_at_mut(m);
+        let (two, one) = (S::as_simd_f64s(&before[m - 2]).0, S::as_simd_f64s(&before[m - 1]).0);
+        for (i, value) in S::as_mut_simd_f64s(&mut here[0]).0.iter_mut().enumerate() {
+            *value = simd.sub_f64s(simd.mul_f64s(twice[i], one[i]), two[i]);
         }
     }
 }
@@ -220,13 +319,17 @@ mod tests {
     fn error(f: impl Fn(f64) -> f64, count: usize, terms: &[Term], places: &[f64]) -> f64 {
         let blend = Blend::new((0.0, 3.0), count, terms).unwrap();
         let values: Vec<f64> = blend.half_widths().iter().map(|b| f(*b)).collect();
-        let mut shares = Vec::new();
-        let at = |b: &f64| {
-            blend.shares_into(*b, &mut shares);
-            let blended: f64 = shares.iter().zip(&values).map(|(share, value)| share * value).sum();
-            (blended - f(*b)).abs()
+        let coefficients = blend.coefficients(&values, 1);
+        let at = |b: &f64| (blend.sum(*b, &coefficients) - f(*b)).abs();
+        let side_by_side = |places: &[f64]| {
+            let mut lanes = [1.0; LANES];
+            lanes[..places.len()].copy_from_slice(places);
+            let mut functions = Vec::new();
+            blend.functions_into(&lanes, &mut functions);
+            let blended = |i: usize| functions.iter().zip(&coefficients).map(|(f, c)| f[i] * c).sum::<f64>();
+            (0..places.len()).map(|i| (blended(i) - f(places[i])).abs()).fold(0.0, f64::max)
         };
-        places.iter().map(at).fold(0.0, f64::max)
+        places.iter().map(at).fold(side_by_side(places), f64::max)
     }
 
     #[test]
@@ -268,7 +371,7 @@ mod tests {
         // By Gauss's rule, which takes coefficients about 2 n for them: 8 log(2 n)/(2 n)^3 and less.
         let n = 4096;
         let alias = 8.0 * 8192.0_f64.ln() / 8192.0_f64.powi(3);
-        let points = Points::new(n).at;
+        let points = Points::get(n).at.clone();
         for (p, q) in [(1, 1), (1, 2), (2, 1), (2, 2), (3, 1)] {
             for (k, told) in coefficients((p, q), 12).into_iter().enumerate() {
                 let term = |s: &f64| {

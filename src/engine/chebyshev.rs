@@ -2,33 +2,51 @@
 //!
 //! L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013), chapters 3 to 5 and 8.
 
+use super::blend::add_rows;
+use super::shelf::Shelf;
 use std::f64::consts::FRAC_PI_2;
+use std::sync::{Arc, OnceLock};
+
+static POINTS: Shelf<Points> = Shelf::new();
 
 /// Chebyshev points of the first kind on `(0, 1)`, descending.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct Points {
     pub(crate) at: Vec<f64>,
+    /// `coefficients[k * n + m]`: how much of the polynomial `m` a value at the point `k` is; made when first asked for.
+    coefficients: OnceLock<Vec<f64>>,
 }
 
 impl Points {
     /// So many points.
-    pub(crate) fn new(count: usize) -> Self {
-        let angle = |k: usize| (2 * k + 1) as f64 * FRAC_PI_2 / count as f64;
-        // (1 + cos)/2, without cancellation near 0.
-        let at = (0..count).map(|k| (0.5 * angle(k)).cos().powi(2)).collect();
-        Self { at }
+    pub(crate) fn get(count: usize) -> Arc<Self> {
+        POINTS.get(count, |count| {
+            let angle = |k: usize| (2 * k + 1) as f64 * FRAC_PI_2 / count as f64;
+            // (1 + cos)/2, without cancellation near 0.
+            let at = (0..count).map(|k| (0.5 * angle(k)).cos().powi(2)).collect();
+            Self { at, coefficients: OnceLock::new() }
+        })
     }
 
     /// The polynomial through values at the points.
     pub(crate) fn through(&self, values: &[f64]) -> Series {
+        let mut series = vec![0.0; self.at.len()];
+        self.through_into(values, &mut series);
+        Series(series)
+    }
+
+    /// Writes the coefficients of the polynomial through values at the points.
+    pub(crate) fn through_into(&self, values: &[f64], coefficients: &mut [f64]) {
         let n = self.at.len();
-        assert_eq!(values.len(), n, "one value per point");
-        let coefficient = |m: usize| {
-            let angle = |k: usize| ((2 * k + 1) * m % (4 * n)) as f64 * FRAC_PI_2 / n as f64;
-            let sum: f64 = values.iter().enumerate().map(|(k, value)| value * angle(k).cos()).sum();
-            sum * if m == 0 { 1.0 } else { 2.0 } / n as f64
-        };
-        Series((0..n).map(coefficient).collect())
+        assert_eq!((values.len(), coefficients.len()), (n, n), "one value and one coefficient per point");
+        let of_points = self.coefficients.get_or_init(|| {
+            let cosines: Vec<f64> = (0..4 * n).map(|j| (j as f64 * FRAC_PI_2 / n as f64).cos()).collect();
+            let share =
+                |k: usize, m: usize| cosines[(2 * k + 1) * m % (4 * n)] * if m == 0 { 1.0 } else { 2.0 } / n as f64;
+            (0..n).flat_map(|k| (0..n).map(move |m| (k, m))).map(|(k, m)| share(k, m)).collect()
+        });
+        coefficients.fill(0.0);
+        add_rows(values, of_points, coefficients);
     }
 }
 
@@ -64,7 +82,7 @@ mod tests {
 
     #[test]
     fn a_smooth_function_and_its_slope_come_back() {
-        let points = Points::new(18);
+        let points = Points::get(18);
         let f = |s: f64| (2.0 * s).exp() / (1.0 + s);
         let values: Vec<f64> = points.at.iter().map(|s| f(*s)).collect();
         let series = points.through(&values);

@@ -2,15 +2,21 @@
 //!
 //! All that a flat punch answers varies smoothly with its half-width; it is solved at a few and told in between.
 
-use super::blend::{Blend, Term, add_rows};
+mod rubbed;
+
+use super::blend::{Blend, LANES, Lanes, Term, add_rows};
 use super::budget::Meter;
+use super::chebyshev::Points;
 use super::dense::Dense;
 use super::layer::{Layer, Wanted};
 use super::problem::Problem;
+use super::sheet::{self, Sheet};
+use super::stack::Slice;
 use super::stage::{Outcome, Rubbing, Stage, Task, Verdict};
 use super::stick_search::Root;
 use super::stick_zone::StickZone;
 use super::work::Work;
+use rubbed::{Approach, Found, Member, Moves, Rubbed};
 use slipzone_api::{Component, Density, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station};
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -27,8 +33,15 @@ pub(super) const OF_PRESSURE: &[Term] = &[(2, 1), (3, 1)];
 pub(super) const OF_SHEAR: &[Term] = &[(1, 1), (2, 1), (2, 2)];
 /// Doubt of a slope that a coarser resolution tells; see [`super::root::Near`].
 const SLOPE_DOUBT: f64 = 0.005;
+/// A stick zone farther from the one expected is not near.
+const NEAR: f64 = 0.3;
 /// Error of the members' stick zones over the tolerance.
 const REFINED: f64 = 0.1;
+/// Places at which the pressure is told: at least, and more per unknown. A Chebyshev series takes half as many again as a sum of
+/// sinc functions on the same stretch.
+const PLACES: (f64, f64) = (8.0, 1.5);
+/// Places at which a member's pressure is looked at.
+const LOOKED_AT: usize = 16;
 /// Of so many points one is checked against the conditions of friction.
 const CHECKED: usize = 4;
 
@@ -40,9 +53,11 @@ pub(crate) struct Family {
     accuracy: f64,
     /// For what the pressure tells, and for what the shear tells.
     blend: Blend,
-    of_shear: Blend,
+    of_shear: Arc<Blend>,
     /// Pressures, times the half-width.
     pressure: Table,
+    /// The same times `sqrt(1 - (x/b')^2)` at any place; made when first asked for.
+    pressure_at: Option<Sheet>,
     /// Odd densities `W` with `int W(r)/(x - r) dr/pi + ... = -1`: a punch of slope `g'` carries `int W g' dx/A0`.
     tilt: Table,
     /// Depth, `ln(b')/pi` added.
@@ -57,30 +72,7 @@ pub(crate) struct Family {
     meter: Arc<Meter>,
 }
 
-/// The stick zones of a family.
-struct Rubbed {
-    /// `ln(a/(b' - a))`, and the slope of the friction coefficient over it.
-    lambda: Vec<f64>,
-    slope: Vec<f64>,
-    /// `+1` where the slip is inward, `-1` where it is outward.
-    branch: f64,
-    /// Shear in the stick zone, times the half-width; its value at the end is the last number.
-    shear: Table,
-    /// Whether the conditions of friction were found to hold.
-    checked: bool,
-}
-
-impl Rubbed {
-    /// The stick zone to be expected next, from the last two.
-    fn continued(&self, half_widths: &[f64], b: f64) -> Option<Rubbing> {
-        let ([.., b2, b1], [.., l2, l1]) = (half_widths, self.lambda.as_slice()) else { return None };
-        let lambda = l1 + (l1 - l2) / (b1 - b2) * (b - b1);
-        let root = Root { lambda, branch: self.branch, slope: *self.slope.last()?, doubt: f64::INFINITY };
-        Some(Rubbing::expected(root, b, true))
-    }
-}
-
-/// A few numbers at each point of a family.
+/// A few numbers at each point of a family, and then as many for each function of the half-width.
 #[derive(Default)]
 struct Table {
     width: usize,
@@ -94,21 +86,26 @@ impl Table {
         self.width = self.numbers.len() - before;
     }
 
+    /// From what there is at each point to what there is of each function.
+    fn blended(self, blend: &Blend) -> Self {
+        Self { numbers: blend.coefficients(&self.numbers, self.width), ..self }
+    }
+
     /// The row between the points.
-    fn blend_into(&self, shares: &[f64], out: &mut Vec<f64>) {
+    fn blend_into(&self, functions: &[f64], out: &mut Vec<f64>) {
         out.clear();
         out.resize(self.width, 0.0);
-        add_rows(shares, &self.numbers, out);
+        add_rows(functions, &self.numbers, out);
     }
 }
 
 /// Room for one member.
 #[derive(Default)]
 struct Room {
-    shares: Vec<f64>,
-    pressure: Vec<f64>,
-    tilt: Vec<f64>,
-    shear: Vec<f64>,
+    functions: Vec<f64>,
+    density: Vec<f64>,
+    side_by_side: Vec<Lanes>,
+    polynomials: Vec<Lanes>,
 }
 
 /// A flat punch of that half-width.
@@ -146,7 +143,7 @@ impl Family {
         quadrature: &dyn Quadrature,
         (contact, widest): (f64, f64),
         friction: bool,
-        mut coarse: Option<&mut Family>,
+        coarse: Option<&Family>,
     ) -> Result<Self, Unfit> {
         let flat = member(task.problem, widest, friction);
         let rule = quadrature.rule(&Span::symmetric(1.0, Parity::Odd, Edge::Sharp))?;
@@ -162,8 +159,9 @@ impl Family {
             is_deep: task.problem.wants_depth(),
             accuracy: task.wanted.accuracy,
             blend: Blend::new((face, widest), count, OF_PRESSURE)?,
-            of_shear: Blend::new((face, widest), count, OF_SHEAR)?,
+            of_shear: Arc::new(Blend::new((face, widest), count, OF_SHEAR)?),
             pressure: Table::default(),
+            pressure_at: None,
             tilt: Table::default(),
             depth: Vec::new(),
             rubbed: None,
@@ -174,7 +172,7 @@ impl Family {
             meter: Arc::clone(layer.meter()),
         };
         // Finer grids of the stick zone where one member needs them.
-        while !family.solve(layer, task, contact, coarse.as_deref_mut())? {}
+        while !family.solve(layer, task, contact, coarse)? {}
         Ok(family)
     }
 
@@ -194,70 +192,47 @@ impl Family {
 
     /// Solves all members. Returns false where one of them needed a finer grid than the others: between different grids
     /// nothing can be interpolated.
-    fn solve(
-        &mut self,
-        layer: &mut Layer,
-        task: Task,
-        contact: f64,
-        mut coarse: Option<&mut Family>,
-    ) -> Result<bool, Unfit> {
+    fn solve(&mut self, layer: &mut Layer, task: Task, contact: f64, coarse: Option<&Family>) -> Result<bool, Unfit> {
         self.pressure = Table::default();
         self.tilt = Table::default();
         self.depth.clear();
         let half_widths = self.blend.half_widths().to_vec();
-        let mut before: Option<Rubbing> = None;
+        let mut before: Option<Root> = None;
         if self.friction.is_some() && coarse.as_ref().is_none_or(|coarse| coarse.rubbed.is_none()) {
             // The contact itself, by a search of its own: the others follow.
             let flat = member(task.problem, contact, true);
             let outcome = self.stage.solve(layer, Task { problem: &flat, ..task }, None, None)?;
             let found = outcome.rubbing.as_ref().expect("a stick zone, or why there is none");
-            if found.reported().is_none() {
+            before = found.reported();
+            if before.is_none() {
                 return Err(Unfit::Friction(contact, Box::new(found.clone())));
             }
-            before = outcome.rubbing;
         }
         // What a coarser resolution found to hold is not checked again; without one, nothing is known well enough.
-        let (is_first, known) = (coarse.is_none(), coarse.as_ref().is_some_and(|coarse| coarse.is_checked()));
-        let count = half_widths.len();
-        let mut rubbed = Rubbed {
-            lambda: Vec::with_capacity(count),
-            slope: Vec::with_capacity(count),
-            branch: 1.0,
-            shear: Table::default(),
-            checked: !is_first,
-        };
+        let (is_first, known) = (coarse.is_none(), coarse.is_some_and(Family::is_checked));
+        let mut found = Found::new(coarse.and_then(Family::moves), !is_first);
+        // By how much the last stick zone is wider than a coarser resolution told.
+        let mut wider = 0.0;
         for (k, b) in half_widths.iter().copied().enumerate() {
             let flat = member(task.problem, b, self.friction.is_some());
             let task = Task { problem: &flat, ..task };
-            let asked = !is_first && !known && k % CHECKED == 0;
-            let start = match coarse.as_mut().and_then(|coarse| coarse.rubbing_at(b, !asked)) {
-                Some(predicted) => Some(predicted),
-                None => rubbed.continued(&half_widths[..k], b).or(before.take()),
-            };
-            let root = if self.friction.is_some() {
-                match self.solve_member(layer, task, b, start, asked)? {
-                    Ok((root, checked)) => {
-                        rubbed.checked &= checked || !asked;
-                        Some(root)
-                    }
-                    Err(found) => return Err(Unfit::Friction(b, found)),
-                }
-            } else {
+            if self.friction.is_none() {
                 self.stage.press(layer, task, b)?;
-                None
-            };
-            let normal = &self.stage.normal;
-            self.pressure.push(normal.unknowns().iter().map(|p| p * b));
-            self.tilted(layer, b)?;
-            let depth = self.stage.normal.depth(layer, &flat);
-            self.depth.push(depth.map_or(0.0, |depth| depth / flat.elastic.a0() + b.ln() / PI));
-            let Some(root) = root else { continue };
-            if k == 0 {
-                rubbed.branch = root.branch;
-            } else if rubbed.branch.to_bits() != root.branch.to_bits() {
-                let turned = "the direction of slip turns while the contact grows".into();
-                return Err(Unfit::Friction(b, Box::new(Rubbing::expected(root, b, false).failing(turned))));
+                self.keep_pressure(layer, &flat, b)?;
+                continue;
             }
+            let asked = !is_first && !known && k % CHECKED == 0;
+            let told = coarse.and_then(|coarse| coarse.root_at(b));
+            let start = match told {
+                Some(told) => Some(Root { lambda: told.lambda + wider, ..told }),
+                None => found.continued(&half_widths[..k], b).or(before.take()),
+            };
+            let (member, checked) = match self.solve_member(layer, task, b, (start, asked), &mut found)? {
+                Ok(solved) => solved,
+                Err(why) => return Err(Unfit::Friction(b, why)),
+            };
+            found.checked &= checked || !asked;
+            self.keep_pressure(layer, &flat, b)?;
             let shear = self.stage.shear.as_mut().expect("friction has shear");
             let grid = shear.grid();
             if k > 0 && grid > shear.insisted() {
@@ -265,36 +240,72 @@ impl Family {
                 return Ok(false);
             }
             shear.insist_on(grid);
-            rubbed.lambda.push(root.lambda);
-            rubbed.slope.push(root.slope);
-            rubbed.shear.push(shear.unknowns().iter().copied().chain([shear.at_edge]).map(|q| q * b));
+            let root = member.root;
+            wider = told.map_or(0.0, |told| root.lambda - told.lambda);
+            if !found.add(member) {
+                let turned = "the direction of slip turns while the contact grows".into();
+                return Err(Unfit::Friction(b, Box::new(Rubbing::expected(root, b, false).failing(turned))));
+            }
         }
-        self.rubbed = self.friction.map(|_| rubbed);
+        self.pressure = std::mem::take(&mut self.pressure).blended(&self.blend);
+        self.tilt = std::mem::take(&mut self.tilt).blended(&self.blend);
+        self.depth = self.blend.coefficients(&self.depth, 1);
+        self.rubbed = self.friction.map(|_| found.blended(&self.of_shear));
         Ok(true)
     }
 
-    /// Solves one member under friction from a guess of its stick zone, and leaves its pressure and shear in the stage: its
-    /// root, and whether the conditions of friction were found to hold; or else what is to be said of it.
+    /// Keeps what the pressure of the member solved last tells.
+    fn keep_pressure(&mut self, layer: &Layer, flat: &Problem, b: f64) -> Result<(), Refusal> {
+        self.pressure.push(self.stage.normal.unknowns().iter().map(|p| p * b));
+        self.tilted(layer, b)?;
+        let depth = self.stage.normal.depth(layer, flat);
+        self.depth.push(depth.map_or(0.0, |depth| depth / flat.elastic.a0() + b.ln() / PI));
+        Ok(())
+    }
+
+    /// Solves one member under friction from a guess of its stick zone, and leaves its pressure in the stage: what is found,
+    /// and whether the conditions of friction were found to hold where that is asked; or else what is to be said of it.
     fn solve_member(
         &mut self,
         layer: &mut Layer,
         task: Task,
         b: f64,
-        start: Option<Rubbing>,
-        asked: bool,
-    ) -> Result<Result<(Root, bool), Box<Rubbing>>, Refusal> {
-        let error = REFINED * task.tolerance;
-        if let Some(guess) = start.as_ref().and_then(Rubbing::reported).filter(|_| !asked)
-            && let Some(root) = self.stage.follow(layer, task, b, guess, error)?
+        (start, asked): (Option<Root>, bool),
+        found: &mut Found,
+    ) -> Result<Result<(Member, bool), Box<Rubbing>>, Refusal> {
+        if let Some(guess) = start.filter(|_| !asked)
+            && let Some(member) = self.approach(layer, task, b, guess, found)?
         {
-            return Ok(Ok((root, false)));
+            return Ok(Ok((member, false)));
         }
-        let start = start.map(Outcome::of_rubbing);
+        let start = start.map(|start| Outcome::of_rubbing(Rubbing::expected(start, b, !asked)));
         let outcome = self.stage.solve(layer, task, start.as_ref(), None)?;
-        let found = outcome.rubbing.expect("a stick zone, or why there is none");
-        let Some(root) = found.reported() else { return Ok(Err(Box::new(found))) };
-        let root = self.stage.follow(layer, task, b, root, error)?.unwrap_or(root);
-        Ok(Ok((root, found.is_checked())))
+        let rubbing = outcome.rubbing.expect("a stick zone, or why there is none");
+        let Some(root) = rubbing.reported() else { return Ok(Err(Box::new(rubbing))) };
+        let member = if let Some(member) = self.approach(layer, task, b, root, found)? {
+            member
+        } else {
+            self.stage.curve(layer, task).at(root.lambda)?;
+            Member { root, lack: found.lack(&self.stage, b), moves: None }
+        };
+        Ok(Ok((member, rubbing.is_checked())))
+    }
+
+    /// The stick zone of one member from near it.
+    fn approach(
+        &mut self,
+        layer: &mut Layer,
+        task: Task,
+        b: f64,
+        guess: Root,
+        found: &mut Found,
+    ) -> Result<Option<Member>, Refusal> {
+        let stage = &mut self.stage;
+        let approach = Approach { error: REFINED * task.tolerance, widest: stage.curve(layer, task).widest() };
+        found.approach(&approach, b, guess, |found, from| {
+            let next = stage.follow(layer, task, b, from, NEAR)?;
+            Ok(next.map(|next| (next, found.lack(stage, b))))
+        })
     }
 
     /// Checks the conditions of friction under some of the members up to a half-width; what the first that fails one
@@ -304,7 +315,7 @@ impl Family {
         for b in [half_width].into_iter().chain(half_widths.into_iter().filter(|b| *b < half_width).step_by(CHECKED)) {
             let flat = member(task.problem, b, true);
             let task = Task { problem: &flat, ..task };
-            let start = self.rubbing_at(b, false).map(Outcome::of_rubbing);
+            let start = self.root_at(b).map(|root| Outcome::of_rubbing(Rubbing::expected(root, b, false)));
             let mut outcome = self.stage.solve(layer, task, start.as_ref(), None)?;
             self.stage.settle(layer, task, &mut outcome)?;
             let found = outcome.rubbing.as_ref().expect("a stick zone, or why there is none");
@@ -333,11 +344,10 @@ impl Family {
     /// beginning.
     pub(crate) fn rubbing(&mut self, layer: &mut Layer, task: Task, b: f64) -> Result<Option<Rubbing>, Refusal> {
         let checked = self.is_checked();
-        let expected = self.rubbing_at(b, checked);
-        let Some(guess) = expected.as_ref().and_then(Rubbing::reported) else { return Ok(expected) };
+        let Some(guess) = self.root_at(b) else { return Ok(None) };
         let flat = member(task.problem, b, true);
         let root = self.stage.follow(layer, Task { problem: &flat, ..task }, b, guess, REFINED * task.tolerance)?;
-        Ok(root.map(|root| Rubbing::expected(root, b, checked)).or(expected))
+        Ok(Some(Rubbing::expected(root.unwrap_or(guess), b, checked)))
     }
 
     /// Work in its systems so far.
@@ -368,25 +378,19 @@ impl Family {
     }
 
     /// The stick zone to be expected under a member.
-    fn rubbing_at(&mut self, b: f64, checked: bool) -> Option<Rubbing> {
-        self.of_shear.shares_into(b, &mut self.room.shares);
-        let rubbed = self.rubbed.as_ref()?;
-        let blend = |numbers: &[f64]| self.room.shares.iter().zip(numbers).map(|(share, number)| share * number).sum();
-        let root = Root {
-            lambda: blend(&rubbed.lambda),
-            branch: rubbed.branch,
-            slope: blend(&rubbed.slope),
-            doubt: SLOPE_DOUBT,
-        };
-        Some(Rubbing::expected(root, b, checked))
+    fn root_at(&self, b: f64) -> Option<Root> {
+        Some(self.rubbed.as_ref()?.root_at(&self.of_shear, b, SLOPE_DOUBT))
+    }
+
+    /// By how much its shear is known to move with the stick zone.
+    fn moves(&self) -> Option<Arc<Moves>> {
+        self.rubbed.as_ref()?.moves.clone()
     }
 
     /// The stick zone of a member.
-    pub(crate) fn zone(&mut self, b: f64) -> StickZone {
+    pub(crate) fn zone(&self, b: f64) -> StickZone {
         let rubbed = self.rubbed.as_ref().expect("a family with friction");
-        self.of_shear.shares_into(b, &mut self.room.shares);
-        let lambda = self.room.shares.iter().zip(&rubbed.lambda).map(|(share, number)| share * number).sum();
-        StickZone::from_log(lambda, b)
+        StickZone::from_log(rubbed.lambda_at(&self.of_shear, b), b)
     }
 
     /// Friction coefficient, negative where the slip is outward.
@@ -400,27 +404,25 @@ impl Family {
     }
 
     /// Depth of a member over `A0`.
-    pub(crate) fn depth(&mut self, b: f64) -> f64 {
-        self.blend.shares_into(b, &mut self.room.shares);
-        let sum: f64 = self.room.shares.iter().zip(&self.depth).map(|(share, depth)| share * depth).sum();
-        sum - b.ln() / PI
+    pub(crate) fn depth(&self, b: f64) -> f64 {
+        self.blend.sum(b, &self.depth) - b.ln() / PI
     }
 
     /// `W` of a member at points within it.
     pub(crate) fn tilt_into(&mut self, b: f64, at: &[Station], out: &mut [f64]) {
         self.count(self.tilt.width, at.len());
-        self.blend.shares_into(b, &mut self.room.shares);
-        self.tilt.blend_into(&self.room.shares, &mut self.room.tilt);
+        self.blend.functions_at(b, &mut self.room.functions);
+        self.tilt.blend_into(&self.room.functions, &mut self.room.density);
         self.rule.stretch(b);
-        self.rule.values_into(Density { unknowns: &self.room.tilt, carrier: 0.0 }, at, out);
+        self.rule.values_into(Density { unknowns: &self.room.density, carrier: 0.0 }, at, out);
     }
 
     /// Pressure of a member at points within it.
     pub(crate) fn pressure_into(&mut self, b: f64, at: &[Station], out: &mut [f64]) {
         self.count(self.pressure.width, at.len());
-        self.blend.shares_into(b, &mut self.room.shares);
-        self.pressure.blend_into(&self.room.shares, &mut self.room.pressure);
-        self.stage.normal.values_of(b, &self.room.pressure, at, out);
+        self.blend.functions_at(b, &mut self.room.functions);
+        self.pressure.blend_into(&self.room.functions, &mut self.room.density);
+        self.stage.normal.values_of(b, &self.room.density, at, out);
         for p in out {
             *p /= b;
         }
@@ -429,7 +431,7 @@ impl Family {
     /// Takes note of a member that is blended and told at so many points.
     fn count(&self, width: usize, points: usize) {
         let members = self.blend.half_widths().len();
-        self.meter.count_multiplications(members * (members + width) + points * width);
+        self.meter.count_multiplications(members * width + points * width);
     }
 
     /// Refuses to go on where the budget is used up.
@@ -437,25 +439,93 @@ impl Family {
         self.meter.within()
     }
 
-    /// What the shear of a member lacks to that of full sliding, `eta p - q`, at a point within its stick zone.
-    pub(crate) fn lack(&mut self, b: f64, x: f64) -> f64 {
-        let members = self.of_shear.half_widths().len();
-        self.meter.count_multiplications(members * members);
-        self.of_shear.shares_into(b, &mut self.room.shares);
-        let rubbed = self.rubbed.as_ref().expect("a family with friction");
-        let blend = |numbers: &[f64]| self.room.shares.iter().zip(numbers).map(|(share, number)| share * number).sum();
-        let zone = StickZone::from_log(blend(&rubbed.lambda), b);
-        let gap = zone.half_width - x;
-        if gap <= 0.0 {
-            return 0.0;
+    /// The pressure of slices at a point.
+    pub(crate) fn stacked_pressure(&mut self, slices: &[Slice], x: f64) -> f64 {
+        self.spread_pressure();
+        let sheet = self.pressure_at.as_ref().expect("made before");
+        self.meter.count_multiplications(slices.len() * self.pressure.numbers.len());
+        let (mut places, mut factors) = ([0.0; LANES], [0.0; LANES]);
+        let mut sum = 0.0;
+        for slices in slices.chunks(LANES) {
+            factors.fill(0.0);
+            let lanes = slices.iter().zip(places.iter_mut().zip(&mut factors));
+            for (Slice { beyond, force, .. }, (place, factor)) in lanes {
+                // Of `b'`, `sqrt(1 - (x/b')^2)`.
+                let root = (beyond * (2.0 * x + beyond)).sqrt();
+                *place = sheet::place(Station { x, gap: *beyond }).min(1.0);
+                *factor = if root > 0.0 { force / root } else { 0.0 };
+            }
+            self.blend.functions_into(&half_widths(slices), &mut self.room.side_by_side);
+            let mut values = [0.0; LANES];
+            sheet.values_into(&self.room.side_by_side, &places, &mut self.room.polynomials, &mut values);
+            sum += values.iter().zip(&factors).map(|(value, factor)| value * factor).sum::<f64>();
         }
-        self.meter.count_multiplications(members * rubbed.shear.width);
-        rubbed.shear.blend_into(&self.room.shares, &mut self.room.shear);
-        let (at_edge, unknowns) = self.room.shear.split_last().expect("the shear's end");
-        let shear = self.stage.shear.as_mut().expect("friction has shear");
-        let q = shear.value_of(zone, unknowns, *at_edge, Station { x, gap }) / b;
-        let mut p = [0.0];
-        self.pressure_into(b, &[Station { x, gap: gap + zone.slip_width }], &mut p);
-        self.signed_friction() * p[0] - q
+        sum
     }
+
+    /// Whether the pressure of no member pulls anywhere, as far as a few places tell.
+    pub(crate) fn presses(&mut self) -> bool {
+        self.spread_pressure();
+        let sheet = self.pressure_at.as_ref().expect("made before");
+        self.blend.half_widths().chunks(LANES).all(|members| {
+            let mut half_widths = [members[0]; LANES];
+            half_widths[..members.len()].copy_from_slice(members);
+            self.blend.functions_into(&half_widths, &mut self.room.side_by_side);
+            (0..LOOKED_AT).all(|i| {
+                let mut values = [0.0; LANES];
+                let place = [i as f64 / LOOKED_AT as f64; LANES];
+                sheet.values_into(&self.room.side_by_side, &place, &mut self.room.polynomials, &mut values);
+                values.iter().all(|p| *p > 0.0)
+            })
+        })
+    }
+
+    /// Makes the pressures of all half-widths known at any place.
+    fn spread_pressure(&mut self) {
+        if self.pressure_at.is_some() {
+            return;
+        }
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some dozens
+        let points = Points::get((PLACES.0 + PLACES.1 * self.pressure.width as f64) as usize);
+        let stations = sheet::stations(&points);
+        let mut rows = Vec::with_capacity(self.blend.functions() * stations.len());
+        for row in self.pressure.numbers.chunks_exact(self.pressure.width) {
+            let first = rows.len();
+            rows.resize(first + stations.len(), 0.0);
+            self.stage.normal.values_of(1.0, row, &stations, &mut rows[first..]);
+            rows[first..].iter_mut().zip(&stations).for_each(|(p, at)| *p *= (at.gap * (2.0 - at.gap)).sqrt());
+        }
+        self.pressure_at = Some(Sheet::through(&points, &rows));
+    }
+
+    /// What the shear of slices lacks to that of full sliding, `eta p - q`, at a point.
+    pub(crate) fn stacked_lack(&mut self, slices: &[Slice], x: f64) -> f64 {
+        let rubbed = self.rubbed.as_ref().expect("a family with friction");
+        self.meter.count_multiplications(slices.len() * self.of_shear.functions() * rubbed.lack.width());
+        let (mut places, mut factors) = ([0.0; LANES], [0.0; LANES]);
+        let mut sum = 0.0;
+        for slices in slices.chunks(LANES) {
+            self.of_shear.functions_into(&half_widths(slices), &mut self.room.side_by_side);
+            let lambda = rubbed.lambda_in_lanes(&self.room.side_by_side);
+            factors.fill(0.0);
+            let lanes = slices.iter().zip(&lambda).zip(places.iter_mut().zip(&mut factors));
+            for ((Slice { half_width, force, .. }, lambda), (place, factor)) in lanes {
+                let gap = StickZone::from_log(*lambda, *half_width).half_width - x;
+                let at = if gap > 0.0 { sheet::place(Station { x, gap }) } else { 1.0 };
+                // Beside the stick zone nothing is lacking, and so close to its end next to nothing.
+                (*place, *factor) = if at < 1.0 { (at, force / half_width) } else { (1.0, 0.0) };
+            }
+            let mut values = [0.0; LANES];
+            rubbed.lack.values_into(&self.room.side_by_side, &places, &mut self.room.polynomials, &mut values);
+            sum += values.iter().zip(&factors).map(|(value, factor)| value * factor).sum::<f64>();
+        }
+        sum
+    }
+}
+
+/// Those of a few slices, side by side.
+fn half_widths(slices: &[Slice]) -> Lanes {
+    let mut half_widths = [slices[0].half_width; LANES];
+    half_widths.iter_mut().zip(slices).for_each(|(half_width, slice)| *half_width = slice.half_width);
+    half_widths
 }

@@ -71,7 +71,7 @@ impl Growing {
         task: Task,
         normal: &mut Normal,
         coarse: Option<&Outcome>,
-        coarse_family: Option<&mut Family>,
+        coarse_family: Option<&Family>,
     ) -> Result<Outcome, Refusal> {
         let problem = task.problem;
         let known = coarse.and_then(|coarse| coarse.size);
@@ -116,6 +116,13 @@ impl Growing {
         Ok(Outcome::new(numbers, rubbing, Some(size), pressure.map(|p| p / mean), lost))
     }
 
+    /// Whether it knows the flat punches that a contact of about that half-width is a stack of.
+    pub(crate) fn serves(&self, task: Task, half_width: f64) -> bool {
+        let rubs = task.problem.friction.is_some();
+        let serves = |family: &Family| family.serves(task, rubs, half_width);
+        self.is_solver && self.broken.is_none() && self.family.as_ref().is_some_and(serves)
+    }
+
     /// Makes a family and a stack that reach to a half-width.
     fn provide(
         &mut self,
@@ -123,7 +130,7 @@ impl Growing {
         task: Task,
         half_width: f64,
         room: f64,
-        coarse: Option<&mut Family>,
+        coarse: Option<&Family>,
     ) -> Result<(), Refusal> {
         let rubs = task.problem.friction.is_some();
         if self.family.as_ref().is_some_and(|family| family.serves(task, rubs, half_width)) {
@@ -295,6 +302,12 @@ impl Growing {
         }
         let (Some(family), Some(stack)) = (&mut self.family, &self.stack) else { unreachable!("provided before") };
         stack.pressure_into(problem, family, self.half_width, at, out);
+    }
+
+    /// Whether the pressure pulls nowhere, because none of the slices does that it is a stack of.
+    pub(crate) fn presses(&mut self, problem: &Problem) -> bool {
+        let (true, Some(family), Some(stack)) = (self.is_kinked, &mut self.family, &self.stack) else { return false };
+        stack.rises(problem, self.half_width) && family.presses()
     }
 
     /// Shear at points strictly inside the contact, where the pressures are `pressure`; `None` where there is none.

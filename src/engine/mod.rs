@@ -24,6 +24,8 @@ mod problem;
 mod quantity;
 mod refine;
 mod root;
+mod sheet;
+mod shelf;
 mod slip_grid;
 mod solution;
 mod solver;
@@ -36,6 +38,7 @@ mod stick_zone;
 mod strain;
 mod thin;
 mod verdict;
+mod ways;
 mod work;
 
 pub use crate::plan::Plan;

@@ -55,6 +55,8 @@ pub(super) struct Ladder {
     stages: Vec<Stage>,
     /// Flat punches of the layer that another punch left behind, by resolution.
     inherited: Vec<Option<Family>>,
+    /// The step that was fine enough for a contact that grew.
+    settled: Option<usize>,
 }
 
 /// How sure a solved contact is, and how that is known.
@@ -85,7 +87,8 @@ pub(super) enum How {
 impl Ladder {
     /// A ladder for another punch on a layer whose flat punches are known.
     pub(super) fn inheriting(families: Vec<Option<Family>>) -> Self {
-        Self { stages: Vec::new(), inherited: families }
+        let settled = families.len().checked_sub(1);
+        Self { stages: Vec::new(), inherited: families, settled }
     }
 
     /// The flat punches that it leaves behind.
@@ -205,7 +208,11 @@ impl Ladder {
         let (mut errors, mut stopped) = (Numbers::default(), None);
         let mut stalled = 0;
         let first = first_level(problem, tolerance);
+        let mut next = 0;
         for step in 0..=FINEST - first {
+            if step < next {
+                continue;
+            }
             let level = level(first, step);
             let coarse = last.as_ref().map(|(outcome, _)| outcome);
             let mut outcome = match self.solve(layer, problem, methods, tolerance, (step, level, level), coarse) {
@@ -222,6 +229,12 @@ impl Ladder {
                 Err(refusal) => return Err(refusal),
             };
             stopped = None;
+            if step == 0
+                && let Some(later) = self.known_from(problem, methods, tolerance, &outcome)
+            {
+                (next, last) = (later, Some((outcome, step)));
+                continue;
+            }
             history.push(outcome.seen());
             let mut done = false;
             let unseen = is_unseen(layer, &outcome, self.stages[step].unknowns());
@@ -265,8 +278,30 @@ impl Ladder {
             // Changed its mind at the last step.
             outcome.numbers.iter().for_each(|(quantity, _)| errors.set(quantity, 1.0));
         }
-        let how = How::Sequence { count: stage + 1, kernels_proven: layer.kernel_error(0.0).is_some() };
+        if problem.fixed_half_width().is_none() {
+            self.settled = Some(stage);
+        }
+        let count = stage + 1 - next.saturating_sub(1);
+        let how = How::Sequence { count, kernels_proven: layer.kernel_error(0.0).is_some() };
         Ok(Judged { outcome, stage, errors, doubt: None, how, of_model: 0.0, stopped })
+    }
+
+    /// The first of the last three steps that another contact took on this layer, where the coarsest one finds this one among
+    /// the flat punches of all of them: the estimate looks at three, and those before would cost more than they tell.
+    fn known_from(
+        &mut self,
+        problem: &Problem,
+        methods: &Methods,
+        tolerance: f64,
+        coarsest: &Outcome,
+    ) -> Option<usize> {
+        let settled = self.settled?;
+        let later = settled.checked_sub(2)?.min(BOUND_LEVEL);
+        let half_width = coarsest.numbers.get(Quantity::HalfWidth)?;
+        self.make(problem, methods, (settled, u32::try_from(settled).ok()?)).ok()?;
+        let task = Self::task(problem, tolerance, 0);
+        let serves = |stage: &Stage| stage.growing.as_ref().is_some_and(|growing| growing.serves(task, half_width));
+        (later > 1 && self.stages[1..=settled].iter().all(serves)).then_some(later)
     }
 
     /// Solves on one stage, made when first asked for.
@@ -282,7 +317,7 @@ impl Ladder {
         self.make(problem, methods, (index, quadrature_level))?;
         let task = Self::task(problem, tolerance, kernel_level);
         let (before, here) = self.stages.split_at_mut(index);
-        let family = before.last_mut().and_then(|stage| stage.growing.as_mut()?.family.as_mut());
+        let family = before.last().and_then(|stage| stage.growing.as_ref()?.family.as_ref());
         here[0].solve(layer, task, coarse, family)
     }
 

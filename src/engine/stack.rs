@@ -9,9 +9,11 @@
 use super::chebyshev::{Points, Series};
 use super::family::Family;
 use super::problem::{LoadInLayerUnits, Problem};
+use super::ways::{self, Ways};
 use basin::Toms748Root;
-use slipzone_api::double_exponential::{self, Node};
+use slipzone_api::double_exponential::Node;
 use slipzone_api::{Refusal, Station};
+use std::sync::Arc;
 
 /// Coefficients of the force over a piece: at first, and at most.
 const COEFFICIENTS: (usize, usize) = (12, 384);
@@ -25,17 +27,13 @@ const CLOSEST: f64 = 1e-290;
 /// A height below this, beside the others of a shape, is none.
 const FAINTEST: f64 = 1e-290;
 
-/// Sets of nodes for integrals over the half-width, and by how much in `ln b'` each reaches farther than the one before.
-const WAYS: (usize, f64) = (6, 1.5);
-/// Power of the variable of Gauss and Legendre that is the part of the way: square roots at its beginning become powers,
-/// and a logarithm beside one goes with the sixth.
-const GATHERED: i32 = 4;
-
 /// Error of the integrals over the slope of the shape, over that wanted of the force; the growth of nodes until it is met, and
 /// the most there may be.
 const LOST: (f64, f64, usize) = (1e-2, 1.2, 96);
 /// What rounding leaves of them.
 const ROUNDING: f64 = 1e-14;
+/// Half-widths at which the force is looked at.
+const RISING: usize = 32;
 /// Parts of a piece from which the way to its end is measured.
 const MEASURED_FROM: [f64; 2] = [0.05, 0.5];
 
@@ -45,14 +43,22 @@ pub(crate) struct Stack {
     /// Where the shape is not analytic, within the contact, both ends of it included.
     breaks: Vec<f64>,
     /// Of unit length, for integrals over the shape.
-    grid: Vec<Node>,
-    /// For integrals over the half-width: parts of the way and their weights, more of them for longer ways. Of the shear,
-    /// and of a pressure, beside which there may be a kink.
-    ways: [Vec<[f64; 2]>; WAYS.0],
-    crowded_ways: [Vec<[f64; 2]>; WAYS.0],
+    grid: Arc<Vec<Node>>,
+    /// For integrals over the half-width: of the shear, and of a pressure, beside which there may be a kink.
+    ways: Ways,
+    crowded_ways: Ways,
     /// What the integrals lose of the shape's height, or the series of its force, relative.
     lost: f64,
     room: Room,
+}
+
+/// A slice of a stack: a flat punch and the force that it bears.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slice {
+    pub(crate) half_width: f64,
+    /// By how much it is wider than the point looked at is far from the middle.
+    pub(crate) beyond: f64,
+    pub(crate) force: f64,
 }
 
 /// Room for points within a contact.
@@ -109,9 +115,9 @@ impl Stack {
         let mut stack = Self {
             pieces: Vec::new(),
             breaks,
-            grid: double_exponential::nodes(1.0, nodes),
-            ways: std::array::from_fn(|i| way(nodes * (5 + i) / 3)),
-            crowded_ways: std::array::from_fn(|i| crowded_way(nodes * (2 + i) / 2)),
+            grid: ways::grid(nodes),
+            ways: Ways::gathered(nodes),
+            crowded_ways: Ways::crowded(nodes),
             lost: 0.0,
             room: Room::default(),
         };
@@ -121,7 +127,7 @@ impl Stack {
 
     /// The largest difference of an integral over the slope from that with more nodes, over the height.
     fn measured(&self, problem: &Problem, nodes: usize) -> f64 {
-        let fine = double_exponential::nodes(1.0, nodes);
+        let fine = ways::grid(nodes);
         let height = |grid: &[Node], from: f64, to: f64| {
             let length = to - from;
             length * grid.iter().map(|x| x.weight * problem.slope(from + length * x.from_lower)).sum::<f64>()
@@ -142,7 +148,9 @@ impl Stack {
                 let x = from + part * (to - from);
                 let told = height(&fine, x, to);
                 for ways in [&self.ways, &self.crowded_ways] {
-                    differs(stacked_beyond(ways, x, (x, to), |member, _, _| problem.slope(member)), told);
+                    let mut sum = 0.0;
+                    nodes_beyond(ways, x, (x, to), |node| sum += node.weight * problem.slope(node.member));
+                    differs(sum, told);
                 }
             }
         }
@@ -158,7 +166,7 @@ impl Stack {
     fn piece(&mut self, problem: &Problem, family: &mut Family, from: f64, to: f64, digits: f64) -> (Piece, f64) {
         let mut count = COEFFICIENTS.0;
         loop {
-            let points = Points::new(count);
+            let points = Points::get(count);
             let (force, tail) = if from > 0.0 {
                 let at = |s: &f64| self.force_by_tilt(problem, family, from + (to - from) * s * s);
                 let values: Vec<f64> = points.at.iter().map(at).collect();
@@ -206,7 +214,7 @@ impl Stack {
         for ends in ends.windows(2) {
             let length = ends[1] - ends[0];
             if ends[1] >= b {
-                for node in &self.grid {
+                for node in self.grid.iter() {
                     at.push(Station { x: ends[0] + length * node.from_lower, gap: length * node.to_upper });
                     weights.push(length * node.weight);
                 }
@@ -216,7 +224,7 @@ impl Stack {
             // singularity.
             let [far, near] = [ends[0], ends[1]].map(|x| 2.0 * ((b - x) / (2.0 * b)).sqrt().asin());
             let length = far - near;
-            for node in &self.grid {
+            for node in self.grid.iter() {
                 let angle = near + length * node.from_lower;
                 let x = ends[0] + 2.0 * b * (0.5 * (angle + far)).sin() * (0.5 * length * node.to_upper).sin();
                 let gap = 2.0 * b * (0.5 * angle).sin().powi(2);
@@ -248,6 +256,13 @@ impl Stack {
         piece.force_and_rate(problem, b, b - piece.from).0
     }
 
+    /// Whether the force grows all the way to a half-width, as far as a few of them tell.
+    pub(crate) fn rises(&self, problem: &Problem, b: f64) -> bool {
+        let face = self.breaks[0];
+        let forces = (1..=RISING).map(|i| self.force(problem, face + (b - face) * i as f64 / RISING as f64));
+        forces.is_sorted()
+    }
+
     /// Depth of the punch at a half-width, by reciprocity: `P D + int p_flat g dx`.
     ///
     /// Against a datum that fails: the datum, too, moves by how the pressure is distributed. There each increment of the
@@ -256,7 +271,8 @@ impl Stack {
         let a0 = problem.elastic.a0();
         if !problem.layer.is_grounded() {
             let face = self.breaks[0];
-            return self.stacked(problem, &self.ways, 0.0, (face, b), |member, _| a0 * family.depth(member));
+            let slices = self.slices(problem, &self.ways, 0.0, (face, b));
+            return slices.iter().map(|slice| slice.force * a0 * family.depth(slice.half_width)).sum();
         }
         let lifted = self.over_contact(b, &mut |at, out| family.pressure_into(b, at, out), |x| problem.height(x));
         self.force(problem, b) * a0 * family.depth(b) + lifted
@@ -281,43 +297,38 @@ impl Stack {
         root.ok().map(|root| root.root())
     }
 
-    /// `int F(b', b' - x) dP(b')` from `from` to `b`, with `x <= from`.
-    fn stacked(
-        &self,
-        problem: &Problem,
-        ways: &[Vec<[f64; 2]>],
-        x: f64,
-        (from, b): (f64, f64),
-        mut f: impl FnMut(f64, f64) -> f64,
-    ) -> f64 {
-        let mut sum = 0.0;
+    /// What integrals over the force from `from` to `b` are summed of, seen from `x <= from`.
+    fn slices(&self, problem: &Problem, ways: &Ways, x: f64, (from, b): (f64, f64)) -> Vec<Slice> {
+        let mut slices = Vec::new();
         for piece in &self.pieces {
             let (lower, upper) = (piece.from.max(from), piece.to.min(b));
             if lower >= upper {
                 continue;
             }
             let to_piece = lower - piece.from;
-            let rate = |member: f64, beyond: f64| piece.force_and_rate(problem, member, to_piece + beyond).1;
+            // A half-width, by how much it lies beyond `x` and beyond the lower end, and its weight.
+            let mut add = |half_width: f64, beyond: f64, from_lower: f64, weight: f64| {
+                let rate = piece.force_and_rate(problem, half_width, to_piece + from_lower).1;
+                slices.push(Slice { half_width, beyond, force: weight * rate });
+            };
             if x > 0.0 {
-                sum += stacked_beyond(ways, x, (lower, upper), |member, gap, beyond| {
-                    rate(member, beyond) * f(member, gap)
-                });
+                nodes_beyond(ways, x, (lower, upper), |at| add(at.member, at.gap, at.from_lower, at.weight));
             } else if lower > 0.0 {
                 // In proportion.
                 let way = (upper / lower).ln();
-                for [part, weight] in for_length(ways, way) {
-                    let beyond = lower * (way * part).exp_m1();
-                    let member = lower + beyond;
-                    sum += way * weight * member * rate(member, beyond) * f(member, member);
+                for [part, weight] in ways.for_length(way) {
+                    let from_lower = lower * (way * part).exp_m1();
+                    let member = lower + from_lower;
+                    add(member, member, from_lower, way * weight * member);
                 }
             } else {
-                for node in &self.grid {
+                for node in self.grid.iter() {
                     let member = upper * node.from_lower;
-                    sum += upper * node.weight * rate(member, member) * f(member, member);
+                    add(member, member, member, upper * node.weight);
                 }
             }
         }
-        sum
+        slices
     }
 
     /// Pressure at points of a contact.
@@ -341,17 +352,13 @@ impl Stack {
             return f64::INFINITY;
         }
         let x = apart(x, b);
-        let mut p = [0.0];
-        self.stacked(problem, &self.crowded_ways, x, (x.max(self.breaks[0]), b), |member, gap| {
-            family.pressure_into(member, &[Station { x, gap }], &mut p);
-            p[0]
-        })
+        family.stacked_pressure(&self.slices(problem, &self.crowded_ways, x, (x.max(self.breaks[0]), b)), x)
     }
 
     /// Half-width at which the stick zone ended at a point; that of the face where it was never so narrow.
-    fn stuck_since(&self, family: &mut Family, b: f64, x: f64) -> f64 {
+    fn stuck_since(&self, family: &Family, b: f64, x: f64) -> f64 {
         let face = self.breaks[0];
-        let mut beyond = |half_width: f64| family.zone(half_width).half_width - x;
+        let beyond = |half_width: f64| family.zone(half_width).half_width - x;
         if face > 0.0 && beyond(face) >= 0.0 {
             return face;
         }
@@ -372,56 +379,38 @@ impl Stack {
     pub(crate) fn lack(&self, problem: &Problem, family: &mut Family, b: f64, x: f64) -> f64 {
         let x = apart(x.abs(), b);
         let since = self.stuck_since(family, b, x);
-        self.stacked(problem, &self.ways, x, (since, b), |member, _| family.lack(member, x))
+        family.stacked_lack(&self.slices(problem, &self.ways, x, (since, b)), x)
     }
 }
 
-/// `int F(b', b' - x, b' - lower) db'` between two half-widths beyond `x > 0`, by `t` with `b' = x cosh(t)`: what is
-/// stacked has its singularity, of the order `(b' - x)^(-1/2)`, at `t = 0`, and varies with `x/b'`.
-fn stacked_beyond(
-    ways: &[Vec<[f64; 2]>],
-    x: f64,
-    (lower, upper): (f64, f64),
-    mut f: impl FnMut(f64, f64, f64) -> f64,
-) -> f64 {
+/// A node of an integral over the half-width.
+struct Beyond {
+    member: f64,
+    /// Beyond the point looked at, and beyond the lower end.
+    gap: f64,
+    from_lower: f64,
+    weight: f64,
+}
+
+/// Nodes between two half-widths beyond `x > 0`, by `t` with `b' = x cosh(t)`: what is stacked has its singularity, of the
+/// order `(b' - x)^(-1/2)`, at `t = 0`, and varies with `x/b'`.
+fn nodes_beyond(ways: &Ways, x: f64, (lower, upper): (f64, f64), mut each: impl FnMut(Beyond)) {
     let parameter = |member: f64| 2.0 * ((member - x).max(0.0) / (2.0 * x)).sqrt().asinh();
     let (start, end) = (parameter(lower), parameter(upper));
     let parts = ((end - start) / LONGEST).ceil().max(1.0);
     let length = (end - start) / parts;
-    let mut sum = 0.0;
     let mut part = 0.0;
     while part < parts {
-        for [along, weight] in for_length(ways, length) {
+        for [along, weight] in ways.for_length(length) {
             let passed = length * (part + along);
             let t = start + passed;
-            let beyond = 2.0 * x * (start + 0.5 * passed).sinh() * (0.5 * passed).sinh();
+            let from_lower = 2.0 * x * (start + 0.5 * passed).sinh() * (0.5 * passed).sinh();
             let gap = 2.0 * x * (0.5 * t).sinh().powi(2);
-            sum += length * weight * x * t.sinh() * f(lower + beyond, gap, beyond);
+            let weight = length * weight * x * t.sinh();
+            each(Beyond { member: lower + from_lower, gap, from_lower, weight });
         }
         part += 1.0;
     }
-    sum
-}
-
-/// The nodes for a way so long.
-fn for_length(ways: &[Vec<[f64; 2]>], length: f64) -> &[[f64; 2]] {
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most WAYS.0
-    &ways[((length / WAYS.1) as usize).min(WAYS.0 - 1)]
-}
-
-/// Parts of a way and their weights (Gauss and Legendre).
-fn way(nodes: usize) -> Vec<[f64; 2]> {
-    let rule = bilby::GaussLegendre::new(nodes).expect("nodes").rule().clone();
-    let each = rule.nodes.iter().zip(&rule.weights).map(|(node, weight)| {
-        let at = 0.5 * (1.0 + node);
-        [at.powi(GATHERED), 0.5 * weight * f64::from(GATHERED) * at.powi(GATHERED - 1)]
-    });
-    each.collect()
-}
-
-/// The same where something may happen just before the way begins: a double-exponential grid tells it at any distance.
-fn crowded_way(nodes: usize) -> Vec<[f64; 2]> {
-    double_exponential::nodes(1.0, nodes).iter().map(|node| [node.from_lower, node.weight]).collect()
 }
 
 /// A point in the middle, or far enough from it to be told apart.

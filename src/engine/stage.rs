@@ -141,7 +141,7 @@ impl Stage {
         layer: &mut Layer,
         task: Task,
         coarse: Option<&Outcome>,
-        family: Option<&mut Family>,
+        family: Option<&Family>,
     ) -> Result<Outcome, Refusal> {
         let problem = task.problem;
         if let Some(growing) = self.growing.as_mut().filter(|growing| growing.is_solver) {
@@ -214,6 +214,9 @@ impl Stage {
 
     /// Where the pressure of an outcome pulls, see [`checks::tension`].
     pub(crate) fn tension(&mut self, problem: &Problem, outcome: &Outcome) -> Option<(f64, f64)> {
+        if self.growing.as_mut().is_some_and(|growing| growing.is_solver && growing.presses(problem)) {
+            return None;
+        }
         let (b, mean) = (outcome.numbers.get(Quantity::HalfWidth)?, outcome.numbers.get(Quantity::Mean)?);
         checks::tension(b, mean, |at, out| self.pressure_into(problem, at, out))
     }
@@ -236,7 +239,7 @@ impl Stage {
     }
 
     /// The curve of friction coefficients over stick zones, and room for the shear.
-    fn curve<'a>(&'a mut self, layer: &'a Layer, task: Task) -> FrictionCurve<'a> {
+    pub(crate) fn curve<'a>(&'a mut self, layer: &'a Layer, task: Task) -> FrictionCurve<'a> {
         FrictionCurve {
             layer,
             normal: &mut self.normal,

@@ -284,13 +284,6 @@ impl Shear {
         self.least = grid;
     }
 
-    /// A shear of other unknowns in another zone, on the grid insisted on, at a point within that zone.
-    pub(crate) fn value_of(&mut self, zone: StickZone, unknowns: &[f64], at_edge: f64, at: Station) -> f64 {
-        let rule = &mut self.grids[self.least].rule;
-        rule.stretch(zone.half_width);
-        rule.value(Density { unknowns, carrier: at_edge }, at)
-    }
-
     /// Shear traction at points strictly inside the contact, where the pressures are `pressure`.
     pub(crate) fn values(&self, at: &[Station], pressure: &[f64]) -> Vec<f64> {
         // The same point, its gap to the stick zone's edge.

@@ -1,0 +1,234 @@
+//! What friction makes of the flat punches of a family: their stick zones, and what their shear lacks to that of full
+//! sliding.
+
+use crate::engine::blend::{Blend, LANES, Lanes, add_rows};
+use crate::engine::chebyshev::Points;
+use crate::engine::sheet::{self, Sheet};
+use crate::engine::stage::Stage;
+use crate::engine::stick_search::Root;
+use slipzone_api::Station;
+use std::sync::Arc;
+
+/// Places at which the shear is told: at least, and more per unknown. A Chebyshev series takes half as many again as a sum of
+/// sinc functions on the same stretch.
+const PLACES: (f64, f64) = (8.0, 1.5);
+
+/// The stick zones of a family.
+pub(super) struct Rubbed {
+    /// `ln(a/(b' - a))` of each member.
+    pub(super) lambda: Vec<f64>,
+    /// How much of each function of the half-width there is in it, and in the slope of the friction coefficient over it.
+    of_lambda: Vec<f64>,
+    of_slope: Vec<f64>,
+    /// `+1` where the slip is inward, `-1` where it is outward.
+    pub(super) branch: f64,
+    /// What the shear lacks in the stick zone, times the half-width.
+    pub(super) lack: Sheet,
+    /// By how much that moves with `lambda`, here or at a coarser resolution.
+    pub(super) moves: Option<Arc<Moves>>,
+    /// Whether the conditions of friction were found to hold.
+    pub(super) checked: bool,
+}
+
+impl Rubbed {
+    /// The stick zone under a half-width.
+    pub(super) fn lambda_at(&self, blend: &Blend, half_width: f64) -> f64 {
+        blend.sum(half_width, &self.of_lambda)
+    }
+
+    /// The same, and how the friction coefficient rises there.
+    pub(super) fn root_at(&self, blend: &Blend, half_width: f64, doubt: f64) -> Root {
+        let slope = blend.sum(half_width, &self.of_slope);
+        Root { lambda: self.lambda_at(blend, half_width), branch: self.branch, slope, doubt }
+    }
+
+    /// The stick zones under half-widths side by side, from the blend's functions there.
+    pub(super) fn lambda_in_lanes(&self, functions: &[Lanes]) -> Lanes {
+        let mut lambda = [0.0; LANES];
+        for (share, function) in self.of_lambda.iter().zip(functions) {
+            lambda.iter_mut().zip(function).for_each(|(lambda, function)| *lambda += share * function);
+        }
+        lambda
+    }
+}
+
+/// By how much what the shear lacks moves with `lambda`, over the half-widths of a family.
+pub(super) struct Moves {
+    blend: Arc<Blend>,
+    /// A series over the places for each function of the half-width.
+    coefficients: Vec<f64>,
+}
+
+impl Moves {
+    /// The series at a half-width.
+    fn at(&self, half_width: f64) -> Vec<f64> {
+        let mut functions = Vec::new();
+        self.blend.functions_at(half_width, &mut functions);
+        let mut series = vec![0.0; self.coefficients.len() / functions.len()];
+        add_rows(&functions, &self.coefficients, &mut series);
+        series
+    }
+}
+
+/// A member's stick zone and shear.
+pub(super) struct Member {
+    pub(super) root: Root,
+    /// What the shear lacks, times the half-width, as a series over the places.
+    pub(super) lack: Vec<f64>,
+    /// By how much that moves with `lambda`, where that was measured.
+    pub(super) moves: Option<Vec<f64>>,
+}
+
+/// What was found of the members so far.
+pub(super) struct Found {
+    places: Option<(Arc<Points>, Vec<Station>)>,
+    lambda: Vec<f64>,
+    slope: Vec<f64>,
+    branch: f64,
+    lack: Vec<f64>,
+    moves: Vec<f64>,
+    /// What a coarser resolution knows of the moves, and how far they were found to reach here.
+    known: Option<Arc<Moves>>,
+    reach: Option<f64>,
+    pub(super) checked: bool,
+}
+
+impl Found {
+    pub(super) fn new(known: Option<Arc<Moves>>, checked: bool) -> Self {
+        let [lambda, slope, lack, moves] = [const { Vec::new() }; 4];
+        Self { places: None, lambda, slope, branch: 1.0, lack, moves, known, reach: None, checked }
+    }
+
+    /// The stick zone to be expected next, from the last two.
+    pub(super) fn continued(&self, half_widths: &[f64], b: f64) -> Option<Root> {
+        let ([.., b2, b1], [.., l2, l1]) = (half_widths, self.lambda.as_slice()) else { return None };
+        let lambda = l1 + (l1 - l2) / (b1 - b2) * (b - b1);
+        Some(Root { lambda, branch: self.branch, slope: *self.slope.last()?, doubt: f64::INFINITY })
+    }
+
+    /// Adds a member; returns false where it slips another way than those before.
+    pub(super) fn add(&mut self, member: Member) -> bool {
+        if self.lambda.is_empty() {
+            self.branch = member.root.branch;
+        }
+        self.lambda.push(member.root.lambda);
+        self.slope.push(member.root.slope);
+        self.lack.extend(member.lack);
+        self.moves.extend(member.moves.unwrap_or_default());
+        self.branch.to_bits() == member.root.branch.to_bits()
+    }
+
+    /// All members were found.
+    pub(super) fn blended(self, blend: &Arc<Blend>) -> Rubbed {
+        let width = self.lack.len() / self.lambda.len();
+        let measured = self.moves.len() == self.lack.len();
+        let moves = measured.then(|| {
+            Arc::new(Moves { blend: Arc::clone(blend), coefficients: blend.coefficients(&self.moves, width) })
+        });
+        Rubbed {
+            of_lambda: blend.coefficients(&self.lambda, 1),
+            of_slope: blend.coefficients(&self.slope, 1),
+            lambda: self.lambda,
+            branch: self.branch,
+            lack: Sheet::new(blend.coefficients(&self.lack, width), width),
+            moves: moves.or(self.known),
+            checked: self.checked,
+        }
+    }
+
+    /// What the shear solved last lacks, times the half-width, as a series over the places.
+    pub(super) fn lack(&mut self, stage: &Stage, half_width: f64) -> Vec<f64> {
+        let shear = stage.shear.as_ref().expect("friction has shear");
+        let (points, stations) = self.places.get_or_insert_with(|| {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some dozens
+            let points = Points::get((PLACES.0 + PLACES.1 * shear.unknowns().len() as f64) as usize);
+            let stations = sheet::stations(&points);
+            (points, stations)
+        });
+        let zone = shear.zone;
+        let scaled = |at: &Station| Station { x: zone.half_width * at.x, gap: zone.half_width * at.gap };
+        let mut at: Vec<Station> = stations.iter().map(scaled).collect();
+        let (mut q, mut p) = (vec![0.0; at.len()], vec![0.0; at.len()]);
+        shear.in_stick_into(&at, &mut q);
+        for at in &mut at {
+            *at = zone.in_contact(*at);
+        }
+        stage.normal.values_into(&at, &mut p);
+        p.iter_mut().zip(&q).for_each(|(p, q)| *p = half_width * (shear.friction * *p - q));
+        // What was the shear is room for the series.
+        points.through_into(&p, &mut q);
+        q
+    }
+}
+
+/// How a member is approached.
+pub(super) struct Approach {
+    /// The stick zone is wanted to within this.
+    pub(super) error: f64,
+    /// None wider can be told apart from the contact.
+    pub(super) widest: f64,
+}
+
+impl Found {
+    /// The stick zone of a member from near it, by systems that `one` solves: for the zone given it finds the next one
+    /// along the slope given. What the shear lacks is moved with the last step: it is linear in so short a one. `None`
+    /// where the guess was not near.
+    pub(super) fn approach<E>(
+        &mut self,
+        &Approach { error, widest }: &Approach,
+        half_width: f64,
+        mut from: Root,
+        mut one: impl FnMut(&mut Self, Root) -> Result<Option<(Root, Vec<f64>)>, E>,
+    ) -> Result<Option<Member>, E> {
+        const SYSTEMS: usize = 6;
+        let known = self.known.as_ref().map(|moves| moves.at(half_width));
+        let mut before: Option<(f64, f64, Vec<f64>)> = None;
+        for _ in 0..SYSTEMS {
+            if from.lambda > widest {
+                return Ok(None);
+            }
+            let Some((root, mut lack)) = one(self, from)? else { return Ok(None) };
+            let step = root.lambda - from.lambda;
+            // Differences of rounding have no slope; one of another sign is no neighbour's.
+            let measured = before.take().and_then(|(there, first, lacked)| {
+                let (moved, share) = (from.lambda - there, 1.0 - step / first);
+                (moved.abs() > f64::EPSILON.sqrt() && share > 0.0).then_some((moved, share, first, lacked))
+            });
+            let Some((moved, share, first, lacked)) = measured else {
+                if step.abs() < error {
+                    return Ok(Some(Member { root, lack, moves: None }));
+                }
+                if let (Some(known), Some(reach)) = (&known, self.reach)
+                    && step.abs() < reach
+                {
+                    lack.iter_mut().zip(known).for_each(|(lack, moves)| *lack += step * moves);
+                    return Ok(Some(Member { root, lack, moves: None }));
+                }
+                before = Some((from.lambda, step, lack));
+                from = root;
+                continue;
+            };
+            let step = step / share;
+            let next = Root { lambda: from.lambda + step, slope: from.slope * share, ..root };
+            if (first * step).abs() < error {
+                let moves: Vec<f64> = lack.iter().zip(&lacked).map(|(here, there)| (here - there) / moved).collect();
+                self.reach = known.map(|known| reach(error, &known, &moves, share));
+                lack.iter_mut().zip(&moves).for_each(|(lack, moves)| *lack += step * moves);
+                return Ok(Some(Member { root: next, lack, moves: Some(moves) }));
+            }
+            before = Some((from.lambda, step, lack));
+            from = next;
+        }
+        Ok(None)
+    }
+}
+
+/// How far a step may reach along moves that were known before: what it misses is the part of it by which they and the slope
+/// differ from those measured, and its square.
+fn reach(error: f64, known: &[f64], measured: &[f64], share: f64) -> f64 {
+    let largest = |numbers: &mut dyn Iterator<Item = f64>| numbers.fold(0.0_f64, |most, number| most.max(number.abs()));
+    let known = known.iter().copied().chain(std::iter::repeat(0.0));
+    let apart = largest(&mut known.zip(measured).map(|(known, measured)| known - measured));
+    let doubt = (apart / largest(&mut measured.iter().copied())).max((share - 1.0).abs());
+    (0.5 * error / doubt).min(error.sqrt())
+}

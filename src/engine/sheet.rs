@@ -1,0 +1,146 @@
+//! Functions of a place in a contact and of the contact's half-width.
+
+use super::blend::{LANES, Lanes, polynomials_in_lanes};
+use super::chebyshev::Points;
+use pulp::{Arch, Simd, WithSimd};
+use slipzone_api::Station;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Where places end in the variable `u` of `x = c tanh((pi/2) sinh u)`: `1.7e-12 c` is left beyond it.
+const END: f64 = 2.9;
+
+/// A function on `(0, c)` for all half-widths of a blend: a sum of products of the blend's functions and of Chebyshev
+/// polynomials in `u`, in which powers and logarithms of the distance to `c` fade double-exponentially.
+pub(super) struct Sheet {
+    /// Polynomials beside each function of the half-width.
+    width: usize,
+    coefficients: Vec<f64>,
+}
+
+impl Sheet {
+    /// From a series of so many polynomials for each of the blend's functions.
+    pub(super) fn new(coefficients: Vec<f64>, width: usize) -> Self {
+        Self { width, coefficients }
+    }
+
+    /// Through values at the [`stations`] of some points, one row for each of the blend's functions.
+    pub(super) fn through(points: &Points, rows: &[f64]) -> Self {
+        let width = points.at.len();
+        let mut coefficients = vec![0.0; rows.len()];
+        for (row, to) in rows.chunks_exact(width).zip(coefficients.chunks_exact_mut(width)) {
+            points.through_into(row, to);
+        }
+        Self { width, coefficients }
+    }
+
+    /// Polynomials beside each function of the half-width.
+    pub(super) fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Values at places, from the blend's functions at their half-widths.
+    pub(super) fn values_into(&self, functions: &[Lanes], places: &Lanes, room: &mut Vec<Lanes>, out: &mut Lanes) {
+        room.clear();
+        room.resize(self.width, [0.0; LANES]);
+        Arch::new().dispatch(Values { sheet: self, functions, places, room, out });
+    }
+}
+
+/// Where places of a contact of unit half-width are.
+pub(super) fn stations(points: &Points) -> Vec<Station> {
+    let station = |s: &f64| {
+        let w = FRAC_PI_2 * (END * s).sinh();
+        Station { x: w.tanh(), gap: 2.0 / (1.0 + (2.0 * w).exp()) }
+    };
+    points.at.iter().map(station).collect()
+}
+
+/// The place of a point in a contact; above 1 so close to its end that it is as good as there.
+pub(super) fn place(Station { x, gap }: Station) -> f64 {
+    ((2.0 * x / gap).ln_1p() / PI).asinh() / END
+}
+
+struct Values<'a> {
+    sheet: &'a Sheet,
+    functions: &'a [Lanes],
+    places: &'a Lanes,
+    room: &'a mut [Lanes],
+    out: &'a mut Lanes,
+}
+
+impl WithSimd for Values<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self { sheet, functions, places, room, out } = self;
+        polynomials_in_lanes(simd, places, room);
+        let mut sums = [0.0; LANES];
+        let (wide, single) = S::as_mut_simd_f64s(&mut sums).0.as_chunks_mut::<WIDE>();
+        for (group, sums) in wide.iter_mut().enumerate() {
+            add(simd, sheet, (functions, room), WIDE * group, sums);
+        }
+        let first = WIDE * wide.len();
+        for (i, sum) in single.as_chunks_mut::<1>().0.iter_mut().enumerate() {
+            add(simd, sheet, (functions, room), first + i, sum);
+        }
+        *out = sums;
+    }
+}
+
+/// Vectors added up side by side.
+const WIDE: usize = 4;
+
+/// Sums over all products for the vectors from a first one on.
+#[inline(always)]
+fn add<S: Simd, const N: usize>(
+    simd: S,
+    sheet: &Sheet,
+    (functions, polynomials): (&[Lanes], &[Lanes]),
+    first: usize,
+    sums: &mut [S::f64s; N],
+) {
+    for (function, row) in functions.iter().zip(sheet.coefficients.chunks_exact(sheet.width)) {
+        let mut factors = [simd.splat_f64s(0.0); N];
+        for (coefficient, polynomial) in row.iter().zip(polynomials) {
+            let coefficient = simd.splat_f64s(*coefficient);
+            let polynomial = &S::as_simd_f64s(polynomial).0[first..first + N];
+            for i in 0..N {
+                factors[i] = simd.mul_add_e_f64s(coefficient, polynomial[i], factors[i]);
+            }
+        }
+        let function = &S::as_simd_f64s(function).0[first..first + N];
+        for i in 0..N {
+            sums[i] = simd.mul_add_e_f64s(function[i], factors[i], sums[i]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::blend::Blend;
+    use super::*;
+
+    #[test]
+    fn what_is_smooth_in_both_comes_back_side_by_side() {
+        let blend = Blend::new((0.0, 3.0), 20, &[(1, 1)]).unwrap();
+        let points = Points::get(60);
+        let f = |x: f64, gap: f64, b: f64| gap.sqrt() * (1.0 + 0.3 * x * b + 0.1 * gap * gap.ln()) / (2.0 + b);
+        let rows: Vec<f64> = blend
+            .half_widths()
+            .iter()
+            .flat_map(|b| stations(&points).into_iter().map(|at| f(at.x, at.gap, *b)).collect::<Vec<_>>())
+            .collect();
+        let sheet = Sheet::through(&points, &blend.coefficients(&rows, points.at.len()));
+        let gaps: Lanes = std::array::from_fn(|i| 0.5_f64.powi(2 * i32::try_from(i).unwrap()));
+        let half_widths: Lanes = std::array::from_fn(|i| 3.0 - 0.18 * i as f64);
+        let (mut functions, mut room, mut values) = (Vec::new(), Vec::new(), [0.0; LANES]);
+        blend.functions_into(&half_widths, &mut functions);
+        let places = gaps.map(|gap| place(Station { x: 1.0 - gap, gap }));
+        sheet.values_into(&functions, &places, &mut room, &mut values);
+        for i in 0..LANES {
+            let exact = f(1.0 - gaps[i], gaps[i], half_widths[i]);
+            assert!((values[i] - exact).abs() < 1e-10, "{} for {exact} at {}", values[i], gaps[i]);
+        }
+    }
+}

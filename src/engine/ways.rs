@@ -1,0 +1,59 @@
+//! Nodes for integrals over the half-width of a growing contact.
+
+use super::shelf::Shelf;
+use slipzone_api::double_exponential::{self, Node};
+use std::sync::Arc;
+
+/// Sets of nodes, and by how much in `ln b'` each reaches farther than the one before.
+const WAYS: (usize, f64) = (6, 1.5);
+/// Power of the variable of Gauss and Legendre that is the part of the way: square roots at its beginning become powers,
+/// and a logarithm beside one goes with the sixth.
+const GATHERED: i32 = 4;
+
+static GATHERED_WAYS: Shelf<Way> = Shelf::new();
+static CROWDED_WAYS: Shelf<Way> = Shelf::new();
+static GRIDS: Shelf<Vec<Node>> = Shelf::new();
+
+/// Parts of a way, and their weights.
+type Way = Vec<[f64; 2]>;
+
+/// Nodes for ways of every length, more of them for longer ones.
+pub(super) struct Ways([Arc<Way>; WAYS.0]);
+
+impl Ways {
+    /// Where what is integrated begins like a power.
+    pub(super) fn gathered(nodes: usize) -> Self {
+        Self(std::array::from_fn(|i| GATHERED_WAYS.get(nodes * (5 + i) / 3, gathered)))
+    }
+
+    /// Where something may happen just before the way begins.
+    pub(super) fn crowded(nodes: usize) -> Self {
+        Self(std::array::from_fn(|i| CROWDED_WAYS.get(nodes * (2 + i) / 2, crowded)))
+    }
+
+    /// The nodes for a way so long.
+    pub(super) fn for_length(&self, length: f64) -> &[[f64; 2]] {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most WAYS.0
+        &self.0[((length / WAYS.1) as usize).min(WAYS.0 - 1)]
+    }
+}
+
+/// A double-exponential grid of unit length.
+pub(super) fn grid(nodes: usize) -> Arc<Vec<Node>> {
+    GRIDS.get(nodes, |nodes| double_exponential::nodes(1.0, nodes))
+}
+
+/// Gauss and Legendre.
+fn gathered(nodes: usize) -> Way {
+    let rule = bilby::GaussLegendre::new(nodes).expect("nodes").rule().clone();
+    let each = rule.nodes.iter().zip(&rule.weights).map(|(node, weight)| {
+        let at = 0.5 * (1.0 + node);
+        [at.powi(GATHERED), 0.5 * weight * f64::from(GATHERED) * at.powi(GATHERED - 1)]
+    });
+    each.collect()
+}
+
+/// A double-exponential grid: it tells what happens at any distance.
+fn crowded(nodes: usize) -> Way {
+    double_exponential::nodes(1.0, nodes).iter().map(|node| [node.from_lower, node.weight]).collect()
+}
