@@ -162,8 +162,12 @@ fn clear<S: Simd>(simd: S, rows: &mut [f64], n: usize, (first, second): (&[f64],
 fn scale<S: Simd>(simd: S, row: &mut [f64], factor: f64) {
     let (vectors, rest) = S::as_mut_simd_f64s(row);
     let wide = simd.splat_f64s(factor);
-    vectors.iter_mut().for_each(|entries| *entries = simd.mul_f64s(*entries, wide));
-    rest.iter_mut().for_each(|entry| *entry *= factor);
+    for entries in vectors {
+        *entries = simd.mul_f64s(*entries, wide);
+    }
+    for entry in rest {
+        *entry *= factor;
+    }
 }
 
 /// `row += factor other`.
@@ -174,7 +178,9 @@ fn add<S: Simd>(simd: S, row: &mut [f64], other: &[f64], factor: f64) {
     for (entries, others) in vectors.iter_mut().zip(others) {
         *entries = simd.mul_add_e_f64s(wide, *others, *entries);
     }
-    rest.iter_mut().zip(others_rest).for_each(|(entry, other)| *entry += factor * other);
+    for (entry, other) in rest.iter_mut().zip(others_rest) {
+        *entry += factor * other;
+    }
 }
 
 /// Sum of products.
