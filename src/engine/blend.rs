@@ -47,16 +47,19 @@ impl Blend {
         let functions = Functions::new(if narrowest > 0.0 { &[] } else { terms }, n);
         let at = if narrowest > 0.0 { Points::get(n).at.clone() } else { places(n) };
         let mut system = Dense::new(n, n);
+        // A row for each function: the pivots are then the points where it is largest, and few digits are lost.
+        let mut values = vec![0.0; n];
         system.solve(|rows, columns| {
-            for (row, s) in rows.chunks_exact_mut(n).zip(&at) {
-                functions.values_into(*s, row);
+            for (k, s) in at.iter().enumerate() {
+                functions.values_into(*s, &mut values);
+                rows[k..].iter_mut().step_by(n).zip(&values).for_each(|(entry, value)| *entry = *value);
             }
-            // Unit values at one point after another.
+            // One function after another.
             columns.fill(0.0);
             columns.iter_mut().step_by(n + 1).for_each(|one| *one = 1.0);
             n
         })?;
-        let inverse = (0..n * n).map(|i| system.column(i % n)[i / n]).collect();
+        let inverse = (0..n).flat_map(|m| system.column(m)).copied().collect();
         let half_widths = at.iter().map(|s| narrowest + (widest - narrowest) * s).collect();
         Ok(Self { narrowest, widest, functions, half_widths, inverse })
     }

@@ -34,8 +34,9 @@ fn distance(found: SurfaceFlexibility, expected: SurfaceFlexibility) -> f64 {
     each.into_iter().fold(0.0, |worst, error| if error.abs() <= worst { worst } else { error.abs() })
 }
 
-/// The largest difference over the wave numbers of a case, and where it is: as good as can be, or to [`ROUGH`].
-fn worst(case: &Value, is_rough: bool) -> Result<(f64, f64), String> {
+/// The largest difference over the wave numbers of a case, and where it is: as good as can be, or to [`ROUGH`]; and what
+/// the law adds to it because it is rounded at the surface.
+fn worst(case: &Value, is_rough: bool) -> Result<(f64, f64, f64), String> {
     let layer = Arc::new(scene(case)?.layer.model().map_err(|refusal| refusal.to_string())?);
     let full = Compliance {}.respond(&layer).map_err(|refusal| refusal.to_string())?;
     let rough = full.roughly(ROUGH).filter(|_| is_rough);
@@ -53,7 +54,7 @@ fn worst(case: &Value, is_rough: bool) -> Result<(f64, f64), String> {
             worst = (difference, s);
         }
     }
-    Ok(worst)
+    Ok((worst.0, worst.1, layer.law.smoothing_error()))
 }
 
 #[test]
@@ -63,9 +64,9 @@ fn every_grading_on_every_base_agrees_with_an_independent_program() {
     for case in file["cases"].as_array().expect("a list") {
         let about = case["about"].as_str().expect("a text");
         match worst(case, false) {
-            Ok((difference, s)) => {
+            Ok((difference, s, rounded)) => {
                 println!("{difference:8.1e} at s = {s:<6} {about}");
-                if difference.is_nan() || difference > PROMISED {
+                if difference.is_nan() || difference > PROMISED + rounded {
                     failed.push(format!("{about}: {difference:.1e} at s = {s}"));
                 }
             }
@@ -86,9 +87,9 @@ fn asked_for_less_it_keeps_what_was_asked_for() {
     for case in file["cases"].as_array().expect("a list") {
         let about = case["about"].as_str().expect("a text");
         // What is refused is refused above.
-        let Ok((difference, s)) = worst(case, true) else { continue };
+        let Ok((difference, s, rounded)) = worst(case, true) else { continue };
         println!("{difference:8.1e} at s = {s:<6} {about}");
-        if difference.is_nan() || difference > ROUGH {
+        if difference.is_nan() || difference > ROUGH + rounded {
             failed.push(format!("{about}: {difference:.1e} at s = {s}"));
         }
     }
