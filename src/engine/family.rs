@@ -211,8 +211,6 @@ impl Family {
         // What a coarser resolution found to hold is not checked again; without one, nothing is known well enough.
         let (is_first, known) = (coarse.is_none(), coarse.is_some_and(Family::is_checked));
         let mut found = Found::new(coarse.and_then(Family::moves), !is_first);
-        // By how much the last stick zone is wider than a coarser resolution told.
-        let mut wider = 0.0;
         for (k, b) in half_widths.iter().copied().enumerate() {
             let flat = member(task.problem, b, self.friction.is_some());
             let task = Task { problem: &flat, ..task };
@@ -223,10 +221,7 @@ impl Family {
             }
             let asked = !is_first && !known && k % CHECKED == 0;
             let told = coarse.and_then(|coarse| coarse.root_at(b));
-            let start = match told {
-                Some(told) => Some(Root { lambda: told.lambda + wider, ..told }),
-                None => found.continued(&half_widths[..k], b).or(before.take()),
-            };
+            let start = told.or_else(|| found.continued(&half_widths[..k], b)).or(before.take());
             let (member, checked) = match self.solve_member(layer, task, b, (start, asked), &mut found)? {
                 Ok(solved) => solved,
                 Err(why) => return Err(Unfit::Friction(b, why)),
@@ -241,7 +236,6 @@ impl Family {
             }
             shear.insist_on(grid);
             let root = member.root;
-            wider = told.map_or(0.0, |told| root.lambda - told.lambda);
             if !found.add(member) {
                 let turned = "the direction of slip turns while the contact grows".into();
                 return Err(Unfit::Friction(b, Box::new(Rubbing::expected(root, b, false).failing(turned))));
@@ -273,10 +267,11 @@ impl Family {
         (start, asked): (Option<Root>, bool),
         found: &mut Found,
     ) -> Result<Result<(Member, bool), Box<Rubbing>>, Refusal> {
-        if let Some(guess) = start.filter(|_| !asked)
+        if let Some(guess) = start
             && let Some(member) = self.approach(layer, task, b, guess, found)?
         {
-            return Ok(Ok((member, false)));
+            let holds = asked && self.stage.holds(layer, task, guess.lambda, member.root.lambda)?;
+            return Ok(Ok((member, holds)));
         }
         let start = start.map(|start| Outcome::of_rubbing(Rubbing::expected(start, b, !asked)));
         let outcome = self.stage.solve(layer, task, start.as_ref(), None)?;

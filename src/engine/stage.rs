@@ -323,9 +323,19 @@ impl Stage {
         *end = shear.at_edge;
         let mean = self.normal.mean();
         rubbing.shear = Some(trace.map(|q| q / mean));
-        let is_known = before.is_some_and(|before| (before - lambda).abs() < KNOWN);
-        rubbing.checked = rubbing.checked || is_known && self.violation(layer, task.problem).is_none();
+        if let Some(before) = before.filter(|_| !rubbing.checked) {
+            rubbing.checked = self.holds(layer, task, before, lambda)?;
+        }
         Ok(())
+    }
+
+    /// Whether a stick zone was nearly known before, and both conditions of friction hold in it.
+    pub(crate) fn holds(&mut self, layer: &Layer, task: Task, before: f64, lambda: f64) -> Result<bool, Refusal> {
+        if (before - lambda).abs() >= KNOWN {
+            return Ok(false);
+        }
+        self.curve(layer, task).at_or_near(lambda, KNOWN)?;
+        Ok(self.violation(layer, task.problem).is_none())
     }
 
     /// Shows the present pressure to the shear. Under a flat punch both grow with the force.

@@ -57,6 +57,8 @@ pub(super) struct Moves {
     blend: Arc<Blend>,
     /// A series over the places for each function of the half-width.
     coefficients: Vec<f64>,
+    /// By how much they and the slope differed from what a coarser resolution knew, relative.
+    doubt: f64,
 }
 
 impl Moves {
@@ -75,7 +77,7 @@ pub(super) struct Member {
     pub(super) root: Root,
     /// What the shear lacks, times the half-width, as a series over the places.
     pub(super) lack: Vec<f64>,
-    /// By how much that moves with `lambda`, where that was measured.
+    /// By how much that moves with `lambda`: measured, or known well enough before.
     pub(super) moves: Option<Vec<f64>>,
 }
 
@@ -87,16 +89,17 @@ pub(super) struct Found {
     branch: f64,
     lack: Vec<f64>,
     moves: Vec<f64>,
-    /// What a coarser resolution knows of the moves, and how far they were found to reach here.
+    /// What a coarser resolution knows of the moves, and by how much those measured last differ from it, relative.
     known: Option<Arc<Moves>>,
-    reach: Option<f64>,
+    doubt: f64,
     pub(super) checked: bool,
 }
 
 impl Found {
     pub(super) fn new(known: Option<Arc<Moves>>, checked: bool) -> Self {
         let [lambda, slope, lack, moves] = [const { Vec::new() }; 4];
-        Self { places: None, lambda, slope, branch: 1.0, lack, moves, known, reach: None, checked }
+        let doubt = known.as_ref().map_or(f64::INFINITY, |known| known.doubt);
+        Self { places: None, lambda, slope, branch: 1.0, lack, moves, known, doubt, checked }
     }
 
     /// The stick zone to be expected next, from the last two.
@@ -121,9 +124,13 @@ impl Found {
     /// All members were found.
     pub(super) fn blended(self, blend: &Arc<Blend>) -> Rubbed {
         let width = self.lack.len() / self.lambda.len();
-        let measured = self.moves.len() == self.lack.len();
-        let moves = measured.then(|| {
-            Arc::new(Moves { blend: Arc::clone(blend), coefficients: blend.coefficients(&self.moves, width) })
+        let is_known = self.moves.len() == self.lack.len();
+        let moves = is_known.then(|| {
+            Arc::new(Moves {
+                blend: Arc::clone(blend),
+                coefficients: blend.coefficients(&self.moves, width),
+                doubt: self.doubt,
+            })
         });
         Rubbed {
             of_lambda: blend.coefficients(&self.lambda, 1),
@@ -181,7 +188,7 @@ impl Found {
         mut one: impl FnMut(&mut Self, Root) -> Result<Option<(Root, Vec<f64>)>, E>,
     ) -> Result<Option<Member>, E> {
         const SYSTEMS: usize = 6;
-        let known = self.known.as_ref().map(|moves| moves.at(half_width));
+        let mut known = self.known.as_ref().map(|moves| moves.at(half_width));
         let mut before: Option<(f64, f64, Vec<f64>)> = None;
         for _ in 0..SYSTEMS {
             if from.lambda > widest {
@@ -195,14 +202,14 @@ impl Found {
                 (moved.abs() > f64::EPSILON.sqrt() && share > 0.0).then_some((moved, share, first, lacked))
             });
             let Some((moved, share, first, lacked)) = measured else {
-                if step.abs() < error {
-                    return Ok(Some(Member { root, lack, moves: None }));
-                }
-                if let (Some(known), Some(reach)) = (&known, self.reach)
-                    && step.abs() < reach
-                {
-                    lack.iter_mut().zip(known).for_each(|(lack, moves)| *lack += step * moves);
-                    return Ok(Some(Member { root, lack, moves: None }));
+                // What known moves miss: the part by which they and the slope differ from those here, and the square.
+                let missed = if known.is_some() { step * (self.doubt + step.abs()) } else { f64::INFINITY };
+                if step.abs() < error || missed.abs() < 0.5 * error {
+                    if let Some(known) = &mut known {
+                        known.resize(lack.len(), 0.0);
+                        lack.iter_mut().zip(known).for_each(|(lack, moves)| *lack += step * *moves);
+                    }
+                    return Ok(Some(Member { root, lack, moves: known }));
                 }
                 before = Some((from.lambda, step, lack));
                 from = root;
@@ -212,7 +219,9 @@ impl Found {
             let next = Root { lambda: from.lambda + step, slope: from.slope * share, ..root };
             if (first * step).abs() < error {
                 let moves: Vec<f64> = lack.iter().zip(&lacked).map(|(here, there)| (here - there) / moved).collect();
-                self.reach = known.map(|known| reach(error, &known, &moves, share));
+                if let Some(known) = &known {
+                    self.doubt = doubt(known, &moves, share);
+                }
                 lack.iter_mut().zip(&moves).for_each(|(lack, moves)| *lack += step * moves);
                 return Ok(Some(Member { root: next, lack, moves: Some(moves) }));
             }
@@ -223,12 +232,10 @@ impl Found {
     }
 }
 
-/// How far a step may reach along moves that were known before: what it misses is the part of it by which they and the slope
-/// differ from those measured, and its square.
-fn reach(error: f64, known: &[f64], measured: &[f64], share: f64) -> f64 {
+/// By how much moves that were known before differ from those measured, and the slope, relative.
+fn doubt(known: &[f64], measured: &[f64], share: f64) -> f64 {
     let largest = |numbers: &mut dyn Iterator<Item = f64>| numbers.fold(0.0_f64, |most, number| most.max(number.abs()));
     let known = known.iter().copied().chain(std::iter::repeat(0.0));
     let apart = largest(&mut known.zip(measured).map(|(known, measured)| known - measured));
-    let doubt = (apart / largest(&mut measured.iter().copied())).max((share - 1.0).abs());
-    (0.5 * error / doubt).min(error.sqrt())
+    (apart / largest(&mut measured.iter().copied())).max((share - 1.0).abs())
 }
