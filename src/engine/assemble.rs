@@ -131,10 +131,10 @@ fn of_pressure(
             format!("the punch's heights scatter by {noise:.1e} (root mean square) around the smooth shape taken");
         solution.assumptions.push(rest);
     }
-    let rounded = problem.layer.law.smoothing_error();
+    let rounded = problem.smoothing_errors(numbers).worst().map_or(0.0, |(_, error)| error);
     if rounded > 0.0 {
         let why = format!(
-            "the grading is rounded at the surface, where it has too few derivatives: {rounded:.0e} of each error"
+            "the grading is rounded at the surface, where it has too few derivatives: up to {rounded:.0e} of the errors"
         );
         solution.assumptions.push(why);
     }

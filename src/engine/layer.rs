@@ -24,8 +24,6 @@ pub struct Layer {
     /// The same with depths counted from a datum, where they have no meaning otherwise and one is named.
     against_datum: Option<Box<dyn LayerResponse>>,
     is_grounded: bool,
-    /// Relative error of all numbers because its law is smoother than what it stands for.
-    smoothing_error: f64,
     strategy: Box<dyn KernelStrategy>,
     tables: Option<Tables>,
     flexibility_evaluations: usize,
@@ -85,7 +83,6 @@ impl Layer {
             against_datum: if is_grounded { None } else { response.against_datum() },
             is_grounded,
             response,
-            smoothing_error: problem.layer.law.smoothing_error(),
             strategy: methods.kernel.clone(),
             tables: None,
             flexibility_evaluations: 0,
@@ -110,11 +107,6 @@ impl Layer {
     /// The same, known to be but a model of what is described.
     pub(super) fn known_as_model(self) -> Self {
         Self { is_model: true, ..self }
-    }
-
-    /// Relative error of all numbers because its law is smoother than what it stands for.
-    pub(super) fn smoothing_error(&self) -> f64 {
-        self.smoothing_error
     }
 
     /// Whether it is but a model.

@@ -1,9 +1,13 @@
 //! A scene in the layer's own units: lengths in the thickness, stresses in the surface modulus.
 
-use super::quantity::{Quantity, Wishes, friction_needed};
+use super::quantity::{Numbers, Quantity, Wishes, friction_needed};
 use crate::scene::{Load, Scene};
 use slipzone_api::{Base, Elastic, Friction, FrozenStrain, LayerModel, PunchShape, Refusal};
 use std::sync::Arc;
+
+/// What a law smoothed at the surface changes of a stick zone over what it changes of the pressure: the zone follows from how
+/// shear and pressure are coupled, which is less than either.
+const COUPLED: f64 = 4.0;
 
 /// What the engine solves.
 pub(crate) struct Problem {
@@ -107,6 +111,26 @@ impl Problem {
     /// Whether the shape is not analytic all over the contact.
     pub(crate) fn is_kinked(&self) -> bool {
         self.shape.face() > 0.0 || !self.shape.kinks().is_empty()
+    }
+
+    /// Relative errors of numbers because the layer's law is smoother than what it stands for: the narrower the contact, or its
+    /// zones of stick and slip, the larger.
+    pub(crate) fn smoothing_errors(&self, numbers: &Numbers) -> Numbers {
+        let half_width = numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
+        let ratio = numbers.get(Quantity::StickRatio).unwrap_or(0.0);
+        let narrowest = ratio.min(1.0 - ratio);
+        let of_pressure = self.layer.law.smoothing_error(half_width);
+        let of_zone = COUPLED * narrowest * self.layer.law.smoothing_error(half_width * narrowest);
+        let mut errors = Numbers::default();
+        for (quantity, _) in numbers.iter() {
+            let error = match quantity {
+                Quantity::OneMinusRatio => of_zone / (1.0 - ratio),
+                quantity if quantity.is_of_shear() => of_zone / ratio,
+                _ => of_pressure,
+            };
+            errors.set(quantity, if error.is_nan() { of_pressure } else { error });
+        }
+        errors
     }
 
     /// Half-width of the face that touches before there is any load, in layer units.

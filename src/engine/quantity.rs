@@ -135,6 +135,13 @@ impl Numbers {
         Self(self.0.map(|number| number.map(|number| number + share)))
     }
 
+    /// Each of those that there are, and what `more` has for it.
+    pub(crate) fn and(self, more: &Self) -> Self {
+        let mut sums = self;
+        self.iter().for_each(|(quantity, number)| sums.set(quantity, number + more.get(quantity).unwrap_or(0.0)));
+        sums
+    }
+
     /// The largest relative change from others to these.
     pub(crate) fn change_from(&self, others: &Self) -> f64 {
         let change = |(quantity, value): (Quantity, f64)| Some((others.get(quantity)? / value - 1.0).abs());

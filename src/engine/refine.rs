@@ -144,7 +144,7 @@ impl Ladder {
         for (quantity, error) in errors.iter().filter(|(quantity, _)| quantity.is_of_shear()) {
             judged.errors.set(quantity, error.max(CLAIMED_OF_SHEAR * tolerance));
         }
-        judged.errors = judged.errors.plus(beside_differences(layer, &judged.outcome, tolerance));
+        judged.errors = with_the_rest(problem, layer, &judged.outcome, tolerance, judged.errors);
         // A bound does not change with the resolution, or does by chance: differences say nothing of its error.
         if let Some(bound) = bound_of_stick(&judged.outcome) {
             bound.iter().for_each(|(quantity, error)| judged.errors.set(quantity, error));
@@ -242,11 +242,15 @@ impl Ladder {
                 let before = judged(problem, &errors).map_or(f64::INFINITY, |(_, error)| error);
                 errors = estimate;
                 let now = judged(problem, &errors).map_or(0.0, |(_, error)| error);
-                let met = now + beside_differences(layer, &outcome, tolerance) <= tolerance || now <= 2.0 * ROUNDING;
+                let all = with_the_rest(problem, layer, &outcome, tolerance, errors);
+                let met = judged(problem, &all).is_none_or(|(_, error)| error <= tolerance) || now <= 2.0 * ROUNDING;
                 stalled = if now < ROUNDED && now > 0.5 * before { stalled + 1 } else { 0 };
                 // What a stack loses at any resolution, and a law that was smoothed.
-                let lost = outcome.lost.unwrap_or(0.0).max(layer.smoothing_error());
-                let is_vain = lost > tolerance && now <= lost;
+                let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));
+                let is_small =
+                    |(quantity, error): (Quantity, f64)| error <= lost.get(quantity).unwrap_or(0.0).max(tolerance);
+                let is_vain = judged(problem, &lost).is_some_and(|(_, lost)| lost > tolerance)
+                    && errors.judged_by(problem.wishes).iter().all(is_small);
                 done = met || is_vain || stalled >= STALLED;
             }
             done = done || self.is_hopeless(problem, step, first, &outcome) || self.is_broken(step, first, &errors);
@@ -394,14 +398,15 @@ fn level(first: usize, step: usize) -> u32 {
     (first + step) as u32
 }
 
-/// Error that differences between resolutions do not see: what the kernels prove of theirs, what a contact misses of its
-/// load, what a smoothed law makes, and what a stack leaves out at all of them, which follows the tolerance.
-fn beside_differences(layer: &Layer, outcome: &Outcome, tolerance: f64) -> f64 {
+/// Errors, and those that differences between resolutions do not see: what the kernels prove of theirs, what a contact misses of
+/// its load, what a smoothed law makes, and what a stack leaves out at all of them, which follows the tolerance.
+fn with_the_rest(problem: &Problem, layer: &Layer, outcome: &Outcome, tolerance: f64, errors: Numbers) -> Numbers {
     let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
     let missed = outcome.size.map_or(0.0, |size| size.missed);
     let left_out = outcome.lost.map_or(0.0, |lost| lost.max(STACKED * tolerance));
     let missed = if missed > ROUNDING { missed } else { 0.0 };
-    layer.kernel_error(half_width).unwrap_or(0.0) + missed + left_out + layer.smoothing_error()
+    let of_kernels = layer.kernel_error(half_width).unwrap_or(0.0);
+    errors.plus(of_kernels + missed + left_out).and(&problem.smoothing_errors(&outcome.numbers))
 }
 
 /// Whether so few unknowns stand too far apart to see the layer.

@@ -38,7 +38,7 @@ impl Departure {
                 layer.substrate().map_or(1.0, |below| (below.elastic.a0() / below.shear / layer.elastic.a0()).max(1.0))
             }
         };
-        Self { base, gradient: gradient(layer, least), smoothing: layer.law.smoothing_error() }
+        Self { base, gradient: gradient(layer, least), smoothing: layer.law.smoothing_error(0.0) }
     }
 }
 

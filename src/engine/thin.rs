@@ -103,7 +103,7 @@ pub(super) fn solve(problem: &Problem, response: &dyn LayerResponse) -> Option<(
     let power = 1.0 + b * problem.slope(b) / height(b);
     let second = SECOND_ORDER * power * power * (layer.shift.powi(2) + layer.bend.abs() + 0.1) / (b * b);
     let numerical = layer.errors.0 + power * layer.errors.1 / b + (force(wide, &coarse) / p - 1.0).abs();
-    let error = second + numerical + problem.layer.law.smoothing_error();
+    let error = second + numerical + problem.layer.law.smoothing_error(b);
     let mut errors = Numbers::default();
     let given: Vec<Quantity> = problem.given().collect();
     for (quantity, value) in numbers.iter() {

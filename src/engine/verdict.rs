@@ -32,7 +32,11 @@ fn objection(problem: &Problem, stage: &mut Stage, judged: &Judged, tolerance: f
     let inexact = || {
         let why = if error < ROUNDED {
             "; double precision allows no more"
-        } else if problem.layer.law.smoothing_error() > 0.5 * tolerance {
+        } else if problem
+            .smoothing_errors(&judged.outcome.numbers)
+            .get(worst)
+            .is_some_and(|error| error > 0.5 * tolerance)
+        {
             "; the grading, rounded at the surface, allows no more"
         } else {
             ""

@@ -74,8 +74,10 @@ pub trait ModulusLaw: Debug + Send + Sync {
         None
     }
 
-    /// Relative error of a contact's numbers because the law is not quite what it stands for: smoother at the surface.
-    fn smoothing_error(&self) -> f64 {
+    /// Relative error of a contact's numbers because the law is not quite what it stands for: smoother at the surface. `width`
+    /// is the shortest length that matters to them, over the thickness: of the contact, of its stick or slip zone.
+    fn smoothing_error(&self, width: f64) -> f64 {
+        let _ = width;
         0.0
     }
 

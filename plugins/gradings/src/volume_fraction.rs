@@ -17,7 +17,7 @@ use slipzone_api::{Grading, ModulusLaw, Parameter, Positive, Refusal, Setting, V
 ///
 /// Moduli are of the kind that the scene names. With an exponent that is no whole number the law has only so many derivatives
 /// at the surface; with few of them it is rounded there, over a thousandth of the thickness, and what that changes is
-/// part of the errors stated. With an exponent below 1 the gradient at the surface is infinite, which is refused.
+/// part of the errors stated.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct VolumeFraction {
@@ -37,7 +37,7 @@ slipzone_api::register!(Grading, "volume-fraction", "two materials mixed, the sh
     parameters: [
         ("surface", "{ modulus, poisson } of the material at the surface (stress, no unit)", true, [], Table(PHASE)),
         ("base", "{ modulus, poisson } of the material at the base (stress, no unit)", true, [], Table(PHASE)),
-        ("exponent", "power of the depth in the volume fraction of the base's material; at least 1", true, [1.0, 2.0, 2.5], Positive),
+        ("exponent", "power of the depth in the volume fraction of the base's material", true, [0.5, 1.0, 2.0, 2.5], Positive),
         ("rule", "\"mixture\" (modulus and Poisson's ratio in proportion) or \"mori-tanaka\" (spheres of the base's material in that of the surface)", true, [], OneOf(&["mixture", "mori-tanaka"])),
     ],
     source: "Y. Benveniste, Mech. Mater. 6 (1987) 147, eqs. 21, 22 for spheres");
@@ -55,15 +55,6 @@ impl Grading for VolumeFraction {
         let Self { surface, base, exponent, rule } = self;
         if surface == base {
             return Ok(Box::new(OwnPoisson::new(Box::new(Constant(surface.modulus.get())), surface.poisson)));
-        }
-        if exponent.get() < 1.0 {
-            return Err(Refusal::NotBuilt {
-                what: format!(
-                    "a volume fraction like depth^{}, whose modulus has an infinite gradient at the surface,",
-                    exponent.get()
-                ),
-                remedy: "choose an `exponent` of at least 1".into(),
-            });
         }
         let mixture = rule.mixture(*surface, *base, setting.moduli);
         Ok(Box::new(Law::new(mixture, exponent.get())))

@@ -58,8 +58,9 @@ impl ModulusLaw for Law {
     }
 
     /// As if each of its sublayers were the first.
-    fn smoothing_error(&self) -> f64 {
-        self.sublayers.iter().map(|sublayer| sublayer.law.smoothing_error()).fold(0.0, f64::max)
+    fn smoothing_error(&self, width: f64) -> f64 {
+        let of = |sublayer: &Sublayer| sublayer.law.smoothing_error(width / sublayer.thickness);
+        self.sublayers.iter().map(of).fold(0.0, f64::max)
     }
 
     fn surface_series(&self, terms: usize) -> Vec<f64> {
