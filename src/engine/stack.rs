@@ -32,6 +32,8 @@ const FAINTEST: f64 = 1e-290;
 const LOST: (f64, f64, usize) = (1e-2, 1.2, 96);
 /// What rounding leaves of them.
 const ROUNDING: f64 = 1e-14;
+/// The longest piece that does not begin in the middle, in `ln b'`.
+const LONGEST_PIECE: f64 = 2.5;
 /// Half-widths at which the force is looked at.
 const RISING: usize = 32;
 /// Parts of a piece from which the way to its end is measured.
@@ -110,8 +112,14 @@ impl Stack {
     fn empty(problem: &Problem, widest: f64, nodes: usize) -> Self {
         let face = problem.face().min(widest);
         let mut breaks = vec![face];
-        breaks.extend(problem.kinks().filter(|kink| *kink > face && *kink < widest));
-        breaks.push(widest);
+        for next in problem.kinks().filter(|kink| *kink > face && *kink < widest).chain([widest]) {
+            // A force known to so many digits at the end of a piece is known to fewer at its beginning, where the middle feels it.
+            let from = breaks[breaks.len() - 1];
+            let parts = if from > 0.0 { ((next / from).ln() / LONGEST_PIECE).ceil().max(1.0) } else { 1.0 };
+            let ends = (1..).map(f64::from).take_while(|part| *part < parts);
+            breaks.extend(ends.map(|part| from * (next / from).powf(part / parts)));
+            breaks.push(next);
+        }
         let mut stack = Self {
             pieces: Vec::new(),
             breaks,
