@@ -37,7 +37,7 @@ slipzone_api::register!(Grading, "volume-fraction", "two materials mixed, the sh
     parameters: [
         ("surface", "{ modulus, poisson } of the material at the surface (stress, no unit)", true, [], Table(PHASE)),
         ("base", "{ modulus, poisson } of the material at the base (stress, no unit)", true, [], Table(PHASE)),
-        ("exponent", "power of the depth in the volume fraction of the base's material", true, [0.5, 1.0, 2.0, 2.5], Positive),
+        ("exponent", "power of the depth in the volume fraction of the base's material", true, [1.0, 2.0, 2.5], Positive),
         ("rule", "\"mixture\" (modulus and Poisson's ratio in proportion) or \"mori-tanaka\" (spheres of the base's material in that of the surface)", true, [], OneOf(&["mixture", "mori-tanaka"])),
     ],
     source: "Y. Benveniste, Mech. Mater. 6 (1987) 147, eqs. 21, 22 for spheres");
