@@ -6,7 +6,6 @@ mod rubbed;
 
 use super::blend::{Blend, LANES, Lanes, Term, add_rows};
 use super::budget::Meter;
-use super::chebyshev::Points;
 use super::dense::Dense;
 use super::layer::{Layer, Wanted};
 use super::problem::Problem;
@@ -37,9 +36,6 @@ const SLOPE_DOUBT: f64 = 0.005;
 const NEAR: f64 = 0.3;
 /// Error of the members' stick zones over the tolerance.
 const REFINED: f64 = 0.1;
-/// Places at which the pressure is told: at least, and more per unknown. A Chebyshev series takes half as many again as a sum of
-/// sinc functions on the same stretch.
-const PLACES: (f64, f64) = (8.0, 1.5);
 /// Places at which a member's pressure is looked at.
 const LOOKED_AT: usize = 16;
 /// Of so many points one is checked against the conditions of friction.
@@ -480,9 +476,7 @@ impl Family {
         if self.pressure_at.is_some() {
             return;
         }
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some dozens
-        let points = Points::get((PLACES.0 + PLACES.1 * self.pressure.width as f64) as usize);
-        let stations = sheet::stations(&points);
+        let (points, stations) = sheet::places(self.pressure.width);
         let mut rows = Vec::with_capacity(self.blend.functions() * stations.len());
         for row in self.pressure.numbers.chunks_exact(self.pressure.width) {
             let first = rows.len();

@@ -42,7 +42,7 @@ const MEASURED_FROM: [f64; 2] = [0.05, 0.5];
 /// The force under one punch over all half-widths of a family, and what is stacked with it.
 pub(crate) struct Stack {
     pieces: Vec<Piece>,
-    /// Where the shape is not analytic, within the contact, both ends of it included.
+    /// Ends of the pieces: those of the contact, where the shape is not analytic within it, and as many between as keep pieces short.
     breaks: Vec<f64>,
     /// Of unit length, for integrals over the shape.
     grid: Arc<Vec<Node>>,

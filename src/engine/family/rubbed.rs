@@ -9,10 +9,6 @@ use crate::engine::stick_search::Root;
 use slipzone_api::Station;
 use std::sync::Arc;
 
-/// Places at which the shear is told: at least, and more per unknown. A Chebyshev series takes half as many again as a sum of
-/// sinc functions on the same stretch.
-const PLACES: (f64, f64) = (8.0, 1.5);
-
 /// The stick zones of a family.
 pub(super) struct Rubbed {
     /// `ln(a/(b' - a))` of each member.
@@ -146,12 +142,7 @@ impl Found {
     /// What the shear solved last lacks, times the half-width, as a series over the places.
     pub(super) fn lack(&mut self, stage: &Stage, half_width: f64) -> Vec<f64> {
         let shear = stage.shear.as_ref().expect("friction has shear");
-        let (points, stations) = self.places.get_or_insert_with(|| {
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some dozens
-            let points = Points::get((PLACES.0 + PLACES.1 * shear.unknowns().len() as f64) as usize);
-            let stations = sheet::stations(&points);
-            (points, stations)
-        });
+        let (points, stations) = self.places.get_or_insert_with(|| sheet::places(shear.unknowns().len()));
         let zone = shear.zone;
         let scaled = |at: &Station| Station { x: zone.half_width * at.x, gap: zone.half_width * at.gap };
         let mut at: Vec<Station> = stations.iter().map(scaled).collect();
