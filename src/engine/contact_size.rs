@@ -41,6 +41,11 @@ impl Size {
     pub(crate) fn exactly(half_width: f64) -> Self {
         Self { half_width, slope: f64::NAN, missed: 0.0 }
     }
+
+    /// A size to start from, where the load grows with that slope.
+    pub(crate) fn about(half_width: f64, slope: f64) -> Self {
+        Self { half_width, slope, missed: 0.0 }
+    }
 }
 
 /// Slopes of a contact's load over its size, `d ln P/d ln b`, that are no jump; 2 to 3 for a cylinder.

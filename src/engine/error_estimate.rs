@@ -24,6 +24,8 @@ const SLOWER: f64 = 0.25;
 const SHARES: [f64; 2] = [0.5, 1e-4];
 /// That of the shear where it is stacked: it is asked for as well as the zone.
 const STACKED_SHARE: f64 = 0.5;
+/// Another load is not taken to converge any faster than this.
+const ANOTHER: f64 = 0.1;
 /// Factor on what the differences give.
 const SAFETY: f64 = 2.0;
 /// No number is claimed to be better than this: rounding of a dense solve of a few hundred unknowns.
@@ -52,8 +54,7 @@ pub(crate) fn extrapolated(history: &[Seen], unseen: bool) -> Option<Numbers> {
     let [.., first, second, third] = history else { return None };
     let early = Differences::between(first, second, third);
     let late = Differences::between(second, third, third);
-    let of_pressure = rate(early.of_pressure, late.of_pressure).max(if unseen { FASTEST_UNSEEN } else { 0.0 });
-    let of_shear = rate(early.of_shear, late.of_shear).max(of_pressure);
+    let Pace { of_pressure, of_shear, .. } = Pace::of(&early, &late, unseen);
     let mut errors = Numbers::default();
     for (quantity, d2) in late.numbers.iter() {
         let d1 = early.numbers.get(quantity).unwrap_or(1.0);
@@ -66,11 +67,54 @@ pub(crate) fn extrapolated(history: &[Seen], unseen: bool) -> Option<Numbers> {
         let rate = of_all.max(relative(d2, d1).min(SLOWER));
         // Two differences may both be small by chance.
         let d2 = d2.max(least);
-        let left = if rate < NOT_SHRINKING { d2.max(rate * d1) * rate / (1.0 - rate) } else { d1.max(d2) };
+        let remains = if rate < NOT_SHRINKING { left(d2.max(rate * d1), rate) } else { d1.max(d2) };
         let least = if quantity.is_of_shear() { SLIP_ROUNDING } else { ROUNDING };
-        errors.set(quantity, (SAFETY * left).max(least));
+        errors.set(quantity, (SAFETY * remains).max(least));
     }
     Some(errors)
+}
+
+/// How fast a sequence of resolutions converged: what two of them tell of another load on the same flat punches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pace {
+    of_pressure: f64,
+    of_shear: f64,
+    /// The largest of the shear's last differences, its trace's among them.
+    shear_apart: f64,
+}
+
+impl Pace {
+    fn of(early: &Differences, late: &Differences, unseen: bool) -> Self {
+        let of_pressure = rate(early.of_pressure, late.of_pressure).max(if unseen { FASTEST_UNSEEN } else { 0.0 });
+        let of_shear = rate(early.of_shear, late.of_shear).max(of_pressure);
+        Self { of_pressure, of_shear, shear_apart: late.of_shear }
+    }
+
+    /// That of a sequence; `None` with fewer than three results, or where the last of them came no closer.
+    pub(crate) fn seen(history: &[Seen], unseen: bool) -> Option<Self> {
+        let [.., first, second, third] = history else { return None };
+        let pace =
+            Self::of(&Differences::between(first, second, third), &Differences::between(second, third, third), unseen);
+        (pace.of_pressure.max(pace.of_shear) < NOT_SHRINKING).then_some(pace)
+    }
+
+    /// Relative error estimates of the finer of two results that come at this pace.
+    pub(crate) fn judge(&self, coarse: &Seen, fine: &Seen) -> Numbers {
+        let late = Differences::between(coarse, fine, fine);
+        let mut errors = Numbers::default();
+        for (quantity, difference) in late.numbers.iter() {
+            let (rate, least, floor) = if quantity.is_of_shear() {
+                let apart = late.of_shear.max(late.of_pressure).max(self.shear_apart);
+                (self.of_shear, STACKED_SHARE * apart, SLIP_ROUNDING)
+            } else {
+                (self.of_pressure, SHARES[0] * late.of_pressure, ROUNDING)
+            };
+            // Its own difference may be small by chance.
+            let remains = left(difference, rate.max(ANOTHER)).max(left(least, rate));
+            errors.set(quantity, (SAFETY * remains).max(floor));
+        }
+        errors
+    }
 }
 
 /// How two resolutions differ.
@@ -108,6 +152,11 @@ impl Differences {
 /// The largest difference of two traces.
 fn apart(one: &[f64], other: &[f64], scale: f64) -> f64 {
     one.iter().zip(other).fold(0.0, |most, (one, other)| relative(one - other, scale).max(most))
+}
+
+/// What is left after a difference that shrinks at a rate.
+fn left(difference: f64, rate: f64) -> f64 {
+    difference * rate / (1.0 - rate)
 }
 
 /// By how much two successive differences shrink.

@@ -341,6 +341,11 @@ impl Family {
         Ok(Some(Rubbing::expected(root.unwrap_or(guess), b, checked)))
     }
 
+    /// The stick zone of a contact of that half-width, as told between the members; `None` without friction.
+    pub(crate) fn rubbing_between(&self, b: f64) -> Option<Rubbing> {
+        Some(Rubbing::expected(self.root_at(b)?, b, self.is_checked()))
+    }
+
     /// Work in its systems so far.
     pub(crate) fn work(&self) -> Work {
         self.stage.work() + self.system.work

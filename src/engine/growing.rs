@@ -96,15 +96,62 @@ impl Growing {
         let room = room.min(problem.reach() / size.half_width).max(1.0);
         self.provide(layer, task, size.half_width, room, coarse_family)?;
         let size = if self.is_kinked { self.widen(layer, task, size)? } else { size };
-        self.half_width = size.half_width;
-
-        let mut numbers =
-            if self.is_kinked { self.stacked_numbers(layer, problem) } else { normal_numbers(layer, problem, normal) };
-        self.force = numbers.get(Quantity::Force).expect("every contact has one");
+        let numbers = self.sized(layer, problem, normal, size);
         let rubbing = match problem.friction {
             Some(_) => Some(self.rub(layer, task, normal)?),
             None => None,
         };
+        Ok(self.outcome(problem, normal, size, numbers, rubbing))
+    }
+
+    /// Solves another load of the same punch, the stick zone told between those of the flat punches known; `None` where it is no
+    /// stack of these, or where friction is to be looked at more closely.
+    pub(crate) fn solve_again(
+        &mut self,
+        layer: &mut Layer,
+        task: Task,
+        normal: &mut Normal,
+    ) -> Result<Option<Outcome>, Refusal> {
+        let problem = task.problem;
+        let (Some(family), Some(stack)) = (&mut self.family, &mut self.stack) else { return Ok(None) };
+        let Some(size) = stack.size_under(problem, family, problem.load) else { return Ok(None) };
+        let rubs = problem.friction.is_some();
+        let serves = |family: &Family, size: Size| family.serves(task, rubs, size.half_width) && family.is_checked();
+        if self.broken.is_some() || !serves(family, size) {
+            return Ok(None);
+        }
+        let size = if self.is_kinked {
+            size
+        } else {
+            contact_size::press(layer, problem, normal, task.wanted, task.tolerance, Some(size))?
+        };
+        // By a hair it may be wider than expected.
+        let is_steady = family.shrinks(problem.face()..size.half_width, STEADY).is_none();
+        if !serves(family, size) || !is_steady {
+            return Ok(None);
+        }
+        let rubbing = family.rubbing_between(size.half_width);
+        let numbers = self.sized(layer, problem, normal, size);
+        Ok(Some(self.outcome(problem, normal, size, numbers, rubbing)))
+    }
+
+    /// Takes a size; the numbers of the pressure there.
+    fn sized(&mut self, layer: &Layer, problem: &Problem, normal: &mut Normal, size: Size) -> Numbers {
+        self.half_width = size.half_width;
+        let numbers =
+            if self.is_kinked { self.stacked_numbers(layer, problem) } else { normal_numbers(layer, problem, normal) };
+        self.force = numbers.get(Quantity::Force).expect("every contact has one");
+        numbers
+    }
+
+    fn outcome(
+        &mut self,
+        problem: &Problem,
+        normal: &Normal,
+        size: Size,
+        mut numbers: Numbers,
+        rubbing: Option<Rubbing>,
+    ) -> Outcome {
         if let Some(rubbing) = &rubbing {
             rubbing.report(&mut numbers);
         }
@@ -113,7 +160,7 @@ impl Growing {
         let mut pressure = [0.0; Traces::AT.len()];
         self.pressure_into(problem, normal, &stations, &mut pressure);
         let lost = self.stack.as_ref().map_or(0.0, Stack::lost);
-        Ok(Outcome::new(numbers, rubbing, Some(size), pressure.map(|p| p / mean), lost))
+        Outcome::new(numbers, rubbing, Some(size), pressure.map(|p| p / mean), lost)
     }
 
     /// Whether it knows the flat punches that a contact of about that half-width is a stack of.

@@ -1,6 +1,6 @@
 //! Refines a scene until its error estimate meets the tolerance.
 
-use super::error_estimate::{ROUNDING, Seen, extrapolated, judged_by_twin};
+use super::error_estimate::{Pace, ROUNDING, Seen, extrapolated, judged_by_twin};
 use super::family::Family;
 use super::layer::{Layer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
@@ -57,6 +57,8 @@ pub(super) struct Ladder {
     inherited: Vec<Option<Family>>,
     /// The step that was fine enough for a contact that grew.
     settled: Option<usize>,
+    /// How fast it was reached, for the punch that is pressed.
+    pace: Option<Pace>,
 }
 
 /// How sure a solved contact is, and how that is known.
@@ -88,7 +90,7 @@ impl Ladder {
     /// A ladder for another punch on a layer whose flat punches are known.
     pub(super) fn inheriting(families: Vec<Option<Family>>) -> Self {
         let settled = families.len().checked_sub(1);
-        Self { stages: Vec::new(), inherited: families, settled }
+        Self { stages: Vec::new(), inherited: families, settled, pace: None }
     }
 
     /// The flat punches that it leaves behind.
@@ -208,6 +210,9 @@ impl Ladder {
         let (mut errors, mut stopped) = (Numbers::default(), None);
         let mut stalled = 0;
         let first = first_level(problem, tolerance);
+        if let Some(judged) = self.pressed_again(layer, problem, methods, tolerance)? {
+            return Ok(judged);
+        }
         let mut next = 0;
         for step in 0..=FINEST - first {
             if step < next {
@@ -284,10 +289,41 @@ impl Ladder {
         }
         if problem.fixed_half_width().is_none() {
             self.settled = Some(stage);
+            self.pace = Pace::seen(&history, is_unseen(layer, &outcome, self.stages[stage].unknowns()));
         }
         let count = stage + 1 - next.saturating_sub(1);
         let how = How::Sequence { count, kernels_proven: layer.kernel_error(0.0).is_some() };
         Ok(Judged { outcome, stage, errors, doubt: None, how, of_model: 0.0, stopped })
+    }
+
+    /// A contact among the flat punches that another load of the same punch settled: the step that was fine enough then and
+    /// the one before tell how fine it is now. `None` where it is another contact, or wants finer steps.
+    fn pressed_again(
+        &mut self,
+        layer: &mut Layer,
+        problem: &Problem,
+        methods: &Methods,
+        tolerance: f64,
+    ) -> Result<Option<Judged>, Refusal> {
+        let (Some(stage), Some(pace)) = (self.settled, self.pace) else { return Ok(None) };
+        let Some(before) = stage.checked_sub(1) else { return Ok(None) };
+        let mut outcomes = [const { None }; 2];
+        for (outcome, index) in outcomes.iter_mut().zip([before, stage]) {
+            let level = u32::try_from(index).expect("a few steps");
+            self.make(problem, methods, (index, level))?;
+            let found = self.stages[index].solve_again(layer, Self::task(problem, tolerance, level))?;
+            let Some(found) = found else { return Ok(None) };
+            *outcome = Some(found);
+        }
+        let [Some(coarse), Some(outcome)] = outcomes else { unreachable!("both were found") };
+        let errors = pace.judge(&coarse.seen(), &outcome.seen());
+        let all = with_the_rest(problem, layer, &outcome, tolerance, errors);
+        if judged(problem, &all).is_some_and(|(_, error)| error > tolerance) {
+            return Ok(None);
+        }
+        layer.meter().conclude();
+        let how = How::Sequence { count: 2, kernels_proven: layer.kernel_error(0.0).is_some() };
+        Ok(Some(Judged { outcome, stage, errors, doubt: None, how, of_model: 0.0, stopped: None }))
     }
 
     /// The first of the last three steps that another contact took on this layer, where the coarsest one finds this one among

@@ -7,6 +7,7 @@
 //! `b*` being the half-width at which the stick zone ended at `x`.
 
 use super::chebyshev::{Points, Series};
+use super::contact_size::Size;
 use super::family::Family;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::ways::{self, Ways};
@@ -34,6 +35,8 @@ const LOST: (f64, f64, usize) = (1e-2, 1.2, 96);
 const ROUNDING: f64 = 1e-14;
 /// The longest piece that does not begin in the middle, in `ln b'`.
 const LONGEST_PIECE: f64 = 2.5;
+/// By how much a half-width is narrower from which the growth of a load is measured, relative.
+const BESIDE: f64 = 1e-3;
 /// Half-widths at which the force is looked at.
 const RISING: usize = 32;
 /// Parts of a piece from which the way to its end is measured.
@@ -293,6 +296,23 @@ impl Stack {
             LoadInLayerUnits::Force(force) => self.root(|stack, b| stack.force(problem, b) / force - 1.0),
             LoadInLayerUnits::Indentation(depth) => self.root(|stack, b| stack.depth(problem, family, b) / depth - 1.0),
         }
+    }
+
+    /// How wide the contact is under a load, and how the load grows there; `None` where no member bears it.
+    pub(crate) fn size_under(
+        &mut self,
+        problem: &Problem,
+        family: &mut Family,
+        load: LoadInLayerUnits,
+    ) -> Option<Size> {
+        let half_width = self.under(problem, family, load)?;
+        let mut borne = |b: f64| match load {
+            LoadInLayerUnits::HalfWidth(_) => b,
+            LoadInLayerUnits::Force(_) => self.force(problem, b),
+            LoadInLayerUnits::Indentation(_) => self.depth(problem, family, b),
+        };
+        let slope = (borne(half_width) / borne(half_width * (1.0 - BESIDE))).ln() / -(-BESIDE).ln_1p();
+        Some(Size::about(half_width, slope))
     }
 
     /// Half-width at which something grows through zero.

@@ -176,6 +176,14 @@ impl Stage {
         Ok(Outcome { numbers, rubbing, size, pressure: pressure.map(|p| p / mean), lost: None })
     }
 
+    /// Solves another load of the punch solved before; `None` where that is more than to look among the flat punches known.
+    pub(crate) fn solve_again(&mut self, layer: &mut Layer, task: Task) -> Result<Option<Outcome>, Refusal> {
+        match self.growing.as_mut().filter(|growing| growing.is_solver) {
+            Some(growing) => growing.solve_again(layer, task, &mut self.normal),
+            None => Ok(None),
+        }
+    }
+
     /// Pressure at points strictly inside the contact solved last.
     pub(crate) fn pressure_into(&mut self, problem: &Problem, at: &[Station], out: &mut [f64]) {
         match self.growing.as_mut().filter(|growing| growing.is_solver) {

@@ -99,3 +99,67 @@ fn a_solve_takes_little_memory() {
     // 0.83 MB measured, tables of nodes that the process keeps included (docs/performance.md).
     assert!(peaks[0] < 2_000_000, "{} bytes for h/b = 5 at 1e-10", peaks[0]);
 }
+
+/// Punches that grow with the load, each pressed to a half-width of 1.
+const GROWING: [&str; 4] = [
+    "type = \"cylinder\"\nradius = 1.0",
+    "type = \"wedge\"\nslope = 0.05",
+    "type = \"power\"\ncoefficient = 0.05\nexponent = 4.0",
+    "type = \"rounded-flat\"\nhalf_width = 0.2\nradius = 1.0",
+];
+
+#[test]
+fn another_load_is_as_sure_as_it_says_for_two_systems() {
+    let tolerance = 1e-7;
+    for (h, ratio) in [(5.0, 0.125), (0.7, 8.0)] {
+        for punch in GROWING {
+            let scene = |tolerance: f64| {
+                let text = format!(
+                    "format = 1\n[layer]\nthickness = {h:?}\npoisson = 0.3\n\
+                     grading = {{ type = \"exponential\", surface = 1.0, base = {:?} }}\n[punch]\n{punch}\n\
+                     [friction]\ntype = \"goodman\"\ncoefficient = 0.3\n[load]\nhalf_width = 1.0\n\
+                     [solver]\ntolerance = {tolerance:?}\n",
+                    1.0 / ratio
+                );
+                slipzone::scene::parse("another.toml", &text).unwrap_or_else(|e| panic!("{e}\n{text}"))
+            };
+            let mut solver = Solver::new(&scene(tolerance)).expect("a bonded layer");
+            let first = solver.solve();
+            assert_eq!(first.status, Status::Converged, "{punch}: {:?}", first.reason);
+            let less = |path: &str, share: f64| positive(share * first.number(path).expect("a number"));
+            let loads = [
+                Load::HalfWidth(less("load.half_width", 0.6)),
+                Load::Force(less("load.force", 0.7)),
+                Load::Indentation(less("load.indentation", 0.8)),
+            ];
+            let mut systems = first.plan.factorisations;
+            for load in loads {
+                let case = format!("h = {h}, {punch:?}, {load:?}");
+                solver.press(load);
+                let again = solver.solve();
+                assert_eq!(again.status, Status::Converged, "{case}: {:?}", again.reason);
+                // One on either of two resolutions, or two where the size has to be found; the pressure of some is stacked.
+                assert!(
+                    again.plan.factorisations - systems <= 4,
+                    "{case}: {} systems",
+                    again.plan.factorisations - systems
+                );
+                systems = again.plan.factorisations;
+
+                let mut fresh = Solver::new(&scene(0.01 * tolerance)).expect("a bonded layer");
+                fresh.press(load);
+                let exact = fresh.solve();
+                for (path, error) in again.error.each.iter().filter(|(_, error)| **error > 0.0) {
+                    let truth = exact.number(path).expect("the same numbers");
+                    let off = (again.number(path).expect("a number") / truth - 1.0).abs();
+                    assert!(off <= *error, "{case}: {path} is off by {off:e}, {error:e} was claimed");
+                }
+                let [q, truth] = [again, exact].map(|solution| solution.profile.shear.expect("friction"));
+                let largest = truth.iter().flatten().fold(0.0_f64, |most, q| most.max(q.abs()));
+                for (q, truth) in q.into_iter().zip(truth).filter_map(|(q, truth)| Some((q?, truth?))) {
+                    assert!((q - truth).abs() <= tolerance * largest, "{case}: q = {q}, and {truth} in truth");
+                }
+            }
+        }
+    }
+}
