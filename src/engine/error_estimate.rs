@@ -24,8 +24,9 @@ const SLOWER: f64 = 0.25;
 const SHARES: [f64; 2] = [0.5, 1e-4];
 /// That of the shear where it is stacked: it is asked for as well as the zone.
 const STACKED_SHARE: f64 = 0.5;
-/// Another load is not taken to converge any faster than this.
-const ANOTHER: f64 = 0.1;
+/// Another load, and another punch, on flat punches that are known are not taken to come any faster than this.
+const ANOTHER_LOAD: f64 = 0.1;
+const ANOTHER_PUNCH: f64 = 0.25;
 /// Factor on what the differences give.
 const SAFETY: f64 = 2.0;
 /// No number is claimed to be better than this: rounding of a dense solve of a few hundred unknowns.
@@ -81,13 +82,20 @@ pub(crate) struct Pace {
     of_shear: f64,
     /// The largest of the shear's last differences, its trace's among them.
     shear_apart: f64,
+    /// What is judged by it is not taken to come any faster than this.
+    least: f64,
 }
 
 impl Pace {
     fn of(early: &Differences, late: &Differences, unseen: bool) -> Self {
         let of_pressure = rate(early.of_pressure, late.of_pressure).max(if unseen { FASTEST_UNSEEN } else { 0.0 });
         let of_shear = rate(early.of_shear, late.of_shear).max(of_pressure);
-        Self { of_pressure, of_shear, shear_apart: late.of_shear }
+        Self { of_pressure, of_shear, shear_apart: late.of_shear, least: ANOTHER_LOAD }
+    }
+
+    /// That of another punch on the same flat punches.
+    pub(crate) fn of_another_punch(self) -> Self {
+        Self { least: ANOTHER_PUNCH, ..self }
     }
 
     /// That of a sequence; `None` with fewer than three results, or where the last of them came no closer.
@@ -110,7 +118,7 @@ impl Pace {
                 (self.of_pressure, SHARES[0] * late.of_pressure, ROUNDING)
             };
             // Its own difference may be small by chance.
-            let remains = left(difference, rate.max(ANOTHER)).max(left(least, rate));
+            let remains = left(difference, rate.max(self.least)).max(left(least, rate));
             errors.set(quantity, (SAFETY * remains).max(floor));
         }
         errors

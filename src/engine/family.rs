@@ -16,6 +16,7 @@ use super::stick_search::Root;
 use super::stick_zone::StickZone;
 use super::work::Work;
 use rubbed::{Approach, Found, Member, Moves, Rubbed};
+use slipzone_api::double_exponential::Node;
 use slipzone_api::{Component, Density, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station};
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -56,6 +57,8 @@ pub(crate) struct Family {
     pressure_at: Option<Sheet>,
     /// Odd densities `W` with `int W(r)/(x - r) dr/pi + ... = -1`: a punch of slope `g'` carries `int W g' dx/A0`.
     tilt: Table,
+    /// The same at the nodes of a grid over half of the contact; made when first asked for.
+    tilt_over: Option<(Arc<Vec<Node>>, Table)>,
     /// Depth, `ln(b')/pi` added.
     depth: Vec<f64>,
     /// What friction makes of it.
@@ -159,6 +162,7 @@ impl Family {
             pressure: Table::default(),
             pressure_at: None,
             tilt: Table::default(),
+            tilt_over: None,
             depth: Vec::new(),
             rubbed: None,
             stage: Box::new(Stage::new(&flat, quadrature.refined(0))?),
@@ -411,6 +415,22 @@ impl Family {
         self.tilt.blend_into(&self.room.functions, &mut self.room.density);
         self.rule.stretch(b);
         self.rule.values_into(Density { unknowns: &self.room.density, carrier: 0.0 }, at, out);
+    }
+
+    /// `W` of a member at the nodes of a grid over its right half.
+    pub(crate) fn tilt_over(&mut self, b: f64, grid: &Arc<Vec<Node>>, out: &mut Vec<f64>) {
+        if !self.tilt_over.as_ref().is_some_and(|(known, _)| Arc::ptr_eq(known, grid)) {
+            let at: Vec<Station> = grid.iter().map(|node| Station { x: node.from_lower, gap: node.to_upper }).collect();
+            let mut numbers = vec![0.0; self.blend.functions() * at.len()];
+            self.rule.stretch(1.0);
+            let rows = self.tilt.numbers.chunks_exact(self.tilt.width).zip(numbers.chunks_exact_mut(at.len()));
+            rows.for_each(|(row, out)| self.rule.values_into(Density { unknowns: row, carrier: 0.0 }, &at, out));
+            self.tilt_over = Some((Arc::clone(grid), Table { width: at.len(), numbers }));
+        }
+        let (_, table) = self.tilt_over.as_ref().expect("made before");
+        self.meter.count_multiplications(table.numbers.len());
+        self.blend.functions_at(b, &mut self.room.functions);
+        table.blend_into(&self.room.functions, out);
     }
 
     /// Pressure of a member at points within it.

@@ -25,8 +25,8 @@ const SERIES_SHARE: f64 = 1e-2;
 ///
 /// Measured on half-planes at x = 0.03 b: errors of 6e-9, 1e-9 and 3e-11 of the largest traction with 14, 18 and 26.
 const NODES: (f64, f64, f64) = (6.0, 1.8, 0.125);
-/// Where the shear is compared from resolution to resolution, over the half-width of the stick zone: near the middle it is
-/// stacked of the most members.
+/// Where what the shear lacks is compared from resolution to resolution, over the half-width of the stick zone: near the middle
+/// it is stacked of the most members.
 const TRACED: [f64; Traces::AT.len()] = [0.05, 0.4, 0.85];
 /// The stick zone may shrink by rounding, relative.
 const STEADY: f64 = 1e-9;
@@ -38,6 +38,8 @@ const NO_PIECE: f64 = 1e-11;
 pub(crate) struct Growing {
     quadrature: Box<dyn Quadrature>,
     pub(crate) family: Option<Family>,
+    /// Work in its systems before it was inherited.
+    inherited: Work,
     stack: Option<Stack>,
     /// Half-width of the present contact.
     half_width: f64,
@@ -55,6 +57,7 @@ impl Growing {
         Self {
             quadrature,
             family: None,
+            inherited: Work::default(),
             stack: None,
             half_width: 0.0,
             force: 0.0,
@@ -62,6 +65,12 @@ impl Growing {
             is_kinked: problem.is_kinked(),
             broken: None,
         }
+    }
+
+    /// Takes flat punches that were solved for another punch.
+    pub(crate) fn inherit(&mut self, family: Option<Family>) {
+        self.inherited = family.as_ref().map_or(Work::default(), Family::work);
+        self.family = family;
     }
 
     /// Solves; `coarse` is what a coarser resolution found, and the family it found it with.
@@ -98,10 +107,11 @@ impl Growing {
         let size = if self.is_kinked { self.widen(layer, task, size)? } else { size };
         let numbers = self.sized(layer, problem, normal, size);
         let rubbing = match problem.friction {
-            Some(_) => Some(self.rub(layer, task, normal)?),
+            Some(_) => Some(self.rub(layer, task)?),
             None => None,
         };
-        Ok(self.outcome(problem, normal, size, numbers, rubbing))
+        let pressure = self.pressure_traced(problem, normal);
+        Ok(self.outcome(size, numbers, pressure, rubbing))
     }
 
     /// Solves another load of the same punch, the stick zone told between those of the flat punches known; `None` where it is no
@@ -113,11 +123,21 @@ impl Growing {
         normal: &mut Normal,
     ) -> Result<Option<Outcome>, Refusal> {
         let problem = task.problem;
+        let rubs = problem.friction.is_some();
+        let serves = |family: &Family, half_width: f64| family.serves(task, rubs, half_width) && family.is_checked();
+        let Some(widest) = self.family.as_ref().filter(|_| self.broken.is_none()).map(Family::widest) else {
+            return Ok(None);
+        };
+        if self.stack.is_none() && self.family.as_ref().is_some_and(|family| serves(family, widest)) {
+            // Under another punch.
+            if problem.reach() < widest {
+                return Ok(None);
+            }
+            self.stacked_on(task)?;
+        }
         let (Some(family), Some(stack)) = (&mut self.family, &mut self.stack) else { return Ok(None) };
         let Some(size) = stack.size_under(problem, family, problem.load) else { return Ok(None) };
-        let rubs = problem.friction.is_some();
-        let serves = |family: &Family, size: Size| family.serves(task, rubs, size.half_width) && family.is_checked();
-        if self.broken.is_some() || !serves(family, size) {
+        if !serves(family, size.half_width) {
             return Ok(None);
         }
         let size = if self.is_kinked {
@@ -127,12 +147,14 @@ impl Growing {
         };
         // By a hair it may be wider than expected.
         let is_steady = family.shrinks(problem.face()..size.half_width, STEADY).is_none();
-        if !serves(family, size) || !is_steady {
+        if !serves(family, size.half_width) || !is_steady {
             return Ok(None);
         }
         let rubbing = family.rubbing_between(size.half_width);
         let numbers = self.sized(layer, problem, normal, size);
-        Ok(Some(self.outcome(problem, normal, size, numbers, rubbing)))
+        // A stacked pressure is as good as the flat punches known.
+        let pressure = if self.is_kinked { Traces::default().pressure } else { self.pressure_traced(problem, normal) };
+        Ok(Some(self.outcome(size, numbers, pressure, rubbing)))
     }
 
     /// Takes a size; the numbers of the pressure there.
@@ -144,23 +166,25 @@ impl Growing {
         numbers
     }
 
+    /// The pressure at [`Traces::AT`] over its mean.
+    fn pressure_traced(&mut self, problem: &Problem, normal: &Normal) -> [f64; Traces::AT.len()] {
+        let mean = self.force / (2.0 * self.half_width);
+        let mut pressure = [0.0; Traces::AT.len()];
+        self.pressure_into(problem, normal, &Traces::stations(self.half_width), &mut pressure);
+        pressure.map(|p| p / mean)
+    }
+
     fn outcome(
-        &mut self,
-        problem: &Problem,
-        normal: &Normal,
+        &self,
         size: Size,
         mut numbers: Numbers,
+        pressure: [f64; Traces::AT.len()],
         rubbing: Option<Rubbing>,
     ) -> Outcome {
         if let Some(rubbing) = &rubbing {
             rubbing.report(&mut numbers);
         }
-        let mean = self.force / (2.0 * self.half_width);
-        let stations = Traces::stations(self.half_width);
-        let mut pressure = [0.0; Traces::AT.len()];
-        self.pressure_into(problem, normal, &stations, &mut pressure);
-        let lost = self.stack.as_ref().map_or(0.0, Stack::lost);
-        Outcome::new(numbers, rubbing, Some(size), pressure.map(|p| p / mean), lost)
+        Outcome::new(numbers, rubbing, Some(size), pressure, self.stack.as_ref().map_or(0.0, Stack::lost))
     }
 
     /// Whether it knows the flat punches that a contact of about that half-width is a stack of.
@@ -185,6 +209,7 @@ impl Growing {
         }
         self.broken = None;
         self.stack = None;
+        self.inherited = Work::default();
         let sizes = (half_width, room * half_width);
         self.family = match Family::new(layer, task, self.quadrature.as_ref(), sizes, rubs, coarse) {
             Ok(family) => Some(family),
@@ -259,7 +284,7 @@ impl Growing {
     }
 
     /// The stick zone, and the shear's trace.
-    fn rub(&mut self, layer: &mut Layer, task: Task, normal: &Normal) -> Result<Rubbing, Refusal> {
+    fn rub(&mut self, layer: &mut Layer, task: Task) -> Result<Rubbing, Refusal> {
         let (b, problem) = (self.half_width, task.problem);
         if let Some((at, rubbing)) = &self.broken {
             let rubbing = rubbing.clone();
@@ -287,19 +312,13 @@ impl Growing {
         if let Some(at) = family.shrinks(problem.face()..b, STEADY) {
             rubbing = rubbing.failing(during(problem, at, "the stick zone shrinks"));
         }
-        let mut trace = [0.0; Traces::AT.len() + 1];
-        let (inside, end) = trace.split_at_mut(Traces::AT.len());
-        let stations = TRACED.map(|t| Station { x: t * zone.half_width, gap: (1.0 - t) * zone.half_width });
-        let stations = stations.map(|at| zone.in_contact(at));
-        let edge = [Station { x: zone.half_width, gap: zone.slip_width }];
-        self.pressure_into(problem, normal, &edge, end);
-        let friction = self.family.as_ref().map_or(0.0, Family::signed_friction);
-        end[0] *= friction;
-        let mut pressure = [0.0; Traces::AT.len()];
-        self.pressure_into(problem, normal, &stations, &mut pressure);
-        inside.copy_from_slice(&self.shear(problem, &stations, &pressure).expect("a family with friction"));
+        // The pressure has a trace of its own.
+        let stack = self.stack.as_ref().expect("provided before");
+        let lack = TRACED.map(|part| stack.lack(problem, family, b, part * zone.half_width));
         let mean = self.force / (2.0 * b);
-        Ok(rubbing.traced(trace.map(|q| q / mean)))
+        let mut trace = [0.0; Traces::AT.len() + 1];
+        trace.iter_mut().zip(lack).for_each(|(trace, lack)| *trace = lack / mean);
+        Ok(rubbing.traced(trace))
     }
 
     /// Sizes of the contact on its way to a load solved already, whose half-width is given; `None` where it is no single
@@ -438,7 +457,7 @@ impl Growing {
 
     /// Work in its systems so far.
     pub(crate) fn work(&self) -> Work {
-        self.family.as_ref().map_or(Work::default(), Family::work)
+        self.family.as_ref().map_or(Work::default(), |family| family.work() - self.inherited)
     }
 }
 

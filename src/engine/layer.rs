@@ -1,8 +1,8 @@
 //! A layer prepared: its flexibility, and its kernels over the lengths asked for so far.
 
 use super::budget::Meter;
-use super::family::Family;
 use super::problem::Problem;
+use super::refine::FlatPunches;
 use super::work::Counted;
 use crate::plan::{Methods, choose};
 use crate::scene::Scene;
@@ -33,8 +33,8 @@ pub struct Layer {
     described: String,
     /// Whether it is but a model of the layer described.
     is_model: bool,
-    /// Its flat punches by resolution, and the quadrature they were solved with.
-    families: (String, Vec<Option<Family>>),
+    /// Its flat punches, and the quadrature they were solved with.
+    flat_punches: (String, FlatPunches),
 }
 
 /// Kernels over a range of lengths.
@@ -89,7 +89,7 @@ impl Layer {
             meter: Arc::default(),
             described: String::new(),
             is_model: false,
-            families: (String::new(), Vec::new()),
+            flat_punches: (String::new(), FlatPunches::default()),
         })
     }
 
@@ -115,13 +115,17 @@ impl Layer {
     }
 
     /// Keeps the flat punches that were solved on the way.
-    pub(super) fn keeping(self, scene: &Scene, families: Vec<Option<Family>>) -> Self {
-        Self { families: (quadrature(scene), families), ..self }
+    pub(super) fn keeping(self, scene: &Scene, flat_punches: FlatPunches) -> Self {
+        Self { flat_punches: (quadrature(scene), flat_punches), ..self }
     }
 
     /// The flat punches kept, where a scene is solved like them.
-    pub(super) fn families_for(&mut self, scene: &Scene) -> Vec<Option<Family>> {
-        if self.families.0 == quadrature(scene) { std::mem::take(&mut self.families.1) } else { Vec::new() }
+    pub(super) fn flat_punches_for(&mut self, scene: &Scene) -> FlatPunches {
+        if self.flat_punches.0 == quadrature(scene) {
+            std::mem::take(&mut self.flat_punches.1)
+        } else {
+            FlatPunches::default()
+        }
     }
 
     /// Whether a scene is about this layer, to be solved by the same flexibility and kernels.

@@ -174,7 +174,7 @@ impl Numbers {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Traces {
     pub(crate) pressure: [f64; Self::AT.len()],
-    /// Where a stick zone was found; at its end as well.
+    /// Where a stick zone was found; at its end as well. Of a contact that grew what the shear lacks to that of full sliding.
     pub(crate) shear: Option<[f64; Self::AT.len() + 1]>,
     /// Whether the shear is stacked, and wanted as well as the stick zone.
     pub(crate) is_stacked: bool,

@@ -57,7 +57,16 @@ pub(super) struct Ladder {
     inherited: Vec<Option<Family>>,
     /// The step that was fine enough for a contact that grew.
     settled: Option<usize>,
-    /// How fast it was reached, for the punch that is pressed.
+    /// How fast it was reached.
+    pace: Option<Pace>,
+}
+
+/// What one punch leaves behind for another on the same layer: the flat punches of each resolution, the step that was fine
+/// enough, and how fast it was reached.
+#[derive(Default)]
+pub(super) struct FlatPunches {
+    families: Vec<Option<Family>>,
+    settled: Option<usize>,
     pace: Option<Pace>,
 }
 
@@ -88,14 +97,14 @@ pub(super) enum How {
 
 impl Ladder {
     /// A ladder for another punch on a layer whose flat punches are known.
-    pub(super) fn inheriting(families: Vec<Option<Family>>) -> Self {
-        let settled = families.len().checked_sub(1);
-        Self { stages: Vec::new(), inherited: families, settled, pace: None }
+    pub(super) fn inheriting(FlatPunches { families, settled, pace }: FlatPunches) -> Self {
+        Self { stages: Vec::new(), inherited: families, settled, pace: pace.map(Pace::of_another_punch) }
     }
 
     /// The flat punches that it leaves behind.
-    pub(super) fn into_families(self) -> Vec<Option<Family>> {
-        self.stages.into_iter().map(|stage| stage.growing?.family).collect()
+    pub(super) fn into_flat_punches(self) -> FlatPunches {
+        let families = self.stages.into_iter().map(|stage| stage.growing?.family).collect();
+        FlatPunches { families, settled: self.settled, pace: self.pace }
     }
 
     /// The stage that a solved contact lives in.
@@ -296,8 +305,8 @@ impl Ladder {
         Ok(Judged { outcome, stage, errors, doubt: None, how, of_model: 0.0, stopped })
     }
 
-    /// A contact among the flat punches that another load of the same punch settled: the step that was fine enough then and
-    /// the one before tell how fine it is now. `None` where it is another contact, or wants finer steps.
+    /// A contact among the flat punches that another load, or another punch, settled: the step that was fine enough then and
+    /// the one before tell how fine it is now. `None` where it is no stack of them, or wants finer steps.
     fn pressed_again(
         &mut self,
         layer: &mut Layer,
@@ -373,7 +382,7 @@ impl Ladder {
             let quadrature = methods.quadrature.refined(quadrature_level - missing);
             let mut stage = Stage::new(problem, quadrature)?;
             if let (Some(growing), Some(family)) = (&mut stage.growing, self.inherited.get_mut(self.stages.len())) {
-                growing.family = family.take();
+                growing.inherit(family.take());
             }
             self.stages.push(stage);
         }

@@ -101,7 +101,7 @@ impl Solver {
         }
         let layer = if layer.is_model() { Layer::new(&problem, &chosen.methods)? } else { layer };
         let mut layer = layer;
-        let ladder = Ladder::inheriting(layer.families_for(&chosen.scene));
+        let ladder = Ladder::inheriting(layer.flat_punches_for(&chosen.scene));
         Ok(Self { chosen, problem, layer, ladder, judged: None, stand_in, aside: None, budget: BUDGET })
     }
 
@@ -110,7 +110,7 @@ impl Solver {
     pub fn into_layer(self) -> Layer {
         let scene = &self.chosen.scene;
         match (self.stand_in, self.aside) {
-            (None, _) => self.layer.describing(scene).keeping(scene, self.ladder.into_families()),
+            (None, _) => self.layer.describing(scene).keeping(scene, self.ladder.into_flat_punches()),
             (Some(_), Some(layer)) => layer,
             // Its tables are of no use to the layer.
             (Some(_), None) => self.layer.describing(&choose(&self.chosen.before_model()).scene).known_as_model(),
@@ -194,7 +194,7 @@ impl Solver {
             Some(layer) => layer,
             None => Layer::new(&self.problem, &chosen.methods)?,
         };
-        self.ladder = Ladder::inheriting(self.layer.families_for(&chosen.scene));
+        self.ladder = Ladder::inheriting(self.layer.flat_punches_for(&chosen.scene));
         (self.chosen, self.stand_in, self.judged) = (chosen, None, None);
         Ok(())
     }

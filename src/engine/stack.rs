@@ -87,7 +87,10 @@ enum Force {
     /// the order of the shape from the start. A height that a formula gives may have lost all digits there, a slope has
     /// not.
     OfHeight { rho: Series, kappa: Series },
-    /// From anywhere else: a series in `((b' - from)/(to - from))^(1/2)`.
+    /// From the end of a face, without a corner: `s^2` times a series in `s = ((b' - from)/(to - from))^(1/2)`. There is no
+    /// force at first, and it begins to grow at no rate: what the series misses of that is felt all over the face's end.
+    FromFace(Series),
+    /// From anywhere else: a series in `s`.
     Plain(Series),
 }
 
@@ -179,11 +182,16 @@ impl Stack {
         loop {
             let points = Points::get(count);
             let (force, tail) = if from > 0.0 {
-                let at = |s: &f64| self.force_by_tilt(problem, family, from + (to - from) * s * s);
+                let starts =
+                    from <= self.breaks[0] && !problem.corners().any(|corner| corner.to_bits() == from.to_bits());
+                let at = |s: &f64| {
+                    let force = self.force_by_tilt(problem, family, from + (to - from) * s * s);
+                    if starts { force / (s * s) } else { force }
+                };
                 let values: Vec<f64> = points.at.iter().map(at).collect();
                 let series = points.through(&values);
                 let tail = series.tail();
-                (Force::Plain(series), tail)
+                (if starts { Force::FromFace(series) } else { Force::Plain(series) }, tail)
             } else {
                 let (mut rhos, mut kappas) = (Vec::with_capacity(count), Vec::with_capacity(count));
                 for s in &points.at {
@@ -204,7 +212,9 @@ impl Stack {
                 let tail = rho.tail().max(kappa.tail());
                 (Force::OfHeight { rho, kappa }, tail)
             };
-            if tail < digits || 2 * count > COEFFICIENTS.1 || tail.is_nan() {
+            // A kink at the beginning feels the rate of the force, which a plain series misses by so much more than the force.
+            let felt = if matches!(force, Force::Plain(_)) { (count * count) as f64 } else { 1.0 };
+            if tail < (digits / felt).max(ROUNDING) || 2 * count > COEFFICIENTS.1 || tail.is_nan() {
                 return (Piece { from, to, force }, tail);
             }
             count *= 2;
@@ -252,7 +262,14 @@ impl Stack {
     /// The force at a half-width, by reciprocity with the tilted flat punch.
     fn force_by_tilt(&mut self, problem: &Problem, family: &mut Family, b: f64) -> f64 {
         let a0 = problem.elastic.a0();
-        self.over_contact(b, &mut |at, out| family.tilt_into(b, at, out), |x| problem.slope(x)) / a0
+        if self.breaks[0] > 0.0 || self.breaks[1] < b {
+            return self.over_contact(b, &mut |at, out| family.tilt_into(b, at, out), |x| problem.slope(x)) / a0;
+        }
+        // The same nodes of every contact.
+        let values = &mut self.room.values;
+        family.tilt_over(b, &self.grid, values);
+        let terms = self.grid.iter().zip(values);
+        2.0 * b * terms.map(|(node, tilt)| node.weight * *tilt * problem.slope(b * node.from_lower)).sum::<f64>() / a0
     }
 
     /// Where the shape is not analytic, up to the widest contact.
@@ -457,6 +474,10 @@ impl Piece {
                 let slope = problem.slope(b);
                 let height = kappa.value_and_slope(s).0 * b * slope;
                 (height * rho, slope * rho + height * rise * s / (2.0 * b))
+            }
+            Force::FromFace(series) => {
+                let (share, rise) = series.value_and_slope(s);
+                (s * s * share, (share + 0.5 * s * rise) / width)
             }
             Force::Plain(series) => {
                 let (force, slope) = series.value_and_slope(s);

@@ -93,7 +93,8 @@ pub(crate) struct Rubbing {
     scanned: bool,
     /// Whether the root reported is known to satisfy the conditions of friction.
     checked: bool,
-    /// The shear at [`Traces::AT`] and at the end, over the mean pressure, where a stick zone was found.
+    /// The shear at [`Traces::AT`] and at the end, or what that of a contact that grew lacks at points of its own, over the mean
+    /// pressure; where a stick zone was found.
     shear: Option<[f64; Traces::AT.len() + 1]>,
 }
 
@@ -591,7 +592,7 @@ impl Rubbing {
         Self { verdict: Verdict::Fails(what), ..self }
     }
 
-    /// The same with the shear at [`Traces::AT`] and at the end, over the mean pressure.
+    /// The same with what tells its shear from that of other resolutions, see [`Traces`].
     pub(crate) fn traced(self, shear: [f64; Traces::AT.len() + 1]) -> Self {
         Self { shear: Some(shear), ..self }
     }

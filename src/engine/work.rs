@@ -3,7 +3,7 @@
 use super::budget::Meter;
 use slipzone_api::{Component, KernelTable, PartsMut};
 use std::iter::Sum;
-use std::ops::Add;
+use std::ops::{Add, Sub};
 use std::sync::Arc;
 
 /// Work in dense systems.
@@ -36,6 +36,17 @@ impl Add for Work {
         Self {
             factorisations: self.factorisations + other.factorisations,
             operations: self.operations + other.operations,
+        }
+    }
+}
+
+impl Sub for Work {
+    type Output = Self;
+
+    fn sub(self, before: Self) -> Self {
+        Self {
+            factorisations: self.factorisations - before.factorisations,
+            operations: self.operations - before.operations,
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::sketch::Sketch;
 use slipzone::api::{Friction, Positive};
-use slipzone::engine::{Solver, Status};
-use slipzone::scene::Load;
+use slipzone::engine::{Solution, Solver, Status};
+use slipzone::scene::{Load, Scene};
 
 fn positive(value: f64) -> Positive {
     Positive::new(value).expect("positive")
@@ -108,22 +108,43 @@ const GROWING: [&str; 4] = [
     "type = \"rounded-flat\"\nhalf_width = 0.2\nradius = 1.0",
 ];
 
+/// One of them under friction on a layer of that thickness and `mu1/mu3`.
+fn growing(h: f64, ratio: f64, punch: &str, tolerance: f64) -> Scene {
+    slipzone::link_plugins();
+    let text = format!(
+        "format = 1\n[layer]\nthickness = {h:?}\npoisson = 0.3\n\
+         grading = {{ type = \"exponential\", surface = 1.0, base = {:?} }}\n[punch]\n{punch}\n\
+         [friction]\ntype = \"goodman\"\ncoefficient = 0.3\n[load]\nhalf_width = 1.0\n\
+         [solver]\ntolerance = {tolerance:?}\n",
+        1.0 / ratio
+    );
+    slipzone::scene::parse("growing.toml", &text).unwrap_or_else(|e| panic!("{e}\n{text}"))
+}
+
+/// Compares with a contact solved for itself and a hundred times as well.
+fn is_as_sure_as_it_says(found: &Solution, exact: &Solution, tolerance: f64, case: &str) {
+    assert_eq!(found.status, Status::Converged, "{case}: {:?}", found.reason);
+    for (path, error) in found.error.each.iter().filter(|(_, error)| **error > 0.0) {
+        let truth = exact.number(path).expect("the same numbers");
+        let off = (found.number(path).expect("a number") / truth - 1.0).abs();
+        assert!(off <= *error, "{case}: {path} is off by {off:e}, {error:e} was claimed");
+    }
+    let [q, truth] = [found, exact].map(|solution| solution.profile.shear.as_ref().expect("friction"));
+    let largest = truth.iter().flatten().fold(0.0_f64, |most, q| most.max(q.abs()));
+    for (q, truth) in q.iter().zip(truth).filter_map(|(q, truth)| Some(((*q)?, (*truth)?))) {
+        assert!((q - truth).abs() <= tolerance * largest, "{case}: q = {q}, and {truth} in truth");
+    }
+}
+
+/// Systems on two resolutions: one, or two where the size has to be found.
+const FEW: usize = 4;
+
 #[test]
-fn another_load_is_as_sure_as_it_says_for_two_systems() {
+fn another_load_is_as_sure_as_it_says_for_a_few_systems() {
     let tolerance = 1e-7;
     for (h, ratio) in [(5.0, 0.125), (0.7, 8.0)] {
         for punch in GROWING {
-            let scene = |tolerance: f64| {
-                let text = format!(
-                    "format = 1\n[layer]\nthickness = {h:?}\npoisson = 0.3\n\
-                     grading = {{ type = \"exponential\", surface = 1.0, base = {:?} }}\n[punch]\n{punch}\n\
-                     [friction]\ntype = \"goodman\"\ncoefficient = 0.3\n[load]\nhalf_width = 1.0\n\
-                     [solver]\ntolerance = {tolerance:?}\n",
-                    1.0 / ratio
-                );
-                slipzone::scene::parse("another.toml", &text).unwrap_or_else(|e| panic!("{e}\n{text}"))
-            };
-            let mut solver = Solver::new(&scene(tolerance)).expect("a bonded layer");
+            let mut solver = Solver::new(&growing(h, ratio, punch, tolerance)).expect("a bonded layer");
             let first = solver.solve();
             assert_eq!(first.status, Status::Converged, "{punch}: {:?}", first.reason);
             let less = |path: &str, share: f64| positive(share * first.number(path).expect("a number"));
@@ -137,29 +158,37 @@ fn another_load_is_as_sure_as_it_says_for_two_systems() {
                 let case = format!("h = {h}, {punch:?}, {load:?}");
                 solver.press(load);
                 let again = solver.solve();
-                assert_eq!(again.status, Status::Converged, "{case}: {:?}", again.reason);
-                // One on either of two resolutions, or two where the size has to be found; the pressure of some is stacked.
-                assert!(
-                    again.plan.factorisations - systems <= 4,
-                    "{case}: {} systems",
-                    again.plan.factorisations - systems
-                );
+                let further = again.plan.factorisations - systems;
+                assert!(further <= FEW, "{case}: {further} systems");
                 systems = again.plan.factorisations;
-
-                let mut fresh = Solver::new(&scene(0.01 * tolerance)).expect("a bonded layer");
+                let mut fresh = Solver::new(&growing(h, ratio, punch, 0.01 * tolerance)).expect("a bonded layer");
                 fresh.press(load);
-                let exact = fresh.solve();
-                for (path, error) in again.error.each.iter().filter(|(_, error)| **error > 0.0) {
-                    let truth = exact.number(path).expect("the same numbers");
-                    let off = (again.number(path).expect("a number") / truth - 1.0).abs();
-                    assert!(off <= *error, "{case}: {path} is off by {off:e}, {error:e} was claimed");
-                }
-                let [q, truth] = [again, exact].map(|solution| solution.profile.shear.expect("friction"));
-                let largest = truth.iter().flatten().fold(0.0_f64, |most, q| most.max(q.abs()));
-                for (q, truth) in q.into_iter().zip(truth).filter_map(|(q, truth)| Some((q?, truth?))) {
-                    assert!((q - truth).abs() <= tolerance * largest, "{case}: q = {q}, and {truth} in truth");
-                }
+                is_as_sure_as_it_says(&again, &fresh.solve(), tolerance, &case);
             }
+        }
+    }
+}
+
+#[test]
+fn another_punch_is_as_sure_as_it_says_for_a_few_systems() {
+    let tolerance = 1e-7;
+    for (h, ratio) in [(5.0, 0.125), (0.7, 8.0)] {
+        let mut layer = None;
+        for punch in GROWING {
+            let scene = growing(h, ratio, punch, tolerance);
+            let known = layer.is_some();
+            let mut solver = match layer.take() {
+                None => Solver::new(&scene),
+                Some(layer) => Solver::on(layer, &scene),
+            }
+            .expect("one layer");
+            let found = solver.solve();
+            let case = format!("h = {h}, {punch:?}");
+            // A steep one's pressure may take more than two resolutions.
+            assert!(!known || found.plan.factorisations <= 4 * FEW, "{case}: {} systems", found.plan.factorisations);
+            let exact = Solver::new(&growing(h, ratio, punch, 0.01 * tolerance)).expect("a bonded layer").solve();
+            is_as_sure_as_it_says(&found, &exact, tolerance, &case);
+            layer = Some(solver.into_layer());
         }
     }
 }
