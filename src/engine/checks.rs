@@ -5,9 +5,11 @@ use super::normal::Normal;
 use super::problem::Problem;
 use super::stick::Shear;
 use super::stick_zone::StickZone;
-use slipzone_api::double_exponential::{self, Node};
+use super::ways;
+use slipzone_api::double_exponential::Node;
 use slipzone_api::{Component, Station};
 use std::f64::consts::PI;
+use std::sync::{Arc, LazyLock};
 
 /// Points at which the pressure is checked, and the shear.
 const PRESSURE_SAMPLES: usize = 32;
@@ -25,19 +27,26 @@ const SOURCE_NODES: (f64, f64) = (10.0, 8.0);
 /// Most of those nodes.
 const MOST_SOURCE_NODES: usize = 1 << 12;
 
-/// Points of `[0, half_width)` in cosine spacing: what happens beside an edge is as narrow as its field.
-fn samples<const SAMPLES: usize>(half_width: f64) -> [Station; SAMPLES] {
+static AT_PRESSURE: LazyLock<[Station; PRESSURE_SAMPLES]> = LazyLock::new(samples);
+static AT_SHEAR: LazyLock<[Station; SHEAR_SAMPLES]> = LazyLock::new(samples);
+
+/// Points of `[0, 1)` in cosine spacing: what happens beside an edge is as narrow as its field.
+fn samples<const SAMPLES: usize>() -> [Station; SAMPLES] {
     std::array::from_fn(|i| {
         let angle = 0.5 * PI * i as f64 / SAMPLES as f64;
-        let gap = 2.0 * half_width * (0.25 * PI - 0.5 * angle).sin().powi(2);
-        Station { x: half_width * angle.sin(), gap }
+        Station { x: angle.sin(), gap: 2.0 * (0.25 * PI - 0.5 * angle).sin().powi(2) }
     })
+}
+
+/// Such points of `[0, half_width)`.
+fn stretched<const SAMPLES: usize>(samples: &[Station; SAMPLES], half_width: f64) -> [Station; SAMPLES] {
+    samples.map(|at| Station { x: half_width * at.x, gap: half_width * at.gap })
 }
 
 /// Where the pressure pulls: `(x/b, p/mean)` of its lowest point, if it is negative anywhere; from the half-width, the mean
 /// pressure and the pressures at points inside.
 pub(crate) fn tension(b: f64, mean: f64, pressure_into: impl FnOnce(&[Station], &mut [f64])) -> Option<(f64, f64)> {
-    let at = samples::<PRESSURE_SAMPLES>(b);
+    let at = stretched(&AT_PRESSURE, b);
     let mut pressure = [0.0; PRESSURE_SAMPLES];
     pressure_into(&at, &mut pressure);
     let lowest = at
@@ -50,7 +59,7 @@ pub(crate) fn tension(b: f64, mean: f64, pressure_into: impl FnOnce(&[Station], 
 
 /// Where friction cannot hold: `(x/b, |q|/(eta p))` of the worst point of the stick zone, if above 1.
 pub(crate) fn overload(normal: &Normal, shear: &Shear) -> Option<(f64, f64)> {
-    let at = samples::<SHEAR_SAMPLES>(shear.zone.half_width);
+    let at = stretched(&AT_SHEAR, shear.zone.half_width);
     let (mut q, mut p) = ([0.0; SHEAR_SAMPLES], [0.0; SHEAR_SAMPLES]);
     shear.in_stick_into(&at, &mut q);
     normal.values_into(&at.map(|station| shear.zone.in_contact(station)), &mut p);
@@ -63,7 +72,7 @@ pub(crate) fn overload(normal: &Normal, shear: &Shear) -> Option<(f64, f64)> {
 /// Room for checking the direction of slip, kept from zone to zone.
 #[derive(Default)]
 pub(crate) struct SlipCheck {
-    targets: Vec<Node>,
+    targets: Arc<Vec<Node>>,
     at: Vec<Station>,
     samples: Vec<f64>,
     /// The potentials of the pressure at the targets: slope, strain, coupling.
@@ -72,19 +81,19 @@ pub(crate) struct SlipCheck {
     strain: Vec<f64>,
     stick: Sources,
     slip: Sources,
+    distances: Vec<f64>,
+    kernel: Vec<f64>,
 }
 
 /// Where a traction acts: abscissa, distance to the stick zone's edge, weight times what acts beyond
 /// `eta p sign(x)`, weight times `p`.
 #[derive(Default)]
 struct Sources {
-    grid: Vec<Node>,
+    grid: Arc<Vec<Node>>,
     points: Vec<[f64; 4]>,
     stations: Vec<Station>,
     shear: Vec<f64>,
     pressure: Vec<f64>,
-    distances: Vec<f64>,
-    kernel: Vec<f64>,
 }
 
 impl SlipCheck {
@@ -122,7 +131,7 @@ impl SlipCheck {
         let (zone, eta) = (shear.zone, shear.friction);
         let (a0, beta) = (problem.elastic.a0(), problem.elastic.beta());
         if self.targets.is_empty() {
-            self.targets = double_exponential::nodes(1.0, SLIP_NODES);
+            self.targets = ways::grid(SLIP_NODES);
         }
         self.at.clear();
         self.at.extend(self.targets.iter().map(|node| zone.in_slip(node)));
@@ -143,13 +152,23 @@ impl SlipCheck {
             let (x, from_stick) = (self.at[i].x, zone.slip_width * node.from_lower);
             // (1/pi) PV int p/(x - r) dr from the normal equation.
             let principal = problem.slope(x) / a0 - self.potentials[0][i];
+            // From the stick zone, from its mirror image and from that of the slip zone.
+            let (stick, slip) = (&self.stick.points, &self.slip.points);
+            self.distances.clear();
+            self.distances.extend(stick.iter().map(|[_, gap, ..]| from_stick + gap));
+            self.distances.extend(stick.iter().chain(slip).map(|[r, ..]| x + r));
+            self.kernel.resize(self.distances.len(), 0.0);
+            layer.kernel_values(Component::ShearStrain, &self.distances, &mut self.kernel);
+            let (near, far) = self.kernel.split_at(stick.len());
             // Both halves of q = eta p sign(r) + z: 1/(x - r) and the kernel, folded.
-            let cauchy = |[r, gap, ..]: &[f64; 4]| 2.0 * r / ((from_stick + gap) * (x + r));
             let mirror = |[r, _, _, p]: &[f64; 4], kernel: f64| 2.0 * eta * p * (1.0 / (x + r) + kernel);
-            let (to_stick, to_mirror) = (|[_, gap, ..]: &[f64; 4]| from_stick + gap, |[r, ..]: &[f64; 4]| x + r);
-            let regular = self.stick.sum(layer, to_stick, |s, kernel| s[2] * (cauchy(s) + kernel))
-                - self.stick.sum(layer, to_mirror, |s, kernel| s[2] * kernel + mirror(s, kernel))
-                - self.slip.sum(layer, to_mirror, mirror);
+            let both = |point: &[f64; 4], near: f64, far: f64| {
+                let [r, gap, z, _] = point;
+                z * (2.0 * r / ((from_stick + gap) * (x + r)) + near - far) - mirror(point, far)
+            };
+            let sticking: f64 = stick.iter().zip(near).zip(far).map(|((s, near), far)| both(s, *near, *far)).sum();
+            let slipping: f64 = slip.iter().zip(&far[stick.len()..]).map(|(s, far)| mirror(s, *far)).sum();
+            let regular = sticking - slipping;
             let by_q = eta * (principal + self.potentials[1][i]) + regular / PI;
             self.strain.push(-(by_q + beta * self.pressure[i] - self.potentials[2][i]));
         }
@@ -164,7 +183,7 @@ impl Sources {
             [SOURCE_NODES.0 * zone.crowding(), SOURCE_NODES.1 * width / layer.length()].map(|count| count as usize);
         let nodes = for_kernel.clamp(least, MOST_SOURCE_NODES);
         if self.grid.len() != 2 * nodes + 1 {
-            self.grid = double_exponential::nodes(1.0, nodes);
+            self.grid = ways::grid(nodes);
         }
         self.pressure.resize(self.grid.len(), 0.0);
         self.stations.clear();
@@ -196,15 +215,6 @@ impl Sources {
             let width = zone.slip_width;
             self.points.push([station.x, width * node.from_lower, 0.0, width * node.weight * p]);
         }
-    }
-
-    /// Sum over the sources of a term that knows the kernel at a distance.
-    fn sum(&mut self, layer: &Layer, distance: impl Fn(&[f64; 4]) -> f64, term: impl Fn(&[f64; 4], f64) -> f64) -> f64 {
-        self.distances.clear();
-        self.distances.extend(self.points.iter().map(distance));
-        self.kernel.resize(self.points.len(), 0.0);
-        layer.kernel_values(Component::ShearStrain, &self.distances, &mut self.kernel);
-        self.points.iter().zip(&self.kernel).map(|(point, kernel)| term(point, *kernel)).sum()
     }
 }
 

@@ -15,9 +15,10 @@ use super::stand_in;
 use super::stick::Shear;
 use super::stick_zone::StickZone;
 use crate::scene::Scene;
-use slipzone_api::double_exponential;
+use slipzone_api::double_exponential::{self, Node};
 use slipzone_api::{Component, Edge, Quadrature, Refusal, Station};
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 /// `a/b`, and `c` there: the largest over Poisson's ratios from 0 to 0.45 (`tests/data/coupled_half_plane.csv`).
 const MEASURED: [(f64, f64); 6] = [(0.1, 0.60), (0.25, 0.66), (0.5, 0.78), (0.75, 1.0), (0.9, 1.36), (0.99, 2.32)];
@@ -74,17 +75,19 @@ fn first_step(layer: &Layer, beta: f64, zone: StickZone, quadrature: Box<dyn Qua
     let mut pressure = vec![0.0; at.len()];
     normal.values_into(&at, &mut pressure);
     let own = shear.values(&at, &pressure);
-    let points = right_half(zone, &normal, &shear);
-    let (mut distances, mut kernel) = (vec![0.0; 2 * points.len()], vec![0.0; 2 * points.len()]);
-    let slope = |(at, q): (&Station, f64)| {
-        let both = points.iter().flat_map(|(r, _)| [(at.x - r).abs(), at.x + r]);
-        distances.iter_mut().zip(both).for_each(|(distance, t)| *distance = t);
+    let mut slopes: Vec<f64> = own.iter().map(|q| beta * q).collect();
+    if !layer.is_plain() {
+        let points = right_half(zone, &normal, &shear);
+        let both = |x: f64| points.iter().flat_map(move |(r, _)| [(x - r).abs(), x + r]);
+        let distances: Vec<f64> = at.iter().flat_map(|at| both(at.x)).collect();
+        let mut kernel = vec![0.0; distances.len()];
         layer.kernel_values(Component::Coupling, &distances, &mut kernel);
-        // The shear is odd, its kernel even.
-        let sum: f64 = kernel.chunks_exact(2).zip(&points).map(|(k, (_, share))| (k[0] - k[1]) * share).sum();
-        beta * q - sum / PI
-    };
-    let slopes: Vec<f64> = at.iter().zip(own).map(slope).collect();
+        for (slope, kernel) in slopes.iter_mut().zip(kernel.chunks_exact(2 * points.len())) {
+            // The shear is odd, its kernel even.
+            let pairs = kernel.as_chunks::<2>().0.iter().zip(&points);
+            *slope -= pairs.map(|([near, far], (_, share))| (near - far) * share).sum::<f64>() / PI;
+        }
+    }
     normal.press_flat(layer, zone.contact(), |i| slopes[i])?;
     shear.under(layer, &mut normal);
     Ok(shear.solve(layer, &mut normal, beta, zone)? / goodman - 1.0)
@@ -92,7 +95,8 @@ fn first_step(layer: &Layer, beta: f64, zone: StickZone, quadrature: Box<dyn Qua
 
 /// Points of the right half of the contact, and the shear that each stands for.
 fn right_half(zone: StickZone, normal: &Normal, shear: &Shear) -> Vec<(f64, f64)> {
-    let grid = double_exponential::nodes_up_to(1.0, NODES.0, NODES.1);
+    static GRID: OnceLock<Vec<Node>> = OnceLock::new();
+    let grid = GRID.get_or_init(|| double_exponential::nodes_up_to(1.0, NODES.0, NODES.1));
     let a = zone.half_width;
     // The gaps of the stick zone's points are to its own end, as its rule wants them.
     let sticking: Vec<Station> =
@@ -101,8 +105,8 @@ fn right_half(zone: StickZone, normal: &Normal, shear: &Shear) -> Vec<(f64, f64)
     let (mut q, mut p) = (vec![0.0; grid.len()], vec![0.0; grid.len()]);
     shear.in_stick_into(&sticking, &mut q);
     normal.values_into(&slipping, &mut p);
-    let sticks = sticking.iter().zip(&q).zip(&grid).map(|((at, q), node)| (at.x, q * a * node.weight));
+    let sticks = sticking.iter().zip(&q).zip(grid).map(|((at, q), node)| (at.x, q * a * node.weight));
     let (eta, width) = (shear.friction, zone.slip_width);
-    let slips = slipping.iter().zip(&p).zip(&grid).map(|((at, p), node)| (at.x, eta * p * width * node.weight));
+    let slips = slipping.iter().zip(&p).zip(grid).map(|((at, p), node)| (at.x, eta * p * width * node.weight));
     sticks.chain(slips).collect()
 }

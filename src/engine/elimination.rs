@@ -77,8 +77,7 @@ impl WithSimd for Elimination<'_> {
             clear(simd, below, n, (first, second), (p, q));
             for column in columns.chunks_exact_mut(n) {
                 let (known, rest) = column.split_at_mut(k + 2);
-                add(simd, rest, p, known[k]);
-                add(simd, rest, q, known[k + 1]);
+                add_both(simd, rest, (p, q), (known[k], known[k + 1]));
             }
         }
         for column in columns.chunks_exact_mut(n) {
@@ -152,8 +151,7 @@ fn clear<S: Simd>(simd: S, rows: &mut [f64], n: usize, (first, second): (&[f64],
         }
     }
     for ((row, p), q) in blocks.into_remainder().chunks_exact_mut(n).zip(p_rest).zip(q_rest) {
-        add(simd, &mut row[start..], first, *p);
-        add(simd, &mut row[start..], second, *q);
+        add_both(simd, &mut row[start..], (first, second), (*p, *q));
     }
 }
 
@@ -180,6 +178,21 @@ fn add<S: Simd>(simd: S, row: &mut [f64], other: &[f64], factor: f64) {
     }
     for (entry, other) in rest.iter_mut().zip(others_rest) {
         *entry += factor * other;
+    }
+}
+
+/// `row += p first + q second`, as long as the row.
+#[inline(always)]
+fn add_both<S: Simd>(simd: S, row: &mut [f64], (first, second): (&[f64], &[f64]), (p, q): (f64, f64)) {
+    let length = row.len();
+    let ((entries, rest), (a, a_rest)) = (S::as_mut_simd_f64s(row), S::as_simd_f64s(&first[..length]));
+    let (b, b_rest) = S::as_simd_f64s(&second[..length]);
+    let (wide_p, wide_q) = (simd.splat_f64s(p), simd.splat_f64s(q));
+    for ((entries, a), b) in entries.iter_mut().zip(a).zip(b) {
+        *entries = simd.mul_add_e_f64s(wide_q, *b, simd.mul_add_e_f64s(wide_p, *a, *entries));
+    }
+    for ((entry, a), b) in rest.iter_mut().zip(a_rest).zip(b_rest) {
+        *entry += p * a + q * b;
     }
 }
 

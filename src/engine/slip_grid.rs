@@ -1,29 +1,31 @@
 //! Integrals over the slip zone.
 
 mod rows;
+mod unit;
 
 use super::layer::Layer;
 use super::normal::Normal;
 use super::stick_zone::StickZone;
 use rows::Nodes;
-use slipzone_api::double_exponential::{self, Node};
 use slipzone_api::elementary::{LANES, ln_1p};
 use slipzone_api::{Component, Station};
 use std::cell::Cell;
 use std::f64::consts::PI;
+use std::sync::Arc;
+use unit::Unit;
 
 /// Nodes on either side: at least, at most, and beside a third of the unknowns of the stick zone's rule.
 ///
 /// Measured on half-planes with a/b from 1e-4 to 1 - 1e-11: errors of eta of 1e-8, 1e-10, 1e-11, 1e-12 with 10,
-/// 12, 14, 16 nodes up to [`END`].
+/// 12, 14, 16 nodes up to [`unit::END`].
 const NODES: (usize, usize, usize) = (8, 24, 6);
-/// Where the grid ends in `u`; what is left out, `exp(-(pi/2) sinh u)`, is 3e-13 of the pressure.
-const END: f64 = 3.6;
 /// Nodes on either side per kernel length in the slip zone and per unknown of the stick zone's rule, and what
 /// that grows to: the grid's step then tells the kernel as well as the rule tells the density.
 const NODES_PER_LENGTH: (f64, f64) = (0.8, 21.0);
 /// Most nodes on either side.
 const MOST_NODES: usize = 1 << 14;
+/// Distance of the kernel's nearest singularity, but for that at the origin, in terms of its length.
+const POLE: f64 = 0.77;
 /// Distances at which the kernel is asked for at a time, unless one station has more.
 const BATCH: usize = 512;
 
@@ -36,13 +38,15 @@ thread_local! {
 /// A double-exponential grid over the slip zone `(a, b)`, of unit length.
 pub(crate) struct SlipGrid {
     resolution: usize,
-    grid: Vec<Node>,
+    unit: Arc<Unit>,
     pressure_at_stick_edge: f64,
     /// The nodes, and the end of the stick zone.
     stations: Vec<Station>,
     /// `p` there.
     pressure: Vec<f64>,
     nodes: Nodes,
+    /// How many there were on either side of the middle.
+    count: usize,
 }
 
 impl SlipGrid {
@@ -50,11 +54,12 @@ impl SlipGrid {
     pub(crate) fn new(unknowns: usize) -> Self {
         let mut empty = Self {
             resolution: unknowns,
-            grid: Vec::new(),
+            unit: Arc::default(),
             pressure_at_stick_edge: 0.0,
             stations: Vec::new(),
             pressure: Vec::new(),
             nodes: Nodes::default(),
+            count: 0,
         };
         empty.resize(empty.nodes_for(0.0));
         empty
@@ -73,13 +78,13 @@ impl SlipGrid {
 
     fn resize(&mut self, nodes: usize) {
         // The finest grids are for the last digits.
-        let end = if nodes < NODES.1 { END } else { double_exponential::U_MAX };
-        self.grid = double_exponential::nodes_up_to(1.0, nodes, end);
-        let n = self.grid.len();
+        (self.count, self.unit) = (nodes, Unit::of(nodes, nodes < NODES.1));
+        let n = self.unit.nodes.len();
         self.stations = vec![Station { x: 0.0, gap: 0.0 }; n + 1];
         self.pressure = vec![0.0; n + 1];
         let (filled, nodes) = (n.next_multiple_of(LANES), &mut self.nodes);
-        for row in [&mut nodes.beyond, &mut nodes.r, &mut nodes.cauchy, &mut nodes.kernel] {
+        let Nodes { beyond, r, cauchy, kernel, far, far_kernel } = nodes;
+        for row in [beyond, r, cauchy, kernel, far, far_kernel] {
             row.clear();
             row.resize(filled, 0.0);
         }
@@ -104,12 +109,13 @@ impl SlipGrid {
         out: &mut [f64],
     ) {
         let nodes = self.nodes_for(zone.slip_width / layer.length());
-        if 2 * nodes + 1 != self.grid.len() {
+        if nodes != self.count {
             self.resize(nodes);
         }
         self.see(normal, zone);
+        self.see_from_afar(zone, layer.length());
 
-        let per_station = 2 * self.nodes.r.len();
+        let per_station = self.nodes.distances();
         let stations = (BATCH / per_station).clamp(1, at.len().max(1));
         let [mut all_distances, mut all_kernel] = ROOM.take();
         if all_distances.len() < stations * per_station {
@@ -121,7 +127,7 @@ impl SlipGrid {
             let kernel = &mut all_kernel[..at.len() * per_station];
             self.nodes.distances_into(at, distances);
             layer.kernel_values(Component::ShearStrain, distances, kernel);
-            self.nodes.sums_into(distances, kernel, out);
+            self.nodes.sums_into(at, distances, kernel, out);
         }
         ROOM.set([all_distances, all_kernel]);
         let (a, width, edge) = (zone.half_width, zone.slip_width, self.pressure_at_stick_edge);
@@ -136,13 +142,13 @@ impl SlipGrid {
         let (a, width) = (zone.half_width, zone.slip_width);
         let (edge, inside) = self.stations.split_last_mut().expect("the end of the stick zone");
         *edge = Station { x: a, gap: width };
-        for (station, node) in inside.iter_mut().zip(&self.grid) {
+        for (station, node) in inside.iter_mut().zip(&self.unit.nodes) {
             *station = zone.in_slip(node);
         }
         normal.values_into(&self.stations, &mut self.pressure);
         let (edge, inside) = self.pressure.split_last().expect("that at the end of the stick zone");
         self.pressure_at_stick_edge = *edge;
-        for (k, (node, p)) in self.grid.iter().zip(inside).enumerate() {
+        for (k, (node, p)) in self.unit.nodes.iter().zip(inside).enumerate() {
             let (beyond, weight) = (width * node.from_lower, width * node.weight);
             let r = a + beyond;
             self.nodes.beyond[k] = beyond;
@@ -153,7 +159,24 @@ impl SlipGrid {
             self.nodes.kernel[k] = -weight * p;
         }
         // What fills the nodes up stands anywhere within the reach and weighs nothing.
-        self.nodes.r[self.grid.len()..].fill(a);
-        self.nodes.beyond[self.grid.len()..].fill(0.0);
+        self.nodes.r[self.unit.nodes.len()..].fill(a);
+        self.nodes.beyond[self.unit.nodes.len()..].fill(0.0);
+    }
+
+    /// Where the kernel is asked for on the other side of the contact, and what multiplies it there.
+    fn see_from_afar(&mut self, zone: StickZone, length: f64) {
+        let (a, width) = (zone.half_width, zone.slip_width);
+        let Nodes { r, kernel, far, far_kernel, .. } = &mut self.nodes;
+        far.clear();
+        far_kernel.clear();
+        if a.min(POLE * length) > unit::APART * width {
+            far.extend(self.unit.points.iter().map(|point| a + width * point));
+            far_kernel.extend(
+                self.unit.shares.iter().map(|share| share.iter().zip(&*kernel).map(|(s, k)| s * k).sum::<f64>()),
+            );
+        } else {
+            far.extend_from_slice(r);
+            far_kernel.extend_from_slice(kernel);
+        }
     }
 }

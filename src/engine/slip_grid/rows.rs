@@ -13,19 +13,29 @@ pub(super) struct Nodes {
     pub(super) r: Vec<f64>,
     /// What multiplies `1/((r - x) (r + x))`.
     pub(super) cauchy: Vec<f64>,
-    /// What multiplies `k(r - x) + k(r + x)`.
+    /// What multiplies `k(r - x)`.
     pub(super) kernel: Vec<f64>,
+    /// `r` where `k(r + x)` is asked for: as many, or fewer.
+    pub(super) far: Vec<f64>,
+    /// What multiplies `k(r + x)` there.
+    pub(super) far_kernel: Vec<f64>,
 }
 
 impl Nodes {
-    /// Writes `r - x` for each node, then `r + x`, for each of the stations, whose gaps are to the end at `a`.
+    /// Distances in a row.
+    pub(super) fn distances(&self) -> usize {
+        self.r.len() + self.far.len()
+    }
+
+    /// Writes `r - x` for each node, then `r + x` where the kernel is asked for, for each of the stations, whose gaps are to the
+    /// end at `a`.
     pub(super) fn distances_into(&self, at: &[Station], out: &mut [f64]) {
         Arch::new().dispatch(Distances { nodes: self, at, out });
     }
 
     /// Writes the sum over the nodes for each of the stations, from those distances and the kernel there.
-    pub(super) fn sums_into(&self, distances: &[f64], kernel: &[f64], out: &mut [f64]) {
-        Arch::new().dispatch(Sums { nodes: self, distances, kernel, out });
+    pub(super) fn sums_into(&self, at: &[Station], distances: &[f64], kernel: &[f64], out: &mut [f64]) {
+        Arch::new().dispatch(Sums { nodes: self, at, distances, kernel, out });
     }
 }
 
@@ -40,13 +50,13 @@ impl WithSimd for Distances<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        let Nodes { beyond, r, .. } = self.nodes;
-        for (at, row) in self.at.iter().zip(self.out.chunks_exact_mut(2 * r.len())) {
-            let (near, far) = row.split_at_mut(r.len());
+        let Nodes { beyond, far, .. } = self.nodes;
+        for (at, row) in self.at.iter().zip(self.out.chunks_exact_mut(self.nodes.distances())) {
+            let (near, across) = row.split_at_mut(beyond.len());
             for (t, beyond) in near.iter_mut().zip(beyond) {
                 *t = beyond + at.gap;
             }
-            for (t, r) in far.iter_mut().zip(r) {
+            for (t, r) in across.iter_mut().zip(far) {
                 *t = r + at.x;
             }
         }
@@ -55,6 +65,7 @@ impl WithSimd for Distances<'_> {
 
 struct Sums<'a> {
     nodes: &'a Nodes,
+    at: &'a [Station],
     distances: &'a [f64],
     kernel: &'a [f64],
     out: &'a mut [f64],
@@ -66,18 +77,22 @@ impl WithSimd for Sums<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         const { assert!(LANES.is_multiple_of(S::F64_LANES), "rows are filled up to whole vectors") };
-        let count = self.nodes.r.len();
-        let (cauchy, weight) = (S::as_simd_f64s(&self.nodes.cauchy).0, S::as_simd_f64s(&self.nodes.kernel).0);
-        let rows = self.distances.chunks_exact(2 * count).zip(self.kernel.chunks_exact(2 * count));
-        for (out, (distances, kernel)) in self.out.iter_mut().zip(rows) {
-            let ((near, far), (k_near, k_far)) = (distances.split_at(count), kernel.split_at(count));
-            let (near, far) = (S::as_simd_f64s(near).0, S::as_simd_f64s(far).0);
+        let Nodes { r, cauchy, kernel: weight, far_kernel: far_weight, .. } = self.nodes;
+        let (count, length) = (r.len(), self.nodes.distances());
+        let (r, cauchy) = (S::as_simd_f64s(r).0, S::as_simd_f64s(cauchy).0);
+        let (weight, far_weight) = (S::as_simd_f64s(weight).0, S::as_simd_f64s(far_weight).0);
+        let rows = self.distances.chunks_exact(length).zip(self.kernel.chunks_exact(length));
+        for ((out, at), (distances, kernel)) in self.out.iter_mut().zip(self.at).zip(rows) {
+            let (k_near, k_far) = kernel.split_at(count);
+            let near = S::as_simd_f64s(&distances[..count]).0;
             let (k_near, k_far) = (S::as_simd_f64s(k_near).0, S::as_simd_f64s(k_far).0);
-            let mut sum = simd.splat_f64s(0.0);
+            let (mut sum, x) = (simd.splat_f64s(0.0), simd.splat_f64s(at.x));
             for i in 0..cauchy.len() {
-                let fraction = simd.div_f64s(cauchy[i], simd.mul_f64s(near[i], far[i]));
-                let both = simd.add_f64s(k_near[i], k_far[i]);
-                sum = simd.add_f64s(sum, simd.mul_add_e_f64s(weight[i], both, fraction));
+                let fraction = simd.div_f64s(cauchy[i], simd.mul_f64s(near[i], simd.add_f64s(r[i], x)));
+                sum = simd.add_f64s(sum, simd.mul_add_e_f64s(weight[i], k_near[i], fraction));
+            }
+            for (weight, kernel) in far_weight.iter().zip(k_far) {
+                sum = simd.mul_add_e_f64s(*weight, *kernel, sum);
             }
             *out = simd.reduce_sum_f64s(sum);
         }

@@ -10,12 +10,25 @@ use std::sync::OnceLock;
 pub(super) struct Panel {
     pub(super) middle: f64,
     pub(super) half: f64,
-    /// Per kernel: `2 half` times the Legendre coefficients, with the signs of `i^l` put in (real for even
-    /// `l`, imaginary for odd).
-    pub(super) waves: Vec<Vec<f64>>,
-    /// The nodes, and per kernel the values at them times their weights on `[-1, 1]`.
     pub(super) nodes: Vec<f64>,
-    pub(super) weighted: Vec<Vec<f64>>,
+    /// Per kernel, one after the other: `2 half` times the Legendre coefficients, with the signs of `i^l` put in (real
+    /// for even `l`, imaginary for odd); none where sums over the nodes do.
+    waves: Vec<f64>,
+    /// Per kernel, one after the other: the values at the nodes times their weights on `[-1, 1]`.
+    weighted: Vec<f64>,
+}
+
+impl Panel {
+    /// Each kernel's coefficients, if there are any.
+    pub(super) fn waves(&self) -> impl Iterator<Item = &[f64]> {
+        self.waves.chunks_exact(self.nodes.len())
+    }
+
+    /// A kernel's weighted values.
+    pub(super) fn weighted(&self, kernel: usize) -> &[f64] {
+        let count = self.nodes.len();
+        &self.weighted[kernel * count..(kernel + 1) * count]
+    }
 }
 
 /// Rounding of `s F`, of order one, in a Legendre coefficient: it is counted with the rounding of the whole.
@@ -27,14 +40,15 @@ const TWICE: f64 = 2.0;
 /// Coefficients below this that no longer fall are noise that the flexibility brings: no panel resolves it.
 pub(super) const LARGEST_NOISE: f64 = 1e-9;
 
-/// One panel; what it leaves unresolved, the factor by which its coefficients fall, its size, and whether what is
-/// left is noise, per kernel.
-pub(super) struct Sampled {
-    pub(super) panel: Panel,
-    pub(super) error: Vec<f64>,
-    pub(super) ratio: Vec<f64>,
-    pub(super) size: Vec<Size>,
-    pub(super) noisy: Vec<bool>,
+/// What a panel tells of one kernel.
+pub(super) struct Resolved {
+    /// What it leaves unresolved.
+    pub(super) error: f64,
+    /// The factor by which its coefficients fall.
+    pub(super) ratio: f64,
+    pub(super) size: Size,
+    /// Whether what is left is noise.
+    pub(super) noisy: bool,
 }
 
 /// What an integral is measured by.
@@ -100,13 +114,15 @@ impl Legendre {
             small *= phase / (2 * l + 3) as f64;
             bound
         };
-        self.largest.iter().enumerate().map(bound).take_while(|wave| *wave > NO_WAVE).collect()
+        let mut waves = Vec::with_capacity(self.largest.len());
+        waves.extend(self.largest.iter().enumerate().map(bound).take_while(|wave| *wave > NO_WAVE));
+        waves
     }
 
-    /// The Legendre coefficients of a function, from its values at the nodes times the weights.
-    fn coefficients(&self, weighted: &[f64]) -> Vec<f64> {
+    /// Writes the Legendre coefficients of a function, from its values at the nodes times the weights.
+    fn coefficients_into(&self, weighted: &[f64], coefficients: &mut [f64]) {
         let count = weighted.len();
-        let mut coefficients = vec![0.0; count];
+        coefficients.fill(0.0);
         for (i, polynomials) in self.polynomials.chunks_exact(count).enumerate() {
             let (left, right) = (weighted[i], weighted[count - 1 - i]);
             // P_l(-x) = (-1)^l P_l(x).
@@ -116,10 +132,9 @@ impl Legendre {
                 sums[1] += odd * p[1];
             }
         }
-        coefficients
     }
 
-    /// Samples the panel between two ends for waves up to `reach`.
+    /// Samples the panel between two ends for waves up to `reach`, which are `summed` over the nodes or told by their orders.
     pub(super) fn sample(
         &self,
         columns: &[Column],
@@ -127,30 +142,31 @@ impl Legendre {
         lower: End,
         upper: End,
         (reach, summed): (f64, bool),
-    ) -> Result<Sampled, Refusal> {
+    ) -> Result<(Panel, Vec<Resolved>), Refusal> {
         let (middle, half) = (f64::midpoint(lower.s, upper.s), 0.5 * (upper.s - lower.s));
-        let s: Vec<f64> = self.nodes.iter().map(|x| middle + half * x).collect();
-        let mut f = vec![SurfaceFlexibility::default(); s.len()];
-        response.surface_into(&s, &mut f)?;
-        let some = || Vec::with_capacity(columns.len());
-        let panel = Panel { middle, half, waves: vec![], nodes: s, weighted: vec![] };
-        let mut sampled =
-            Sampled { panel, error: some(), ratio: some(), size: Vec::with_capacity(columns.len()), noisy: vec![] };
+        let nodes: Vec<f64> = self.nodes.iter().map(|x| middle + half * x).collect();
+        let count = nodes.len();
+        let mut f = vec![SurfaceFlexibility::default(); count];
+        response.surface_into(&nodes, &mut f)?;
+        let all = count * columns.len();
+        let (mut weighted, mut coefficients) = (Vec::with_capacity(all), vec![0.0; count]);
+        let mut told = Vec::with_capacity(if summed { 0 } else { all });
         let waves = self.waves(half * reach);
-        let ends = [lower, upper].map(|end| (end, values((end.at - middle) / half, self.nodes.len())));
-        for column in columns {
+        let ends = [lower, upper].map(|end| (end, values((end.at - middle) / half, count)));
+        let resolve = |column: &Column| {
             let mut size = 0.0;
             let weigh = |((s, f), weight): ((&f64, &SurfaceFlexibility), &f64)| {
                 let value = weight * column.weight(*s, f);
                 size += value.abs();
                 value
             };
-            let weighted: Vec<f64> = sampled.panel.nodes.iter().zip(&f).zip(&self.weights).map(weigh).collect();
-            let mut coefficients = self.coefficients(&weighted);
+            let first = weighted.len();
+            weighted.extend(nodes.iter().zip(&f).zip(&self.weights).map(weigh));
+            self.coefficients_into(&weighted[first..], &mut coefficients);
             // What the flexibility's error may make of the integral over [-1, 1].
             let mut rough = 0.0;
             if column.roughness > 0.0 {
-                let nodes = sampled.panel.nodes.iter().zip(&f).zip(&self.weights);
+                let nodes = nodes.iter().zip(&f).zip(&self.weights);
                 let exposed: f64 = nodes.map(|((s, f), weight)| weight * column.exposed(*s, f)).sum();
                 rough = column.roughness * exposed;
             }
@@ -161,17 +177,15 @@ impl Legendre {
             });
             let noise = NOISE.max(0.5 * rough);
             let (error, ratio, noisy) = unresolved(&coefficients, (seen, noise), &waves, lower.s == 0.0, summed);
-            sampled.error.push(2.0 * half * error);
-            sampled.ratio.push(ratio);
-            sampled.noisy.push(noisy);
-            sampled.size.push(Size { whole: half * size, roughened: TWICE * half * rough });
-            for (l, c) in coefficients.iter_mut().enumerate() {
-                *c *= if l % 4 < 2 { 2.0 * half } else { -2.0 * half };
+            if !summed {
+                let signed = |(l, c): (usize, &f64)| c * if l % 4 < 2 { 2.0 * half } else { -2.0 * half };
+                told.extend(coefficients.iter().enumerate().map(signed));
             }
-            sampled.panel.waves.push(coefficients);
-            sampled.panel.weighted.push(weighted);
-        }
-        Ok(sampled)
+            let size = Size { whole: half * size, roughened: TWICE * half * rough };
+            Resolved { error: 2.0 * half * error, ratio, size, noisy }
+        };
+        let resolved = columns.iter().map(resolve).collect();
+        Ok((Panel { middle, half, nodes, waves: told, weighted }, resolved))
     }
 }
 

@@ -1,5 +1,7 @@
 //! Polynomials made as short as they may be.
 
+use std::sync::OnceLock;
+
 /// Most coefficients.
 pub(super) const MOST: usize = 32;
 
@@ -26,43 +28,60 @@ fn without_last<'a>(terms: &'a [f64], allowed: f64, dropped: &mut f64) -> &'a [f
     &terms[..kept]
 }
 
-/// The same in `T_k(v)`: Horner's scheme, with `x T_k = T_k/2 + (T_(k+1) + T_|k-1|)/4`.
+/// The same in `T_k(v)`.
 fn chebyshev(powers: &[f64]) -> [f64; MOST] {
-    let mut series = [0.0; MOST];
-    for (length, power) in powers.iter().rev().enumerate() {
-        // T_0 becomes all of T_1, the others half of each neighbour.
-        let mut below = 0.0;
-        for k in 0..length {
-            let (here, above) = (series[k], series[k + 1]);
-            series[k] = 0.5 * here + 0.25 * (below + above);
-            below = if k == 0 { 2.0 * here } else { here };
-        }
-        series[length] = 0.25 * below;
-        series[0] += power;
-    }
-    series
+    sum(powers, &tables().of_powers)
 }
 
-/// `sum_k series[k] T_k(v)` in powers of `v`: each `T_k` follows from the two before.
+/// `sum_k series[k] T_k(v)` in powers of `v`.
 fn monomials(series: &[f64]) -> [f64; MOST] {
-    let (mut sum, mut even, mut odd) = ([0.0; MOST], [0.0; MOST], [0.0; MOST]);
-    let (mut older, mut newer) = (&mut even, &mut odd);
-    for (k, c) in series.iter().enumerate() {
-        // `older` becomes T_k.
-        if k < 2 {
-            older[k] = 1.0;
-        } else {
-            older[0] = -older[0];
-            for j in 1..=k {
-                older[j] = 2.0 * newer[j - 1] - older[j];
-            }
-        }
-        std::mem::swap(&mut older, &mut newer);
-        for (sum, t) in sum.iter_mut().zip(&newer[..=k]) {
-            *sum += c * t;
+    sum(series, &tables().of_chebyshev)
+}
+
+/// The sum of polynomials, the `k`-th of degree `k`.
+#[inline]
+fn sum(factors: &[f64], polynomials: &[[f64; MOST]; MOST]) -> [f64; MOST] {
+    let mut sum = [0.0; MOST];
+    for (k, (factor, polynomial)) in factors.iter().zip(polynomials).enumerate() {
+        for (sum, c) in sum[..=k].iter_mut().zip(polynomial) {
+            *sum += factor * c;
         }
     }
     sum
+}
+
+/// One family of polynomials in terms of another.
+struct Tables {
+    /// `x^k` in `T_0(v), T_1(v), ...`.
+    of_powers: [[f64; MOST]; MOST],
+    /// `T_k(v)` in powers of `v`.
+    of_chebyshev: [[f64; MOST]; MOST],
+}
+
+/// Made when first asked for.
+fn tables() -> &'static Tables {
+    static TABLES: OnceLock<Tables> = OnceLock::new();
+    TABLES.get_or_init(|| {
+        let (mut of_powers, mut of_chebyshev) = ([[0.0; MOST]; MOST], [[0.0; MOST]; MOST]);
+        (of_powers[0][0], of_chebyshev[0][0], of_chebyshev[1][1]) = (1.0, 1.0, 1.0);
+        for k in 1..MOST {
+            // x T_j = T_j/2 + (T_(j+1) + T_|j-1|)/4.
+            for j in 0..k {
+                let c = of_powers[k - 1][j];
+                of_powers[k][j] += 0.5 * c;
+                of_powers[k][j + 1] += 0.25 * c;
+                of_powers[k][j.abs_diff(1)] += 0.25 * c;
+            }
+        }
+        for k in 2..MOST {
+            // T_k = 2 v T_(k-1) - T_(k-2).
+            for j in 0..=k {
+                let raised = if j > 0 { 2.0 * of_chebyshev[k - 1][j - 1] } else { 0.0 };
+                of_chebyshev[k][j] = raised - of_chebyshev[k - 2][j];
+            }
+        }
+        Tables { of_powers, of_chebyshev }
+    })
 }
 
 #[cfg(test)]

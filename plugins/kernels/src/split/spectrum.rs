@@ -1,7 +1,7 @@
 //! The integral over `[0, S]`: Legendre series of what stands before the wave, panel by panel.
 
 use super::column::Column;
-use super::legendre::{End, LARGEST_NOISE, Legendre, Panel, Sampled, Size};
+use super::legendre::{End, LARGEST_NOISE, Legendre, Panel, Size};
 use super::spherical_bessel;
 use num_complex::Complex64;
 use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
@@ -88,7 +88,7 @@ impl Spectrum {
         summed: bool,
     ) -> Result<Self, Refusal> {
         let mut spectrum = Self {
-            panels: Vec::new(),
+            panels: Vec::with_capacity(2),
             error: vec![0.0; columns.len()],
             noise: vec![0.0; columns.len()],
             size: vec![Size::default(); columns.len()],
@@ -113,30 +113,25 @@ impl Spectrum {
             (origin, middle, nodes(middle.s, FIRST), f64::INFINITY),
         ];
         while let Some((lower, upper, nodes, before)) = stack.pop() {
-            let Sampled { panel, error, ratio, size, noisy } =
-                Legendre::of(nodes).sample(columns, response, lower, upper, (reach, summed))?;
+            let (panel, resolved) = Legendre::of(nodes).sample(columns, response, lower, upper, (reach, summed))?;
             spectrum.evaluations += nodes;
             // In units of the aim; of noise nothing more is expected.
-            let missed = columns.iter().zip(&error).zip(&noisy).filter(|(_, noisy)| !**noisy);
-            let worst = missed.map(|((column, error), _)| error / column.aim).fold(0.0, f64::max);
-            let stalled = worst > STALL * before && error.iter().all(|error| *error < LARGEST_NOISE);
+            let missed = columns.iter().zip(&resolved).filter(|(_, resolved)| !resolved.noisy);
+            let worst = missed.map(|(column, resolved)| resolved.error / column.aim).fold(0.0, f64::max);
+            let stalled = worst > STALL * before && resolved.iter().all(|resolved| resolved.error < LARGEST_NOISE);
             let given_up = spectrum.evaluations + nodes > MOST_SAMPLES || upper.s - lower.s < cutoff * 1e-6;
             if worst <= SHARE || stalled || given_up {
-                for ((sum, error), column_noisy) in spectrum.noise.iter_mut().zip(&error).zip(&noisy) {
-                    *sum += if *column_noisy || stalled { *error } else { 0.0 };
-                }
                 spectrum.panels.push(panel);
-                for (sum, error) in spectrum.error.iter_mut().zip(error) {
-                    *sum += error;
-                }
-                for (sum, size) in spectrum.size.iter_mut().zip(size) {
-                    sum.whole += size.whole;
-                    sum.roughened += size.roughened;
+                for (i, resolved) in resolved.iter().enumerate() {
+                    spectrum.error[i] += resolved.error;
+                    spectrum.noise[i] += if resolved.noisy || stalled { resolved.error } else { 0.0 };
+                    spectrum.size[i].whole += resolved.size.whole;
+                    spectrum.size[i].roughened += resolved.size.roughened;
                 }
                 continue;
             }
             // Under a slow wave the error falls by two factors for each node.
-            let factor = ratio.iter().fold(0.0_f64, |most, ratio| most.max(*ratio));
+            let factor = resolved.iter().map(|resolved| resolved.ratio).fold(0.0, f64::max);
             let by_node = if 0.5 * (upper.s - lower.s) * reach < 0.5 * nodes as f64 { 2.0 } else { 1.0 };
             let needed = nodes as f64 + 1.0 - (worst / SHARE).ln() / (by_node * factor.ln());
             if needed <= (ANEW * nodes as f64).min(NODES.1 as f64) {
@@ -161,7 +156,7 @@ impl Spectrum {
         let mut terms: Vec<Moment> =
             Vec::with_capacity(self.panels.iter().map(|panel| panel.nodes.len() / LANES + 1).sum());
         for panel in &self.panels {
-            let weighted = &panel.weighted[column];
+            let weighted = panel.weighted(column);
             for (nodes, weighted) in panel.nodes.chunks(LANES).zip(weighted.chunks(LANES)) {
                 let mut moment = Moment { term: [0.0; LANES], square: [0.0; LANES] };
                 for (i, (s, weighted)) in nodes.iter().zip(weighted).enumerate() {
@@ -182,7 +177,7 @@ impl Spectrum {
 
     /// Longest series of a panel.
     pub(super) fn terms(&self) -> usize {
-        self.panels.iter().flat_map(|panel| &panel.waves).map(Vec::len).max().unwrap_or(0)
+        self.panels.iter().flat_map(Panel::waves).map(<[f64]>::len).max().unwrap_or(0)
     }
 
     /// Adds the transforms at `t` to `out`; `scratch` holds [`Self::terms`] numbers.
@@ -190,7 +185,7 @@ impl Spectrum {
         for panel in &self.panels {
             spherical_bessel::sequence(panel.half * t, scratch);
             let wave = Complex64::cis(panel.middle * t);
-            for (out, waves) in out.iter_mut().zip(&panel.waves) {
+            for (out, waves) in out.iter_mut().zip(panel.waves()) {
                 let (mut re, mut im) = (0.0, 0.0);
                 for (w, j) in waves.chunks_exact(2).zip(scratch.chunks_exact(2)) {
                     re += w[0] * j[0];

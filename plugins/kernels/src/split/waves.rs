@@ -24,7 +24,7 @@ impl Waves {
         let nodes: Vec<f64> = spectrum.panels().iter().flat_map(|panel| &panel.nodes).copied().collect();
         let kernel = |i: usize| {
             let weighted = |panel: &super::legendre::Panel| -> Vec<f64> {
-                panel.weighted[i].iter().map(|value| panel.half * value).collect()
+                panel.weighted(i).iter().map(|value| panel.half * value).collect()
             };
             filled(&spectrum.panels().iter().flat_map(weighted).collect::<Vec<_>>())
         };

@@ -129,9 +129,16 @@ impl Fine {
         self.reach[i]
     }
 
-    /// `rows[i][j] += scale[i] sum_k folded[i][k] (step/factor) dP_k/dF_j` for a few rows of that length and all unknowns `j`.
-    pub(super) fn gather(&self, grid: &Grid, folded: &[f64], scale: &[f64], rows: (&mut [f64], usize)) {
-        Arch::new().dispatch(Gather { fine: self, grid, folded, scale, rows });
+    /// `rows[i][j] = cauchy[i][j] + scale[i] sum_k folded[i][k] (step/factor) dP_k/dF_j` for a few rows of that length and all
+    /// unknowns `j`.
+    pub(super) fn gather(
+        &self,
+        grid: &Grid,
+        (cauchy, folded): (&[f64], &[f64]),
+        scale: &[f64],
+        rows: (&mut [f64], usize),
+    ) {
+        Arch::new().dispatch(Gather { fine: self, grid, cauchy, folded, scale, rows });
     }
 
     /// `out[k] = (step/factor) P_k` from the unknowns, filled up with zeros.
@@ -184,6 +191,7 @@ impl Fine {
 struct Gather<'a> {
     fine: &'a Fine,
     grid: &'a Grid,
+    cauchy: &'a [f64],
     folded: &'a [f64],
     scale: &'a [f64],
     /// And their length.
@@ -195,26 +203,29 @@ impl WithSimd for Gather<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self { fine, grid, folded, scale, rows: (rows, length) } = self;
+        let Self { fine, grid, cauchy, folded, scale, rows: (rows, length) } = self;
         let (count, n, factor) = (fine.x.len(), grid.unknowns(), fine.factor);
-        for ((row, folded), scale) in rows.chunks_exact_mut(length).zip(folded.chunks_exact(count)).zip(scale) {
+        let (weight, first) = (&fine.weight[grid.first..], grid.first);
+        let each = rows.chunks_exact_mut(length).zip(cauchy.chunks_exact(n)).zip(folded.chunks_exact(count)).zip(scale);
+        for (((row, cauchy), folded), scale) in each {
             let row = &mut row[..n];
-            let (weight, first) = (&fine.weight[grid.first..], grid.first);
             if factor == 1 {
+                let (cauchy, cauchy_rest) = S::as_simd_f64s(cauchy);
                 let (values, values_rest) = S::as_simd_f64s(&folded[first..first + n]);
                 let (weights, weights_rest) = S::as_simd_f64s(&weight[..n]);
                 let (row, rest) = S::as_mut_simd_f64s(row);
                 let wide = simd.splat_f64s(*scale);
-                for (entry, (value, weight)) in row.iter_mut().zip(values.iter().zip(weights)) {
-                    *entry = simd.mul_add_e_f64s(simd.mul_f64s(wide, *value), *weight, *entry);
+                for (((entry, start), value), weight) in row.iter_mut().zip(cauchy).zip(values).zip(weights) {
+                    *entry = simd.mul_add_e_f64s(simd.mul_f64s(wide, *value), *weight, *start);
                 }
-                for (entry, (value, weight)) in rest.iter_mut().zip(values_rest.iter().zip(weights_rest)) {
-                    *entry += scale * value * weight;
+                let rests = cauchy_rest.iter().zip(values_rest).zip(weights_rest);
+                for (entry, ((start, value), weight)) in rest.iter_mut().zip(rests) {
+                    *entry = start + scale * value * weight;
                 }
             } else {
                 let at_nodes = folded[first * factor..].iter().step_by(factor);
-                for (entry, (value, weight)) in row.iter_mut().zip(at_nodes.zip(weight)) {
-                    *entry += scale * value * weight;
+                for (entry, ((start, value), weight)) in row.iter_mut().zip(cauchy.iter().zip(at_nodes).zip(weight)) {
+                    *entry = start + scale * value * weight;
                 }
             }
         }

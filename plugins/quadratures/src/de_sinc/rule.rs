@@ -20,8 +20,8 @@ pub(super) struct DeSincRule {
     half_width: f64,
     resolution: Resolution,
     grid: Arc<Grid>,
-    /// Where the kernel is summed; changes when the interval or the kernel do.
-    fine: Option<Arc<Fine>>,
+    /// Where the kernel is summed, and the interval over the kernel's length that it serves.
+    fine: Option<(f64, Arc<Fine>)>,
     stations: Vec<Station>,
     scratch: Scratch,
     /// Room for a density made ready for evaluation: whoever evaluates has only a shared rule.
@@ -48,15 +48,18 @@ impl DeSincRule {
 
     /// The grid on which a kernel of this length is resolved.
     fn fine(&mut self, length: f64) -> Arc<Fine> {
-        let factor = self.resolution.oversampling(self.half_width / length);
-        match &self.fine {
-            Some(fine) if fine.factor == factor => Arc::clone(fine),
-            _ => {
-                let fine = fine_grid(self.resolution, &self.grid, factor);
-                self.fine = Some(Arc::clone(&fine));
-                fine
-            }
+        let thinness = self.half_width / length;
+        let known = self.fine.as_ref();
+        if let Some((_, fine)) = known.filter(|(served, _)| served.to_bits() == thinness.to_bits()) {
+            return Arc::clone(fine);
         }
+        let factor = self.resolution.oversampling(thinness);
+        let fine = match known {
+            Some((_, fine)) if fine.factor == factor => Arc::clone(fine),
+            _ => fine_grid(self.resolution, &self.grid, factor),
+        };
+        self.fine = Some((thinness, Arc::clone(&fine)));
+        fine
     }
 
     /// A kernel summed over fine nodes.
@@ -102,9 +105,11 @@ impl Rule for DeSincRule {
     fn operator_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]) {
         let (n, length) = (self.unknowns(), rows.len() / self.stations.len());
         assert_eq!(rows.len(), length * self.stations.len(), "a row for each collocation point");
-        let cauchy = self.grid.cauchy.chunks_exact(n);
-        rows.chunks_exact_mut(length).zip(cauchy).for_each(|(row, cauchy)| row[..n].copy_from_slice(cauchy));
-        let Some(kernel) = kernel else { return };
+        let Some(kernel) = kernel else {
+            let cauchy = self.grid.cauchy.chunks_exact(n);
+            rows.chunks_exact_mut(length).zip(cauchy).for_each(|(row, cauchy)| row[..n].copy_from_slice(cauchy));
+            return;
+        };
         let fine = self.fine(kernel.0.length());
         let scene = self.scene(&fine, kernel);
         let Scratch { folded, .. } = &mut self.scratch;
@@ -114,8 +119,9 @@ impl Rule for DeSincRule {
             for (scale, row) in scale.iter_mut().zip(&self.grid.scale[here.clone()]) {
                 *scale = self.half_width / PI * row;
             }
+            let cauchy = &self.grid.cauchy[here.start * n..here.end * n];
             scene.fold(here, folded);
-            fine.gather(&self.grid, folded, &scale, (rows, length));
+            fine.gather(&self.grid, (cauchy, folded), &scale, (rows, length));
         }
     }
 
@@ -148,6 +154,7 @@ impl Rule for DeSincRule {
         fine.spread(&self.grid, unknowns, spread);
         let (end, count) = (self.stations.len(), spread.len());
         samples.clear();
+        samples.reserve(end + 1);
         for first in (0..=end).step_by(ROWS) {
             scene.fold(first..(end + 1).min(first + ROWS), folded);
             samples.extend(folded.chunks_exact(count).map(|row| self.half_width / PI * dot(row, spread)));
