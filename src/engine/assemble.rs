@@ -213,11 +213,18 @@ pub(super) fn point(
 
 /// How the errors were estimated, in words.
 fn how(judged: &Judged) -> String {
+    let of_kernels = |proven| if proven { "; kernels by their own bound" } else { "" };
     let numerical = match judged.how {
         How::Twin => "resolution fixed by the scene, compared with a finer twin".into(),
         How::Sequence { count, kernels_proven } => {
-            let kernels = if kernels_proven { "; kernels by their own bound" } else { "" };
-            format!("differences between {count} resolutions, each finer than the one before, extrapolated{kernels}")
+            let resolutions =
+                format!("differences between {count} resolutions, each finer than the one before, extrapolated");
+            resolutions + of_kernels(kernels_proven)
+        }
+        How::Again { kernels_proven } => {
+            let resolutions =
+                "difference between two resolutions, extrapolated at the pace seen under another load or punch";
+            resolutions.to_owned() + of_kernels(kernels_proven)
         }
     };
     if judged.of_model > 0.0 { numerical + "; the model of the solid by its bound" } else { numerical }

@@ -34,17 +34,30 @@ pub(crate) struct Size {
     /// What the load reached misses of the one wanted, relative: more than rounding where it jumps, because the
     /// resolution is too coarse for the layer.
     pub(crate) missed: f64,
+    /// Whether it is where to start from, and no coarser resolution's.
+    is_guess: bool,
 }
 
 impl Size {
     /// A size that bears the load, all but rounding.
     pub(crate) fn exactly(half_width: f64) -> Self {
-        Self { half_width, slope: f64::NAN, missed: 0.0 }
+        Self { half_width, slope: f64::NAN, missed: 0.0, is_guess: false }
     }
 
     /// A size to start from, where the load grows with that slope.
     pub(crate) fn about(half_width: f64, slope: f64) -> Self {
-        Self { half_width, slope, missed: 0.0 }
+        Self { half_width, slope, missed: 0.0, is_guess: true }
+    }
+
+    /// Where to start under another load, from the size under one; `None` where these do not compare.
+    pub(crate) fn under(&self, before: LoadInLayerUnits, load: LoadInLayerUnits) -> Option<Self> {
+        let times = match (before, load) {
+            (_, LoadInLayerUnits::HalfWidth(half_width)) => return Some(Self::exactly(half_width)),
+            (LoadInLayerUnits::Force(before), LoadInLayerUnits::Force(load))
+            | (LoadInLayerUnits::Indentation(before), LoadInLayerUnits::Indentation(load)) => load / before,
+            _ => return None,
+        };
+        SLOPES.contains(&self.slope).then(|| Self::about(self.half_width * times.powf(1.0 / self.slope), self.slope))
     }
 }
 
@@ -53,7 +66,7 @@ const SLOPES: std::ops::RangeInclusive<f64> = 0.2..=30.0;
 
 /// Solves the pressure under a punch whose contact grows, at the load of the problem.
 ///
-/// `known`: the size at a coarser resolution, where there was one.
+/// `known`: the size at a coarser resolution, or under another load, where there was one.
 pub(crate) fn press(
     layer: &mut Layer,
     problem: &Problem,
@@ -99,7 +112,7 @@ pub(crate) fn press(
     let (log_b, slope) = search((start.ln(), problem.reach().ln()), first_step, position, &mut excess)?;
     let missed = excess(log_b)?.abs();
     let slope = if SLOPES.contains(&slope) { slope } else { f64::NAN };
-    Ok(Size { half_width: log_b.exp(), slope, missed })
+    Ok(Size { half_width: log_b.exp(), slope, missed, is_guess: false })
 }
 
 /// The size of a coarser resolution, moved along the slope until little is missed; `None` where it is not near.
@@ -113,10 +126,10 @@ fn follow(
     let Size { half_width, mut slope, .. } = known;
     let mut log_b = half_width.ln();
     let mut missed = excess(log_b)?;
-    let enough = allowed.max(CONTRACTED * missed.abs());
+    let enough = if known.is_guess { allowed } else { allowed.max(CONTRACTED * missed.abs()) };
     for _ in 0..STEPS {
         if missed.abs() <= enough {
-            return Ok(Some(Size { half_width: log_b.exp(), slope, missed: missed.abs() }));
+            return Ok(Some(Size { half_width: log_b.exp(), slope, missed: missed.abs(), is_guess: false }));
         }
         let step = -missed / slope;
         if !SLOPES.contains(&slope) || step.abs() > LN_2 {

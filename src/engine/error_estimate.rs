@@ -25,7 +25,7 @@ const SHARES: [f64; 2] = [0.5, 1e-4];
 /// That of the shear where it is stacked: it is asked for as well as the zone.
 const STACKED_SHARE: f64 = 0.5;
 /// Another load, and another punch, on flat punches that are known are not taken to come any faster than this.
-const ANOTHER_LOAD: f64 = 0.1;
+const ANOTHER_LOAD: f64 = 1.0 / 16.0;
 const ANOTHER_PUNCH: f64 = 0.25;
 /// Factor on what the differences give.
 const SAFETY: f64 = 2.0;

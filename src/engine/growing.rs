@@ -121,10 +121,11 @@ impl Growing {
         layer: &mut Layer,
         task: Task,
         normal: &mut Normal,
+        known: Option<Size>,
     ) -> Result<Option<Outcome>, Refusal> {
         let problem = task.problem;
         let rubs = problem.friction.is_some();
-        let serves = |family: &Family, half_width: f64| family.serves(task, rubs, half_width) && family.is_checked();
+        let serves = |family: &Family, half_width: f64| family.serves(task, rubs, half_width);
         let Some(widest) = self.family.as_ref().filter(|_| self.broken.is_none()).map(Family::widest) else {
             return Ok(None);
         };
@@ -143,7 +144,7 @@ impl Growing {
         let size = if self.is_kinked {
             size
         } else {
-            contact_size::press(layer, problem, normal, task.wanted, task.tolerance, Some(size))?
+            contact_size::press(layer, problem, normal, task.wanted, task.tolerance, known.or(Some(size)))?
         };
         // By a hair it may be wider than expected.
         let is_steady = family.shrinks(problem.face()..size.half_width, STEADY).is_none();

@@ -13,8 +13,8 @@ use slipzone_api::Refusal;
 
 /// Most steps of refinement.
 const FINEST: usize = 13;
-/// Tolerances below which that many more of the coarsest levels are left out, which no layer converges on: where one
-/// system is solved on each. Searches want a coarse level to begin with.
+/// Tolerances below which that many more of the coarsest levels are left out, which no layer converges on. Searches begin with the
+/// coarsest of all nevertheless.
 const LEFT_OUT: [f64; 2] = [1e-7, 1e-9];
 /// Level from which refinement no longer helps a stick zone out of reach, or a pressure that pulls.
 const BOUND_LEVEL: usize = 4;
@@ -57,8 +57,8 @@ pub(super) struct Ladder {
     inherited: Vec<Option<Family>>,
     /// The step that was fine enough for a contact that grew.
     settled: Option<usize>,
-    /// How fast it was reached.
-    pace: Option<Pace>,
+    /// How fast it was reached, and by how wide a contact.
+    pace: Option<(f64, Pace)>,
 }
 
 /// What one punch leaves behind for another on the same layer: the flat punches of each resolution, the step that was fine
@@ -67,7 +67,7 @@ pub(super) struct Ladder {
 pub(super) struct FlatPunches {
     families: Vec<Option<Family>>,
     settled: Option<usize>,
-    pace: Option<Pace>,
+    pace: Option<(f64, Pace)>,
 }
 
 /// How sure a solved contact is, and how that is known.
@@ -93,12 +93,15 @@ pub(super) enum How {
     Twin,
     /// By that many resolutions, the kernels by their own proof or not.
     Sequence { count: usize, kernels_proven: bool },
+    /// By two resolutions and how fast they came before, the kernels likewise.
+    Again { kernels_proven: bool },
 }
 
 impl Ladder {
     /// A ladder for another punch on a layer whose flat punches are known.
     pub(super) fn inheriting(FlatPunches { families, settled, pace }: FlatPunches) -> Self {
-        Self { stages: Vec::new(), inherited: families, settled, pace: pace.map(Pace::of_another_punch) }
+        let pace = pace.map(|(half_width, pace)| (half_width, pace.of_another_punch()));
+        Self { stages: Vec::new(), inherited: families, settled, pace }
     }
 
     /// The flat punches that it leaves behind.
@@ -179,7 +182,7 @@ impl Ladder {
         tolerance: f64,
         loads: &[LoadInLayerUnits],
     ) -> Option<Vec<(Numbers, f64)>> {
-        let (How::Sequence { .. }, Some(before)) = (judged.how, judged.stage.checked_sub(1)) else { return None };
+        let Some(before) = judged.stage.checked_sub(1).filter(|_| judged.how != How::Twin) else { return None };
         let half_width = judged.outcome.numbers.get(Quantity::HalfWidth)?;
         let (_, error) = judged.errors.worst()?;
         let mut told = |index: usize| {
@@ -219,7 +222,9 @@ impl Ladder {
         let (mut errors, mut stopped) = (Numbers::default(), None);
         let mut stalled = 0;
         let first = first_level(problem, tolerance);
-        if let Some(judged) = self.pressed_again(layer, problem, methods, tolerance)? {
+        // What a search found on the coarsest level is followed from there to the first that matters.
+        let after_search = Some(left_out(tolerance)).filter(|level| searches(problem) && *level > 1);
+        if let Some(judged) = self.pressed_again(layer, problem, methods, tolerance) {
             return Ok(judged);
         }
         let mut next = 0;
@@ -244,7 +249,7 @@ impl Ladder {
             };
             stopped = None;
             if step == 0
-                && let Some(later) = self.known_from(problem, methods, tolerance, &outcome)
+                && let Some(later) = self.known_from(problem, methods, tolerance, &outcome).or(after_search)
             {
                 (next, last) = (later, Some((outcome, step)));
                 continue;
@@ -298,41 +303,45 @@ impl Ladder {
         }
         if problem.fixed_half_width().is_none() {
             self.settled = Some(stage);
-            self.pace = Pace::seen(&history, is_unseen(layer, &outcome, self.stages[stage].unknowns()));
+            let pace = Pace::seen(&history, is_unseen(layer, &outcome, self.stages[stage].unknowns()));
+            self.pace = outcome.numbers.get(Quantity::HalfWidth).zip(pace);
         }
         let count = stage + 1 - next.saturating_sub(1);
         let how = How::Sequence { count, kernels_proven: layer.kernel_error(0.0).is_some() };
         Ok(Judged { outcome, stage, errors, doubt: None, how, of_model: 0.0, stopped })
     }
 
-    /// A contact among the flat punches that another load, or another punch, settled: the step that was fine enough then and
-    /// the one before tell how fine it is now. `None` where it is no stack of them, or wants finer steps.
+    /// A contact no wider than one that was settled, under another load, or a stack of the same flat punches under another punch:
+    /// the step that was fine enough then and the one before tell how fine it is now. `None` where it wants finer steps, or is
+    /// refused: whether it is, and why, is left to these.
     fn pressed_again(
         &mut self,
         layer: &mut Layer,
         problem: &Problem,
         methods: &Methods,
         tolerance: f64,
-    ) -> Result<Option<Judged>, Refusal> {
-        let (Some(stage), Some(pace)) = (self.settled, self.pace) else { return Ok(None) };
-        let Some(before) = stage.checked_sub(1) else { return Ok(None) };
-        let mut outcomes = [const { None }; 2];
-        for (outcome, index) in outcomes.iter_mut().zip([before, stage]) {
-            let level = u32::try_from(index).expect("a few steps");
-            self.make(problem, methods, (index, level))?;
-            let found = self.stages[index].solve_again(layer, Self::task(problem, tolerance, level))?;
-            let Some(found) = found else { return Ok(None) };
-            *outcome = Some(found);
-        }
-        let [Some(coarse), Some(outcome)] = outcomes else { unreachable!("both were found") };
+    ) -> Option<Judged> {
+        let (stage, (widest, pace)) = self.settled.zip(self.pace)?;
+        let mut solve = |index: usize, coarse: Option<&Outcome>| {
+            let level = u32::try_from(index).ok()?;
+            self.make(problem, methods, (index, level)).ok()?;
+            let found =
+                self.stages[index].solve_again(layer, Self::task(problem, tolerance, level), widest, coarse).ok()??;
+            // A wider contact may take finer steps.
+            found.numbers.get(Quantity::HalfWidth).is_some_and(|b| b <= widest).then_some(found)
+        };
+        let coarse = solve(stage.checked_sub(1)?, None)?;
+        let mut outcome = solve(stage, Some(&coarse))?;
         let errors = pace.judge(&coarse.seen(), &outcome.seen());
         let all = with_the_rest(problem, layer, &outcome, tolerance, errors);
         if judged(problem, &all).is_some_and(|(_, error)| error > tolerance) {
-            return Ok(None);
+            return None;
         }
         layer.meter().conclude();
-        let how = How::Sequence { count: 2, kernels_proven: layer.kernel_error(0.0).is_some() };
-        Ok(Some(Judged { outcome, stage, errors, doubt: None, how, of_model: 0.0, stopped: None }))
+        let task = Self::task(problem, tolerance, u32::try_from(stage).ok()?);
+        self.stages[stage].settle(layer, task, &mut outcome).ok()?;
+        let how = How::Again { kernels_proven: layer.kernel_error(0.0).is_some() };
+        Some(Judged { outcome, stage, errors, doubt: None, how, of_model: 0.0, stopped: None })
     }
 
     /// The first of the last three steps that another contact took on this layer, where the coarsest one finds this one among
@@ -366,7 +375,7 @@ impl Ladder {
         self.make(problem, methods, (index, quadrature_level))?;
         let task = Self::task(problem, tolerance, kernel_level);
         let (before, here) = self.stages.split_at_mut(index);
-        let family = before.last().and_then(|stage| stage.growing.as_ref()?.family.as_ref());
+        let family = before.iter().rev().find_map(|stage| stage.growing.as_ref()?.family.as_ref());
         here[0].solve(layer, task, coarse, family)
     }
 
@@ -434,8 +443,17 @@ fn doubt(problem: &Problem, errors: &Numbers) -> Option<f64> {
 
 /// The coarsest level worth solving.
 fn first_level(problem: &Problem, tolerance: f64) -> usize {
-    let searches = problem.friction.is_some() || problem.fixed_half_width().is_none();
-    if searches { 0 } else { LEFT_OUT.iter().filter(|least| tolerance < **least).count() }
+    if searches(problem) { 0 } else { left_out(tolerance) }
+}
+
+/// Whether a stick zone or the size of the contact has to be found.
+fn searches(problem: &Problem) -> bool {
+    problem.friction.is_some() || problem.fixed_half_width().is_none()
+}
+
+/// How many of the coarsest levels no layer converges on.
+fn left_out(tolerance: f64) -> usize {
+    LEFT_OUT.iter().filter(|least| tolerance < **least).count()
 }
 
 #[allow(clippy::cast_possible_truncation)] // at most FINEST

@@ -8,7 +8,7 @@ use super::growing::Growing;
 use super::layer::{Layer, Wanted};
 use super::linear_strain::RateCurve;
 use super::normal::Normal;
-use super::problem::Problem;
+use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity, Traces};
 use super::stick::Shear;
 use super::stick_search::{Found, FrictionCurve, Root, Samples};
@@ -41,6 +41,8 @@ pub(crate) struct Stage {
     rubbed: Option<(f64, f64, Rubbing)>,
     /// Half-width and force of the pressure that `shear` was shown last.
     shown: Option<(f64, f64)>,
+    /// How wide the contact became under its load, where that was looked for.
+    sized: Option<(LoadInLayerUnits, Size)>,
 }
 
 /// What one resolution found.
@@ -133,7 +135,16 @@ impl Stage {
             Some(_) if !problem.is_stacked() => Some(Shear::new(quadrature)?),
             _ => None,
         };
-        Ok(Self { normal, shear, growing, slip_check: SlipCheck::default(), curve: None, rubbed: None, shown: None })
+        Ok(Self {
+            normal,
+            shear,
+            growing,
+            slip_check: SlipCheck::default(),
+            curve: None,
+            rubbed: None,
+            shown: None,
+            sized: None,
+        })
     }
 
     /// Solves; `coarse` is what a coarser resolution found, and the flat punches it found it with.
@@ -154,9 +165,8 @@ impl Stage {
             None
         } else {
             let known = coarse.and_then(|coarse| coarse.size);
-            Some(contact_size::press(layer, problem, &mut self.normal, task.wanted, task.tolerance, known)?)
+            Some(self.press_smooth(layer, task, known)?)
         };
-        let mut numbers = normal_numbers(layer, problem, &mut self.normal);
         let rubbing = match problem.friction {
             Some(eta) if problem.is_linear => {
                 Some(self.rub_linearly(layer, task, eta, coarse.and_then(|c| c.rubbing.as_ref()))?)
@@ -164,25 +174,54 @@ impl Stage {
             Some(eta) => Some(self.rub(layer, task, eta, coarse.and_then(|c| c.rubbing.as_ref()))?),
             None => None,
         };
-        if let Some(rubbing) = &rubbing {
-            rubbing.report(&mut numbers);
-        }
+        let mut outcome = self.outcome(layer, problem, size, rubbing);
+        let rubbing = &outcome.rubbing;
         if problem.is_linear && rubbing.as_ref().is_some_and(|rubbing| rubbing.verdict == Verdict::Holds) {
             let rate = self.shear.as_ref().map_or(0.0, |shear| shear.strain_rate);
-            numbers.set(Quantity::StrainRate, problem.elastic.a0() * rate);
+            outcome.numbers.set(Quantity::StrainRate, problem.elastic.a0() * rate);
+        }
+        Ok(outcome)
+    }
+
+    /// Solves the pressure of a contact that grows, from what is known of its size.
+    fn press_smooth(&mut self, layer: &mut Layer, task: Task, known: Option<Size>) -> Result<Size, Refusal> {
+        let size = contact_size::press(layer, task.problem, &mut self.normal, task.wanted, task.tolerance, known)?;
+        self.sized = Some((task.problem.load, size));
+        Ok(size)
+    }
+
+    /// What the pressure solved last tells, and the stick zone found for it.
+    fn outcome(&mut self, layer: &Layer, problem: &Problem, size: Option<Size>, rubbing: Option<Rubbing>) -> Outcome {
+        let mut numbers = normal_numbers(layer, problem, &mut self.normal);
+        if let Some(rubbing) = &rubbing {
+            rubbing.report(&mut numbers);
         }
         let mean = self.normal.mean();
         let mut pressure = [0.0; Traces::AT.len()];
         self.normal.values_into(&Traces::stations(self.normal.half_width), &mut pressure);
-        Ok(Outcome { numbers, rubbing, size, pressure: pressure.map(|p| p / mean), lost: None })
+        Outcome { numbers, rubbing, size, pressure: pressure.map(|p| p / mean), lost: None }
     }
 
-    /// Solves another load of the punch solved before; `None` where that is more than to look among the flat punches known.
-    pub(crate) fn solve_again(&mut self, layer: &mut Layer, task: Task) -> Result<Option<Outcome>, Refusal> {
-        match self.growing.as_mut().filter(|growing| growing.is_solver) {
-            Some(growing) => growing.solve_again(layer, task, &mut self.normal),
-            None => Ok(None),
+    /// Solves another load of a punch whose contact grows, no wider than the one given, from what is known of others and what a
+    /// coarser resolution found; `None` where that is not enough.
+    pub(crate) fn solve_again(
+        &mut self,
+        layer: &mut Layer,
+        task: Task,
+        widest: f64,
+        coarse: Option<&Outcome>,
+    ) -> Result<Option<Outcome>, Refusal> {
+        let problem = task.problem;
+        let known = coarse.and_then(|coarse| coarse.size);
+        if let Some(growing) = self.growing.as_mut().filter(|growing| growing.is_solver) {
+            return growing.solve_again(layer, task, &mut self.normal, known);
         }
+        let known = known.or_else(|| self.sized.and_then(|(before, size)| size.under(before, problem.load)));
+        let Some(known) = known.filter(|size| size.half_width <= widest && problem.friction.is_none()) else {
+            return Ok(None);
+        };
+        let size = self.press_smooth(layer, task, Some(known))?;
+        Ok(Some(self.outcome(layer, problem, Some(size), None)))
     }
 
     /// Pressure at points strictly inside the contact solved last.
