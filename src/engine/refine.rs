@@ -182,7 +182,7 @@ impl Ladder {
         tolerance: f64,
         loads: &[LoadInLayerUnits],
     ) -> Option<Vec<(Numbers, f64)>> {
-        let Some(before) = judged.stage.checked_sub(1).filter(|_| judged.how != How::Twin) else { return None };
+        let before = judged.stage.checked_sub(1).filter(|_| judged.how != How::Twin)?;
         let half_width = judged.outcome.numbers.get(Quantity::HalfWidth)?;
         let (_, error) = judged.errors.worst()?;
         let mut told = |index: usize| {
