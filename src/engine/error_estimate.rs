@@ -258,6 +258,45 @@ mod tests {
         assert_eq!(extrapolated(&history(&[&[1.0, 1.1]]), false), None);
     }
 
+    /// Estimate and truth of the last of two results under another load, both of which come at a pace.
+    fn judged_again(pace: Pace, shrinks: f64) -> [f64; 2] {
+        let [coarse, fine] = [1.0, shrinks].map(|left| history(&[&[1.0 + 1e-3 * left]])[0]);
+        [pace.judge(&coarse, &fine).get(Quantity::Force).unwrap(), 1e-3 * shrinks]
+    }
+
+    #[test]
+    fn another_load_is_judged_at_the_pace_of_the_first() {
+        let seen = |shrinks: f64| {
+            let values = [1.0, shrinks, shrinks * shrinks].map(|left| 1.0 + 0.1 * left);
+            Pace::seen(&history(&[&values]), false)
+        };
+        for shrinks in [0.3, 0.1, 0.01] {
+            let pace = seen(shrinks).unwrap();
+            let [estimate, truth] = judged_again(pace, shrinks);
+            assert!((truth..40.0 * truth).contains(&estimate), "{estimate:e} against {truth:e}");
+            // Another punch may be slower, all the more where the first was fast.
+            let [careful, slower] = judged_again(pace.of_another_punch(), shrinks.max(0.2));
+            assert!(careful >= slower, "{careful:e} against {slower:e}");
+        }
+        assert_eq!(seen(0.6), None, "what does not shrink has no pace");
+    }
+
+    #[test]
+    fn a_shear_that_was_not_known_is_not_known_under_another_load() {
+        let mut history = history(&[&[1.0 + 1e-6, 1.0 + 1e-9, 1.0 + 1e-12]]);
+        for (seen, apart) in history.iter_mut().zip([1e-1, 1e-2, 1e-3]) {
+            seen.numbers.set(Quantity::StickRatio, 0.5);
+            seen.traces.shear = Some([1.0 + apart; Traces::AT.len() + 1]);
+        }
+        let pace = Pace::seen(&history, false).unwrap();
+        for seen in &mut history {
+            seen.traces.shear = None;
+        }
+        let errors = pace.judge(&history[1], &history[2]);
+        assert!(errors.get(Quantity::StickRatio).unwrap() > 5e-4, "{errors:?}");
+        assert!(errors.get(Quantity::Force).unwrap() < 1e-8, "{errors:?}");
+    }
+
     #[test]
     fn a_twin_judges_by_the_whole_difference() {
         let [mut coarse, mut fine] = [1.0, 1.01].map(|value| history(&[&[value]])[0].numbers);
