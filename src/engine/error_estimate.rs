@@ -52,15 +52,13 @@ pub(crate) struct Seen {
 /// shear and pressure, whichever is slower. An algebraic sequence has the error `d r/(1 - r)` left, an exponential
 /// one less. `unseen` is whether the resolution is too coarse to tell the layer from what is below it.
 pub(crate) fn extrapolated(history: &[Seen], unseen: bool) -> Option<Numbers> {
-    let [.., first, second, third] = history else { return None };
-    let early = Differences::between(first, second, third);
-    let late = Differences::between(second, third, third);
+    let [early, late] = Differences::last_two(history)?;
     let Pace { of_pressure, of_shear, .. } = Pace::of(&early, &late, unseen);
     let mut errors = Numbers::default();
     for (quantity, d2) in late.numbers.iter() {
         let d1 = early.numbers.get(quantity).unwrap_or(1.0);
         let (of_all, least) = if quantity.is_of_shear() {
-            let share = if third.traces.is_stacked { STACKED_SHARE } else { SHARES[1] };
+            let share = if history.last()?.traces.is_stacked { STACKED_SHARE } else { SHARES[1] };
             (of_shear, share * late.of_shear.max(late.of_pressure))
         } else {
             (of_pressure, SHARES[0] * late.of_pressure)
@@ -100,9 +98,8 @@ impl Pace {
 
     /// That of a sequence; `None` with fewer than three results, or where the last of them came no closer.
     pub(crate) fn seen(history: &[Seen], unseen: bool) -> Option<Self> {
-        let [.., first, second, third] = history else { return None };
-        let pace =
-            Self::of(&Differences::between(first, second, third), &Differences::between(second, third, third), unseen);
+        let [early, late] = Differences::last_two(history)?;
+        let pace = Self::of(&early, &late, unseen);
         (pace.of_pressure.max(pace.of_shear) < NOT_SHRINKING).then_some(pace)
     }
 
@@ -135,6 +132,12 @@ struct Differences {
 }
 
 impl Differences {
+    /// Those of the last three of a sequence, over the sizes of the last; `None` with fewer.
+    fn last_two(history: &[Seen]) -> Option<[Self; 2]> {
+        let [.., first, second, third] = history else { return None };
+        Some([Self::between(first, second, third), Self::between(second, third, third)])
+    }
+
     /// Over the sizes of `scale`.
     fn between(one: &Seen, other: &Seen, scale: &Seen) -> Self {
         let mut found = Self { numbers: Numbers::default(), of_pressure: 0.0, of_shear: 0.0 };

@@ -137,14 +137,15 @@ impl Growing {
             self.stacked_on(task)?;
         }
         let (Some(family), Some(stack)) = (&mut self.family, &mut self.stack) else { return Ok(None) };
-        let Some(size) = stack.size_under(problem, family, problem.load) else { return Ok(None) };
-        if !serves(family, size.half_width) {
+        let Some(half_width) = stack.under(problem, family, problem.load) else { return Ok(None) };
+        if !serves(family, half_width) {
             return Ok(None);
         }
         let size = if self.is_kinked {
-            size
+            Size::exactly(half_width)
         } else {
-            contact_size::press(layer, problem, normal, task.wanted, task.tolerance, known.or(Some(size)))?
+            let start = known.unwrap_or_else(|| stack.size_about(problem, family, half_width));
+            contact_size::press(layer, problem, normal, task.wanted, task.tolerance, Some(start))?
         };
         // By a hair it may be wider than expected.
         let is_steady = family.shrinks(problem.face()..size.half_width, STEADY).is_none();

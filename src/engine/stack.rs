@@ -315,21 +315,15 @@ impl Stack {
         }
     }
 
-    /// How wide the contact is under a load, and how the load grows there; `None` where no member bears it.
-    pub(crate) fn size_under(
-        &mut self,
-        problem: &Problem,
-        family: &mut Family,
-        load: LoadInLayerUnits,
-    ) -> Option<Size> {
-        let half_width = self.under(problem, family, load)?;
-        let mut borne = |b: f64| match load {
+    /// A size to start from, where the stack finds the load at that half-width: with how the load grows there.
+    pub(crate) fn size_about(&mut self, problem: &Problem, family: &mut Family, half_width: f64) -> Size {
+        let mut borne = |b: f64| match problem.load {
             LoadInLayerUnits::HalfWidth(_) => b,
             LoadInLayerUnits::Force(_) => self.force(problem, b),
             LoadInLayerUnits::Indentation(_) => self.depth(problem, family, b),
         };
         let slope = (borne(half_width) / borne(half_width * (1.0 - BESIDE))).ln() / -(-BESIDE).ln_1p();
-        Some(Size::about(half_width, slope))
+        Size::about(half_width, slope)
     }
 
     /// Half-width at which something grows through zero.
