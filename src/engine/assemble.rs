@@ -6,7 +6,7 @@ use super::layer::Layer;
 use super::loading_curve::Point;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
-use super::refine::{How, Judged};
+use super::refine::{How, Judged, SHEAR};
 use super::solution::{
     EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Slip, Solution, Status, StickReport,
 };
@@ -55,6 +55,15 @@ pub(super) fn solution(
     });
     let told = of_pressure(scene, plan, problem, numbers, &judged.errors, how(judged));
     let mut solution = Solution { status, reason, stick, profile, ..told };
+    if let Some(error) = judged.of_shear {
+        solution.error.each.insert(Quantity::Shear.path().into(), error);
+        if error > SHEAR * scene.solver.tolerance.get() {
+            let what = format!(
+                "the shear in the stick zone is known to {error:.0e} of its largest value, the numbers to the tolerance"
+            );
+            solution.assumptions.push(what);
+        }
+    }
     if let Some(neglected) = solution.plan.coupling_neglected {
         let reason = format!(
             "Goodman: that q does not change p makes the friction that belongs to this stick ratio about {} too {}",

@@ -1,6 +1,6 @@
 //! How far a sequence of refined results is from its limit.
 
-use super::quantity::{Numbers, Traces};
+use super::quantity::{Numbers, Quantity, Traces};
 
 /// A difference that shrinks by less than this factor says nothing of the next one.
 const NOT_SHRINKING: f64 = 0.5;
@@ -27,6 +27,8 @@ const STACKED_SHARE: f64 = 0.5;
 /// Another load, and another punch, on flat punches that are known are not taken to come any faster than this.
 const ANOTHER_LOAD: f64 = 1.0 / 16.0;
 const ANOTHER_PUNCH: f64 = 0.25;
+/// A pressure that changes by less than this of what the shear changes by does not hold it back: it may be down to rounding.
+const BESIDE: f64 = 1e-2;
 /// Factor on what the differences give.
 const SAFETY: f64 = 2.0;
 /// No number is claimed to be better than this: rounding of a dense solve of a few hundred unknowns.
@@ -55,10 +57,15 @@ pub(crate) fn extrapolated(history: &[Seen], unseen: bool) -> Option<Numbers> {
     let [early, late] = Differences::last_two(history)?;
     let Pace { of_pressure, of_shear, .. } = Pace::of(&early, &late, unseen);
     let mut errors = Numbers::default();
+    let is_stacked = history.last()?.traces.is_stacked;
     for (quantity, d2) in late.numbers.iter() {
         let d1 = early.numbers.get(quantity).unwrap_or(1.0);
+        if quantity == Quantity::Shear {
+            errors.set(quantity, of_traces(d1, d2));
+            continue;
+        }
         let (of_all, least) = if quantity.is_of_shear() {
-            let share = if history.last()?.traces.is_stacked { STACKED_SHARE } else { SHARES[1] };
+            let share = if is_stacked { STACKED_SHARE } else { SHARES[1] };
             (of_shear, share * late.of_shear.max(late.of_pressure))
         } else {
             (of_pressure, SHARES[0] * late.of_pressure)
@@ -78,17 +85,21 @@ pub(crate) fn extrapolated(history: &[Seen], unseen: bool) -> Option<Numbers> {
 pub(crate) struct Pace {
     of_pressure: f64,
     of_shear: f64,
-    /// The largest of the shear's last differences, its trace's among them.
+    /// The largest of the shear's last differences, its trace's among them; and that of the shear itself.
     shear_apart: f64,
+    traces_apart: f64,
     /// What is judged by it is not taken to come any faster than this.
     least: f64,
 }
 
 impl Pace {
     fn of(early: &Differences, late: &Differences, unseen: bool) -> Self {
-        let of_pressure = rate(early.of_pressure, late.of_pressure).max(if unseen { FASTEST_UNSEEN } else { 0.0 });
-        let of_shear = rate(early.of_shear, late.of_shear).max(of_pressure);
-        Self { of_pressure, of_shear, shear_apart: late.of_shear, least: ANOTHER_LOAD }
+        let fastest = if unseen { FASTEST_UNSEEN } else { 0.0 };
+        let of_pressure = rate(early.of_pressure, late.of_pressure).max(fastest);
+        let held_back = if late.of_pressure > BESIDE * late.of_shear { of_pressure } else { fastest };
+        let of_shear = rate(early.of_shear, late.of_shear).max(held_back);
+        let traces_apart = late.numbers.get(Quantity::Shear).unwrap_or(0.0);
+        Self { of_pressure, of_shear, shear_apart: late.of_shear, traces_apart, least: ANOTHER_LOAD }
     }
 
     /// That of another punch on the same flat punches.
@@ -107,9 +118,13 @@ impl Pace {
     pub(crate) fn judge(&self, coarse: &Seen, fine: &Seen) -> Numbers {
         let late = Differences::between(coarse, fine, fine);
         let mut errors = Numbers::default();
+        let apart = late.of_shear.max(late.of_pressure).max(self.shear_apart);
+        if late.numbers.get(Quantity::StickRatio).is_some() {
+            errors
+                .set(Quantity::Shear, (SAFETY * left(apart.max(self.traces_apart), self.of_shear)).max(SLIP_ROUNDING));
+        }
         for (quantity, difference) in late.numbers.iter() {
             let (rate, least, floor) = if quantity.is_of_shear() {
-                let apart = late.of_shear.max(late.of_pressure).max(self.shear_apart);
                 (self.of_shear, STACKED_SHARE * apart, SLIP_ROUNDING)
             } else {
                 (self.of_pressure, SHARES[0] * late.of_pressure, ROUNDING)
@@ -153,8 +168,9 @@ impl Differences {
         }
         found.of_pressure = found.of_pressure.max(apart(&one.traces.pressure, &other.traces.pressure, 1.0));
         if let (Some(one), Some(other), Some(scale)) = (one.traces.shear, other.traces.shear, scale.traces.shear) {
-            let largest = scale.iter().fold(0.0_f64, |most, q| most.max(q.abs()));
-            found.of_shear = found.of_shear.max(apart(&one, &other, largest));
+            let inside = apart(&one.inner, &other.inner, scale.largest);
+            found.numbers.set(Quantity::Shear, apart(&one.at, &other.at, scale.largest).max(inside));
+            found.of_shear = found.of_shear.max(apart(&one.at, &other.at, scale.scale));
         }
         found
     }
@@ -168,6 +184,13 @@ fn apart(one: &[f64], other: &[f64], scale: f64) -> f64 {
 /// What is left after a difference that shrinks at a rate.
 fn left(difference: f64, rate: f64) -> f64 {
     difference * rate / (1.0 - rate)
+}
+
+/// Relative error estimate of the last of a sequence of shears, from the largest of many differences between them.
+pub(crate) fn of_traces(early: f64, late: f64) -> f64 {
+    let rate = rate(early, late);
+    let remains = if rate < NOT_SHRINKING { left(late, rate) } else { early.max(late) };
+    (SAFETY * remains).max(SLIP_ROUNDING)
 }
 
 /// By how much two successive differences shrink.
@@ -202,7 +225,7 @@ fn relative(difference: f64, scale: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::quantity::Quantity;
+    use super::super::quantity::ShearTrace;
     use super::*;
 
     fn history(sequences: &[&[f64]]) -> Vec<Seen> {
@@ -289,7 +312,8 @@ mod tests {
         let mut history = history(&[&[1.0 + 1e-6, 1.0 + 1e-9, 1.0 + 1e-12]]);
         for (seen, apart) in history.iter_mut().zip([1e-1, 1e-2, 1e-3]) {
             seen.numbers.set(Quantity::StickRatio, 0.5);
-            seen.traces.shear = Some([1.0 + apart; Traces::AT.len() + 1]);
+            let at = [1.0 + apart; ShearTrace::POINTS];
+            seen.traces.shear = Some(ShearTrace::new(at, at, 0.0));
         }
         let pace = Pace::seen(&history, false).unwrap();
         for seen in &mut history {

@@ -6,7 +6,7 @@ use super::family::{Family, Unfit, during};
 use super::layer::Layer;
 use super::normal::Normal;
 use super::problem::{LoadInLayerUnits, Problem};
-use super::quantity::{Numbers, Quantity, Traces};
+use super::quantity::{Numbers, Quantity, ShearTrace, Traces};
 use super::stack::Stack;
 use super::stage::{Outcome, Rubbing, Task, Verdict, normal_numbers, peak};
 use super::strain::Strain;
@@ -27,7 +27,9 @@ const SERIES_SHARE: f64 = 1e-2;
 const NODES: (f64, f64, f64) = (6.0, 1.8, 0.125);
 /// Where what the shear lacks is compared from resolution to resolution, over the half-width of the stick zone: near the middle
 /// it is stacked of the most members.
-const TRACED: [f64; Traces::AT.len()] = [0.05, 0.4, 0.85];
+const TRACED: [f64; ShearTrace::POINTS] = [0.05, 0.4, 0.85, 1.0];
+/// And where else the shear itself is: what it lacks may be known by chance at one point.
+const NEAR_MIDDLE: [f64; ShearTrace::INNER] = [0.01, 0.025, 0.1];
 /// The stick zone may shrink by rounding, relative.
 const STEADY: f64 = 1e-9;
 
@@ -107,7 +109,7 @@ impl Growing {
         let size = if self.is_kinked { self.widen(layer, task, size)? } else { size };
         let numbers = self.sized(layer, problem, normal, size);
         let rubbing = match problem.friction {
-            Some(_) => Some(self.rub(layer, task)?),
+            Some(_) => Some(self.rub(layer, task, normal)?),
             None => None,
         };
         let pressure = self.pressure_traced(problem, normal);
@@ -286,7 +288,7 @@ impl Growing {
     }
 
     /// The stick zone, and the shear's trace.
-    fn rub(&mut self, layer: &mut Layer, task: Task) -> Result<Rubbing, Refusal> {
+    fn rub(&mut self, layer: &mut Layer, task: Task, normal: &Normal) -> Result<Rubbing, Refusal> {
         let (b, problem) = (self.half_width, task.problem);
         if let Some((at, rubbing)) = &self.broken {
             let rubbing = rubbing.clone();
@@ -310,17 +312,23 @@ impl Growing {
         }
         let family = self.family.as_mut().expect("provided before");
         let zone = family.zone(b);
-        let mut rubbing = family.rubbing(layer, task, b)?.expect("a family with friction");
+        let rubbing = family.rubbing(layer, task, b)?.expect("a family with friction");
         if let Some(at) = family.shrinks(problem.face()..b, STEADY) {
-            rubbing = rubbing.failing(during(problem, at, "the stick zone shrinks"));
+            // What is stacked of a zone that shrinks is no shear of this contact.
+            return Ok(rubbing.failing(during(problem, at, "the stick zone shrinks")));
         }
         // The pressure has a trace of its own.
         let stack = self.stack.as_ref().expect("provided before");
-        let lack = TRACED.map(|part| stack.lack(problem, family, b, part * zone.half_width));
+        let mut lack = |part: f64| stack.lack(problem, family, b, part * zone.half_width);
+        let (lack, inner) = (TRACED.map(&mut lack), NEAR_MIDDLE.map(&mut lack));
+        let friction = family.signed_friction();
+        let mut sliding = [0.0; TRACED.len()];
+        let own = |part: f64| Station { x: part * zone.half_width, gap: (1.0 - part) * zone.half_width };
+        self.pressure_into(problem, normal, &TRACED.map(|part| zone.in_contact(own(part))), &mut sliding);
         let mean = self.force / (2.0 * b);
-        let mut trace = [0.0; Traces::AT.len() + 1];
-        trace.iter_mut().zip(lack).for_each(|(trace, lack)| *trace = lack / mean);
-        Ok(rubbing.traced(trace))
+        let shear = std::array::from_fn(|i| (friction * sliding[i] - lack[i]) / mean);
+        let trace = ShearTrace::new(lack.map(|lack| lack / mean), shear, friction);
+        Ok(rubbing.traced(ShearTrace { inner: inner.map(|lack| lack / mean), ..trace }))
     }
 
     /// Sizes of the contact on its way to a load solved already, whose half-width is given; `None` where it is no single

@@ -24,6 +24,7 @@ mod problem;
 mod quantity;
 mod refine;
 mod root;
+mod sharpen;
 mod sheet;
 mod shelf;
 mod slip_grid;

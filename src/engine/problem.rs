@@ -130,6 +130,9 @@ impl Problem {
             };
             errors.set(quantity, if error.is_nan() { of_pressure } else { error });
         }
+        if let Some(of_zone) = errors.get(Quantity::StickRatio) {
+            errors.set(Quantity::Shear, of_zone);
+        }
         errors
     }
 

@@ -18,10 +18,12 @@ pub(crate) enum Quantity {
     StickRatio,
     OneMinusRatio,
     StrainRate,
+    /// The shear all along the contact: it has an error, over its largest value, and no value of its own.
+    Shear,
 }
 
 impl Quantity {
-    pub(crate) const ALL: [Self; 12] = [
+    pub(crate) const ALL: [Self; 13] = [
         Self::Force,
         Self::HalfWidth,
         Self::Indentation,
@@ -34,11 +36,12 @@ impl Quantity {
         Self::StickRatio,
         Self::OneMinusRatio,
         Self::StrainRate,
+        Self::Shear,
     ];
 
     /// Whether it tells of the shear, and not of the pressure alone.
     pub(crate) fn is_of_shear(self) -> bool {
-        matches!(self, Self::StickHalfWidth | Self::StickRatio | Self::OneMinusRatio | Self::StrainRate)
+        matches!(self, Self::StickHalfWidth | Self::StickRatio | Self::OneMinusRatio | Self::StrainRate | Self::Shear)
     }
 
     /// Its path in the result.
@@ -56,6 +59,7 @@ impl Quantity {
             Self::StickRatio => "stick.ratio",
             Self::OneMinusRatio => "stick.one_minus_ratio",
             Self::StrainRate => "stick.strain_rate",
+            Self::Shear => "profile.shear",
         }
     }
 }
@@ -101,14 +105,16 @@ impl Wishes {
 
     /// Whether a number of the stick zone is reported.
     pub(crate) fn reports_stick(self) -> bool {
-        Quantity::ALL.into_iter().any(|quantity| quantity.is_of_shear() && self.reports(quantity))
+        let is_of_stick = |quantity: Quantity| quantity.is_of_shear() && quantity != Quantity::Shear;
+        Quantity::ALL.into_iter().any(|quantity| is_of_stick(quantity) && self.reports(quantity))
     }
 
-    /// Whether the error of a number has to meet the tolerance.
+    /// Whether the error of a number has to meet the tolerance. That of the shear is told beside these.
     pub(crate) fn judges(self, quantity: Quantity) -> bool {
         let by_profile = !matches!(quantity, Quantity::Indentation | Quantity::Peak | Quantity::StrainRate);
         let on_curve = matches!(quantity, Quantity::Force | Quantity::HalfWidth);
-        self.reports(quantity) || self.profile && by_profile || self.curve && on_curve
+        let asked = self.reports(quantity) || self.profile && by_profile || self.curve && on_curve;
+        asked && quantity != Quantity::Shear
     }
 }
 
@@ -148,6 +154,11 @@ impl Numbers {
         self.iter().filter_map(change).fold(0.0, f64::max)
     }
 
+    /// Takes one out.
+    pub(crate) fn take(&mut self, quantity: Quantity) -> Option<f64> {
+        self.0[quantity as usize].take()
+    }
+
     /// Those that are to meet the tolerance.
     pub(crate) fn judged_by(&self, wishes: Wishes) -> Self {
         let mut judged = *self;
@@ -174,10 +185,42 @@ impl Numbers {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Traces {
     pub(crate) pressure: [f64; Self::AT.len()],
-    /// Where a stick zone was found; at its end as well. Of a contact that grew what the shear lacks to that of full sliding.
-    pub(crate) shear: Option<[f64; Self::AT.len() + 1]>,
-    /// Whether the shear is stacked, and wanted as well as the stick zone.
+    /// Where a stick zone was found.
+    pub(crate) shear: Option<ShearTrace>,
+    /// Whether the shear is stacked: no more is known of it than these traces tell.
     pub(crate) is_stacked: bool,
+}
+
+/// The shear at points of the stick zone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ShearTrace {
+    /// At [`Traces::AT`] and at the end; of a contact that grew what it lacks to that of full sliding, at points of its own.
+    pub(crate) at: [f64; Self::POINTS],
+    /// Of a contact that grew at more points, near the middle.
+    pub(crate) inner: [f64; Self::INNER],
+    /// The largest of these.
+    pub(crate) scale: f64,
+    /// The largest shear there: what errors of the shear are relative to. No less than [`Self::LEAST`] of what slides.
+    pub(crate) largest: f64,
+}
+
+impl ShearTrace {
+    /// How many there are.
+    pub(crate) const POINTS: usize = Traces::AT.len() + 1;
+    pub(crate) const INNER: usize = 3;
+    /// A shear that is less than this share of sliding friction under the mean pressure is none to speak of.
+    pub(crate) const LEAST: f64 = 1e-2;
+
+    /// Of a traction over the mean pressure, its shear at those points, and the friction coefficient.
+    pub(crate) fn new(at: [f64; Self::POINTS], shear: [f64; Self::POINTS], friction: f64) -> Self {
+        let largest = |numbers: &[f64], least: f64| numbers.iter().fold(least, |most, q| most.max(q.abs()));
+        Self {
+            at,
+            inner: [0.0; Self::INNER],
+            scale: largest(&at, 0.0),
+            largest: largest(&shear, Self::LEAST * friction.abs()),
+        }
+    }
 }
 
 impl Traces {

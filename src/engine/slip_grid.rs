@@ -76,6 +76,11 @@ impl SlipGrid {
         if for_kernel <= plain { plain } else { for_kernel.min(MOST_NODES).next_power_of_two() }
     }
 
+    /// As fine as a rule of that many unknowns from now on.
+    pub(crate) fn resolve(&mut self, unknowns: usize) {
+        self.resolution = unknowns;
+    }
+
     fn resize(&mut self, nodes: usize) {
         // The finest grids are for the last digits.
         (self.count, self.unit) = (nodes, Unit::of(nodes, nodes < NODES.1));

@@ -173,6 +173,9 @@ impl Solver {
                 found.errors.set(quantity, numerical + error);
             }
         }
+        if let (Some(numerical), Some(bound)) = (&mut found.of_shear, bound.get(Quantity::StickHalfWidth)) {
+            *numerical += bound;
+        }
         found.of_model = bound.worst().map_or(0.0, |(_, bound)| bound);
         if !stand_in.is_forced && found.errors.worst().is_some_and(|(_, error)| error > tolerance) {
             // Guessed too narrow a contact, or a scene that is hard for the numbers.

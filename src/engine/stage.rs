@@ -9,7 +9,8 @@ use super::layer::{Layer, Wanted};
 use super::linear_strain::RateCurve;
 use super::normal::Normal;
 use super::problem::{LoadInLayerUnits, Problem};
-use super::quantity::{Numbers, Quantity, Traces};
+use super::quantity::{Numbers, Quantity, ShearTrace, Traces};
+use super::sharpen::sharpen;
 use super::stick::Shear;
 use super::stick_search::{Found, FrictionCurve, Root, Samples};
 use super::stick_zone::StickZone;
@@ -75,6 +76,11 @@ impl Outcome {
         Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()], 0.0)
     }
 
+    /// Whether the stick zone is so wide that the shear inside is known less well than the rest.
+    pub(crate) fn is_crowded(&self) -> bool {
+        self.rubbing.as_ref().is_some_and(|rubbing| rubbing.zone.is_crowded())
+    }
+
     /// What it tells of the next resolution.
     pub(crate) fn seen(&self) -> Seen {
         let shear = self.rubbing.as_ref().and_then(|rubbing| rubbing.shear);
@@ -95,9 +101,8 @@ pub(crate) struct Rubbing {
     scanned: bool,
     /// Whether the root reported is known to satisfy the conditions of friction.
     checked: bool,
-    /// The shear at [`Traces::AT`] and at the end, or what that of a contact that grew lacks at points of its own, over the mean
-    /// pressure; where a stick zone was found.
-    shear: Option<[f64; Traces::AT.len() + 1]>,
+    /// The shear over the mean pressure, where a stick zone was found.
+    shear: Option<ShearTrace>,
 }
 
 /// Whether a stick zone was found, and whether it holds.
@@ -337,12 +342,7 @@ impl Stage {
                 curve.at(lambda)?;
                 let root = Root { lambda, branch, slope: f64::NAN, doubt: f64::NAN };
                 let rubbing = Rubbing::expected(root, b, true);
-                let mut trace = [0.0; Traces::AT.len() + 1];
-                let [inside @ .., end] = &mut trace;
-                curve.shear.in_stick_into(&Traces::stations(curve.shear.zone.half_width), inside);
-                *end = curve.shear.at_edge;
-                let mean = curve.normal.mean();
-                let rubbing = rubbing.traced(trace.map(|q| q / mean));
+                let rubbing = rubbing.traced(curve.shear.trace(curve.normal.mean()));
                 let Some((x, load)) = checks::overload(curve.normal, curve.shear) else { return Ok(rubbing) };
                 let what = format!("|q| reaches {load:.3} eta p at x = {x:.4} b inside the stick zone");
                 failure = failure.or(Some(rubbing.failing(what)));
@@ -365,12 +365,7 @@ impl Stage {
     ) -> Result<(), Refusal> {
         self.curve(layer, task).at_or_near(lambda, KNOWN)?;
         let shear = self.shear.as_ref().expect("room for the shear was made with friction");
-        let mut trace = [0.0; Traces::AT.len() + 1];
-        let [inside @ .., end] = &mut trace;
-        shear.in_stick_into(&Traces::stations(shear.zone.half_width), inside);
-        *end = shear.at_edge;
-        let mean = self.normal.mean();
-        rubbing.shear = Some(trace.map(|q| q / mean));
+        rubbing.shear = Some(shear.trace(self.normal.mean()));
         if let Some(before) = before.filter(|_| !rubbing.checked) {
             rubbing.checked = self.holds(layer, task, before, lambda)?;
         }
@@ -402,33 +397,30 @@ impl Stage {
     /// [`Self::rub`], from the beginning.
     fn find(&mut self, layer: &Layer, task: Task, eta: f64, coarse: Option<&Rubbing>) -> Result<Rubbing, Refusal> {
         self.refresh(layer);
-        if let Some(coarse) = coarse.filter(|coarse| !coarse.found.roots.is_empty()) {
-            let mut curve = self.curve(layer, task);
-            let mut found = Found { roots: ArrayVec::new(), ..coarse.found.clone() };
-            let mut chosen = None;
-            for (i, root) in coarse.found.roots.iter().enumerate() {
-                if let Some(root) = curve.follow(*root, eta)? {
-                    if i == coarse.chosen {
-                        chosen = Some(found.roots.len());
-                    }
-                    found.roots.push(root);
+        let known = coarse.filter(|coarse| !coarse.found.roots.is_empty());
+        match known.map(|coarse| self.followed(layer, task, eta, coarse)).transpose()?.flatten() {
+            Some(rubbing) => Ok(rubbing),
+            None => self.scan(layer, task, eta),
+        }
+    }
+
+    /// Stick zones known roughly, found at this resolution to the tolerance; `None` where the one reported is lost.
+    fn followed(&mut self, layer: &Layer, task: Task, eta: f64, known: &Rubbing) -> Result<Option<Rubbing>, Refusal> {
+        let mut curve = self.curve(layer, task);
+        let mut found = Found { roots: ArrayVec::new(), ..known.found.clone() };
+        let mut chosen = None;
+        for (i, root) in known.found.roots.iter().enumerate() {
+            if let Some(root) = curve.follow(*root, eta)? {
+                if i == known.chosen {
+                    chosen = Some(found.roots.len());
                 }
-            }
-            if let Some(chosen) = chosen {
-                let zone = StickZone::from_log(found.roots[chosen].lambda, self.normal.half_width);
-                let checked = coarse.checked;
-                return Ok(Rubbing {
-                    zone,
-                    verdict: Verdict::Holds,
-                    found,
-                    chosen,
-                    scanned: false,
-                    checked,
-                    shear: None,
-                });
+                found.roots.push(root);
             }
         }
-        self.scan(layer, task, eta)
+        let Some(chosen) = chosen else { return Ok(None) };
+        let zone = StickZone::from_log(found.roots[chosen].lambda, self.normal.half_width);
+        let checked = known.checked;
+        Ok(Some(Rubbing { zone, verdict: Verdict::Holds, found, chosen, scanned: false, checked, shear: None }))
     }
 
     /// Looks for all stick zones, and for the first that holds where there are several.
@@ -547,7 +539,7 @@ impl Stage {
             if rubbing.verdict != Verdict::Holds && !rubbing.scanned {
                 // This resolution may see what the one that was scanned did not.
                 let again = self.scan(layer, task, eta)?;
-                if !again.found.roots.is_empty() {
+                if let Some(again) = self.followed(layer, task, eta, &again)? {
                     *rubbing = again;
                     self.choose(layer, task, rubbing)?;
                 }
@@ -578,6 +570,21 @@ impl Stage {
             _ => {}
         }
         Ok(false)
+    }
+
+    /// Makes the shear under a flat punch as sure all along the stick zone settled as the tolerance asks, where the pressure is known to
+    /// within `of_pressure`, see [`sharpen`]; its error, over its largest value.
+    pub(crate) fn sharpen(
+        &mut self,
+        layer: &Layer,
+        task: Task,
+        outcome: &Outcome,
+        of_pressure: f64,
+    ) -> Result<Option<f64>, Refusal> {
+        let is_found =
+            !task.problem.is_linear && outcome.rubbing.as_ref().is_some_and(|rubbing| rubbing.shear.is_some());
+        let Some(shear) = self.shear.as_mut().filter(|shear| is_found && shear.is_solved) else { return Ok(None) };
+        sharpen(shear, layer, &mut self.normal, task.problem.elastic.beta(), (of_pressure, task.tolerance))
     }
 
     /// The condition of friction that the stick zone solved last fails, and where.
@@ -632,7 +639,7 @@ impl Rubbing {
     }
 
     /// The same with what tells its shear from that of other resolutions, see [`Traces`].
-    pub(crate) fn traced(self, shear: [f64; Traces::AT.len() + 1]) -> Self {
+    pub(crate) fn traced(self, shear: ShearTrace) -> Self {
         Self { shear: Some(shear), ..self }
     }
 

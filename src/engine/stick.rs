@@ -5,10 +5,12 @@ use super::dense::Dense;
 use super::layer::Layer;
 use super::linear_strain;
 use super::normal::Normal;
+use super::quantity::{ShearTrace, Traces};
 use super::slip_grid::SlipGrid;
 use super::stick_zone::StickZone;
 use super::work::Work;
 use slipzone_api::{Component, Density, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
+use std::f64::consts::SQRT_2;
 
 /// The next finer step may be far too fine: this share of the unknowns wanted will do.
 ///
@@ -32,6 +34,8 @@ pub(crate) struct Shear {
     pub(crate) is_solved: bool,
     /// `C/A0` of the strain `C|x|` in the stick zone; 0 where nothing is left there.
     pub(crate) strain_rate: f64,
+    /// By how much its resolution moves it anywhere in the zone, where that was asked for, see [`super::sharpen`].
+    pub(crate) along: Option<f64>,
     quadrature: Box<dyn Quadrature>,
     /// By steps of the quadrature's ladder beyond its own resolution.
     grids: Vec<StickGrid>,
@@ -87,6 +91,7 @@ impl Shear {
             at_edge: 0.0,
             is_solved: false,
             strain_rate: 0.0,
+            along: None,
             quadrature,
             grids: vec![coarsest],
             used: 0,
@@ -100,7 +105,7 @@ impl Shear {
     /// Takes note of a new pressure; no zone is solved for it yet.
     pub(crate) fn under(&mut self, layer: &Layer, normal: &mut Normal) {
         self.zone = StickZone::default();
-        self.is_solved = false;
+        (self.is_solved, self.along) = (false, None);
         normal.sample_potential(layer, Component::Coupling, &mut self.coupling);
     }
 
@@ -156,7 +161,7 @@ impl Shear {
         let grid = &mut self.grids[used];
         // Refused, the zone solved last stays as it is.
         layer.meter().system(grid.rule.unknowns() + 1, 1)?;
-        (self.used, self.is_solved) = (used, false);
+        (self.used, self.is_solved, self.along) = (used, false, None);
         let rule = &mut grid.rule;
         rule.stretch(zone.half_width);
         rule.carrier_into(layer.kernel(Component::ShearStrain), &mut grid.carrier);
@@ -262,6 +267,40 @@ impl Shear {
                 *out += self.strain_rate * linear_strain::carrier(self.zone.half_width, *at);
             }
         }
+    }
+
+    /// The shear at [`Traces::AT`] and at the end of the stick zone, over a mean pressure.
+    pub(crate) fn trace(&self, mean: f64) -> ShearTrace {
+        let mut at = [self.at_edge; ShearTrace::POINTS];
+        self.in_stick_into(&Traces::stations(self.zone.half_width), &mut at[..Traces::AT.len()]);
+        let at = at.map(|q| q / mean);
+        ShearTrace::new(at, at, self.friction)
+    }
+
+    /// Solves the zone solved last once more, on the next finer grid and with the slip zone so many steps finer; `false`
+    /// where there is no such grid.
+    pub(crate) fn refine(
+        &mut self,
+        layer: &Layer,
+        normal: &mut Normal,
+        beta: f64,
+        steps: i32,
+    ) -> Result<bool, Refusal> {
+        let (before, used) = (self.least, self.used);
+        self.least = used + 1;
+        let is_finer = self.resolution(self.zone) > used;
+        let solved = if is_finer {
+            let own = self.grids[0].rule.unknowns();
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few hundred
+            self.slip.resolve((own as f64 * SQRT_2.powi(steps)) as usize);
+            let solved = self.solve(layer, normal, beta, self.zone);
+            self.slip.resolve(own);
+            solved.map(|_| true)
+        } else {
+            Ok(false)
+        };
+        self.least = before;
+        solved
     }
 
     /// The unknowns of the shear in the stick zone.

@@ -19,6 +19,14 @@ impl StickZone {
         Self { half_width: b / (1.0 + (-lambda).exp()), slip_width: b / (1.0 + lambda.exp()) }
     }
 
+    /// How near to the contact's edge the shear under a sharp one may be out of all proportion, over the half-width.
+    pub(crate) const NEAR: f64 = 0.01;
+
+    /// Whether it reaches as near to the contact's edge. The shear inside is a difference of numbers as large as that at its end.
+    pub(crate) fn is_crowded(self) -> bool {
+        self.slip_width < Self::NEAR * self.contact()
+    }
+
     /// Half-width `b` of the contact.
     pub(crate) fn contact(self) -> f64 {
         self.half_width + self.slip_width

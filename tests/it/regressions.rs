@@ -542,3 +542,61 @@ fn within_three_estimates(found: &Solution, exact: &Solution, paths: &[&str]) {
         assert!(error <= claimed, "{path} is off by {error:e}, three estimates are {claimed:e}");
     }
 }
+
+/// The largest difference of the shears over the largest of them, and what was claimed for the first.
+fn shear_apart(found: &Solution, exact: &Solution) -> [f64; 2] {
+    let shear = |solution: &Solution| solution.profile.shear.clone().expect("friction");
+    let (found_shear, exact_shear) = (shear(found), shear(exact));
+    let pairs = found_shear.iter().zip(&exact_shear).filter_map(|(q, truth)| Some(((*q)?, (*truth)?)));
+    let [apart, largest] = pairs
+        .fold([0.0_f64; 2], |[apart, largest], (q, truth)| [apart.max((q - truth).abs()), largest.max(truth.abs())]);
+    [apart / largest, found.error.each["profile.shear"]]
+}
+
+/// A stick zone is known sooner than the shear inside: that was off by 5 to 31 tolerances, and nothing said so.
+#[test]
+fn the_shear_is_as_good_all_along_as_the_stick_zone() {
+    for (h, ratio, eta, tolerance) in [
+        (5.13, 1.0 / 23.8, 0.206, 3.3e-8),
+        // The grid over the slip zone decides.
+        (57.4, 1.0 / 13.1, 0.0945, 3.2e-10),
+        (5.0, 0.125, 0.3, 1e-6),
+    ] {
+        let sketch = Sketch::flat(h, ratio, 0.3).rubbing(eta);
+        let solved = |tolerance: f64| sketch.clone().with(&format!("[solver]\ntolerance = {tolerance:e}")).solve();
+        let found = solved(tolerance);
+        let [apart, claimed] = shear_apart(&found, &solved(1e-2 * tolerance));
+        assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
+        assert!(
+            apart <= 2.0 * claimed && claimed <= tolerance,
+            "{apart:e} apart, {claimed:e} claimed of {tolerance:e}"
+        );
+    }
+}
+
+/// Where the stick zone ends just short of the contact's edge its shear is a difference of numbers as large as that at its end. It
+/// was told as if it were as good as the rest.
+#[test]
+fn a_shear_that_is_not_known_to_the_tolerance_is_not_said_to_be() {
+    let sketch = Sketch::half_plane(0.3).rubbing(2.492_628_111_094_76); // 1 - a/b = 1e-11
+    let solution = sketch.solve();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+    let exact = sketch.with("[solver]\ntolerance = 1e-11").solve();
+    let [apart, claimed] = shear_apart(&solution, &exact);
+    assert!(claimed > 1e-6 && apart <= 2.0 * claimed, "{apart:e} apart, {claimed:e} claimed");
+    let said = |assumption: &String| assumption.contains("the shear in the stick zone is known to");
+    assert!(solution.assumptions.iter().any(said), "{:?}", solution.assumptions);
+}
+
+/// A zone that failed its checks was looked for anew and told as roughly as a search tells it: the slip zone was off by 125
+/// tolerances.
+#[test]
+fn a_zone_looked_for_anew_is_as_good_as_any() {
+    let sketch = Sketch::flat(0.141, 1.0 / 15.7, 0.3).rubbing(0.0184);
+    let solved = |tolerance: f64| sketch.clone().with(&format!("[solver]\ntolerance = {tolerance:e}")).solve();
+    let (found, exact) = (solved(2.8e-10), solved(1e-11));
+    assert_eq!(found.status, Status::AssumptionViolated, "{:?}", found.reason);
+    let rest = |solution: &Solution| solution.number("stick.one_minus_ratio").expect("a number");
+    let error = (rest(&found) / rest(&exact) - 1.0).abs();
+    assert!(error <= 2.8e-10, "{error:e}");
+}

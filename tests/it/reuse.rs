@@ -123,9 +123,9 @@ fn growing(h: f64, ratio: f64, punch: &str, tolerance: f64, friction: &str) -> S
 const RUBBING: &str = "[friction]\ntype = \"goodman\"\ncoefficient = 0.3\n";
 
 /// Compares with a contact solved for itself and a hundred times as well.
-fn is_as_sure_as_it_says(found: &Solution, exact: &Solution, tolerance: f64, case: &str) {
+fn is_as_sure_as_it_says(found: &Solution, exact: &Solution, case: &str) {
     assert_eq!(found.status, Status::Converged, "{case}: {:?}", found.reason);
-    for (path, error) in found.error.each.iter().filter(|(_, error)| **error > 0.0) {
+    for (path, error) in found.error.each.iter().filter(|(path, error)| **error > 0.0 && *path != "profile.shear") {
         let truth = exact.number(path).expect("the same numbers");
         let off = (found.number(path).expect("a number") / truth - 1.0).abs();
         assert!(off <= *error, "{case}: {path} is off by {off:e}, {error:e} was claimed");
@@ -133,7 +133,11 @@ fn is_as_sure_as_it_says(found: &Solution, exact: &Solution, tolerance: f64, cas
     let (Some(q), Some(truth)) = (&found.profile.shear, &exact.profile.shear) else { return };
     let largest = truth.iter().flatten().fold(0.0_f64, |most, q| most.max(q.abs()));
     for (q, truth) in q.iter().zip(truth).filter_map(|(q, truth)| Some(((*q)?, (*truth)?))) {
-        assert!((q - truth).abs() <= tolerance * largest, "{case}: q = {q}, and {truth} in truth");
+        let claimed = found.error.each["profile.shear"];
+        assert!(
+            (q - truth).abs() <= claimed * largest,
+            "{case}: q = {q}, and {truth} in truth; {claimed:e} was claimed"
+        );
     }
 }
 
@@ -170,7 +174,7 @@ fn another_load_is_as_sure_as_it_says_for_a_few_systems() {
                 let exact = growing(h, ratio, punch, 0.01 * tolerance, friction);
                 let mut fresh = Solver::new(&exact).expect("a bonded layer");
                 fresh.press(load);
-                is_as_sure_as_it_says(&again, &fresh.solve(), tolerance, &case);
+                is_as_sure_as_it_says(&again, &fresh.solve(), &case);
             }
         }
     }
@@ -195,7 +199,7 @@ fn another_punch_is_as_sure_as_it_says_for_a_few_systems() {
             assert!(!known || found.plan.factorisations <= 3 * FEW, "{case}: {} systems", found.plan.factorisations);
             let exact = growing(h, ratio, punch, 0.01 * tolerance, RUBBING);
             let exact = Solver::new(&exact).expect("a bonded layer").solve();
-            is_as_sure_as_it_says(&found, &exact, tolerance, &case);
+            is_as_sure_as_it_says(&found, &exact, &case);
             layer = Some(solver.into_layer());
         }
     }

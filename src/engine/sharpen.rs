@@ -1,0 +1,78 @@
+//! The shear all along the stick zone, as sure as the rest.
+//!
+//! How wide the zone is follows from integrals of the shear, and is known far better than the shear itself. Where that is asked
+//! for, the tangential equation is solved on finer grids in the zone found, and nothing else is (docs/theory.md, "How errors are
+//! estimated").
+
+use super::error_estimate::of_traces;
+use super::layer::Layer;
+use super::normal::Normal;
+use super::quantity::ShearTrace;
+use super::stick::Shear;
+use super::stick_zone::StickZone;
+use slipzone_api::{Refusal, Station};
+
+/// Points of the stick zone at which two grids are compared; how far the first is from its end, over the half-width; how far the
+/// last, over the width of the slip zone, for that is how fast the shear varies there.
+const POINTS: usize = 12;
+const FIRST: f64 = 0.7;
+const LAST: f64 = 0.5;
+/// Share of the tolerance that is left to the grid.
+const SHARE: f64 = 0.5;
+/// Most grids; and where the zone is crowded, so that they come slowly and rounding is near.
+const MOST_STEPS: (i32, i32) = (6, 2);
+
+/// Solves the shear of the zone solved last on finer grids until it is known to the tolerance, and leaves the last of them; its
+/// error where the relative error of the pressure is `of_pressure`. `None` where there is no finer grid.
+///
+/// It is relative to the largest shear; what is nearer than [`StickZone::NEAR`] to the contact's edge is left out of both.
+pub(crate) fn sharpen(
+    shear: &mut Shear,
+    layer: &Layer,
+    normal: &mut Normal,
+    beta: f64,
+    (of_pressure, tolerance): (f64, f64),
+) -> Result<Option<f64>, Refusal> {
+    let points = points(shear.zone);
+    let mut before = sampled(shear, &points);
+    let is_crowded = shear.zone.is_crowded();
+    let (end, steps) = if is_crowded { (0.0, MOST_STEPS.1) } else { (shear.at_edge.abs(), MOST_STEPS.0) };
+    let least = end.max(ShearTrace::LEAST * (shear.friction * normal.mean()).abs());
+    let largest = before.iter().fold(least, |most, q| most.max(q.abs()));
+    // The shear is driven by `beta p`.
+    let driven = of_pressure * (beta * normal.mean() / largest).abs();
+    if driven > tolerance && !is_crowded {
+        return Ok(Some(driven));
+    }
+    let mut earlier = 1.0;
+    for step in 1..=steps {
+        if shear.along.is_some_and(|along| along <= SHARE * tolerance) || !shear.refine(layer, normal, beta, step)? {
+            break;
+        }
+        let now = sampled(shear, &points);
+        let apart = now.iter().zip(&before).map(|(now, before)| (now - before).abs() / largest);
+        let apart = apart.fold(0.0, f64::max);
+        shear.along = Some(of_traces(earlier, apart));
+        (before, earlier) = (now, apart);
+    }
+    Ok(shear.along.map(|along| along.max(driven)))
+}
+
+/// Points ever nearer to the end of the zone.
+fn points(zone: StickZone) -> [Station; POINTS] {
+    let (a, slip) = (zone.half_width, zone.slip_width);
+    let last = (LAST * slip).max(StickZone::NEAR * zone.contact() - slip).min(FIRST * a);
+    let next = (last / (FIRST * a)).powf(1.0 / (POINTS - 1) as f64);
+    let mut gap = FIRST * a;
+    std::array::from_fn(|_| {
+        let station = Station { x: a - gap, gap };
+        gap *= next;
+        station
+    })
+}
+
+fn sampled(shear: &Shear, points: &[Station; POINTS]) -> [f64; POINTS] {
+    let mut shears = [0.0; POINTS];
+    shear.in_stick_into(points, &mut shears);
+    shears
+}
