@@ -325,6 +325,16 @@ mod tests {
     }
 
     #[test]
+    fn a_pressure_down_to_rounding_does_not_hold_the_shear_back() {
+        let mut history = history(&[&[1.0, 1.0 + 1e-12, 1.0 - 1e-12]]);
+        for (seen, apart) in history.iter_mut().zip([1e-3, 1e-5, 1e-7]) {
+            seen.numbers.set(Quantity::StickRatio, 0.5 + apart);
+        }
+        let estimate = extrapolated(&history, false).unwrap().get(Quantity::StickRatio).unwrap();
+        assert!((2e-7..2e-5).contains(&estimate), "{estimate:e}");
+    }
+
+    #[test]
     fn a_twin_judges_by_the_whole_difference() {
         let [mut coarse, mut fine] = [1.0, 1.01].map(|value| history(&[&[value]])[0].numbers);
         let seen = |numbers: &Numbers| Seen { numbers: *numbers, ..Seen::default() };
