@@ -58,9 +58,7 @@ pub(super) fn solution(
     if let Some(error) = judged.of_shear {
         solution.error.each.insert(Quantity::Shear.path().into(), error);
         if error > SHEAR * scene.solver.tolerance.get() {
-            let what = format!(
-                "the shear in the stick zone is known to {error:.0e} of its largest value, the numbers to the tolerance"
-            );
+            let what = format!("the shear in the stick zone is known to {error:.0e} of its largest value");
             solution.assumptions.push(what);
         }
     }

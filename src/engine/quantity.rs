@@ -198,7 +198,7 @@ pub(crate) struct ShearTrace {
     pub(crate) at: [f64; Self::POINTS],
     /// Of a contact that grew at more points, near the middle.
     pub(crate) inner: [f64; Self::INNER],
-    /// The largest of these.
+    /// The largest of `at`.
     pub(crate) scale: f64,
     /// The largest shear there: what errors of the shear are relative to. No less than [`Self::LEAST`] of what slides.
     pub(crate) largest: f64,

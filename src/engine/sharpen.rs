@@ -1,8 +1,8 @@
 //! The shear all along the stick zone, as sure as the rest.
 //!
 //! How wide the zone is follows from integrals of the shear, and is known far better than the shear itself. Where that is asked
-//! for, the tangential equation is solved on finer grids in the zone found, and nothing else is (docs/theory.md, "How errors are
-//! estimated").
+//! for, the tangential equation is solved on finer grids in the zone found, and nothing else is (docs/theory.md, "Error
+//! estimate").
 
 use super::error_estimate::of_traces;
 use super::layer::Layer;
@@ -44,6 +44,8 @@ pub(crate) fn sharpen(
     if driven > tolerance && !is_crowded {
         return Ok(Some(driven));
     }
+    // It is as good as it gets where it was refined before.
+    let steps = if shear.along.is_none() { steps } else { 0 };
     let mut earlier = 1.0;
     for step in 1..=steps {
         if shear.along.is_some_and(|along| along <= SHARE * tolerance) || !shear.refine(layer, normal, beta, step)? {

@@ -540,7 +540,7 @@ impl Stage {
                 // This resolution may see what the one that was scanned did not.
                 let again = self.scan(layer, task, eta)?;
                 if let Some(again) = self.followed(layer, task, eta, &again)? {
-                    *rubbing = again;
+                    *rubbing = Rubbing { scanned: true, ..again };
                     self.choose(layer, task, rubbing)?;
                 }
             }
@@ -581,8 +581,8 @@ impl Stage {
         outcome: &Outcome,
         of_pressure: f64,
     ) -> Result<Option<f64>, Refusal> {
-        let is_found =
-            !task.problem.is_linear && outcome.rubbing.as_ref().is_some_and(|rubbing| rubbing.shear.is_some());
+        let is_solved = |rubbing: &Rubbing| matches!(rubbing.verdict, Verdict::Holds | Verdict::Fails(_));
+        let is_found = !task.problem.is_linear && outcome.rubbing.as_ref().is_some_and(is_solved);
         let Some(shear) = self.shear.as_mut().filter(|shear| is_found && shear.is_solved) else { return Ok(None) };
         sharpen(shear, layer, &mut self.normal, task.problem.elastic.beta(), (of_pressure, task.tolerance))
     }

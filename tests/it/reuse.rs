@@ -71,6 +71,20 @@ fn another_force_on_a_flat_punch_solves_nothing() {
     }
 }
 
+/// The shear beside a crowded edge is not known to the tolerance, however often it is asked for.
+#[test]
+fn a_shear_as_good_as_it_gets_is_not_refined_again() {
+    let sketch = Sketch::half_plane(0.3).rubbing(2.492_628_111_094_76); // 1 - a/b = 1e-11
+    let mut solver = Solver::new(&sketch.scene()).expect("a half-plane");
+    let first = solver.solve();
+    assert!(first.error.each["profile.shear"] > 1e-6, "{:?}", first.error.each);
+    solver.press(Load::Force(positive(2.5)));
+    let second = solver.solve();
+    assert_eq!(second.plan.factorisations, first.plan.factorisations, "all tractions grow with the force");
+    let shear = |solution: &Solution| solution.error.each["profile.shear"].to_bits();
+    assert_eq!(shear(&second), shear(&first), "nor is more claimed");
+}
+
 #[test]
 fn a_layer_serves_another_punch() {
     let flat = Sketch::flat(5.0, 0.125, 0.3);
@@ -123,7 +137,7 @@ fn growing(h: f64, ratio: f64, punch: &str, tolerance: f64, friction: &str) -> S
 const RUBBING: &str = "[friction]\ntype = \"goodman\"\ncoefficient = 0.3\n";
 
 /// Compares with a contact solved for itself and a hundred times as well.
-fn is_as_sure_as_it_says(found: &Solution, exact: &Solution, case: &str) {
+fn is_as_sure_as_it_says(found: &Solution, exact: &Solution, tolerance: f64, case: &str) {
     assert_eq!(found.status, Status::Converged, "{case}: {:?}", found.reason);
     for (path, error) in found.error.each.iter().filter(|(path, error)| **error > 0.0 && *path != "profile.shear") {
         let truth = exact.number(path).expect("the same numbers");
@@ -135,7 +149,7 @@ fn is_as_sure_as_it_says(found: &Solution, exact: &Solution, case: &str) {
     for (q, truth) in q.iter().zip(truth).filter_map(|(q, truth)| Some(((*q)?, (*truth)?))) {
         let claimed = found.error.each["profile.shear"];
         assert!(
-            (q - truth).abs() <= claimed * largest,
+            (q - truth).abs() <= tolerance.min(claimed) * largest,
             "{case}: q = {q}, and {truth} in truth; {claimed:e} was claimed"
         );
     }
@@ -174,7 +188,7 @@ fn another_load_is_as_sure_as_it_says_for_a_few_systems() {
                 let exact = growing(h, ratio, punch, 0.01 * tolerance, friction);
                 let mut fresh = Solver::new(&exact).expect("a bonded layer");
                 fresh.press(load);
-                is_as_sure_as_it_says(&again, &fresh.solve(), &case);
+                is_as_sure_as_it_says(&again, &fresh.solve(), tolerance, &case);
             }
         }
     }
@@ -199,7 +213,7 @@ fn another_punch_is_as_sure_as_it_says_for_a_few_systems() {
             assert!(!known || found.plan.factorisations <= 3 * FEW, "{case}: {} systems", found.plan.factorisations);
             let exact = growing(h, ratio, punch, 0.01 * tolerance, RUBBING);
             let exact = Solver::new(&exact).expect("a bonded layer").solve();
-            is_as_sure_as_it_says(&found, &exact, &case);
+            is_as_sure_as_it_says(&found, &exact, tolerance, &case);
             layer = Some(solver.into_layer());
         }
     }
