@@ -37,7 +37,7 @@ pub(crate) const ROUNDING: f64 = 1e-13;
 /// Nor one of the shear than this. The grid over the slip zone is good to 1e-12 of the friction coefficient, which moves a
 /// narrow stick zone up to 8 times as much: of 80,000 half-planes 5 were off by 5e-12 to 8e-12 at the tightest
 /// tolerances.
-const SLIP_ROUNDING: f64 = 3e-12;
+pub(crate) const SLIP_ROUNDING: f64 = 3e-12;
 
 /// What one resolution tells of the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

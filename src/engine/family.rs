@@ -9,7 +9,7 @@ use super::budget::Meter;
 use super::dense::Dense;
 use super::layer::{Layer, Wanted};
 use super::problem::Problem;
-use super::sheet::{self, Sheet};
+use super::sheet::{self, Places, Sheet};
 use super::stack::Slice;
 use super::stage::{Outcome, Rubbing, Stage, Task, Verdict};
 use super::stick_search::Root;
@@ -17,7 +17,7 @@ use super::stick_zone::StickZone;
 use super::work::Work;
 use rubbed::{Approach, Found, Member, Moves, Rubbed};
 use slipzone_api::double_exponential::Node;
-use slipzone_api::{Component, Density, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station};
+use slipzone_api::{Component, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station};
 use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
@@ -171,8 +171,7 @@ impl Family {
             room: Room::default(),
             meter: Arc::clone(layer.meter()),
         };
-        // Finer grids of the stick zone where one member needs them.
-        while !family.solve(layer, task, contact, coarse)? {}
+        family.solve(layer, task, contact, coarse)?;
         Ok(family)
     }
 
@@ -190,12 +189,8 @@ impl Family {
         self.blend.widest()
     }
 
-    /// Solves all members. Returns false where one of them needed a finer grid than the others: between different grids
-    /// nothing can be interpolated.
-    fn solve(&mut self, layer: &mut Layer, task: Task, contact: f64, coarse: Option<&Family>) -> Result<bool, Unfit> {
-        self.pressure = Table::default();
-        self.tilt = Table::default();
-        self.depth.clear();
+    /// Solves all members.
+    fn solve(&mut self, layer: &mut Layer, task: Task, contact: f64, coarse: Option<&Family>) -> Result<(), Unfit> {
         let half_widths = self.blend.half_widths().to_vec();
         let mut before: Option<Root> = None;
         if self.friction.is_some() && coarse.as_ref().is_none_or(|coarse| coarse.rubbed.is_none()) {
@@ -228,13 +223,6 @@ impl Family {
             };
             found.checked &= checked || !asked;
             self.keep_pressure(layer, &flat, b)?;
-            let shear = self.stage.shear.as_mut().expect("friction has shear");
-            let grid = shear.grid();
-            if k > 0 && grid > shear.insisted() {
-                shear.insist_on(grid);
-                return Ok(false);
-            }
-            shear.insist_on(grid);
             let root = member.root;
             if !found.add(member) {
                 let turned = "the direction of slip turns while the contact grows".into();
@@ -245,7 +233,7 @@ impl Family {
         self.tilt = std::mem::take(&mut self.tilt).blended(&self.blend);
         self.depth = self.blend.coefficients(&self.depth, 1);
         self.rubbed = self.friction.map(|_| found.blended(&self.of_shear));
-        Ok(true)
+        Ok(())
     }
 
     /// Keeps what the pressure of the member solved last tells.
@@ -281,7 +269,7 @@ impl Family {
             member
         } else {
             self.stage.curve(layer, task).at(root.lambda)?;
-            Member { root, lack: found.lack(&self.stage, b), moves: None }
+            Member { root, lack: Found::lack(&self.stage, b), moves: None }
         };
         Ok(Ok((member, rubbing.is_checked())))
     }
@@ -297,9 +285,9 @@ impl Family {
     ) -> Result<Option<Member>, Refusal> {
         let stage = &mut self.stage;
         let approach = Approach { error: REFINED * task.tolerance, widest: stage.curve(layer, task).widest() };
-        found.approach(&approach, b, guess, |found, from| {
+        found.approach(&approach, b, guess, |from| {
             let next = stage.follow(layer, task, b, from, NEAR)?;
-            Ok(next.map(|next| (next, found.lack(stage, b))))
+            Ok(next.map(|next| (next, Found::lack(stage, b))))
         })
     }
 
@@ -414,7 +402,7 @@ impl Family {
         self.blend.functions_at(b, &mut self.room.functions);
         self.tilt.blend_into(&self.room.functions, &mut self.room.density);
         self.rule.stretch(b);
-        self.rule.values_into(Density { unknowns: &self.room.density, carrier: 0.0 }, at, out);
+        self.rule.values_into(&self.room.density, at, out);
     }
 
     /// `W` of a member at the nodes of a grid over its right half.
@@ -424,7 +412,7 @@ impl Family {
             let mut numbers = vec![0.0; self.blend.functions() * at.len()];
             self.rule.stretch(1.0);
             let rows = self.tilt.numbers.chunks_exact(self.tilt.width).zip(numbers.chunks_exact_mut(at.len()));
-            rows.for_each(|(row, out)| self.rule.values_into(Density { unknowns: row, carrier: 0.0 }, &at, out));
+            rows.for_each(|(row, out)| self.rule.values_into(row, &at, out));
             self.tilt_over = Some((Arc::clone(grid), Table { width: at.len(), numbers }));
         }
         let (_, table) = self.tilt_over.as_ref().expect("made before");
@@ -501,15 +489,16 @@ impl Family {
         if self.pressure_at.is_some() {
             return;
         }
-        let (points, stations) = sheet::places(self.pressure.width);
+        let places = Places::of(self.pressure.width as f64);
+        let Places { points, stations } = &*places;
         let mut rows = Vec::with_capacity(self.blend.functions() * stations.len());
         for row in self.pressure.numbers.chunks_exact(self.pressure.width) {
             let first = rows.len();
             rows.resize(first + stations.len(), 0.0);
-            self.stage.normal.values_of(1.0, row, &stations, &mut rows[first..]);
-            rows[first..].iter_mut().zip(&stations).for_each(|(p, at)| *p *= (at.gap * (2.0 - at.gap)).sqrt());
+            self.stage.normal.values_of(1.0, row, stations, &mut rows[first..]);
+            rows[first..].iter_mut().zip(stations).for_each(|(p, at)| *p *= (at.gap * (2.0 - at.gap)).sqrt());
         }
-        self.pressure_at = Some(Sheet::through(&points, &rows));
+        self.pressure_at = Some(Sheet::through(points, &rows));
     }
 
     /// What the shear of slices lacks to that of full sliding, `eta p - q`, at a point.

@@ -5,7 +5,7 @@ use super::layer::Layer;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::work::Work;
 use slipzone_api::double_exponential::{self, Node};
-use slipzone_api::{Component, Density, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
+use slipzone_api::{Component, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
 use std::f64::consts::FRAC_2_PI;
 
 /// Nodes on either side of an integral against a datum, and more of them for each unit of its variable: the kernel's
@@ -159,12 +159,12 @@ impl Normal {
 
     /// Pressure at points strictly inside the contact.
     pub(crate) fn values_into(&self, at: &[Station], out: &mut [f64]) {
-        self.rule.values_into(self.density(), at, out);
+        self.rule.values_into(&self.unknowns, at, out);
     }
 
     /// Pressure at one such point.
     pub(crate) fn at(&self, station: Station) -> f64 {
-        self.rule.value(self.density(), station)
+        self.rule.value(&self.unknowns, station)
     }
 
     /// The unknowns of the pressure.
@@ -175,12 +175,8 @@ impl Normal {
     /// A pressure of other unknowns and another half-width, at points strictly inside that contact.
     pub(crate) fn values_of(&mut self, half_width: f64, unknowns: &[f64], at: &[Station], out: &mut [f64]) {
         self.rule.stretch(half_width);
-        self.rule.values_into(Density { unknowns, carrier: 0.0 }, at, out);
+        self.rule.values_into(unknowns, at, out);
         self.rule.stretch(self.half_width);
-    }
-
-    fn density(&self) -> Density<'_> {
-        Density { unknowns: &self.unknowns, carrier: 0.0 }
     }
 
     /// Prepares `(1/pi) int p(r) k(x - r) dr` for [`Self::potential_into`]; nothing without a kernel.
@@ -273,7 +269,7 @@ fn sunk(rule: &mut dyn Rule, half_width: f64, (layer, problem): (&Layer, &Proble
     let stations: Vec<Station> = grid.iter().map(station).collect();
     let distances: Vec<f64> = stations.iter().map(|at| at.x).collect();
     let (mut pressure, mut kernel) = (vec![0.0; grid.len()], vec![0.0; grid.len()]);
-    rule.values_into(Density { unknowns, carrier: 0.0 }, &stations, &mut pressure);
+    rule.values_into(unknowns, &stations, &mut pressure);
     table.values_into(component, &distances, &mut kernel);
     let terms = grid.iter().zip(&pressure).zip(&kernel);
     let sum: f64 = terms.map(|((node, p), k)| node.weight * length * node.from_lower.cosh() * p * k).sum();

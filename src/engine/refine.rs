@@ -362,7 +362,7 @@ impl Ladder {
         history: &mut ArrayVec<Seen, { FINEST + 1 }>,
     ) {
         for _ in 0..FOR_THE_SHEAR {
-            if found.of_shear.is_none_or(|error| error <= SHEAR * tolerance) || found.outcome.is_crowded() {
+            if found.of_shear.is_none_or(|error| error <= SHEAR * tolerance) {
                 return;
             }
             let stage = found.stage + 1;

@@ -4,7 +4,7 @@
 //! for, the tangential equation is solved on finer grids in the zone found, and nothing else is (docs/theory.md, "Error
 //! estimate").
 
-use super::error_estimate::of_traces;
+use super::error_estimate::{SLIP_ROUNDING, of_traces};
 use super::layer::Layer;
 use super::normal::Normal;
 use super::quantity::ShearTrace;
@@ -19,11 +19,11 @@ const FIRST: f64 = 0.7;
 const LAST: f64 = 0.5;
 /// Share of the tolerance that is left to the grid.
 const SHARE: f64 = 0.5;
-/// Most grids; and where the zone is crowded, so that they come slowly and rounding is near.
-const MOST_STEPS: (i32, i32) = (6, 2);
+/// Most grids.
+const MOST_STEPS: u32 = 6;
 
-/// Solves the shear of the zone solved last on finer grids until it is known to the tolerance, and leaves the last of them; its
-/// error where the relative error of the pressure is `of_pressure`. `None` where there is no finer grid.
+/// Solves the shear of a zone on finer grids until it is known to the tolerance, from that of one near it that was solved last, and
+/// leaves the last of them; its error where the relative error of the pressure is `of_pressure`. `None` where there is no finer grid.
 ///
 /// It is relative to the largest shear; what is nearer than [`StickZone::NEAR`] to the contact's edge is left out of both.
 pub(crate) fn sharpen(
@@ -31,24 +31,23 @@ pub(crate) fn sharpen(
     layer: &Layer,
     normal: &mut Normal,
     beta: f64,
+    zone: StickZone,
     (of_pressure, tolerance): (f64, f64),
 ) -> Result<Option<f64>, Refusal> {
-    let points = points(shear.zone);
+    let points = points(zone);
     let mut before = sampled(shear, &points);
-    let is_crowded = shear.zone.is_crowded();
-    let (end, steps) = if is_crowded { (0.0, MOST_STEPS.1) } else { (shear.at_edge.abs(), MOST_STEPS.0) };
+    let end = if zone.is_crowded() { 0.0 } else { shear.at_edge.abs() };
     let least = end.max(ShearTrace::LEAST * (shear.friction * normal.mean()).abs());
     let largest = before.iter().fold(least, |most, q| most.max(q.abs()));
     // The shear is driven by `beta p`.
     let driven = of_pressure * (beta * normal.mean() / largest).abs();
-    if driven > tolerance && !is_crowded {
+    if driven > tolerance {
         return Ok(Some(driven));
     }
-    // It is as good as it gets where it was refined before.
-    let steps = if shear.along.is_none() { steps } else { 0 };
+    let enough = (SHARE * tolerance).max(SLIP_ROUNDING);
     let mut earlier = 1.0;
-    for step in 1..=steps {
-        if shear.along.is_some_and(|along| along <= SHARE * tolerance) || !shear.refine(layer, normal, beta, step)? {
+    for step in 1..=MOST_STEPS {
+        if shear.along.is_some_and(|along| along <= enough) || !shear.refine(layer, normal, beta, (zone, step))? {
             break;
         }
         let now = sampled(shear, &points);

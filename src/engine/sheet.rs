@@ -2,6 +2,7 @@
 
 use super::blend::{LANES, Lanes, polynomials_in_lanes};
 use super::chebyshev::Points;
+use super::shelf::Shelf;
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Station;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -51,12 +52,23 @@ impl Sheet {
     }
 }
 
-/// Places at which a density of so many unknowns is told, and where they are in a contact of unit half-width.
-pub(super) fn places(unknowns: usize) -> (Arc<Points>, Vec<Station>) {
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some dozens
-    let points = Points::get((PLACES.0 + PLACES.1 * unknowns as f64) as usize);
-    let stations = stations(&points);
-    (points, stations)
+/// Places at which a density is told, and where they are in a contact of unit half-width.
+pub(super) struct Places {
+    pub(super) points: Arc<Points>,
+    pub(super) stations: Vec<Station>,
+}
+
+impl Places {
+    /// Those for so many unknowns.
+    pub(super) fn of(unknowns: f64) -> Arc<Self> {
+        static KNOWN: Shelf<Places> = Shelf::new();
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some dozens
+        KNOWN.get((PLACES.0 + PLACES.1 * unknowns) as usize, |count| {
+            let points = Points::get(count);
+            let stations = stations(&points);
+            Self { points, stations }
+        })
+    }
 }
 
 /// Where places of a contact of unit half-width are.

@@ -3,11 +3,12 @@
 mod rows;
 mod unit;
 
+use super::half_plane_shear::HalfPlaneShear;
 use super::layer::Layer;
 use super::normal::Normal;
 use super::stick_zone::StickZone;
 use rows::Nodes;
-use slipzone_api::elementary::{LANES, ln_1p};
+use slipzone_api::elementary::LANES;
 use slipzone_api::{Component, Station};
 use std::cell::Cell;
 use std::f64::consts::PI;
@@ -16,9 +17,9 @@ use unit::Unit;
 
 /// Nodes on either side: at least, at most, and beside a third of the unknowns of the stick zone's rule.
 ///
-/// Measured on half-planes with a/b from 1e-4 to 1 - 1e-11: errors of eta of 1e-8, 1e-10, 1e-11, 1e-12 with 10,
-/// 12, 14, 16 nodes up to [`unit::END`].
-const NODES: (usize, usize, usize) = (8, 24, 6);
+/// Measured on layers from 1 to 20 half-widths thick, a/b from 0.1 to 0.9999: with two nodes fewer beside the third the stick
+/// zone of a coarse rule loses a digit, with one more it gains none.
+const NODES: (usize, usize, usize) = (6, 24, 5);
 /// Nodes on either side per kernel length in the slip zone and per unknown of the stick zone's rule, and what
 /// that grows to: the grid's step then tells the kernel as well as the rule tells the density.
 const NODES_PER_LENGTH: (f64, f64) = (0.8, 21.0);
@@ -88,8 +89,8 @@ impl SlipGrid {
         self.stations = vec![Station { x: 0.0, gap: 0.0 }; n + 1];
         self.pressure = vec![0.0; n + 1];
         let (filled, nodes) = (n.next_multiple_of(LANES), &mut self.nodes);
-        let Nodes { beyond, r, cauchy, kernel, far, far_kernel } = nodes;
-        for row in [beyond, r, cauchy, kernel, far, far_kernel] {
+        let Nodes { beyond, r, cauchy, beside, kernel, far, far_kernel } = nodes;
+        for row in [beyond, r, cauchy, beside, kernel, far, far_kernel] {
             row.clear();
             row.resize(filled, 0.0);
         }
@@ -103,21 +104,22 @@ impl SlipGrid {
     /// `(1/pi) int over the slip zones of p(r) sign(r) [1/(x - r) + k_uu(x - r)] dr` at each station of the
     /// stick zone.
     ///
-    /// Beside the stick zone's edge the Cauchy kernel is steep; what it makes of the constant `p(a)` is
-    /// `-p(a) ln((b^2 - x^2)/(a^2 - x^2))`, and what is left of `p` vanishes at that edge.
+    /// Beside the stick zone's edge the Cauchy kernel is steep; what it makes of the half-plane's shear, in the stick zone and in the
+    /// slip zones, is known, and what is left of `p` vanishes at that edge.
     pub(crate) fn potential_into(
         &mut self,
         layer: &Layer,
         normal: &Normal,
         zone: StickZone,
+        known: HalfPlaneShear,
         at: &[Station],
-        out: &mut [f64],
+        out: &mut [[f64; 2]],
     ) {
         let nodes = self.nodes_for(zone.slip_width / layer.length());
         if nodes != self.count {
             self.resize(nodes);
         }
-        self.see(normal, zone);
+        self.see(normal, zone, known);
         self.see_from_afar(zone, layer.length());
 
         let per_station = self.nodes.distances();
@@ -135,15 +137,14 @@ impl SlipGrid {
             self.nodes.sums_into(at, distances, kernel, out);
         }
         ROOM.set([all_distances, all_kernel]);
-        let (a, width, edge) = (zone.half_width, zone.slip_width, self.pressure_at_stick_edge);
-        for (out, Station { gap, .. }) in out.iter_mut().zip(at) {
-            let constant = -ln_1p(width * (2.0 * a + width) / (gap * (2.0 * a - gap)));
-            *out = (*out + edge * constant) / PI;
+        for (out, at) in out.iter_mut().zip(at) {
+            let [by_friction, beside] = known.strain(*at);
+            *out = [out[0] / PI + self.pressure_at_stick_edge * by_friction, out[1] / PI + beside];
         }
     }
 
     /// The nodes of a zone and the pressure there.
-    fn see(&mut self, normal: &Normal, zone: StickZone) {
+    fn see(&mut self, normal: &Normal, zone: StickZone, known: HalfPlaneShear) {
         let (a, width) = (zone.half_width, zone.slip_width);
         let (edge, inside) = self.stations.split_last_mut().expect("the end of the stick zone");
         *edge = Station { x: a, gap: width };
@@ -153,13 +154,15 @@ impl SlipGrid {
         normal.values_into(&self.stations, &mut self.pressure);
         let (edge, inside) = self.pressure.split_last().expect("that at the end of the stick zone");
         self.pressure_at_stick_edge = *edge;
-        for (k, (node, p)) in self.unit.nodes.iter().zip(inside).enumerate() {
+        for (k, ((node, p), at)) in self.unit.nodes.iter().zip(inside).zip(&self.stations).enumerate() {
             let (beyond, weight) = (width * node.from_lower, width * node.weight);
             let r = a + beyond;
             self.nodes.beyond[k] = beyond;
             self.nodes.r[k] = r;
             // 1/(x - r) - 1/(x + r) = -2 r/((r - x) (r + x)), with r - x from distances to the stick zone's edge.
-            self.nodes.cauchy[k] = -2.0 * r * weight * (p - edge);
+            let [proportional, beside] = known.slipping(*at);
+            self.nodes.cauchy[k] = -2.0 * r * weight * (p - edge * proportional);
+            self.nodes.beside[k] = 2.0 * r * weight * beside;
             // k(x - r) = -k(r - x).
             self.nodes.kernel[k] = -weight * p;
         }

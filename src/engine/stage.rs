@@ -76,11 +76,6 @@ impl Outcome {
         Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()], 0.0)
     }
 
-    /// Whether the stick zone is so wide that the shear inside is known less well than the rest.
-    pub(crate) fn is_crowded(&self) -> bool {
-        self.rubbing.as_ref().is_some_and(|rubbing| rubbing.zone.is_crowded())
-    }
-
     /// What it tells of the next resolution.
     pub(crate) fn seen(&self) -> Seen {
         let shear = self.rubbing.as_ref().and_then(|rubbing| rubbing.shear);
@@ -137,6 +132,8 @@ impl Stage {
         let grows = problem.fixed_half_width().is_none();
         let growing = grows.then(|| Box::new(Growing::new(problem, quadrature.clone())));
         let shear = match problem.friction {
+            // The kink of a strain `C|x|` is resolved late.
+            Some(_) if problem.is_linear && !quadrature.is_pinned() => Some(Shear::new(quadrature.refined(1))?),
             Some(_) if !problem.is_stacked() => Some(Shear::new(quadrature)?),
             _ => None,
         };
@@ -581,10 +578,11 @@ impl Stage {
         outcome: &Outcome,
         of_pressure: f64,
     ) -> Result<Option<f64>, Refusal> {
-        let is_solved = |rubbing: &Rubbing| matches!(rubbing.verdict, Verdict::Holds | Verdict::Fails(_));
-        let is_found = !task.problem.is_linear && outcome.rubbing.as_ref().is_some_and(is_solved);
-        let Some(shear) = self.shear.as_mut().filter(|shear| is_found && shear.is_solved) else { return Ok(None) };
-        sharpen(shear, layer, &mut self.normal, task.problem.elastic.beta(), (of_pressure, task.tolerance))
+        let is_solved = |rubbing: &&Rubbing| matches!(rubbing.verdict, Verdict::Holds | Verdict::Fails(_));
+        let found = outcome.rubbing.as_ref().filter(is_solved).filter(|_| !task.problem.is_linear);
+        let shear = self.shear.as_mut().filter(|shear| shear.is_solved);
+        let Some((shear, found)) = shear.zip(found) else { return Ok(None) };
+        sharpen(shear, layer, &mut self.normal, task.problem.elastic.beta(), found.zone, (of_pressure, task.tolerance))
     }
 
     /// The condition of friction that the stick zone solved last fails, and where.

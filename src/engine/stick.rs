@@ -2,6 +2,7 @@
 //! belongs to it is explicit (docs/theory.md, "Stick zone").
 
 use super::dense::Dense;
+use super::half_plane_shear::HalfPlaneShear;
 use super::layer::Layer;
 use super::linear_strain;
 use super::normal::Normal;
@@ -9,19 +10,7 @@ use super::quantity::{ShearTrace, Traces};
 use super::slip_grid::SlipGrid;
 use super::stick_zone::StickZone;
 use super::work::Work;
-use slipzone_api::{Component, Density, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
-use std::f64::consts::SQRT_2;
-
-/// The next finer step may be far too fine: this share of the unknowns wanted will do.
-///
-/// Measured on 223 random stick zones at 16, 22 and 32 steps, error of the zone's widths in the median: with 0.65 it is
-/// 2e-8, 1e-10 and 3e-13, like that of the pressure; with 0.5 four to twenty times that, with 0.8 a fifth for half as many
-/// entries again.
-const NEARLY: f64 = 0.65;
-/// By how much rounding may take the unknowns of a ladder beyond powers of `sqrt 2`.
-const ROUNDED_UP: f64 = 1.1;
-/// Finer steps tried for a stick zone that crowds its contact's edge.
-const MOST_STEPS: usize = 16;
+use slipzone_api::{Component, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
 
 /// The shear at one resolution, in layer units; solved again for each stick zone, in the same memory.
 pub(crate) struct Shear {
@@ -37,12 +26,14 @@ pub(crate) struct Shear {
     /// By how much its resolution moves it anywhere in the zone, where that was asked for, see [`super::sharpen`].
     pub(crate) along: Option<f64>,
     quadrature: Box<dyn Quadrature>,
-    /// By steps of the quadrature's ladder beyond its own resolution.
+    /// Its own, and those ever a step finer.
     grids: Vec<StickGrid>,
-    /// That of the zone solved last.
+    /// What is taken off the shear in the zone solved last.
+    known: HalfPlaneShear,
+    /// `p(a)` times the friction that belongs to it.
+    own: f64,
+    /// The grid of that zone.
     used: usize,
-    /// The coarsest that may be used.
-    least: usize,
     /// The unknowns of that zone.
     unknowns: Vec<f64>,
     slip: SlipGrid,
@@ -54,12 +45,13 @@ pub(crate) struct Shear {
 struct StickGrid {
     rule: Box<dyn Rule>,
     system: Dense,
-    carrier: Vec<f64>,
+    /// What the kernel makes of both shears of the half-plane, [`HalfPlaneShear`].
+    applied: Vec<[f64; 2]>,
     /// The collocation points, seen from the contact's edge.
     stations: Vec<Station>,
     coupled: Vec<f64>,
     pressure: Vec<f64>,
-    by_slip: Vec<f64>,
+    by_slip: Vec<[f64; 2]>,
 }
 
 impl StickGrid {
@@ -69,19 +61,18 @@ impl StickGrid {
         let room = vec![0.0; points];
         Ok(Self {
             system: Dense::new(n + 1, 1),
-            carrier: room.clone(),
+            applied: vec![[0.0; 2]; points],
             stations: rule.collocation().to_vec(),
             coupled: room.clone(),
             pressure: room.clone(),
-            by_slip: room,
+            by_slip: vec![[0.0; 2]; points],
             rule,
         })
     }
 }
 
 impl Shear {
-    /// Room for the shear of zones that a rule of `quadrature` resolves; zones that crowd the edge get finer
-    /// ones, unless the scene has fixed the resolution.
+    /// Room for the shear of zones that a rule of `quadrature` resolves.
     pub(crate) fn new(quadrature: Box<dyn Quadrature>) -> Result<Self, Refusal> {
         let coarsest = StickGrid::new(quadrature.as_ref())?;
         let slip = SlipGrid::new(coarsest.rule.unknowns());
@@ -94,8 +85,9 @@ impl Shear {
             along: None,
             quadrature,
             grids: vec![coarsest],
+            known: HalfPlaneShear::new(StickZone::default()),
+            own: 0.0,
             used: 0,
-            least: 0,
             unknowns: Vec::new(),
             slip,
             coupling: Vec::new(),
@@ -113,14 +105,16 @@ impl Shear {
     pub(crate) fn press(&mut self, factor: f64) {
         self.unknowns.iter_mut().chain(&mut self.coupling).for_each(|number| *number *= factor);
         self.at_edge *= factor;
+        self.own *= factor;
     }
 
     /// Solves the tangential equation for one stick zone with the friction coefficient as one more unknown,
     /// and returns that coefficient.
     ///
-    /// Inside the stick zone `q` is odd and meets `eta p(a)` at its ends; outside `q = eta p sign(x)`. The
-    /// equations at the collocation points, and the condition that `q` is not singular at the ends, make the
-    /// square system `[ T | p(a) carrier + slip ] (q, eta) = -beta p + (1/pi) int p k_uv`.
+    /// Inside the stick zone `q` is odd and meets `eta p(a)` at its ends; outside `q = eta p sign(x)`. What is resolved is
+    /// `r = q - p(a) (eta Y + Z)`, with `Y` and `Z` of [`HalfPlaneShear`]. The equations at the collocation points, and the
+    /// condition that `r` is not singular at the ends, make the square system
+    /// `[ T | p(a) T Y + slip ] (r, eta) = -beta p + (1/pi) int p k_uv - p(a) T Z`.
     pub(crate) fn solve(
         &mut self,
         layer: &Layer,
@@ -128,7 +122,19 @@ impl Shear {
         beta: f64,
         zone: StickZone,
     ) -> Result<f64, Refusal> {
-        let p_edge = self.see(layer, normal, zone)?;
+        self.solve_on(0, layer, normal, beta, zone)
+    }
+
+    /// [`Self::solve`] on grids so many steps finer.
+    fn solve_on(
+        &mut self,
+        steps: usize,
+        layer: &Layer,
+        normal: &mut Normal,
+        beta: f64,
+        zone: StickZone,
+    ) -> Result<f64, Refusal> {
+        let p_edge = self.see(steps, layer, normal, zone)?;
         let friction = self.balance(layer, beta, p_edge, |_, _, by_slip| [by_slip, 0.0])?;
         (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, friction, friction * p_edge, true);
         self.strain_rate = 0.0;
@@ -147,7 +153,7 @@ impl Shear {
         friction: f64,
         zone: StickZone,
     ) -> Result<f64, Refusal> {
-        let p_edge = self.see(layer, normal, zone)?;
+        let p_edge = self.see(0, layer, normal, zone)?;
         let strained = linear_strain::equation(layer, zone.half_width, self.grids[self.used].rule.collocation());
         let beside = |i: usize, scale: f64, by_slip: f64| [scale * strained[i], friction * by_slip];
         self.strain_rate = self.balance(layer, beta, p_edge, beside)?;
@@ -156,27 +162,27 @@ impl Shear {
     }
 
     /// Fills in the terms of the tangential equation in one stick zone; returns `p(a)`.
-    fn see(&mut self, layer: &Layer, normal: &mut Normal, zone: StickZone) -> Result<f64, Refusal> {
-        let used = self.resolution(zone);
+    fn see(&mut self, used: usize, layer: &Layer, normal: &mut Normal, zone: StickZone) -> Result<f64, Refusal> {
         let grid = &mut self.grids[used];
         // Refused, the zone solved last stays as it is.
         layer.meter().system(grid.rule.unknowns() + 1, 1)?;
         (self.used, self.is_solved, self.along) = (used, false, None);
+        let known = HalfPlaneShear::new(zone);
+        self.known = known;
         let rule = &mut grid.rule;
         rule.stretch(zone.half_width);
-        rule.carrier_into(layer.kernel(Component::ShearStrain), &mut grid.carrier);
 
         for (station, own) in grid.stations.iter_mut().zip(rule.collocation()) {
             *station = zone.in_contact(*own);
         }
         normal.potential_into(layer, Component::Coupling, &self.coupling, &grid.stations, &mut grid.coupled);
         normal.values_into(&grid.stations, &mut grid.pressure);
-        self.slip.potential_into(layer, normal, zone, rule.collocation(), &mut grid.by_slip);
+        self.slip.potential_into(layer, normal, zone, known, rule.collocation(), &mut grid.by_slip);
         Ok(self.slip.pressure_at_stick_edge())
     }
 
     /// Solves the tangential equation with one more unknown beside the shear's, and returns that. From the point's number,
-    /// its row's scale and what the slip zone does there per unit of friction, `beside` gives what multiplies the unknown
+    /// its row's scale and what is known there per unit of friction, `beside` gives what multiplies the unknown
     /// and what is taken off the right side.
     fn balance(
         &mut self,
@@ -185,16 +191,25 @@ impl Shear {
         p_edge: f64,
         beside: impl Fn(usize, f64, f64) -> [f64; 2],
     ) -> Result<f64, Refusal> {
-        let StickGrid { rule, system, carrier, coupled, pressure, by_slip, .. } = &mut self.grids[self.used];
+        let StickGrid { rule, system, applied, coupled, pressure, by_slip, .. } = &mut self.grids[self.used];
+        let known = self.known;
+        let own = p_edge * known.friction(beta);
+        self.own = own;
         let n = rule.unknowns();
         system.solve(|rows, right| {
-            rule.operator_into(layer.kernel(Component::ShearStrain), &mut rows[..by_slip.len() * (n + 1)]);
+            let of_points = &mut rows[..by_slip.len() * (n + 1)];
+            let kernel = layer.kernel(Component::ShearStrain);
+            rule.operator_into(kernel, of_points);
+            if let Some(kernel) = kernel {
+                rule.applied_into(kernel, of_points, &|at| known.sticking(at), applied);
+            }
             let scale = rule.row_scale();
             for (i, by_slip) in by_slip.iter().enumerate() {
                 let scale = scale.map_or(1.0, |scale| scale[i]);
-                let [factor, known] = beside(i, scale, p_edge * carrier[i] + scale * by_slip);
+                let [factor, known] = beside(i, scale, p_edge * applied[i][0] + scale * by_slip[0]);
+                let of_half_plane = own * (applied[i][1] + scale * by_slip[1]);
                 rows[i * (n + 1) + n] = factor;
-                right[i] = scale * (coupled[i] - beta * pressure[i]) - known;
+                right[i] = scale * (coupled[i] - beta * pressure[i]) - known - of_half_plane;
             }
             if let Some(condition) = rule.edge_condition() {
                 let row = &mut rows[n * (n + 1)..];
@@ -210,33 +225,6 @@ impl Shear {
         Ok(*other)
     }
 
-    /// The grid fine enough for a zone, made when first asked for.
-    fn resolution(&mut self, zone: StickZone) -> usize {
-        if self.quadrature.is_pinned() {
-            return 0;
-        }
-        // From the ladder's `sqrt 2` a step and not from the unknowns, which are rounded: else two resolutions of a
-        // scene may come to the same grid, and their difference tells nothing.
-        let growth = NEARLY * zone.crowding();
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small count; `as` saturates
-        let steps = ((2.0 * growth.log2()).ceil() as usize).min(MOST_STEPS);
-        // Ladders that grow faster are there before.
-        let enough = ROUNDED_UP * growth * self.grids[0].rule.unknowns() as f64;
-        let mut step = 0;
-        while step < self.least || step < steps && (self.grids[step].rule.unknowns() as f64) < enough {
-            step += 1;
-            if step == self.grids.len() {
-                #[allow(clippy::cast_possible_truncation)] // at most MOST_STEPS
-                match StickGrid::new(self.quadrature.refined(step as u32).as_ref()) {
-                    Ok(grid) => self.grids.push(grid),
-                    // The finest there is must do; the error estimate tells how well.
-                    Err(_) => return step - 1,
-                }
-            }
-        }
-        step
-    }
-
     /// Another friction coefficient for the same zone, `q` in proportion: right in the slip zone, and in the
     /// stick zone only where that is too narrow to matter.
     pub(crate) fn rescale(&mut self, friction: f64) {
@@ -244,6 +232,7 @@ impl Shear {
         self.unknowns.iter_mut().for_each(|unknown| *unknown *= factor);
         self.friction = friction;
         self.at_edge *= factor;
+        self.own *= factor;
         self.is_solved = false;
     }
 
@@ -260,8 +249,11 @@ impl Shear {
 
     /// Shear traction at points of the stick zone; their gaps are to its edge.
     pub(crate) fn in_stick_into(&self, at: &[Station], out: &mut [f64]) {
-        let density = Density { unknowns: &self.unknowns, carrier: self.at_edge };
-        self.grids[self.used].rule.values_into(density, at, out);
+        self.grids[self.used].rule.values_into(&self.unknowns, at, out);
+        for (out, at) in out.iter_mut().zip(at) {
+            let [proportional, beside] = self.known.sticking(*at);
+            *out += self.at_edge * proportional + self.own * beside;
+        }
         if self.strain_rate != 0.0 {
             for (out, at) in out.iter_mut().zip(at) {
                 *out += self.strain_rate * linear_strain::carrier(self.zone.half_width, *at);
@@ -277,50 +269,33 @@ impl Shear {
         ShearTrace::new(at, at, self.friction)
     }
 
-    /// Solves the zone solved last once more, on the next finer grid and with the slip zone so many steps finer; `false`
-    /// where there is no such grid.
+    /// Solves a zone on grids that are so many steps finer than its own; `false` where there are none.
     pub(crate) fn refine(
         &mut self,
         layer: &Layer,
         normal: &mut Normal,
         beta: f64,
-        steps: i32,
+        (zone, steps): (StickZone, u32),
     ) -> Result<bool, Refusal> {
-        let (before, used) = (self.least, self.used);
-        self.least = used + 1;
-        let is_finer = self.resolution(self.zone) > used;
-        let solved = if is_finer {
-            let own = self.grids[0].rule.unknowns();
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few hundred
-            self.slip.resolve((own as f64 * SQRT_2.powi(steps)) as usize);
-            let solved = self.solve(layer, normal, beta, self.zone);
-            self.slip.resolve(own);
-            solved.map(|_| true)
-        } else {
-            Ok(false)
-        };
-        self.least = before;
-        solved
+        let finer = steps as usize;
+        while self.grids.len() <= finer {
+            let step = u32::try_from(self.grids.len()).expect("a few steps");
+            match StickGrid::new(self.quadrature.refined(step).as_ref()) {
+                Ok(grid) => self.grids.push(grid),
+                // The finest there is must do; the error estimate tells how well.
+                Err(_) => return Ok(false),
+            }
+        }
+        let [own, wanted] = [0, finer].map(|step| self.grids[step].rule.unknowns());
+        self.slip.resolve(wanted);
+        let solved = self.solve_on(finer, layer, normal, beta, zone);
+        self.slip.resolve(own);
+        solved.map(|_| true)
     }
 
     /// The unknowns of the shear in the stick zone.
     pub(crate) fn unknowns(&self) -> &[f64] {
         &self.unknowns
-    }
-
-    /// Which grid solved the zone.
-    pub(crate) fn grid(&self) -> usize {
-        self.used
-    }
-
-    /// The coarsest grid that may be used.
-    pub(crate) fn insisted(&self) -> usize {
-        self.least
-    }
-
-    /// Asks for grids at least as fine as that one from now on.
-    pub(crate) fn insist_on(&mut self, grid: usize) {
-        self.least = grid;
     }
 
     /// Shear traction at points strictly inside the contact, where the pressures are `pressure`.

@@ -22,7 +22,7 @@ impl StickZone {
     /// How near to the contact's edge the shear under a sharp one may be out of all proportion, over the half-width.
     pub(crate) const NEAR: f64 = 0.01;
 
-    /// Whether it reaches as near to the contact's edge. The shear inside is a difference of numbers as large as that at its end.
+    /// Whether it reaches as near to the contact's edge.
     pub(crate) fn is_crowded(self) -> bool {
         self.slip_width < Self::NEAR * self.contact()
     }
@@ -52,7 +52,7 @@ impl StickZone {
         Station { x: self.half_width + self.slip_width * node.from_lower, gap: self.slip_width * node.to_upper }
     }
 
-    /// How much finer than a lone interval the stick zone must be resolved.
+    /// How much finer than on a lone interval a shear must be told off which nothing is taken, see [`super::half_plane_shear`].
     ///
     /// The pressure has a branch point at the contact's edge, `b - a` beyond the end. In the variable
     /// `sinh u = (2/pi) atanh(x/a)` of a double-exponential grid it stands at

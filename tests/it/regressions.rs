@@ -428,13 +428,13 @@ fn what_the_budget_refused_is_not_tried_again() {
                    layers = [{ thickness = 2.0, grading = { type = \"sigmoid\", above = 100.0, below = 0.2, centre = 2.0, \
                    width = 0.2 } }, { thickness = 4.0, grading = { type = \"homogeneous\", modulus = 1.0 } }, \
                    { thickness = 0.5, grading = { type = \"sigmoid\", above = 0.8, below = 2.0, centre = 2.0, width = 0.9 } }] } }";
-    let budgets = [5_000_000, 10_000_000, 15_000_000, 20_000_000];
+    let budgets = [2_500_000, 5_000_000, 7_500_000, 10_000_000];
     for (text, budget) in [many, between].into_iter().flat_map(|text| budgets.map(|budget| (text, budget))) {
         let solution = slipzone::engine::solve_within(&slipzone::scene::parse("refused", text).unwrap(), budget);
         // Refused where it ends before anything can be said of an error.
         let reason = solution.reason.expect("why");
-        assert!(matches!(solution.status, Status::NotConverged | Status::Refused), "{budget}: {reason}");
-        assert!(solution.status == Status::NotConverged || reason.contains("budget"), "{budget}: {reason}");
+        let is_short = solution.status == Status::NotConverged || reason.contains("budget");
+        assert!(is_short && solution.status != Status::Converged, "{budget}: {reason}");
         // Once for the last load, twice for those on the way to it.
         assert!(solution.plan.work <= 3 * budget, "{:e} of {budget}", solution.plan.work as f64);
     }
@@ -574,18 +574,22 @@ fn the_shear_is_as_good_all_along_as_the_stick_zone() {
     }
 }
 
-/// Where the stick zone ends just short of the contact's edge its shear is a difference of numbers as large as that at its end. It
-/// was told as if it were as good as the rest.
+/// Where the stick zone ends just short of the contact's edge its shear was told as the difference of numbers as large as that at
+/// its end: known to a few 1e-4 only.
 #[test]
-fn a_shear_that_is_not_known_to_the_tolerance_is_not_said_to_be() {
-    let sketch = Sketch::half_plane(0.3).rubbing(2.492_628_111_094_76); // 1 - a/b = 1e-11
-    let solution = sketch.solve();
-    assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
-    let exact = sketch.with("[solver]\ntolerance = 1e-11").solve();
-    let [apart, claimed] = shear_apart(&solution, &exact);
-    assert!(claimed > 1e-6 && apart <= 2.0 * claimed, "{apart:e} apart, {claimed:e} claimed");
-    let said = |assumption: &String| assumption.contains("the shear in the stick zone is known to");
-    assert!(solution.assumptions.iter().any(said), "{:?}", solution.assumptions);
+fn the_shear_beside_a_crowded_edge_is_as_good_as_any() {
+    for sketch in [
+        Sketch::half_plane(0.3).rubbing(2.492_628_111_094_76), // 1 - a/b = 1e-11
+        Sketch::flat(3.5, 2.0, 0.47).rubbing(0.21),            // 4e-9
+        Sketch::flat(5.0, 0.125, 0.3).rubbing(0.8),            // 1e-4
+    ] {
+        let solution = sketch.solve();
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+        let exact = sketch.with("[solver]\ntolerance = 1e-11").solve();
+        assert!(exact.number("stick.one_minus_ratio").expect("a number") < 2e-4);
+        let [apart, claimed] = shear_apart(&solution, &exact);
+        assert!(claimed <= 1e-8 && apart <= 2.0 * claimed, "{apart:e} apart, {claimed:e} claimed");
+    }
 }
 
 /// A zone that failed its checks was looked for anew and told as roughly as a search tells it: the slip zone was off by 125

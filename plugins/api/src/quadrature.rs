@@ -30,8 +30,8 @@ pub enum Edge {
     Sharp,
     /// Vanishing like `sqrt(gap)`: a contact that ends smoothly. One condition too many (contact size).
     Smooth,
-    /// Finite: the traction goes on beyond the end, known there, as in a stick zone amid slip. One
-    /// condition too many, as for [`Edge::Smooth`]; see [`Rule::carrier_into`].
+    /// Finite, and 0 at the end itself: what is left of a traction that goes on beyond the end, known there, as in a
+    /// stick zone amid slip, once a known one is taken off it. One condition too many, as for [`Edge::Smooth`].
     Continued,
 }
 
@@ -51,15 +51,6 @@ impl Span {
     pub fn symmetric(half_width: f64, parity: Parity, edge: Edge) -> Self {
         Self { interval: [-half_width, half_width], parity: Some(parity), edge }
     }
-}
-
-/// A density in the terms of a rule: its unknowns, and the multiple of the carrier that is added.
-#[derive(Clone, Copy, Debug)]
-pub struct Density<'a> {
-    /// One number per unknown of the rule.
-    pub unknowns: &'a [f64],
-    /// Value at the upper end of a [`Edge::Continued`] density; 0 otherwise.
-    pub carrier: f64,
 }
 
 /// Config half: the discretisation (such as `gauss-chebyshev`).
@@ -102,7 +93,7 @@ pub trait Rule: Send + Sync {
         None
     }
 
-    /// Factor by which each row that [`Self::operator_into`] and [`Self::carrier_into`] write is multiplied
+    /// Factor by which each row that [`Self::operator_into`] and [`Self::applied_into`] write is multiplied
     /// already, one per collocation point, dimensionless; `None` where all are 1. Right-hand sides want the
     /// same factor. Points that crowd at an end need it: their rows differ by many orders of magnitude, and
     /// elimination chooses its pivots by size.
@@ -116,28 +107,29 @@ pub trait Rule: Send + Sync {
     /// `rows` are of one length, which may be more than the unknowns: what follows these in a row is left alone.
     fn operator_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]);
 
-    /// The operator applied to the carrier, at each collocation point; times its [`Self::row_scale`].
-    ///
-    /// A [`Edge::Continued`] density is the sum of what the unknowns describe and of its value at the
-    /// end times a carrier that is one there. Rules that need no such help leave the zeros.
-    fn carrier_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, out: &mut [f64]) {
-        let _ = kernel;
-        out.fill(0.0);
-    }
+    /// `(1/pi) int f(r) k(x - r) dr` of two densities that are known and finite at the ends, with the parity of the rule's own, at
+    /// each collocation point; times its [`Self::row_scale`]. `rows` are what [`Self::operator_into`] wrote for that kernel.
+    fn applied_into(
+        &mut self,
+        kernel: (&dyn KernelTable, Component),
+        rows: &[f64],
+        densities: &dyn Fn(Station) -> [f64; 2],
+        out: &mut [[f64; 2]],
+    );
 
     /// Row of the resultant: `int f dx = sum row[j] unknowns[j]`.
     fn resultant_into(&self, row: &mut [f64]);
 
-    /// The density at points strictly inside its interval.
+    /// The density that the unknowns describe at points strictly inside its interval.
     ///
     /// # Panics
     /// When the slices differ in length.
-    fn values_into(&self, density: Density, at: &[Station], out: &mut [f64]);
+    fn values_into(&self, unknowns: &[f64], at: &[Station], out: &mut [f64]);
 
     /// [`Self::values_into`] at one point.
-    fn value(&self, density: Density, at: Station) -> f64 {
+    fn value(&self, unknowns: &[f64], at: Station) -> f64 {
         let mut value = [0.0];
-        self.values_into(density, &[at], &mut value);
+        self.values_into(unknowns, &[at], &mut value);
         value[0]
     }
 

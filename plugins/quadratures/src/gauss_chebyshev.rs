@@ -4,9 +4,7 @@ mod grid;
 
 use grid::{Grid, Kind};
 use serde::{Deserialize, Serialize};
-use slipzone_api::{
-    Component, Density, Edge, KernelTable, Parity, Parts, PartsVec, Quadrature, Refusal, Rule, Span, Station,
-};
+use slipzone_api::{Component, Edge, KernelTable, Parity, Parts, PartsVec, Quadrature, Refusal, Rule, Span, Station};
 use std::f64::consts::PI;
 
 /// Gauss-Chebyshev nodes and staggered collocation points (CC13 eqs. 55-60, 64-67).
@@ -14,8 +12,8 @@ use std::f64::consts::PI;
 /// * Sharp edges: `f = F(t)/sqrt(1 - t^2)`, nodes `cos((2j-1) pi/2n)`, collocation at `cos(m pi/n)`.
 /// * Smooth edges: `f = F(t) sqrt(1 - t^2)`, nodes `cos(l pi/(n+1))`, collocation at
 ///   `cos((2i-1) pi/2(n+1))`.
-/// * Continued (odd) densities: a smooth one plus the carrier `t`, whose Cauchy integral is
-///   `t ln((1+t)/(1-t)) - 2` (CC13 eqs. 49, 50).
+/// * Continued (odd) densities, of which 0 is left at the end: the same. CC13 (eqs. 49, 50) takes `eta p(a) t` off the shear
+///   where slipzone takes that of a half-plane.
 ///
 /// The Cauchy part is exact for polynomials `F` of degree `2n`. The kernel is summed at the nodes as if
 /// it were smooth: a homogeneous layer converges exponentially, a graded one like `n^-2`, because of the
@@ -109,8 +107,6 @@ struct ChebyshevRule {
     parity: Parity,
     edge: Edge,
     grid: Grid,
-    /// Angles of the collocation points, `x = half_width cos(angle)`, descending.
-    angles: Vec<f64>,
     stations: Vec<Station>,
 }
 
@@ -125,7 +121,7 @@ impl ChebyshevRule {
         let station =
             |a: &f64| Station { x: half_width * middle_exact_cos(*a), gap: 2.0 * half_width * (0.5 * a).sin().powi(2) };
         let stations = angles.iter().map(station).collect();
-        Self { half_width, parity, edge, grid, angles, stations }
+        Self { half_width, parity, edge, grid, stations }
     }
 
     /// `+1` or `-1`: the value at `-t` over the value at `t`.
@@ -153,14 +149,14 @@ impl ChebyshevRule {
         }
     }
 
-    fn value_at(&self, density: Density, at: Station) -> f64 {
+    fn value_at(&self, unknowns: &[f64], at: Station) -> f64 {
         let t = at.x / self.half_width;
         let relative_gap = at.gap / self.half_width;
         let root = (relative_gap * (2.0 - relative_gap)).sqrt();
-        let smooth = self.grid.interpolate(density.unknowns, self.mirror(), t);
+        let smooth = self.grid.interpolate(unknowns, self.mirror(), t);
         match self.edge {
             Edge::Sharp => smooth / root,
-            Edge::Smooth | Edge::Continued => smooth * root + density.carrier * t,
+            Edge::Smooth | Edge::Continued => smooth * root,
         }
     }
 
@@ -221,22 +217,26 @@ impl Rule for ChebyshevRule {
         }
     }
 
-    fn carrier_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, out: &mut [f64]) {
+    fn applied_into(
+        &mut self,
+        kernel: (&dyn KernelTable, Component),
+        _: &[f64],
+        densities: &dyn Fn(Station) -> [f64; 2],
+        out: &mut [[f64; 2]],
+    ) {
         assert_eq!(out.len(), self.stations.len(), "one value per collocation point");
-        out.fill(0.0);
-        if self.edge != Edge::Continued {
-            return;
-        }
-        let plain = self.grid.plain_weights();
+        let half_width = self.half_width;
+        let weights = self.grid.plain_weights();
+        let given = weights.iter().zip(&self.grid.t).zip(&self.grid.angle).map(|((weight, t), angle)| {
+            let at = Station { x: half_width * t, gap: 2.0 * half_width * (0.5 * angle).sin().powi(2) };
+            densities(at).map(|density| weight * density)
+        });
+        let given: Vec<[f64; 2]> = given.collect();
         let mut scratch = self.scratch();
-        for ((out, alpha), station) in out.iter_mut().zip(&self.angles).zip(&self.stations) {
-            let t = middle_exact_cos(*alpha);
-            let cauchy = -2.0 * t * (0.5 * alpha).tan().ln() - 2.0;
-            let smooth = kernel.map_or(0.0, |kernel| {
-                self.folded_kernel(kernel, station.x, Parts::value, &mut scratch);
-                plain.iter().zip(&self.grid.t).zip(&scratch.folded).map(|((w, t), k)| w * t * k).sum()
-            });
-            *out = (cauchy + self.half_width * smooth) / PI;
+        for (out, station) in out.iter_mut().zip(&self.stations) {
+            self.folded_kernel(kernel, station.x, Parts::value, &mut scratch);
+            let sum = |part: usize| given.iter().zip(&scratch.folded).map(|(given, k)| given[part] * k).sum::<f64>();
+            *out = [0, 1].map(|part| half_width / PI * sum(part));
         }
     }
 
@@ -247,10 +247,10 @@ impl Rule for ChebyshevRule {
         }
     }
 
-    fn values_into(&self, density: Density, at: &[Station], out: &mut [f64]) {
+    fn values_into(&self, unknowns: &[f64], at: &[Station], out: &mut [f64]) {
         assert_eq!(at.len(), out.len(), "one value per point");
         for (out, at) in out.iter_mut().zip(at) {
-            *out = self.value_at(density, *at);
+            *out = self.value_at(unknowns, *at);
         }
     }
 

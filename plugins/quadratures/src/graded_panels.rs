@@ -18,7 +18,7 @@ use slipzone_api::{Edge, Parity, Quadrature, Refusal, Rule, Span};
 /// With `x = c cos(theta)`, `0 <= theta <= pi/2` and the symmetry for the rest, the density is
 /// * sharp edges: `f = F/sin(theta)`,
 /// * smooth edges: `f = F`, `F(0) = 0`,
-/// * continued (odd) densities: `f = F/sin(theta)`, `F(0) = 0`: finite at the end, without a carrier,
+/// * continued (odd) densities: `f = F/sin(theta)`, `F(0) = 0`: finite at the end, which they need not use,
 ///
 /// and `F` a continuous piecewise polynomial of the angle on panels that shrink geometrically towards the end
 /// `theta = 0`, by its values at Chebyshev-Lobatto points. The equation is collocated half way between these, at

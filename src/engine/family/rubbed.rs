@@ -2,8 +2,7 @@
 //! sliding.
 
 use crate::engine::blend::{Blend, LANES, Lanes, add_rows};
-use crate::engine::chebyshev::Points;
-use crate::engine::sheet::{self, Sheet};
+use crate::engine::sheet::{Places, Sheet};
 use crate::engine::stage::Stage;
 use crate::engine::stick_search::Root;
 use slipzone_api::Station;
@@ -79,12 +78,11 @@ pub(super) struct Member {
 
 /// What was found of the members so far.
 pub(super) struct Found {
-    places: Option<(Arc<Points>, Vec<Station>)>,
     lambda: Vec<f64>,
     slope: Vec<f64>,
     branch: f64,
-    lack: Vec<f64>,
-    moves: Vec<f64>,
+    lack: Vec<Vec<f64>>,
+    moves: Vec<Vec<f64>>,
     /// What a coarser resolution knows of the moves, and by how much those measured last differ from it, relative.
     known: Option<Arc<Moves>>,
     doubt: f64,
@@ -93,9 +91,9 @@ pub(super) struct Found {
 
 impl Found {
     pub(super) fn new(known: Option<Arc<Moves>>, checked: bool) -> Self {
-        let [lambda, slope, lack, moves] = [const { Vec::new() }; 4];
+        let ([lambda, slope], [lack, moves]) = ([const { Vec::new() }; 2], [const { Vec::new() }; 2]);
         let doubt = known.as_ref().map_or(f64::INFINITY, |known| known.doubt);
-        Self { places: None, lambda, slope, branch: 1.0, lack, moves, known, doubt, checked }
+        Self { lambda, slope, branch: 1.0, lack, moves, known, doubt, checked }
     }
 
     /// The stick zone to be expected next, from the last two.
@@ -112,40 +110,39 @@ impl Found {
         }
         self.lambda.push(member.root.lambda);
         self.slope.push(member.root.slope);
-        self.lack.extend(member.lack);
-        self.moves.extend(member.moves.unwrap_or_default());
+        self.lack.push(member.lack);
+        self.moves.extend(member.moves);
         self.branch.to_bits() == member.root.branch.to_bits()
     }
 
     /// All members were found.
     pub(super) fn blended(self, blend: &Arc<Blend>) -> Rubbed {
-        let width = self.lack.len() / self.lambda.len();
+        let (lack, width) = side_by_side(&self.lack);
         let is_known = self.moves.len() == self.lack.len();
         let moves = is_known.then(|| {
-            Arc::new(Moves {
-                blend: Arc::clone(blend),
-                coefficients: blend.coefficients(&self.moves, width),
-                doubt: self.doubt,
-            })
+            let (moves, width) = side_by_side(&self.moves);
+            let coefficients = blend.coefficients(&moves, width);
+            Arc::new(Moves { blend: Arc::clone(blend), coefficients, doubt: self.doubt })
         });
         Rubbed {
             of_lambda: blend.coefficients(&self.lambda, 1),
             of_slope: blend.coefficients(&self.slope, 1),
             lambda: self.lambda,
             branch: self.branch,
-            lack: Sheet::new(blend.coefficients(&self.lack, width), width),
+            lack: Sheet::new(blend.coefficients(&lack, width), width),
             moves: moves.or(self.known),
             checked: self.checked,
         }
     }
 
     /// What the shear solved last lacks, times the half-width, as a series over the places.
-    pub(super) fn lack(&mut self, stage: &Stage, half_width: f64) -> Vec<f64> {
+    pub(super) fn lack(stage: &Stage, half_width: f64) -> Vec<f64> {
         let shear = stage.shear.as_ref().expect("friction has shear");
-        let (points, stations) = self.places.get_or_insert_with(|| sheet::places(shear.unknowns().len()));
         let zone = shear.zone;
+        // The pressure has a branch point where the contact ends.
+        let places = Places::of(shear.unknowns().len() as f64 * finer(zone.crowding()));
         let scaled = |at: &Station| Station { x: zone.half_width * at.x, gap: zone.half_width * at.gap };
-        let mut at: Vec<Station> = stations.iter().map(scaled).collect();
+        let mut at: Vec<Station> = places.stations.iter().map(scaled).collect();
         let (mut q, mut p) = (vec![0.0; at.len()], vec![0.0; at.len()]);
         shear.in_stick_into(&at, &mut q);
         for at in &mut at {
@@ -154,9 +151,32 @@ impl Found {
         stage.normal.values_into(&at, &mut p);
         p.iter_mut().zip(&q).for_each(|(p, q)| *p = half_width * (shear.friction * *p - q));
         // What was the shear is room for the series.
-        points.through_into(&p, &mut q);
+        places.points.through_into(&p, &mut q);
         q
     }
+}
+
+/// Series of any lengths as rows of one, and that.
+fn side_by_side(series: &[Vec<f64>]) -> (Vec<f64>, usize) {
+    let width = series.iter().map(Vec::len).max().unwrap_or(0);
+    let filled = |row: &Vec<f64>| row.iter().copied().chain(std::iter::repeat(0.0)).take(width).collect::<Vec<f64>>();
+    (series.iter().flat_map(filled).collect(), width)
+}
+
+/// Makes two series as long as the longer of them.
+fn make_alike(one: &mut Vec<f64>, other: &mut Vec<f64>) {
+    let length = one.len().max(other.len());
+    one.resize(length, 0.0);
+    other.resize(length, 0.0);
+}
+
+/// How many times as many places as the unknowns alone ask for tell the shear where convergence is that much slower; in powers of
+/// `sqrt 2`, so that neighbours have as many.
+fn finer(crowding: f64) -> f64 {
+    /// A zone that ends far from the contact's edge asks for no more.
+    const NEARLY: f64 = 0.65;
+    let steps = (2.0 * (NEARLY * crowding).log2()).ceil().max(0.0);
+    (0.5 * steps).exp2()
 }
 
 /// How a member is approached.
@@ -176,7 +196,7 @@ impl Found {
         &Approach { error, widest }: &Approach,
         half_width: f64,
         mut from: Root,
-        mut one: impl FnMut(&mut Self, Root) -> Result<Option<(Root, Vec<f64>)>, E>,
+        mut one: impl FnMut(Root) -> Result<Option<(Root, Vec<f64>)>, E>,
     ) -> Result<Option<Member>, E> {
         const SYSTEMS: usize = 6;
         let mut known = self.known.as_ref().map(|moves| moves.at(half_width));
@@ -185,19 +205,19 @@ impl Found {
             if from.lambda > widest {
                 return Ok(None);
             }
-            let Some((root, mut lack)) = one(self, from)? else { return Ok(None) };
+            let Some((root, mut lack)) = one(from)? else { return Ok(None) };
             let step = root.lambda - from.lambda;
             // Differences of rounding have no slope; one of another sign is no neighbour's.
             let measured = before.take().and_then(|(there, first, lacked)| {
                 let (moved, share) = (from.lambda - there, 1.0 - step / first);
                 (moved.abs() > f64::EPSILON.sqrt() && share > 0.0).then_some((moved, share, first, lacked))
             });
-            let Some((moved, share, first, lacked)) = measured else {
+            let Some((moved, share, first, mut lacked)) = measured else {
                 // What known moves miss: the part by which they and the slope differ from those here, and the square.
                 let missed = if known.is_some() { step * (self.doubt + step.abs()) } else { f64::INFINITY };
                 if step.abs() < error || missed.abs() < 0.5 * error {
                     if let Some(known) = &mut known {
-                        known.resize(lack.len(), 0.0);
+                        make_alike(&mut lack, known);
                         lack.iter_mut().zip(known).for_each(|(lack, moves)| *lack += step * *moves);
                     }
                     return Ok(Some(Member { root, lack, moves: known }));
@@ -209,6 +229,7 @@ impl Found {
             let step = step / share;
             let next = Root { lambda: from.lambda + step, slope: from.slope * share, ..root };
             if (first * step).abs() < error {
+                make_alike(&mut lack, &mut lacked);
                 let moves: Vec<f64> = lack.iter().zip(&lacked).map(|(here, there)| (here - there) / moved).collect();
                 if let Some(known) = &known {
                     self.doubt = doubt(known, &moves, share);

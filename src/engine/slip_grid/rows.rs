@@ -13,6 +13,8 @@ pub(super) struct Nodes {
     pub(super) r: Vec<f64>,
     /// What multiplies `1/((r - x) (r + x))`.
     pub(super) cauchy: Vec<f64>,
+    /// The same, in another sum.
+    pub(super) beside: Vec<f64>,
     /// What multiplies `k(r - x)`.
     pub(super) kernel: Vec<f64>,
     /// `r` where `k(r + x)` is asked for: as many, or fewer.
@@ -33,8 +35,8 @@ impl Nodes {
         Arch::new().dispatch(Distances { nodes: self, at, out });
     }
 
-    /// Writes the sum over the nodes for each of the stations, from those distances and the kernel there.
-    pub(super) fn sums_into(&self, at: &[Station], distances: &[f64], kernel: &[f64], out: &mut [f64]) {
+    /// Writes both sums over the nodes for each of the stations, from those distances and the kernel there.
+    pub(super) fn sums_into(&self, at: &[Station], distances: &[f64], kernel: &[f64], out: &mut [[f64; 2]]) {
         Arch::new().dispatch(Sums { nodes: self, at, distances, kernel, out });
     }
 }
@@ -68,7 +70,7 @@ struct Sums<'a> {
     at: &'a [Station],
     distances: &'a [f64],
     kernel: &'a [f64],
-    out: &'a mut [f64],
+    out: &'a mut [[f64; 2]],
 }
 
 impl WithSimd for Sums<'_> {
@@ -77,24 +79,25 @@ impl WithSimd for Sums<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         const { assert!(LANES.is_multiple_of(S::F64_LANES), "rows are filled up to whole vectors") };
-        let Nodes { r, cauchy, kernel: weight, far_kernel: far_weight, .. } = self.nodes;
-        let (count, length) = (r.len(), self.nodes.distances());
-        let (r, cauchy) = (S::as_simd_f64s(r).0, S::as_simd_f64s(cauchy).0);
+        let Nodes { r, cauchy, beside, kernel: weight, far_kernel: far_weight, .. } = self.nodes;
+        let (count, length, one) = (r.len(), self.nodes.distances(), simd.splat_f64s(1.0));
+        let (r, cauchy, beside) = (S::as_simd_f64s(r).0, S::as_simd_f64s(cauchy).0, S::as_simd_f64s(beside).0);
         let (weight, far_weight) = (S::as_simd_f64s(weight).0, S::as_simd_f64s(far_weight).0);
         let rows = self.distances.chunks_exact(length).zip(self.kernel.chunks_exact(length));
         for ((out, at), (distances, kernel)) in self.out.iter_mut().zip(self.at).zip(rows) {
             let (k_near, k_far) = kernel.split_at(count);
             let near = S::as_simd_f64s(&distances[..count]).0;
             let (k_near, k_far) = (S::as_simd_f64s(k_near).0, S::as_simd_f64s(k_far).0);
-            let (mut sum, x) = (simd.splat_f64s(0.0), simd.splat_f64s(at.x));
+            let (mut sum, mut other, x) = (simd.splat_f64s(0.0), simd.splat_f64s(0.0), simd.splat_f64s(at.x));
             for i in 0..cauchy.len() {
-                let fraction = simd.div_f64s(cauchy[i], simd.mul_f64s(near[i], simd.add_f64s(r[i], x)));
-                sum = simd.add_f64s(sum, simd.mul_add_e_f64s(weight[i], k_near[i], fraction));
+                let inverse = simd.div_f64s(one, simd.mul_f64s(near[i], simd.add_f64s(r[i], x)));
+                sum = simd.mul_add_e_f64s(cauchy[i], inverse, simd.mul_add_e_f64s(weight[i], k_near[i], sum));
+                other = simd.mul_add_e_f64s(beside[i], inverse, other);
             }
             for (weight, kernel) in far_weight.iter().zip(k_far) {
                 sum = simd.mul_add_e_f64s(*weight, *kernel, sum);
             }
-            *out = simd.reduce_sum_f64s(sum);
+            *out = [simd.reduce_sum_f64s(sum), simd.reduce_sum_f64s(other)];
         }
     }
 }

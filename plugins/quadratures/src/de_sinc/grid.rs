@@ -98,13 +98,13 @@ impl Grid {
         }
     }
 
-    /// What is not `sqrt(gap)` in the last two `F`: 0 for a bounded density.
+    /// What is not `gap` in the last two `F`: 0 for a density that vanishes.
     fn edge_locally(&self) -> Vec<f64> {
         let mut row = vec![0.0; self.unknowns()];
         let [.., before, last] = &self.nodes[..] else { unreachable!("two nodes at least") };
         let n = row.len();
         row[n - 1] = 1.0;
-        row[n - 2] = -(last.gap / before.gap).sqrt();
+        row[n - 2] = -last.gap / before.gap;
         row
     }
 
@@ -177,12 +177,11 @@ pub(super) fn tail(nodes: &[Place], step: f64) -> f64 {
     FRAC_PI_2 - step * (sum - 0.5 * nodes[0].slope)
 }
 
-/// `F` of the simplest density of a kind: `f = 1/s`, `1` or `s` with `s = sqrt(1 - x^2)`, times `x` where odd.
+/// `F` of the simplest density of a kind: `f = 1/s` or `s` with `s = sqrt(1 - x^2)`, times `x` where odd.
 fn simplest(u: &Place, edge: Edge, odd: bool) -> f64 {
     let power = match edge {
         Edge::Sharp => 1.0,
-        Edge::Continued => u.sech,
-        Edge::Smooth => u.sech * u.sech,
+        Edge::Smooth | Edge::Continued => u.sech * u.sech,
     };
     if odd { power * u.x } else { power }
 }
@@ -192,10 +191,8 @@ fn simplest_integral(v: &Place, edge: Edge, odd: bool) -> f64 {
     match (edge, odd) {
         (Edge::Sharp, false) => 0.0,
         (Edge::Sharp, true) => -1.0,
-        (Edge::Smooth, false) => v.x,
-        (Edge::Smooth, true) => v.x * v.x - 0.5,
-        // ln((1 + x)/(1 - x)) = 2 w
-        (Edge::Continued, _) => 2.0 / PI * (v.x * v.w - 1.0),
+        (_, false) => v.x,
+        (_, true) => v.x * v.x - 0.5,
     }
 }
 

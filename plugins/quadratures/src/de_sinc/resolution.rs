@@ -48,7 +48,7 @@ pub(super) fn reach(n: usize, edge: Edge) -> f64 {
     match edge {
         Edge::Sharp => (2.3 + 0.82 * (n as f64 / 6.0).ln()).clamp(2.0, 3.9),
         Edge::Smooth => (2.6 + 0.7 * (n as f64 / 6.0).ln()).clamp(2.4, 4.0),
-        Edge::Continued => (3.2 + 0.35 * (n as f64 / 8.0).ln()).clamp(2.8, 4.4),
+        Edge::Continued => (2.35 + 0.66 * (n as f64 / 8.0).ln()).clamp(2.2, 4.2),
     }
 }
 

@@ -9,7 +9,7 @@ use super::series::alternating;
 use super::shape::Shape;
 use super::sums::dot;
 use pulp::Arch;
-use slipzone_api::{Component, Density, Edge, KernelTable, Rule, Station};
+use slipzone_api::{Component, Edge, KernelTable, Rule, Station};
 use std::f64::consts::PI;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -125,6 +125,29 @@ impl Rule for DeSincRule {
         }
     }
 
+    fn applied_into(
+        &mut self,
+        _: (&dyn KernelTable, Component),
+        rows: &[f64],
+        densities: &dyn Fn(Station) -> [f64; 2],
+        out: &mut [[f64; 2]],
+    ) {
+        let (n, length) = (self.unknowns(), rows.len() / self.stations.len());
+        let given = &mut self.scratch.spread;
+        given.clear();
+        given.resize(2 * n, 0.0);
+        let (one, other) = given.split_at_mut(n);
+        for ((one, other), u) in one.iter_mut().zip(&mut *other).zip(&self.grid.nodes[self.grid.first..]) {
+            let at = Station { x: self.half_width * u.x, gap: self.half_width * u.gap };
+            [*one, *other] = densities(at).map(|density| u.sech * density);
+        }
+        // What the operator is beside its Cauchy part.
+        let rows = rows.chunks_exact(length).zip(self.grid.cauchy.chunks_exact(n));
+        for (out, (row, cauchy)) in out.iter_mut().zip(rows) {
+            *out = [&*one, &*other].map(|given| dot(&row[..n], given) - dot(cauchy, given));
+        }
+    }
+
     fn resultant_into(&self, row: &mut [f64]) {
         assert_eq!(row.len(), self.unknowns(), "one entry per unknown");
         for (entry, weight) in row.iter_mut().zip(&self.grid.resultant) {
@@ -132,10 +155,10 @@ impl Rule for DeSincRule {
         }
     }
 
-    fn values_into(&self, density: Density, at: &[Station], out: &mut [f64]) {
+    fn values_into(&self, unknowns: &[f64], at: &[Station], out: &mut [f64]) {
         assert_eq!(at.len(), out.len(), "one value per point");
         let mut room = self.room.lock().unwrap_or_else(PoisonError::into_inner);
-        let shape = Shape::new(&self.grid, density, &mut room);
+        let shape = Shape::new(&self.grid, unknowns, &mut room);
         shape.values_into(at, self.half_width, out);
     }
 

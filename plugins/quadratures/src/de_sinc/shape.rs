@@ -1,19 +1,18 @@
 //! The density between its nodes.
 
 use super::grid::Grid;
-use super::map::{Place, locate};
+use super::map::locate;
 use super::series::{BATCH, Series};
 use super::sums::dot;
 use pulp::{Arch, Simd, WithSimd};
-use slipzone_api::{Density, Edge, Station};
+use slipzone_api::{Edge, Station};
 
 /// A density made ready for evaluation, with `s = sqrt(1 - x^2)` and `y` a sum of sinc functions:
-/// `f = (limit + y)/s` at sharp edges, `s limit + sqrt(s) y` at smooth ones, `carrier x + s limit + y` at continued
+/// `f = (limit + y)/s` at sharp edges, `s limit + sqrt(s) y` at smooth ones, `s limit + y` at continued
 /// ones; `limit` times `x` where `f` is odd. The root of `s` shares the error of a series cut short between the
 /// middle, where it rings, and the end, where `f` is small.
 pub(super) struct Shape<'a> {
     grid: &'a Grid,
-    carrier: f64,
     limit: f64,
     /// `(-1)^j y_j`, up to where it is all rounding.
     signed: &'a [f64],
@@ -21,22 +20,22 @@ pub(super) struct Shape<'a> {
 
 impl<'a> Shape<'a> {
     /// `room` is scratch.
-    pub(super) fn new(grid: &'a Grid, density: Density, room: &'a mut Vec<f64>) -> Self {
-        assert_eq!(density.unknowns.len(), grid.unknowns(), "one number per unknown");
+    pub(super) fn new(grid: &'a Grid, unknowns: &[f64], room: &'a mut Vec<f64>) -> Self {
+        assert_eq!(unknowns.len(), grid.unknowns(), "one number per unknown");
         let y = room;
         y.clear();
         y.resize(grid.first, 0.0);
-        y.extend_from_slice(density.unknowns);
+        y.extend_from_slice(unknowns);
         let limit = if grid.edge == Edge::Sharp {
             y.truncate(grid.plateau);
-            dot(&grid.edge_row, density.unknowns)
+            dot(&grid.edge_row, unknowns)
         } else {
-            bound(y, grid, density.carrier)
+            bound(y, grid)
         };
         for (y, [of_density, of_limit]) in y.iter_mut().zip(&grid.series) {
             *y = of_density * *y - of_limit * limit;
         }
-        Self { grid, carrier: density.carrier, limit, signed: y.as_slice() }
+        Self { grid, limit, signed: y.as_slice() }
     }
 
     /// The density at points strictly inside an interval of that half-width.
@@ -58,7 +57,7 @@ impl WithSimd for Values<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Shape { grid, carrier, limit, signed } = *self.shape;
+        let Shape { grid, limit, signed } = *self.shape;
         let series = Series { signed, odd: grid.odd, offset: 0.0 };
         let (per_step, per_width) = (1.0 / grid.step, 1.0 / self.half_width);
         let (mut t, mut sums) = ([0.0; BATCH], [0.0; BATCH]);
@@ -75,30 +74,32 @@ impl WithSimd for Values<'_> {
                 *out = match grid.edge {
                     Edge::Sharp => (limit + varying) / root,
                     Edge::Smooth => root * limit + root.sqrt() * varying,
-                    Edge::Continued => carrier * x + root * limit + varying,
+                    Edge::Continued => root * limit + varying,
                 };
             }
         }
     }
 }
-/// Takes the carrier and the noise off `F` and cuts it where nothing else is left; returns `lim F/(1 - x^2)`.
+
+/// Takes the noise off `F` and cuts it where nothing else is left; returns `lim F/(1 - x^2)`.
 ///
 /// The singular density that is to be absent is absent up to an error `e` only, and adds nearly the same
 /// number to `F` at all nodes; what stays of it once that is taken off is half of `e` or less. It counts as
 /// `e exp(w)` in `f`. The first term left out behind the cut counts as `exp(-2 w)` (continued: `f` is
 /// regular `+ sqrt(gap)`) or `exp(-3 w)` (smooth), which is as much where `F ~ exp(-2 w)` is `e^(2/3)` or `e^(1/2)`.
-fn bound(f: &mut Vec<f64>, grid: &Grid, carrier: f64) -> f64 {
+fn bound(f: &mut Vec<f64>, grid: &Grid) -> f64 {
     // The very last nodes feel the missing ones.
     let n = f.len() - 1;
     let at = n - 1 - n / 16;
-    let taken = |u: &Place| carrier * u.x * u.sech;
-    let noise = f[at] - taken(&grid.nodes[at]);
+    let noise = f[at];
     let mut largest = 0.0_f64;
     for (f, u) in f.iter_mut().zip(&grid.nodes) {
-        *f = *f - taken(u) - noise * grid.ending(u.x);
+        *f -= noise * grid.ending(u.x);
         largest = largest.max(f.abs());
     }
-    let rest = 0.5 * noise.abs() + 0.2 * f64::EPSILON * largest;
+    // What is all noise may be nothing at one node.
+    let tail = f[at..n].iter().fold(0.5 * noise.abs(), |most, f| most.max(f.abs()));
+    let rest = tail + 0.2 * f64::EPSILON * largest;
     let exponent = if grid.edge == Edge::Smooth { 0.5 } else { 2.0 / 3.0 };
     let least = largest * (rest / largest).powf(exponent);
     let end = (1..n).rev().find(|j| f[*j].abs() > least).unwrap_or(1);

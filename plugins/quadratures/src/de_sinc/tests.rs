@@ -5,7 +5,7 @@ mod integrals;
 mod values;
 
 use super::*;
-use slipzone_api::{Component, Density, KernelTable, Parts, PartsMut, Station};
+use slipzone_api::{Component, KernelTable, Parts, PartsMut, Station};
 use sums::dot;
 
 /// A made-up kernel.
@@ -90,7 +90,7 @@ fn flat_punch(rule: &mut dyn Rule, kernel: Option<&dyn KernelTable>) -> Vec<f64>
 }
 
 fn value(rule: &dyn Rule, unknowns: &[f64], x: f64, gap: f64) -> f64 {
-    rule.value(Density { unknowns, carrier: 0.0 }, Station { x, gap })
+    rule.value(unknowns, Station { x, gap })
 }
 
 #[track_caller]

@@ -37,7 +37,7 @@ impl Basis {
     }
 
     /// `F` vanishes at the contact's end unless the edge is sharp.
-    fn first(self) -> usize {
+    pub(super) fn first(self) -> usize {
         usize::from(self.edge != Edge::Sharp)
     }
 

@@ -2,7 +2,7 @@
 
 use super::layout::{Basis, Layout};
 use super::regular::Regular;
-use slipzone_api::{Component, Density, Edge, KernelTable, Parity, Rule, Station};
+use slipzone_api::{Component, Edge, KernelTable, Parity, Rule, Station};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -78,6 +78,29 @@ impl Rule for PanelRule {
         }
     }
 
+    fn applied_into(
+        &mut self,
+        _: (&dyn KernelTable, Component),
+        rows: &[f64],
+        densities: &dyn Fn(Station) -> [f64; 2],
+        out: &mut [[f64; 2]],
+    ) {
+        let (n, length) = (self.unknowns(), rows.len() / self.stations.len());
+        let first = self.basis().first();
+        let given = |node: usize| {
+            let angle = self.layout.mesh.node(node);
+            let sine = if self.basis().edge == Edge::Smooth { 1.0 } else { angle.sin() };
+            densities(station(angle, self.half_width)).map(|density| sine * density)
+        };
+        let given: Vec<[f64; 2]> = (first..first + n).map(given).collect();
+        // What the operator is beside its Cauchy part.
+        let rows = rows.chunks_exact(length).zip(self.layout.cauchy.chunks_exact(n));
+        for (out, (row, cauchy)) in out.iter_mut().zip(rows) {
+            let terms = || row.iter().zip(cauchy).map(|(row, cauchy)| row - cauchy).zip(&given);
+            *out = [0, 1].map(|part| terms().map(|(k, given)| k * given[part]).sum());
+        }
+    }
+
     fn resultant_into(&self, row: &mut [f64]) {
         assert_eq!(row.len(), self.unknowns(), "one entry per unknown");
         for (out, per_width) in row.iter_mut().zip(&self.layout.resultant) {
@@ -85,13 +108,13 @@ impl Rule for PanelRule {
         }
     }
 
-    fn values_into(&self, density: Density, at: &[Station], out: &mut [f64]) {
+    fn values_into(&self, unknowns: &[f64], at: &[Station], out: &mut [f64]) {
         assert_eq!(at.len(), out.len(), "one value per point");
         let mut scratch = Vec::new();
         let basis = self.basis();
         for (out, at) in out.iter_mut().zip(at) {
             let place = self.layout.mesh.locate(self.angle(*at));
-            let coefficient = |node| basis.coefficient(node, density.unknowns);
+            let coefficient = |node| basis.coefficient(node, unknowns);
             let polynomial = self.layout.mesh.interpolate(coefficient, place, &mut scratch);
             let relative_gap = at.gap / self.half_width;
             let sine = (relative_gap * (2.0 - relative_gap)).sqrt();

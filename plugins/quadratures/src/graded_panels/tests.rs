@@ -7,7 +7,7 @@ mod solved;
 
 use super::mesh::Mesh;
 use super::*;
-use slipzone_api::{Component, Density, KernelTable, Parts, PartsMut, Station};
+use slipzone_api::{Component, KernelTable, Parts, PartsMut, Station};
 use std::f64::consts::PI;
 
 fn rule(c: f64, parity: Parity, edge: Edge, nodes: usize, panels: usize) -> Box<dyn Rule> {
@@ -38,9 +38,8 @@ fn apply(rows: &[f64], unknowns: &[f64]) -> Vec<f64> {
     rows.chunks(unknowns.len()).map(|row| row.iter().zip(unknowns).map(|(a, u)| a * u).sum()).collect()
 }
 
-/// The density without a carrier, which this rule does not need.
 fn value(rule: &dyn Rule, unknowns: &[f64], at: Station) -> f64 {
-    rule.value(Density { unknowns, carrier: 0.0 }, at)
+    rule.value(unknowns, at)
 }
 
 #[track_caller]

@@ -65,18 +65,18 @@ fn values_between_the_nodes() {
 }
 
 #[test]
-fn a_continued_density_ends_at_its_carrier() {
-    // f = t + (1 - t^2)^(1/2) t/2: one at the end, with the square root that a stick zone has.
-    let (c, n) = (2.0, 32);
+fn a_continued_density_is_a_root_and_more() {
+    // f = t (1 - t^2)^(1/2) (1 + (1 - t^2)^(1/2)/2): both parts of what is left in a stick zone.
+    let (c, n) = (2.0, 45);
     let rule = rule(c, Parity::Odd, Edge::Continued, n);
     let unknowns: Vec<f64> =
-        nodes(Parity::Odd, Edge::Continued, n).iter().map(|(x, s)| s * x * (1.0 + 0.5 * s)).collect();
-    let density = Density { unknowns: &unknowns, carrier: 1.0 };
+        nodes(Parity::Odd, Edge::Continued, n).iter().map(|(x, s)| s * s * x * (1.0 + 0.5 * s)).collect();
     for gap in [2.0, 1.1, 0.3, 1e-4, 1e-9, 1e-14, 0.0] {
         let t = 1.0 - gap / c;
-        let exact = t * (1.0 + 0.5 * (gap * (2.0 * c - gap)).sqrt() / c);
-        assert_close(rule.value(density, Station { x: c * t, gap }), exact, 1e-11, "upper half");
-        assert_close(rule.value(density, Station { x: -c * t, gap }), -exact, 1e-11, "lower half");
+        let root = (gap * (2.0 * c - gap)).sqrt() / c;
+        let exact = t * root * (1.0 + 0.5 * root);
+        assert_close(rule.value(&unknowns, Station { x: c * t, gap }), exact, 1e-11, "upper half");
+        assert_close(rule.value(&unknowns, Station { x: -c * t, gap }), -exact, 1e-11, "lower half");
     }
 }
 
