@@ -30,7 +30,7 @@ const ANOTHER_PUNCH: f64 = 0.25;
 /// A pressure that changes by less than this of what the shear changes by does not hold it back: it may be down to rounding.
 const BESIDE: f64 = 1e-2;
 /// Factor on what the differences give.
-const SAFETY: f64 = 2.0;
+pub(crate) const SAFETY: f64 = 2.0;
 /// No number is claimed to be better than this: rounding of a dense solve of a few hundred unknowns.
 pub(crate) const ROUNDING: f64 = 1e-13;
 

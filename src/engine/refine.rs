@@ -1,6 +1,6 @@
 //! Refines a scene until its error estimate meets the tolerance.
 
-use super::error_estimate::{Pace, ROUNDING, Seen, extrapolated, judged_by_twin};
+use super::error_estimate::{Pace, ROUNDING, SAFETY, Seen, extrapolated, judged_by_twin};
 use super::family::Family;
 use super::layer::{Layer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
@@ -164,7 +164,12 @@ impl Ladder {
             let mut outcome = solve(0, Some(&twin))?;
             let task = Self::task(problem, tolerance, kernel_level);
             self.stages[0].settle(layer, task, &mut outcome)?;
-            let errors = judged_by_twin(&outcome.seen(), &twin.seen());
+            let mut errors = judged_by_twin(&outcome.seen(), &twin.seen());
+            // The few points of the traces do not see the end of the zone.
+            if let Some((traced, apart)) = errors.get(Quantity::Shear).zip(self.stages[0].shear_apart(&self.stages[1]))
+            {
+                errors.set(Quantity::Shear, traced.max(SAFETY * apart));
+            }
             Judged {
                 outcome,
                 stage: 0,

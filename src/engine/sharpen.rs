@@ -36,9 +36,7 @@ pub(crate) fn sharpen(
 ) -> Result<Option<f64>, Refusal> {
     let points = points(zone);
     let mut before = sampled(shear, &points);
-    let end = if zone.is_crowded() { 0.0 } else { shear.at_edge.abs() };
-    let least = end.max(ShearTrace::LEAST * (shear.friction * normal.mean()).abs());
-    let largest = before.iter().fold(least, |most, q| most.max(q.abs()));
+    let largest = largest(shear, normal, zone, &before);
     // The shear is driven by `beta p`.
     let driven = of_pressure * (beta * normal.mean() / largest).abs();
     if driven > tolerance {
@@ -57,6 +55,21 @@ pub(crate) fn sharpen(
         (before, earlier) = (now, apart);
     }
     Ok(shear.along.map(|along| along.max(driven)))
+}
+
+/// By how much a shear differs from that of a twin in a zone that is nearly its own, over the largest shear as [`sharpen`] has it.
+pub(crate) fn apart_from_twin(shear: &Shear, twin: &Shear, normal: &Normal) -> f64 {
+    let points = points(shear.zone);
+    let [own, other] = [sampled(shear, &points), sampled(twin, &points)];
+    let largest = largest(shear, normal, shear.zone, &own);
+    own.iter().zip(&other).fold(0.0, |most, (own, other)| (own - other).abs().max(most)) / largest
+}
+
+/// What errors of the shear are relative to.
+fn largest(shear: &Shear, normal: &Normal, zone: StickZone, sampled: &[f64; POINTS]) -> f64 {
+    let end = if zone.is_crowded() { 0.0 } else { shear.at_edge.abs() };
+    let least = end.max(ShearTrace::LEAST * (shear.friction * normal.mean()).abs());
+    sampled.iter().fold(least, |most, q| most.max(q.abs()))
 }
 
 /// Points ever nearer to the end of the zone.

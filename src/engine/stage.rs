@@ -10,7 +10,7 @@ use super::linear_strain::RateCurve;
 use super::normal::Normal;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity, ShearTrace, Traces};
-use super::sharpen::sharpen;
+use super::sharpen::{apart_from_twin, sharpen};
 use super::stick::Shear;
 use super::stick_search::{Found, FrictionCurve, Root, Samples};
 use super::stick_zone::StickZone;
@@ -583,6 +583,13 @@ impl Stage {
         let shear = self.shear.as_mut().filter(|shear| shear.is_solved);
         let Some((shear, found)) = shear.zip(found) else { return Ok(None) };
         sharpen(shear, layer, &mut self.normal, task.problem.elastic.beta(), found.zone, (of_pressure, task.tolerance))
+    }
+
+    /// By how much the shear under a flat punch differs from that of a twin; `None` where one of them has none.
+    pub(crate) fn shear_apart(&self, twin: &Self) -> Option<f64> {
+        let solved = |stage: &'_ Self| stage.shear.as_ref().is_some_and(|shear| shear.is_solved);
+        let both = self.shear.as_ref().zip(twin.shear.as_ref()).filter(|_| solved(self) && solved(twin));
+        both.map(|(shear, other)| apart_from_twin(shear, other, &self.normal))
     }
 
     /// The condition of friction that the stick zone solved last fails, and where.
