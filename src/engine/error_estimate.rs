@@ -177,7 +177,7 @@ impl Differences {
 }
 
 /// The largest difference of two traces.
-fn apart(one: &[f64], other: &[f64], scale: f64) -> f64 {
+pub(crate) fn apart(one: &[f64], other: &[f64], scale: f64) -> f64 {
     one.iter().zip(other).fold(0.0, |most, (one, other)| relative(one - other, scale).max(most))
 }
 

@@ -4,7 +4,7 @@
 //! for, the tangential equation is solved on finer grids in the zone found, and nothing else is (docs/theory.md, "Error
 //! estimate").
 
-use super::error_estimate::{SLIP_ROUNDING, of_traces};
+use super::error_estimate::{SLIP_ROUNDING, apart, of_traces};
 use super::layer::Layer;
 use super::normal::Normal;
 use super::quantity::ShearTrace;
@@ -49,10 +49,9 @@ pub(crate) fn sharpen(
             break;
         }
         let now = sampled(shear, &points);
-        let apart = now.iter().zip(&before).map(|(now, before)| (now - before).abs() / largest);
-        let apart = apart.fold(0.0, f64::max);
-        shear.along = Some(of_traces(earlier, apart));
-        (before, earlier) = (now, apart);
+        let late = apart(&now, &before, largest);
+        shear.along = Some(of_traces(earlier, late));
+        (before, earlier) = (now, late);
     }
     Ok(shear.along.map(|along| along.max(driven)))
 }
@@ -62,7 +61,7 @@ pub(crate) fn apart_from_twin(shear: &Shear, twin: &Shear, normal: &Normal) -> f
     let points = points(shear.zone);
     let [own, other] = [sampled(shear, &points), sampled(twin, &points)];
     let largest = largest(shear, normal, shear.zone, &own);
-    own.iter().zip(&other).fold(0.0, |most, (own, other)| (own - other).abs().max(most)) / largest
+    apart(&own, &other, largest)
 }
 
 /// What errors of the shear are relative to.

@@ -101,11 +101,13 @@ impl SlipGrid {
         self.pressure_at_stick_edge
     }
 
-    /// `(1/pi) int over the slip zones of p(r) sign(r) [1/(x - r) + k_uu(x - r)] dr` at each station of the
-    /// stick zone.
+    /// What is known of the tangential equation at each station of the stick zone, but for what the kernel makes of the half-plane's shear
+    /// there: per unit of friction, and per unit of what does not go with it.
     ///
-    /// Beside the stick zone's edge the Cauchy kernel is steep; what it makes of the half-plane's shear, in the stick zone and in the
-    /// slip zones, is known, and what is left of `p` vanishes at that edge.
+    /// The first is `(1/pi) int p(r) sign(r) [1/(x - r) + k_uu(x - r)] dr` over the slip zones, with `(1/pi) int p(a) Y(r)/(x - r) dr` over
+    /// the stick zone; the second `(1/pi) int Z(r)/(x - r) dr` over the latter; `Y` and `Z` are those of [`HalfPlaneShear`]. Beside the
+    /// stick zone's edge the Cauchy kernel is steep; what it makes of `Y` and `Z` in all of the contact is known, and what is
+    /// left of `p` once they are taken off vanishes at that edge.
     pub(crate) fn potential_into(
         &mut self,
         layer: &Layer,

@@ -587,9 +587,9 @@ impl Stage {
 
     /// By how much the shear under a flat punch differs from that of a twin; `None` where one of them has none.
     pub(crate) fn shear_apart(&self, twin: &Self) -> Option<f64> {
-        let solved = |stage: &'_ Self| stage.shear.as_ref().is_some_and(|shear| shear.is_solved);
-        let both = self.shear.as_ref().zip(twin.shear.as_ref()).filter(|_| solved(self) && solved(twin));
-        both.map(|(shear, other)| apart_from_twin(shear, other, &self.normal))
+        let both = self.shear.as_ref().zip(twin.shear.as_ref());
+        let (own, other) = both.filter(|(own, other)| own.is_solved && other.is_solved)?;
+        Some(apart_from_twin(own, other, &self.normal))
     }
 
     /// The condition of friction that the stick zone solved last fails, and where.

@@ -112,9 +112,9 @@ impl Shear {
     /// and returns that coefficient.
     ///
     /// Inside the stick zone `q` is odd and meets `eta p(a)` at its ends; outside `q = eta p sign(x)`. What is resolved is
-    /// `r = q - p(a) (eta Y + Z)`, with `Y` and `Z` of [`HalfPlaneShear`]. The equations at the collocation points, and the
-    /// condition that `r` is not singular at the ends, make the square system
-    /// `[ T | p(a) T Y + slip ] (r, eta) = -beta p + (1/pi) int p k_uv - p(a) T Z`.
+    /// `r = q - p(a) (eta Y + eta_h Z)`, with `Y`, `Z` and the friction `eta_h` of [`HalfPlaneShear`]. The
+    /// equations at the collocation points, and the condition that `r` is not singular at the ends, make the square system
+    /// `[ T | p(a) T Y + slip ] (r, eta) = -beta p + (1/pi) int p k_uv - p(a) eta_h T Z`.
     pub(crate) fn solve(
         &mut self,
         layer: &Layer,

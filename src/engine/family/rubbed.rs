@@ -91,9 +91,17 @@ pub(super) struct Found {
 
 impl Found {
     pub(super) fn new(known: Option<Arc<Moves>>, checked: bool) -> Self {
-        let ([lambda, slope], [lack, moves]) = ([const { Vec::new() }; 2], [const { Vec::new() }; 2]);
         let doubt = known.as_ref().map_or(f64::INFINITY, |known| known.doubt);
-        Self { lambda, slope, branch: 1.0, lack, moves, known, doubt, checked }
+        Self {
+            lambda: Vec::new(),
+            slope: Vec::new(),
+            branch: 1.0,
+            lack: Vec::new(),
+            moves: Vec::new(),
+            known,
+            doubt,
+            checked,
+        }
     }
 
     /// The stick zone to be expected next, from the last two.

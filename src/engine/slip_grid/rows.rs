@@ -13,7 +13,7 @@ pub(super) struct Nodes {
     pub(super) r: Vec<f64>,
     /// What multiplies `1/((r - x) (r + x))`.
     pub(super) cauchy: Vec<f64>,
-    /// The same, in another sum.
+    /// The same, in the sum of what does not go with the friction.
     pub(super) beside: Vec<f64>,
     /// What multiplies `k(r - x)`.
     pub(super) kernel: Vec<f64>,
