@@ -30,6 +30,8 @@ const LEAST_DEPTH: f64 = 1.0 / 32.0;
 pub(crate) struct Layered {
     layer: Arc<LayerModel>,
     panels: Panels,
+    /// Who carries it, for refusals.
+    method: &'static str,
     /// Stiffness and contraction of the layer as a whole, on a base on which it slides.
     membrane: Option<(f64, f64)>,
 }
@@ -47,7 +49,7 @@ impl Layered {
             remedy: "smooth it",
         })?;
         let membrane = (layer.base == Base::Frictionless).then(|| panels.membrane());
-        Ok(Self { layer, panels, membrane })
+        Ok(Self { layer, panels, method, membrane })
     }
 
     /// Compliance at the surface in units of `1/mu1`, at wave numbers above 0.
@@ -96,6 +98,25 @@ impl Layered {
         }
     }
 
+    /// `s F/A0` of one of some compliances. Those of a base so much softer than the surface that squares of its compliance
+    /// overflow are no numbers.
+    fn told<const L: usize>(
+        &self,
+        compliances: &Compliances<L>,
+        i: usize,
+        s: f64,
+    ) -> Result<SurfaceFlexibility, Refusal> {
+        let told = surface_tail::scaled(&matrix(compliances, i), s, self.layer.elastic);
+        if told.vv.is_finite() && told.uu.is_finite() && told.uv.is_finite() {
+            return Ok(told);
+        }
+        Err(Refusal::OutOfReach {
+            method: self.method,
+            why: format!("the moduli over the depth differ by a factor of {:.0e}", self.panels.contrast.exp()),
+            remedy: "give the softer part a modulus closer to that of the surface",
+        })
+    }
+
     /// The limit at `s = 0`, the pole left out.
     fn at_origin(&self) -> SurfaceFlexibility {
         let a0 = self.layer.elastic.a0();
@@ -113,7 +134,7 @@ impl LayerResponse for Layered {
         if s == 0.0 {
             return Ok(self.at_origin());
         }
-        Ok(surface_tail::scaled(&matrix(&self.compliance::<Scalar, 1>(&[s]), 0), s, self.layer.elastic))
+        self.told(&self.compliance::<Scalar, 1>(&[s]), 0, s)
     }
 
     fn surface_into(&self, wave_numbers: &[f64], out: &mut [SurfaceFlexibility]) -> Result<(), Refusal> {
@@ -129,7 +150,7 @@ impl LayerResponse for Layered {
             let s: [f64; LANES] = std::array::from_fn(|i| some[i.min(some.len() - 1)]);
             let compliance = Arch::new().dispatch(Rise { layer: self, s });
             for (i, out) in out.iter_mut().enumerate() {
-                *out = surface_tail::scaled(&matrix(&compliance, i), s[i], self.layer.elastic);
+                *out = self.told(&compliance, i, s[i])?;
             }
         }
         Ok(())

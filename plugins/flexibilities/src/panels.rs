@@ -74,7 +74,8 @@ const LAST: usize = 3;
 /// A panel as thin as this over its law holds a jump or a kink that the law does not tell: nothing else is that narrow.
 const KINK: f64 = 1e-6;
 
-/// Even if it is not smooth a panel as thin as this is kept: what a jump is taken for matters no more than its thickness.
+/// Even if it is not smooth a panel as thin as this is kept, all of it taken for what is at its top: what a jump is taken for
+/// matters no more than its thickness.
 const THINNEST: f64 = 1e-13;
 
 /// Most panels: a law that asks for more is noise.
@@ -133,8 +134,14 @@ impl Panels {
             }
             see(fit.extremes.0);
             see(fit.extremes.1);
-            let matter = Matter::Smooth(Box::new(Slices::new(&fit.coefficients, self.precision)));
-            self.all.push(Panel { top, thickness: wide, unit: fit.unit, matter });
+            // At the surface the law's slope counts, too.
+            let (unit, matter) = if fit.is_smooth || is_noise || top == 0.0 {
+                (fit.unit, Matter::Smooth(Box::new(Slices::new(&fit.coefficients, self.precision))))
+            } else {
+                let material = layer.material(law, start);
+                (material.shear, Matter::Homogeneous(material, self.propagator(material)))
+            };
+            self.all.push(Panel { top, thickness: wide, unit, matter });
             if self.all.len() > MOST_PANELS {
                 return None;
             }

@@ -233,3 +233,26 @@ impl slipzone_api::ModulusLaw for Stack {
         &self.0
     }
 }
+
+/// What a jump is taken for would otherwise be a series of powers of a panel's thickness times the moduli's ratio.
+#[test]
+fn a_jump_that_is_not_told_may_be_as_high_as_any() {
+    let law: Law = |y| if y < 0.3 { 1.0 } else { 1e-40 };
+    let (silent, told) = (general(law, &[], 0.3), general(law, &[0.3], 0.3));
+    for s in [1e-12, 1e-9, 1e-3, 1.0, 10.0] {
+        let difference = distance(at(&Compliance {}, &silent, s), at(&Compliance {}, &told, s));
+        assert!(difference < 1e-11, "s = {s}: {difference:e}"); // the plate bends as the third power of its thickness
+    }
+}
+
+#[test]
+fn what_overflows_is_refused() {
+    let law: Law = |y| if y < 0.3 { 1e100 } else { 1e-100 };
+    let response = Compliance {}.respond(&general(law, &[], 0.3)).unwrap();
+    let mut out = [SurfaceFlexibility::default(); 4];
+    for refusal in
+        [response.surface(1e-3).err(), response.surface_into(&[1e-3, 1.1e-3, 1.2e-3, 1.3e-3], &mut out).err()]
+    {
+        assert!(matches!(refusal, Some(Refusal::OutOfReach { .. })), "{refusal:?}");
+    }
+}
