@@ -347,6 +347,7 @@ impl Growing {
             return None;
         }
         let mut point = |load: &LoadInLayerUnits| {
+            family.within_budget().ok()?;
             let b = stack.under(problem, family, *load)?;
             let mut numbers = sizes(layer, problem, family, stack, b);
             if problem.friction.is_some() {

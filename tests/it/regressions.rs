@@ -440,6 +440,22 @@ fn what_the_budget_refused_is_not_tried_again() {
     }
 }
 
+/// Found by random scenes: loads told between the flat punches solved were told however many there were (100,000, 200 times the
+/// budget).
+#[test]
+fn a_curve_told_from_flat_punches_keeps_to_its_budget_too() {
+    let text = "format = 1\npunch = { type = \"cylinder\", radius = 272.0 }\n\
+                layer = { thickness = 4.0, poisson = 0.47, grading = { type = \"linear\", surface = 100.0, base = 1.0 } }\n\
+                load = { until = { indentation = 0.36, points = 5000 } }";
+    let budget = 20_000_000;
+    let solution = slipzone::engine::solve_within(&slipzone::scene::parse("curve", text).unwrap(), budget);
+    assert_eq!(solution.status, Status::Converged, "the last load by itself: {:?}", solution.reason);
+    let path = solution.path.expect("a curve");
+    let note = path.note.expect("why some loads have no numbers");
+    assert!(path.status == Status::Refused && note.contains("budget, 2e7"), "{:?}: {note}", path.status);
+    assert!(solution.plan.work <= 3 * budget, "{:e} of {budget}", solution.plan.work as f64);
+}
+
 /// Flat punches between those solved were told by polynomials alone once there were some forty of them, which converges slowly:
 /// the indentation under `|x|^3` on a thin layer was off by 4.8 of its estimates, within the tolerance.
 #[test]
