@@ -10,6 +10,7 @@ mod chart;
 mod command_line;
 mod coupled;
 mod examples;
+mod faults;
 #[cfg(feature = "plot")]
 mod figures;
 mod flexibilities;
