@@ -78,8 +78,10 @@ fn first_step(layer: &Layer, beta: f64, zone: StickZone, quadrature: Box<dyn Qua
     let mut slopes: Vec<f64> = own.iter().map(|q| beta * q).collect();
     if !layer.is_plain() {
         let points = right_half(zone, &normal, &shear);
-        let both = |x: f64| points.iter().flat_map(move |(r, _)| [(x - r).abs(), x + r]);
-        let distances: Vec<f64> = at.iter().flat_map(|at| both(at.x)).collect();
+        let mut distances = Vec::with_capacity(2 * points.len() * at.len());
+        for Station { x, .. } in &at {
+            points.iter().for_each(|(r, _)| distances.extend([(x - r).abs(), x + r]));
+        }
         let mut kernel = vec![0.0; distances.len()];
         layer.kernel_values(Component::Coupling, &distances, &mut kernel);
         for (slope, kernel) in slopes.iter_mut().zip(kernel.chunks_exact(2 * points.len())) {

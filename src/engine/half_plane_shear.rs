@@ -19,7 +19,7 @@ use std::f64::consts::PI;
 /// `Z = k^2 (Q - X)`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HalfPlaneShear {
-    zone: StickZone,
+    pub(super) zone: StickZone,
     /// `k^2`.
     share: f64,
     /// `sqrt(b^2 - a^2)`.

@@ -93,6 +93,12 @@ pub(super) struct Judged {
     pub(super) stopped: Option<Refusal>,
 }
 
+impl Judged {
+    fn new(outcome: Outcome, stage: usize, errors: Numbers, how: How) -> Self {
+        Self { outcome, stage, errors, of_shear: None, doubt: None, how, of_model: 0.0, stopped: None }
+    }
+}
+
 /// How the errors were estimated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum How {
@@ -170,16 +176,7 @@ impl Ladder {
             {
                 errors.set(Quantity::Shear, traced.max(SAFETY * apart));
             }
-            Judged {
-                outcome,
-                stage: 0,
-                errors,
-                of_shear: None,
-                doubt: None,
-                how: How::Twin,
-                of_model: 0.0,
-                stopped: None,
-            }
+            Judged::new(outcome, 0, errors, How::Twin)
         } else {
             self.refined(layer, problem, methods, tolerance)?
         };
@@ -297,7 +294,7 @@ impl Ladder {
                 errors = estimate;
                 let now = judged(problem, &errors).map_or(0.0, |(_, error)| error);
                 let all = with_the_rest(problem, layer, &outcome, tolerance, errors);
-                met = judged(problem, &all).is_none_or(|(_, error)| error <= tolerance) || now <= 2.0 * ROUNDING;
+                met = meets(problem, &all, tolerance) || now <= 2.0 * ROUNDING;
                 stalled = if now < ROUNDED && now > 0.5 * before { stalled + 1 } else { 0 };
                 // What a stack loses at any resolution, and a law that was smoothed.
                 let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));
@@ -330,7 +327,7 @@ impl Ladder {
             return Err(stopped.expect("every step was solved or refused"));
         };
         let how = How::Sequence { count: 0, kernels_proven: false };
-        let mut found = Judged { outcome, stage, errors, of_shear, doubt: None, how, of_model: 0.0, stopped };
+        let mut found = Judged { of_shear, stopped, ..Judged::new(outcome, stage, errors, how) };
         if met && found.stopped.is_none() {
             self.refine_for_the_shear(layer, problem, methods, (tolerance, first), &mut found, &mut history);
         }
@@ -385,7 +382,7 @@ impl Ladder {
             let Some(mut errors) = extrapolated(&seen, unseen) else { return };
             let told = errors.take(Quantity::Shear);
             let all = with_the_rest(problem, layer, &outcome, tolerance, errors);
-            if judged(problem, &all).is_some_and(|(_, error)| error > tolerance) {
+            if !meets(problem, &all, tolerance) {
                 // What was found before looked better than it was.
                 found.of_shear = found.of_shear.into_iter().chain(told).reduce(f64::max);
                 return;
@@ -449,14 +446,13 @@ impl Ladder {
         let mut outcome = solve(stage, Some(&coarse))?;
         let errors = pace.judge(&coarse.seen(), &outcome.seen());
         let all = with_the_rest(problem, layer, &outcome, tolerance, errors);
-        if judged(problem, &all).is_some_and(|(_, error)| error > tolerance) {
+        if !meets(problem, &all, tolerance) {
             return None;
         }
         layer.meter().conclude();
         let task = Self::task(problem, tolerance, u32::try_from(stage).ok()?);
         self.stages[stage].settle(layer, task, &mut outcome).ok()?;
-        let how = How::Again { kernels_proven: layer.kernel_error(0.0).is_some() };
-        Some(Judged { outcome, stage, errors, of_shear: None, doubt: None, how, of_model: 0.0, stopped: None })
+        Some(Judged::new(outcome, stage, errors, How::Again { kernels_proven: layer.kernel_error(0.0).is_some() }))
     }
 
     /// The first of the last three steps that another contact took on this layer, where the coarsest one finds this one among
@@ -545,6 +541,11 @@ impl Ladder {
 /// The largest error of a number that has to meet the tolerance.
 fn judged(problem: &Problem, errors: &Numbers) -> Option<(Quantity, f64)> {
     errors.judged_by(problem.wishes).worst()
+}
+
+/// Whether all that has to meet the tolerance does.
+fn meets(problem: &Problem, errors: &Numbers, tolerance: f64) -> bool {
+    judged(problem, errors).is_none_or(|(_, error)| error <= tolerance)
 }
 
 /// How uncertain the pressure is: by its value in the middle, or by all that is known of it where that is not asked for.

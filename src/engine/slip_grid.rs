@@ -91,8 +91,7 @@ impl SlipGrid {
         let (filled, nodes) = (n.next_multiple_of(LANES), &mut self.nodes);
         let Nodes { beyond, r, cauchy, beside, kernel, far, far_kernel } = nodes;
         for row in [beyond, r, cauchy, beside, kernel, far, far_kernel] {
-            row.clear();
-            row.resize(filled, 0.0);
+            *row = vec![0.0; filled];
         }
     }
 
@@ -112,16 +111,16 @@ impl SlipGrid {
         &mut self,
         layer: &Layer,
         normal: &Normal,
-        zone: StickZone,
         known: HalfPlaneShear,
         at: &[Station],
         out: &mut [[f64; 2]],
     ) {
+        let zone = known.zone;
         let nodes = self.nodes_for(zone.slip_width / layer.length());
         if nodes != self.count {
             self.resize(nodes);
         }
-        self.see(normal, zone, known);
+        self.see(normal, known);
         self.see_from_afar(zone, layer.length());
 
         let per_station = self.nodes.distances();
@@ -146,7 +145,8 @@ impl SlipGrid {
     }
 
     /// The nodes of a zone and the pressure there.
-    fn see(&mut self, normal: &Normal, zone: StickZone, known: HalfPlaneShear) {
+    fn see(&mut self, normal: &Normal, known: HalfPlaneShear) {
+        let zone = known.zone;
         let (a, width) = (zone.half_width, zone.slip_width);
         let (edge, inside) = self.stations.split_last_mut().expect("the end of the stick zone");
         *edge = Station { x: a, gap: width };

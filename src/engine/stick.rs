@@ -177,7 +177,7 @@ impl Shear {
         }
         normal.potential_into(layer, Component::Coupling, &self.coupling, &grid.stations, &mut grid.coupled);
         normal.values_into(&grid.stations, &mut grid.pressure);
-        self.slip.potential_into(layer, normal, zone, known, rule.collocation(), &mut grid.by_slip);
+        self.slip.potential_into(layer, normal, known, rule.collocation(), &mut grid.by_slip);
         Ok(self.slip.pressure_at_stick_edge())
     }
 
