@@ -87,6 +87,11 @@ impl Point {
         Self { load, stick_half_width, stick_ratio, error, status, reason }
     }
 
+    /// Whether it misses the tolerance, which the last load met.
+    fn is_short(&self) -> bool {
+        self.status == Status::NotConverged && self.reason.is_none()
+    }
+
     /// A load without a contact.
     fn refused(load: Load, refusal: &Refusal) -> Self {
         let of = |kind| (load.kind() == kind).then_some(load.value().get());
@@ -139,7 +144,12 @@ fn on_the_way(solver: &mut Solver, loads: &LoadPath) -> Vec<Point> {
     let stacked = solver.points_on_the_way(&earlier);
     solver.begin_curve();
     match stacked {
-        Some(points) => earlier.iter().zip(points).map(|(load, point)| point.insisting(*load)).collect(),
+        Some(points) => {
+            let each = earlier.iter().zip(points);
+            // What the flat punches of the last load do not tell well enough takes its own.
+            each.map(|(load, told)| if told.is_short() { point(solver, *load) } else { told.insisting(*load) })
+                .collect()
+        }
         None => earlier.iter().map(|load| point(solver, *load)).collect(),
     }
 }

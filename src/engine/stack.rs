@@ -25,6 +25,12 @@ const LONGEST: f64 = 6.0;
 /// Points closer to the middle than that, over the half-width, are taken to be there: `cosh` has an end.
 const CLOSEST: f64 = 1e-290;
 
+/// Shapes whose slope begins with a lower power of `x` than this press so much on the last bit of their tip that the middle of the
+/// contact feels more of it than a grid in `b'` sees; and where that power is measured, over the length of the first piece, and taken
+/// to hold from there inwards.
+const POINTED: f64 = 0.5;
+const TIP: [f64; 2] = [1e-24, 1e-20];
+
 /// A height below this, beside the others of a shape, is none.
 const FAINTEST: f64 = 1e-290;
 
@@ -352,19 +358,33 @@ impl Stack {
             };
             if x > 0.0 {
                 nodes_beyond(ways, x, (lower, upper), |at| add(at.member, at.gap, at.from_lower, at.weight));
-            } else if lower > 0.0 {
-                // In proportion.
-                let way = (upper / lower).ln();
-                for [part, weight] in ways.for_length(way) {
-                    let from_lower = lower * (way * part).exp_m1();
-                    let member = lower + from_lower;
-                    add(member, member, from_lower, way * weight * member);
+                continue;
+            }
+            let mut start = lower;
+            if lower == 0.0 {
+                let Some(power) = pointed(problem, upper) else {
+                    for node in self.grid.iter() {
+                        let member = upper * node.from_lower;
+                        add(member, member, member, upper * node.weight);
+                    }
+                    continue;
+                };
+                // `dP/b'` of all that is nearer to the tip, in one place.
+                start = TIP[1] * upper;
+                add(start, start, start, start / power);
+            }
+            // In proportion.
+            let whole = (upper / start).ln();
+            let parts = (whole / LONGEST_PIECE).ceil().max(1.0);
+            let way = whole / parts;
+            let mut part = 0.0;
+            while part < parts {
+                for [along, weight] in ways.for_length(way) {
+                    let from_start = start * (way * (part + along)).exp_m1();
+                    let member = start + from_start;
+                    add(member, member, start - lower + from_start, way * weight * member);
                 }
-            } else {
-                for node in self.grid.iter() {
-                    let member = upper * node.from_lower;
-                    add(member, member, member, upper * node.weight);
-                }
+                part += 1.0;
             }
         }
         slices
@@ -450,6 +470,14 @@ fn nodes_beyond(ways: &Ways, x: f64, (lower, upper): (f64, f64), mut each: impl 
         }
         part += 1.0;
     }
+}
+
+/// The power of `x` that the slope of a shape begins with, where it is so low that a grid in `b'` is too coarse for the tip. A corner
+/// has none.
+fn pointed(problem: &Problem, upper: f64) -> Option<f64> {
+    let [inner, outer] = TIP.map(|part| problem.slope(part * upper));
+    let power = (outer / inner).ln() / (TIP[1] / TIP[0]).ln();
+    (power > 0.0 && power < POINTED).then_some(power)
 }
 
 /// A point in the middle, or far enough from it to be told apart.

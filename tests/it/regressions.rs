@@ -1,6 +1,7 @@
 //! Scenes that once went wrong.
 
 use crate::sketch::Sketch;
+use slipzone::api::reference::power::Power;
 use slipzone::engine::{Solution, Status, solve};
 
 /// The shear reported was that of the narrowest stick zone looked for, 16 times `eta p` here, and the bound
@@ -454,6 +455,46 @@ fn a_curve_told_from_flat_punches_keeps_to_its_budget_too() {
     let note = path.note.expect("why some loads have no numbers");
     assert!(path.status == Status::Refused && note.contains("budget, 2e7"), "{:?}: {note}", path.status);
     assert!(solution.plan.work <= 3 * budget, "{:e} of {budget}", solution.plan.work as f64);
+}
+
+/// Nearly a wedge: most of the pressure in the middle is that of the last bit of the tip, which a grid in the half-width cut off.
+/// `|x|^1.05` was 0.9 % off and `|x|^1.0001` 99 %, with 1e-11 claimed.
+#[test]
+fn the_pressure_under_a_tip_hardly_blunter_than_a_wedge() {
+    let scene = |layer: &str, exponent: f64, tolerance: f64| {
+        let text = format!(
+            "format = 1\nlayer = {{ poisson = 0.3, {layer} }}\nload = {{ half_width = 1.0 }}\n\
+             punch = {{ type = \"power\", coefficient = 0.01, exponent = {exponent:?} }}\nsolver = {{ tolerance = {tolerance:?} }}"
+        );
+        let solution = solve(&slipzone::scene::parse("tip", &text).unwrap());
+        assert_eq!(solution.status, Status::Converged, "{exponent}: {:?}", solution.reason);
+        solution
+    };
+    let half_plane = "base = { type = \"infinite\" }, grading = { type = \"homogeneous\", modulus = 1.0 }";
+    for exponent in [1.000_000_1, 1.0001, 1.01, 1.05, 1.2, 1.45, 1.55] {
+        let exact = Power { coefficient: 0.01, exponent, half_width: 1.0, compliance: 0.7 }.pressure(0.0);
+        let error = scene(half_plane, exponent, 1e-8).pressure.centre.unwrap() / exact - 1.0;
+        assert!(error.abs() < 1e-9, "{exponent}: {error:e}");
+    }
+    let layer = "thickness = 2.0, grading = { type = \"exponential\", surface = 1.0, base = 8.0 }";
+    for exponent in [1.01, 1.1] {
+        let exact = scene(layer, exponent, 1e-9);
+        for tolerance in [1e-4, 1e-6] {
+            within_three_estimates(&scene(layer, exponent, tolerance), &exact, &["pressure.centre"]);
+        }
+    }
+}
+
+/// A load on the way was told less well than the tolerance by the flat punches of the last one, and that was left so, without a
+/// reason.
+#[test]
+fn a_load_that_the_flat_punches_of_the_last_one_do_not_tell_is_solved_by_itself() {
+    let text = "format = 1\nlayer = { thickness = 2.0, poisson = 0.3, grading = { type = \"exponential\", surface = 1.0, \
+                base = 0.2 } }\npunch = { type = \"cylinder\", radius = 20.0 }\n\
+                friction = { type = \"goodman\", coefficient = 0.1 }\nload = { path = { half_width = [0.45, 1.5] } }";
+    let path = solve(&slipzone::scene::parse("path", text).unwrap()).path.unwrap();
+    assert!(path.status == Status::Converged && path.note.is_none(), "{:?}: {:?}", path.status, path.note);
+    assert!(path.error.unwrap() <= 1e-8, "{:?}", path.error);
 }
 
 /// Flat punches between those solved were told by polynomials alone once there were some forty of them, which converges slowly:
