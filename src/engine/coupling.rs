@@ -80,7 +80,9 @@ fn first_step(layer: &Layer, beta: f64, zone: StickZone, quadrature: Box<dyn Qua
         let points = right_half(zone, &normal, &shear);
         let mut distances = Vec::with_capacity(2 * points.len() * at.len());
         for Station { x, .. } in &at {
-            points.iter().for_each(|(r, _)| distances.extend([(x - r).abs(), x + r]));
+            for (r, _) in &points {
+                distances.extend([(x - r).abs(), x + r]);
+            }
         }
         let mut kernel = vec![0.0; distances.len()];
         layer.kernel_values(Component::Coupling, &distances, &mut kernel);

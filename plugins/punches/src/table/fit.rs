@@ -20,6 +20,9 @@ const FEWEST: usize = 4;
 /// Of slopes, what need not be told from a smooth function.
 const SMOOTH: f64 = 1e-10;
 
+/// A slope below this, over the mean one of the rows, is none.
+const LEVEL: f64 = 1e-9;
+
 /// How much more a corner in the middle must gain than a coefficient.
 const CORNER: f64 = 10.0;
 
@@ -140,6 +143,20 @@ impl Profile {
         let rounding = 4.0 * f64::EPSILON * (1.0 + highest / range);
         let (spline, left_over) = best(&points, distances, rounding);
         let pieces = spline.pieces();
+        if pieces.last().is_none_or(|piece| piece.slope(1.0) <= LEVEL) {
+            let lowest =
+                points.iter().fold(points[0], |lowest, next| if next.height < lowest.height { *next } else { lowest });
+            let found = if lowest.height < 0.0 {
+                let (depth, x) = (-lowest.height * range * height_unit, lowest.x * last.x * x_unit);
+                format!("the height at |x| = {x} is {depth} below that of the first row")
+            } else {
+                "heights that no convex curve follows upwards".to_owned()
+            };
+            return Err(Fault::new(&[], "the heights do not grow with |x|")
+                .found(found)
+                .expected("heights that grow outwards from the middle, where the punch touches first")
+                .hint("heights count away from the surface: change their sign if the rows count them the other way"));
+        }
         let residuals: Vec<f64> = {
             let mut piece = 0;
             let residual = |point: &Point| {

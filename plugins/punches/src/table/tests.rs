@@ -120,6 +120,19 @@ fn a_flat_face_is_found() {
     assert_eq!(of_points(sampled(0.0, 4.0, 50, |x| 0.05 * x * x)).face(), 0.0);
 }
 
+/// They had been taken for a flat face as wide as the table, under which nothing bears.
+#[test]
+fn heights_that_fall_are_no_punch() {
+    let hump = "0, 0\n0.5, 0.01125\n1, 0.03\n1.5, 0.01125\n2, -0.12\n";
+    let turned = "0, 0\n0.5, -0.0125\n1, -0.05\n1.5, -0.1125\n2, -0.2\n";
+    for (text, depth) in [(hump, "0.12"), (turned, "0.2")] {
+        let fault = of_text(text).unwrap_err().to_string();
+        assert!(fault.contains(&format!("at |x| = 2 is {depth} below")), "{fault}");
+    }
+    let up_and_down = "0, 0\n0.5, 0.2\n1, 0.25\n1.5, 0.2\n2, 0.0\n";
+    assert!(of_text(up_and_down).unwrap_err().to_string().contains("do not grow"));
+}
+
 #[test]
 fn what_is_neither_convex_nor_symmetric_is_named() {
     for noise in [0.0, 1e-4] {
@@ -267,12 +280,18 @@ fn a_million_rows() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// Whatever the points are, the shape is convex, starts at 0, and its slope is its height's derivative.
+    /// Whatever the points are, the shape is convex, starts at 0, and its slope is its height's derivative; or there is none.
     #[test]
     fn any_points_give_a_convex_shape(heights in prop::collection::vec(-1.0..1.0_f64, 4..80), power in 0.3..3.0_f64) {
         let count = heights.len() as f64;
         let rows = heights.iter().zip(0_u32..).map(|(height, i)| [(f64::from(i) / count).powf(power), *height]);
-        let profile = of_points(rows);
+        let profile = match Table::points(rows.collect()).understood(&slipzone_api::NoFiles) {
+            Ok(profile) => profile,
+            Err(fault) => {
+                prop_assert_eq!(fault.message, "the heights do not grow with |x|");
+                return Ok(());
+            }
+        };
         let reach = profile.reach().unwrap();
         prop_assert_eq!(profile.height(0.0), 0.0);
         let steepest = profile.slope(reach);
