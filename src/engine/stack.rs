@@ -29,6 +29,8 @@ const CLOSEST: f64 = 1e-290;
 /// contact feels more of it than a grid in `b'` sees; and where that power is measured, over the length of the first piece, and taken
 /// to hold from there inwards.
 const POINTED: f64 = 0.5;
+/// A lower power than this is rounding.
+const BLUNT: f64 = 1e-9;
 const TIP: [f64; 2] = [1e-24, 1e-20];
 
 /// A height below this, beside the others of a shape, is none.
@@ -477,7 +479,7 @@ fn nodes_beyond(ways: &Ways, x: f64, (lower, upper): (f64, f64), mut each: impl 
 fn pointed(problem: &Problem, upper: f64) -> Option<f64> {
     let [inner, outer] = TIP.map(|part| problem.slope(part * upper));
     let power = (outer / inner).ln() / (TIP[1] / TIP[0]).ln();
-    (power > 0.0 && power < POINTED).then_some(power)
+    (BLUNT..POINTED).contains(&power).then_some(power)
 }
 
 /// A point in the middle, or far enough from it to be told apart.
