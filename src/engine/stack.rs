@@ -376,18 +376,11 @@ impl Stack {
                 add(start, start, start, start / power);
             }
             // In proportion.
-            let whole = (upper / start).ln();
-            let parts = (whole / LONGEST_PIECE).ceil().max(1.0);
-            let way = whole / parts;
-            let mut part = 0.0;
-            while part < parts {
-                for [along, weight] in ways.for_length(way) {
-                    let from_start = start * (way * (part + along)).exp_m1();
-                    let member = start + from_start;
-                    add(member, member, start - lower + from_start, way * weight * member);
-                }
-                part += 1.0;
-            }
+            ways.along((upper / start).ln(), LONGEST_PIECE, |passed, weight| {
+                let from_start = start * passed.exp_m1();
+                let member = start + from_start;
+                add(member, member, start - lower + from_start, weight * member);
+            });
         }
         slices
     }
@@ -458,20 +451,12 @@ struct Beyond {
 fn nodes_beyond(ways: &Ways, x: f64, (lower, upper): (f64, f64), mut each: impl FnMut(Beyond)) {
     let parameter = |member: f64| 2.0 * ((member - x).max(0.0) / (2.0 * x)).sqrt().asinh();
     let (start, end) = (parameter(lower), parameter(upper));
-    let parts = ((end - start) / LONGEST).ceil().max(1.0);
-    let length = (end - start) / parts;
-    let mut part = 0.0;
-    while part < parts {
-        for [along, weight] in ways.for_length(length) {
-            let passed = length * (part + along);
-            let t = start + passed;
-            let from_lower = 2.0 * x * (start + 0.5 * passed).sinh() * (0.5 * passed).sinh();
-            let gap = 2.0 * x * (0.5 * t).sinh().powi(2);
-            let weight = length * weight * x * t.sinh();
-            each(Beyond { member: lower + from_lower, gap, from_lower, weight });
-        }
-        part += 1.0;
-    }
+    ways.along(end - start, LONGEST, |passed, weight| {
+        let t = start + passed;
+        let from_lower = 2.0 * x * (start + 0.5 * passed).sinh() * (0.5 * passed).sinh();
+        let gap = 2.0 * x * (0.5 * t).sinh().powi(2);
+        each(Beyond { member: lower + from_lower, gap, from_lower, weight: weight * x * t.sinh() });
+    });
 }
 
 /// The power of `x` that the slope of a shape begins with, where it is so low that a grid in `b'` is too coarse for the tip. A corner

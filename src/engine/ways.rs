@@ -31,8 +31,21 @@ impl Ways {
         Self(std::array::from_fn(|i| CROWDED_WAYS.get(nodes * (2 + i) / 2, crowded)))
     }
 
+    /// Shows `each` how far along a way its nodes lie, and their weights: in as many equal parts as keep each within `longest`.
+    pub(super) fn along(&self, whole: f64, longest: f64, mut each: impl FnMut(f64, f64)) {
+        let parts = (whole / longest).ceil().max(1.0);
+        let length = whole / parts;
+        let mut part = 0.0;
+        while part < parts {
+            for [along, weight] in self.for_length(length) {
+                each(length * (part + along), length * weight);
+            }
+            part += 1.0;
+        }
+    }
+
     /// The nodes for a way so long.
-    pub(super) fn for_length(&self, length: f64) -> &[[f64; 2]] {
+    fn for_length(&self, length: f64) -> &[[f64; 2]] {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most WAYS.0
         &self.0[((length / WAYS.1) as usize).min(WAYS.0 - 1)]
     }

@@ -98,15 +98,10 @@ impl Layered {
         }
     }
 
-    /// `s F/A0` of one of some compliances. Those of a base so much softer than the surface that squares of its compliance
-    /// overflow are no numbers.
-    fn told<const L: usize>(
-        &self,
-        compliances: &Compliances<L>,
-        i: usize,
-        s: f64,
-    ) -> Result<SurfaceFlexibility, Refusal> {
-        let told = surface_tail::scaled(&matrix(compliances, i), s, self.layer.elastic);
+    /// `s F/A0` of a compliance. That of a base so much softer than the surface that squares of its compliance overflow is no
+    /// number.
+    fn told(&self, compliance: &Matrix2<f64>, s: f64) -> Result<SurfaceFlexibility, Refusal> {
+        let told = surface_tail::scaled(compliance, s, self.layer.elastic);
         if told.vv.is_finite() && told.uu.is_finite() && told.uv.is_finite() {
             return Ok(told);
         }
@@ -134,7 +129,7 @@ impl LayerResponse for Layered {
         if s == 0.0 {
             return Ok(self.at_origin());
         }
-        self.told(&self.compliance::<Scalar, 1>(&[s]), 0, s)
+        self.told(&matrix(&self.compliance::<Scalar, 1>(&[s]), 0), s)
     }
 
     fn surface_into(&self, wave_numbers: &[f64], out: &mut [SurfaceFlexibility]) -> Result<(), Refusal> {
@@ -150,7 +145,7 @@ impl LayerResponse for Layered {
             let s: [f64; LANES] = std::array::from_fn(|i| some[i.min(some.len() - 1)]);
             let compliance = Arch::new().dispatch(Rise { layer: self, s });
             for (i, out) in out.iter_mut().enumerate() {
-                *out = self.told(&compliance, i, s[i])?;
+                *out = self.told(&matrix(&compliance, i), s[i])?;
             }
         }
         Ok(())
@@ -230,9 +225,8 @@ impl LayerResponse for AgainstDatum {
         }
         let (surface, there) = self.cut.compliance_and_datum(s, self.datum, self.above);
         let surface = matrix(&surface, 0);
-        let elastic = self.layer.layer.elastic;
-        let vv = surface_tail::scaled(&(surface - there), s, elastic).vv;
-        Ok(SurfaceFlexibility { vv, ..surface_tail::scaled(&surface, s, elastic) })
+        let vv = self.layer.told(&(surface - there), s)?.vv;
+        Ok(SurfaceFlexibility { vv, ..self.layer.told(&surface, s)? })
     }
 
     fn elastic(&self) -> Elastic {

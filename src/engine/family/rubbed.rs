@@ -125,10 +125,10 @@ impl Found {
 
     /// All members were found.
     pub(super) fn blended(self, blend: &Arc<Blend>) -> Rubbed {
-        let (lack, width) = side_by_side(&self.lack);
         let is_known = self.moves.len() == self.lack.len();
+        let (lack, width) = side_by_side(self.lack);
         let moves = is_known.then(|| {
-            let (moves, width) = side_by_side(&self.moves);
+            let (moves, width) = side_by_side(self.moves);
             let coefficients = blend.coefficients(&moves, width);
             Arc::new(Moves { blend: Arc::clone(blend), coefficients, doubt: self.doubt })
         });
@@ -165,10 +165,12 @@ impl Found {
 }
 
 /// Series of any lengths as rows of one, and that.
-fn side_by_side(series: &[Vec<f64>]) -> (Vec<f64>, usize) {
+fn side_by_side(mut series: Vec<Vec<f64>>) -> (Vec<f64>, usize) {
     let width = series.iter().map(Vec::len).max().unwrap_or(0);
-    let filled = |row: &Vec<f64>| row.iter().copied().chain(std::iter::repeat(0.0)).take(width).collect::<Vec<f64>>();
-    (series.iter().flat_map(filled).collect(), width)
+    for row in &mut series {
+        row.resize(width, 0.0);
+    }
+    (series.concat(), width)
 }
 
 /// Makes two series as long as the longer of them.
