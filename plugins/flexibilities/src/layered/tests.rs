@@ -248,11 +248,14 @@ fn a_jump_that_is_not_told_may_be_as_high_as_any() {
 #[test]
 fn what_overflows_is_refused() {
     let law: Law = |y| if y < 0.3 { 1e100 } else { 1e-100 };
-    let response = Compliance {}.respond(&general(law, &[], 0.3)).unwrap();
+    let layer = LayerModel { datum: Some(0.2), ..Arc::into_inner(general(law, &[], 0.3)).unwrap() };
+    let response = Compliance {}.respond(&Arc::new(layer)).unwrap();
     let mut out = [SurfaceFlexibility::default(); 4];
-    for refusal in
-        [response.surface(1e-3).err(), response.surface_into(&[1e-3, 1.1e-3, 1.2e-3, 1.3e-3], &mut out).err()]
-    {
+    for refusal in [
+        response.surface(1e-3).err(),
+        response.surface_into(&[1e-3, 1.1e-3, 1.2e-3, 1.3e-3], &mut out).err(),
+        response.against_datum().unwrap().surface(1e-3).err(),
+    ] {
         assert!(matches!(refusal, Some(Refusal::OutOfReach { .. })), "{refusal:?}");
     }
 }
