@@ -81,6 +81,12 @@ impl Meter {
         }
     }
 
+    /// Refinement begins again, in what is left for it.
+    pub(super) fn resume(&self) {
+        let [end, budget] = [&self.end, &self.budget].map(|number| number.load(Ordering::Relaxed));
+        self.limit.store(end - budget / TOLD, Ordering::Relaxed);
+    }
+
     /// Takes note of a system of so many equations and right-hand sides that is to be solved; refuses it where it would
     /// exceed the budget.
     pub(super) fn system(&self, n: usize, right: usize) -> Result<(), Refusal> {

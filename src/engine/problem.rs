@@ -1,5 +1,6 @@
 //! A scene in the layer's own units: lengths in the thickness, stresses in the surface modulus.
 
+use super::chebyshev::Points;
 use super::quantity::{Numbers, Quantity, Wishes, friction_needed};
 use crate::scene::{Load, Scene};
 use slipzone_api::{Base, Elastic, Friction, FrozenStrain, LayerModel, PunchShape, Refusal};
@@ -8,6 +9,10 @@ use std::sync::Arc;
 /// What a law smoothed at the surface changes of a stick zone over what it changes of the pressure: the zone follows from how
 /// shear and pressure are coupled, which is less than either.
 const COUPLED: f64 = 4.0;
+
+/// Chebyshev points all over the contact that tell whether a slope is smooth. What they do not resolve no grid does whose nodes crowd
+/// at the edges, with as many unknowns as are worth it.
+const SLOPES: usize = 40;
 
 /// What the engine solves.
 pub(crate) struct Problem {
@@ -27,6 +32,8 @@ pub(crate) struct Problem {
     pub(crate) friction: Option<f64>,
     /// Whether the strain in the stick zone is taken to be `C|x|`, whatever the contact's history.
     pub(crate) is_linear: bool,
+    /// Whether a smooth shape has details that a grid over the whole contact does not resolve: it is stacked as one with kinks is.
+    pub(crate) is_detailed: bool,
     /// What is asked for.
     pub(crate) wishes: Wishes,
 }
@@ -79,7 +86,18 @@ impl Problem {
             });
         }
         let wishes = Wishes::of(scene);
-        Ok(Self { elastic: model.elastic, layer: model, shape, length, stress, load, friction, is_linear, wishes })
+        Ok(Self {
+            elastic: model.elastic,
+            layer: model,
+            shape,
+            length,
+            stress,
+            load,
+            friction,
+            is_linear,
+            is_detailed: false,
+            wishes,
+        })
     }
 
     /// The same layer and friction under another shape, with a unit force.
@@ -93,6 +111,7 @@ impl Problem {
             load: LoadInLayerUnits::Force(1.0),
             friction: self.friction,
             is_linear: false,
+            is_detailed: false,
             wishes: self.wishes.of_member(self.wants_depth()),
         }
     }
@@ -108,9 +127,20 @@ impl Problem {
         self.fixed_half_width().is_none() && (self.friction.is_some() && !self.is_linear || self.is_kinked())
     }
 
-    /// Whether the shape is not analytic all over the contact.
+    /// Whether the shape is not analytic all over the contact, or must not be taken for that.
     pub(crate) fn is_kinked(&self) -> bool {
-        self.shape.face() > 0.0 || !self.shape.kinks().is_empty()
+        self.is_detailed || self.shape.face() > 0.0 || !self.shape.kinks().is_empty()
+    }
+
+    /// Whether the slope of a smooth shape has details within a half-width that no grid over all of it resolves to a tolerance, such as
+    /// a tip rounded off by little.
+    pub(crate) fn has_details(&self, half_width: f64, tolerance: f64) -> bool {
+        if self.is_kinked() || self.is_linear || self.fixed_half_width().is_some() {
+            return false;
+        }
+        let points = Points::get(SLOPES);
+        let slopes: Vec<f64> = points.at.iter().map(|s| self.slope(half_width * (2.0 * s - 1.0))).collect();
+        points.through(&slopes).tail() > tolerance
     }
 
     /// Relative errors of numbers because the layer's law is smoother than what it stands for: the narrower the contact, or its

@@ -18,6 +18,8 @@ const FINEST: usize = 13;
 const LEFT_OUT: [f64; 2] = [1e-7, 1e-9];
 /// Level from which refinement no longer helps a stick zone out of reach, or a pressure that pulls.
 const BOUND_LEVEL: usize = 4;
+/// Level at which a shape that is taken for smooth is looked at, should it not have converged before.
+const DETAIL_LEVEL: usize = 6;
 /// Extra steps of what the scene left open beside a method that it fixed: of the other method.
 const BESIDE_PINNED: u32 = 3;
 /// A pressure that is known to within this shows as well as any where friction cannot be told while a contact grows.
@@ -96,6 +98,13 @@ pub(super) struct Judged {
 impl Judged {
     fn new(outcome: Outcome, stage: usize, errors: Numbers, how: How) -> Self {
         Self { outcome, stage, errors, of_shear: None, doubt: None, how, of_model: 0.0, stopped: None }
+    }
+
+    /// Whether it misses the tolerance because the shape has details that a grid over all of the contact does not resolve.
+    pub(super) fn misses_details(&self, problem: &Problem, tolerance: f64) -> bool {
+        self.how != How::Twin
+            && !meets(problem, &self.errors, tolerance)
+            && has_details(problem, &self.outcome, tolerance)
     }
 }
 
@@ -304,7 +313,9 @@ impl Ladder {
                     && errors.judged_by(problem.wishes).iter().all(is_small);
                 done = met || is_vain || stalled >= STALLED;
             }
-            done = done || self.is_hopeless(problem, step, first, &outcome) || self.is_broken(step, first, &errors);
+            done = done
+                || self.is_hopeless(problem, tolerance, (step, first), &outcome)
+                || self.is_broken(step, first, &errors);
             if done || step + first == FINEST {
                 let task = Self::task(problem, tolerance, level);
                 match self.settle(layer, task, (&mut outcome, step), &errors) {
@@ -521,9 +532,16 @@ impl Ladder {
     }
 
     /// Whether no refinement will help. A pressure that pulls is looked for once: finer steps do not mend it.
-    fn is_hopeless(&mut self, problem: &Problem, step: usize, first: usize, outcome: &Outcome) -> bool {
+    fn is_hopeless(
+        &mut self,
+        problem: &Problem,
+        tolerance: f64,
+        (step, first): (usize, usize),
+        outcome: &Outcome,
+    ) -> bool {
         step + first >= BOUND_LEVEL && bound_of_stick(outcome).is_some()
             || step + first == BOUND_LEVEL && self.stages[step].tension(problem, outcome).is_some()
+            || step + first == DETAIL_LEVEL && has_details(problem, outcome, tolerance)
     }
 
     /// Whether friction cannot be told of a contact as it grew, at this step and at the one before. Where in its growth
@@ -536,6 +554,11 @@ impl Ladder {
             && of_pressure.peek().is_some()
             && of_pressure.all(|(_, error)| error < SHOWN)
     }
+}
+
+/// Whether the shape has details within the contact found that its grid cannot resolve.
+fn has_details(problem: &Problem, outcome: &Outcome, tolerance: f64) -> bool {
+    outcome.numbers.get(Quantity::HalfWidth).is_some_and(|half_width| problem.has_details(half_width, tolerance))
 }
 
 /// The largest error of a number that has to meet the tolerance.

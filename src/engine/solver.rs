@@ -160,14 +160,12 @@ impl Solver {
         self.layer.meter().within()?;
         let tolerance = self.chosen.scene.solver.tolerance.get();
         let Some(stand_in) = self.stand_in else {
-            let Self { chosen, problem, layer, ladder, judged, .. } = self;
-            *judged = Some(ladder.refine(layer, problem, &chosen.methods, tolerance)?);
+            self.judged = Some(self.refined(tolerance)?);
             return Ok(());
         };
-        let Self { chosen, problem, layer, ladder, .. } = self;
-        let mut found = ladder.refine(layer, problem, &chosen.methods, stand_in::SHARE * tolerance)?;
+        let mut found = self.refined(stand_in::SHARE * tolerance)?;
         let half_width = found.outcome.numbers.get(Quantity::HalfWidth).unwrap_or(f64::INFINITY);
-        let bound = stand_in.bound(problem, half_width);
+        let bound = stand_in.bound(&self.problem, half_width);
         for (quantity, error) in bound.iter() {
             if let Some(numerical) = found.errors.get(quantity) {
                 found.errors.set(quantity, numerical + error);
@@ -184,6 +182,29 @@ impl Solver {
         }
         self.judged = Some(found);
         Ok(())
+    }
+
+    /// What refinement finds; a smooth shape that has details is solved as one with kinks where it does not converge.
+    fn refined(&mut self, tolerance: f64) -> Result<Judged, Refusal> {
+        let Self { chosen, problem, layer, ladder, .. } = self;
+        let found = ladder.refine(layer, problem, &chosen.methods, tolerance)?;
+        if !found.misses_details(problem, tolerance) {
+            return Ok(found);
+        }
+        layer.meter().resume();
+        problem.is_detailed = true;
+        let mut stacked = Ladder::default();
+        match stacked.refine(layer, problem, &chosen.methods, tolerance) {
+            Ok(found) => {
+                *ladder = stacked;
+                Ok(found)
+            }
+            Err(_) => {
+                problem.is_detailed = false;
+                layer.meter().conclude();
+                Ok(found)
+            }
+        }
     }
 
     /// Goes back to the solid itself.

@@ -43,6 +43,9 @@ const LOST: (f64, f64, usize) = (1e-2, 1.2, 96);
 const ROUNDING: f64 = 1e-14;
 /// The longest piece that does not begin in the middle, in `ln b'`.
 const LONGEST_PIECE: f64 = 2.5;
+/// Chebyshev points that tell whether the slope of a smooth shape is resolved over a piece, the least error asked of them, and the
+/// most ends of pieces.
+const DETAILS: (usize, f64, usize) = (24, 1e-13, 48);
 /// By how much a half-width is narrower from which the growth of a load is measured, relative.
 const BESIDE: f64 = 1e-3;
 /// Half-widths at which the force is looked at.
@@ -106,11 +109,11 @@ impl Stack {
     /// The stack of a punch over a family; `digits` is the error wanted, relative. Nodes of the integrals are added until they
     /// are enough for the slope of the shape, which is as steep as the force over the half-width.
     pub(crate) fn new(problem: &Problem, family: &mut Family, digits: f64, mut nodes: usize) -> Result<Self, Refusal> {
-        let mut stack = Self::empty(problem, family.widest(), nodes);
+        let mut stack = Self::empty(problem, family.widest(), digits, nodes);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most LOST.2
         while stack.lost > (LOST.0 * digits).max(ROUNDING) && nodes < LOST.2 {
             nodes = (LOST.1 * nodes as f64).ceil() as usize;
-            stack = Self::empty(problem, family.widest(), nodes);
+            stack = Self::empty(problem, family.widest(), digits, nodes);
         }
         for i in 1..stack.breaks.len() {
             let (from, to) = (stack.breaks[i - 1], stack.breaks[i]);
@@ -123,7 +126,7 @@ impl Stack {
     }
 
     /// One without its force.
-    fn empty(problem: &Problem, widest: f64, nodes: usize) -> Self {
+    fn empty(problem: &Problem, widest: f64, digits: f64, nodes: usize) -> Self {
         let face = problem.face().min(widest);
         let mut breaks = vec![face];
         for next in problem.kinks().filter(|kink| *kink > face && *kink < widest).chain([widest]) {
@@ -133,6 +136,9 @@ impl Stack {
             let ends = (1..).map(f64::from).take_while(|part| *part < parts);
             breaks.extend(ends.map(|part| from * (next / from).powf(part / parts)));
             breaks.push(next);
+        }
+        if problem.is_detailed {
+            cut(problem, &mut breaks, digits.max(DETAILS.1));
         }
         let mut stack = Self {
             pieces: Vec::new(),
@@ -434,6 +440,24 @@ impl Stack {
         let x = apart(x.abs(), b);
         let since = self.stuck_since(family, b, x);
         family.stacked_lack(&self.slices(problem, &self.ways, x, (since, b)), x)
+    }
+}
+
+/// Cuts pieces of a smooth shape until the slope is resolved over each; those in the middle nearer to it by as much as a piece may be
+/// long.
+fn cut(problem: &Problem, breaks: &mut Vec<f64>, digits: f64) {
+    let points = Points::get(DETAILS.0);
+    let mut i = 1;
+    while i < breaks.len() && breaks.len() < DETAILS.2 {
+        let (from, to) = (breaks[i - 1], breaks[i]);
+        // Across the middle the slope is as smooth as beside it.
+        let begins = if from > 0.0 { from } else { -to };
+        let slopes: Vec<f64> = points.at.iter().map(|s| problem.slope(begins + (to - begins) * s)).collect();
+        if points.through(&slopes).tail() > digits {
+            breaks.insert(i, if from > 0.0 { 0.5 * (from + to) } else { to * (-LONGEST_PIECE).exp() });
+        } else {
+            i += 1;
+        }
     }
 }
 

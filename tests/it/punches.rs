@@ -3,6 +3,7 @@
 
 use slipzone::api::reference::cylinder::Cylinder;
 use slipzone::api::reference::goodman_shear::Goodman;
+use slipzone::api::reference::hyperbola::Hyperbola;
 use slipzone::api::reference::power::Power;
 use slipzone::api::reference::rounded_flat::RoundedFlat;
 use slipzone::api::reference::wedge::Wedge;
@@ -60,6 +61,54 @@ fn pressures_of_the_field() {
     compare("type = \"cylinder\"\nradius = 10.0", cylinder.force(), |x| cylinder.pressure(x));
 }
 
+/// Smooth, but no grid over the whole contact sees a tip so sharp: flat punches are stacked.
+#[test]
+#[cfg(feature = "formula")]
+fn pressures_under_tips_rounded_off() {
+    for rounding in [0.5, 0.1, 1e-2, 1e-4, 1e-7, 1e-11] {
+        let tip = Hyperbola { slope: 0.05, rounding, half_width: 1.0, compliance: COMPLIANCE };
+        let punch =
+            format!("type = \"formula\"\nheight = \"0.05*sqrt(x^2 + c^2)\"\nparameters = {{ c = {rounding:e} }}");
+        compare(&punch, tip.force(), |x| tip.pressure(x));
+        let centre = solved(&punch, false).pressure.centre.expect("a number");
+        let error = centre / tip.pressure(0.0) - 1.0;
+        assert!(error.abs() < 1e-10, "{punch}: p(0) is off by {error:e}");
+    }
+}
+
+/// On a graded layer a grid over all of the contact does tell a tip and a shoulder that are not too sharp, with hundreds of
+/// unknowns.
+#[test]
+#[cfg(feature = "formula")]
+fn details_of_a_smooth_shape_on_a_layer() {
+    let tip = "0.05*sqrt(x^2 + 0.0025)";
+    let shoulder = "0.05*x^2 + 0.001*(ln(1 + exp(20*x - 10)) + ln(1 + exp(-20*x - 10)))";
+    for height in [tip, shoulder] {
+        let solved = |friction: &str, quadrature: &str| {
+            let text = format!(
+                "format = 1\nload = {{ force = 0.1 }}\n{friction}\n[layer]\nthickness = 2.0\npoisson = {POISSON}\n\
+                 grading = {{ type = \"exponential\", surface = 1.0, base = 4.0 }}\n[punch]\ntype = \"formula\"\n\
+                 height = \"{height}\"\n[solver]\n{quadrature}\n"
+            );
+            solve(&scene::parse(height, &text).expect("a good scene"))
+        };
+        let exact = solved("", "quadrature = { type = \"de-sinc\", n = 512 }");
+        for friction in ["", "friction = { type = \"goodman\", coefficient = 0.3 }"] {
+            let solution = solved(friction, "");
+            assert_eq!(solution.status, Status::Converged, "{height}: {:?}", solution.reason);
+            for (number, exact) in [
+                (solution.pressure.centre, exact.pressure.centre),
+                (solution.pressure.peak, exact.pressure.peak),
+                (solution.load.half_width, exact.load.half_width),
+                (solution.load.indentation, exact.load.indentation),
+            ] {
+                let error = number.expect("a number") / exact.expect("a number") - 1.0;
+                assert!(error.abs() < 1e-8, "{height}, {friction}: off by {error:e}");
+            }
+        }
+    }
+}
+
 /// The stick zone of each is that of the flat punch; the shear, over its largest, that of the stack integrated in closed
 /// form.
 #[test]
@@ -82,6 +131,12 @@ fn shears_of_the_field() {
     compare("type = \"cylinder\"\nradius = 10.0", &[], &|b| {
         Cylinder { radius: 10.0, half_width: b, compliance }.force_rate()
     });
+    #[cfg(feature = "formula")]
+    for rounding in [0.4, 1e-3] {
+        let punch =
+            format!("type = \"formula\"\nheight = \"0.05*sqrt(x^2 + c^2)\"\nparameters = {{ c = {rounding:e} }}");
+        compare(&punch, &[rounding], &|b| Hyperbola { slope: 0.05, rounding, half_width: b, compliance }.force_rate());
+    }
     compare("type = \"wedge\"\nslope = 0.05", &[], &|b| Wedge { slope: 0.05, half_width: b, compliance }.force_rate());
     compare("type = \"power\"\ncoefficient = 0.05\nexponent = 2.7", &[], &|b| {
         Power { coefficient: 0.05, exponent: 2.7, half_width: b, compliance }.force_rate()

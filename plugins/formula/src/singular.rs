@@ -12,6 +12,9 @@ const PER_DECADE: i32 = 40;
 /// What counts as zero, beside the size nearby.
 const ZERO: f64 = 1e-12;
 
+/// How near to the middle that is there, over the scale: farther out an exponential is out of all proportion.
+const NEARBY: f64 = 1e-2;
+
 /// A quantity whose zeros are singular points of the formula.
 struct Suspect {
     first: Range<usize>,
@@ -97,7 +100,7 @@ fn zeros(tape: &Tape, suspect: &Suspect, scale: f64, samples: &[f64]) -> Vec<f64
     let mut zeros = Vec::new();
     let tip = at(0.0);
     // Written so that what is no number counts.
-    let is_apart = tip.value.abs() > ZERO * at(scale).value.abs();
+    let is_apart = tip.value.abs() > ZERO * at(NEARBY * scale).value.abs();
     if !is_apart {
         zeros.push(0.0);
     }

@@ -162,7 +162,16 @@ fn length_and_depth_are_bounded() {
 #[test]
 fn singular_points_are_found() {
     let points = |text: &str| parse(text).unwrap().singular_points(1.0, 64);
-    for smooth in ["x^2", "sqrt(1+x^2)", "exp(-x^2)*cos(x)", "abs(x)^2", "cosh(x)/(1+x^2)", "abs(3)*x^4", "ln(2+x)"] {
+    for smooth in [
+        "x^2",
+        "ln(1 + exp(40*x - 9))",
+        "sqrt(1+x^2)",
+        "exp(-x^2)*cos(x)",
+        "abs(x)^2",
+        "cosh(x)/(1+x^2)",
+        "abs(3)*x^4",
+        "ln(2+x)",
+    ] {
         assert_eq!(points(smooth), [0.0; 0], "{smooth}");
     }
     for kinked in ["abs(x)", "abs(x)^3", "x^1.5", "sqrt(x^2)", "sqrt(x)", "max(x, -x)", "x^-1", "x*ln(x)", "cbrt(x)"] {

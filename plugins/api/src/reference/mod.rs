@@ -9,6 +9,7 @@ pub mod cylinder;
 pub mod flat_punch;
 pub mod goodman_shear;
 pub mod homogeneous_layer;
+pub mod hyperbola;
 pub mod partial_slip;
 pub mod power;
 pub mod rounded_flat;
