@@ -365,9 +365,10 @@ impl Family {
         Ok(())
     }
 
-    /// The stick zone to be expected under a member.
+    /// The stick zone to be expected under a member. Beyond the widest nothing is told but its own.
     fn root_at(&self, b: f64) -> Option<Root> {
-        Some(self.rubbed.as_ref()?.root_at(&self.of_shear, b, SLOPE_DOUBT))
+        let (within, doubt) = if b > self.widest() { (self.widest(), f64::INFINITY) } else { (b, SLOPE_DOUBT) };
+        Some(self.rubbed.as_ref()?.root_at(&self.of_shear, within, doubt))
     }
 
     /// By how much its shear is known to move with the stick zone.

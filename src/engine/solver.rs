@@ -194,17 +194,13 @@ impl Solver {
         layer.meter().resume();
         problem.is_detailed = true;
         let mut stacked = Ladder::default();
-        match stacked.refine(layer, problem, &chosen.methods, tolerance) {
-            Ok(found) => {
-                *ladder = stacked;
-                Ok(found)
-            }
-            Err(_) => {
-                problem.is_detailed = false;
-                layer.meter().conclude();
-                Ok(found)
-            }
+        if let Ok(found) = stacked.refine(layer, problem, &chosen.methods, tolerance) {
+            *ladder = stacked;
+            return Ok(found);
         }
+        problem.is_detailed = false;
+        layer.meter().conclude();
+        Ok(found)
     }
 
     /// Goes back to the solid itself.

@@ -209,7 +209,8 @@ impl Found {
         mut one: impl FnMut(Root) -> Result<Option<(Root, Vec<f64>)>, E>,
     ) -> Result<Option<Member>, E> {
         const SYSTEMS: usize = 6;
-        let mut known = self.known.as_ref().map(|moves| moves.at(half_width));
+        let within = self.known.as_ref().filter(|moves| half_width <= moves.blend.widest());
+        let mut known = within.map(|moves| moves.at(half_width));
         let mut before: Option<(f64, f64, Vec<f64>)> = None;
         for _ in 0..SYSTEMS {
             if from.lambda > widest {
