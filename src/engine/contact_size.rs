@@ -13,6 +13,9 @@ const MOST_STEPS: u32 = 200;
 const SMALLEST_STEP: f64 = 0.1;
 /// First half-width tried on a layer: wider ones cost more, and the walk gets there when it must.
 const WIDEST_START: f64 = 2.0;
+/// Part of that where a base that gives way, too, is pressed in. A stiff layer bends, and sinks farther than its surface yields; a
+/// contact so wide that it would pull may sink as far as the one that the load grew to, and only that is met first on a walk outwards.
+const FAR_BELOW: f64 = 1.0 / 64.0;
 
 /// What a load may miss of the one wanted, over the tolerance; it counts as error.
 const MISSED: f64 = 0.1;
@@ -106,7 +109,9 @@ pub(crate) fn press(
     if let Some(near) = near {
         return Ok(near);
     }
-    let start = known.map_or_else(|| first_size(problem, target, by_force), |size| size.half_width);
+    let bends = !by_force && problem.has_base() && !problem.is_on_rigid_base();
+    let from = if bends { FAR_BELOW } else { 1.0 };
+    let start = known.map_or_else(|| from * first_size(problem, target, by_force), |size| size.half_width);
     let position = POSITION * tolerance;
     let first_step = if known.is_some() { 0.01 } else { LN_2 };
     let (log_b, slope) = search((start.ln(), problem.reach().ln()), first_step, position, &mut excess)?;
@@ -223,11 +228,13 @@ fn first_size(problem: &Problem, target: f64, by_force: bool) -> f64 {
         if by_force { FRAC_PI_2 * b * problem.slope(b) / problem.elastic.a0() } else { 2.0 * problem.height(b) }
     };
     let mut b = problem.natural_length();
-    // Each loop ends: b leaves the range of floating point numbers after 2100 steps at the latest.
-    while reached(b) > target && b > f64::MIN_POSITIVE {
+    // Further out than the face a punch that does not rise is hollow there, or has no shape. Each loop ends: b leaves the range of
+    // floating point numbers after 2100 steps at the latest.
+    let is_beyond = |b: f64| reached(b) > target || b > problem.face() && !(reached(b) > 0.0);
+    while is_beyond(b) && b > f64::MIN_POSITIVE {
         b *= 0.5;
     }
-    while reached(b) < target && b < f64::MAX / 4.0 {
+    while reached(b) < target && b < f64::MAX / 4.0 && reached(2.0 * b) >= reached(b) {
         b *= 2.0;
     }
     if problem.has_base() { b.min(WIDEST_START) } else { b }

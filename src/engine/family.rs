@@ -48,6 +48,8 @@ pub(crate) struct Family {
     /// Whether the depths of its members are known, where the base defines them.
     is_deep: bool,
     accuracy: f64,
+    /// Kernel lengths in its widest half-width.
+    kernel_lengths: f64,
     /// For what the pressure tells, and for what the shear tells.
     blend: Blend,
     of_shear: Arc<Blend>,
@@ -150,13 +152,15 @@ impl Family {
         layer.tabulate(Wanted { half_width: widest, ..task.wanted })?;
         // A contact is never narrower than the face.
         let face = task.problem.face().min(0.5 * widest);
-        let octaves = (widest / layer.length()).max(1.0).log2();
+        let kernel_lengths = widest / layer.length();
+        let octaves = kernel_lengths.max(1.0).log2();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen
         let count = ((POINTS.0 + POINTS.1 * n as f64) * (1.0 + POINTS.2 * octaves)) as usize;
         let mut family = Self {
             friction: flat.friction,
             is_deep: task.problem.wants_depth(),
             accuracy: task.wanted.accuracy,
+            kernel_lengths,
             blend: Blend::new((face, widest), count, OF_PRESSURE)?,
             of_shear: Arc::new(Blend::new((face, widest), count, OF_SHEAR)?),
             pressure: Table::default(),
@@ -341,6 +345,11 @@ impl Family {
     /// Work in its systems so far.
     pub(crate) fn work(&self) -> Work {
         self.stage.work() + self.system.work
+    }
+
+    /// Kernel lengths in its widest half-width.
+    pub(crate) fn kernel_lengths(&self) -> f64 {
+        self.kernel_lengths
     }
 
     /// Unknowns of a member's pressure.

@@ -5,7 +5,7 @@ use super::solution::{LoadReport, Status};
 use super::solver::Solver;
 use crate::scene::{Load, LoadKind, LoadPath, Scene};
 use serde::Serialize;
-use slipzone_api::{Base, Refusal};
+use slipzone_api::Refusal;
 
 /// A contact under growing loads, the smallest first; lengths and forces in the scene's units.
 ///
@@ -38,7 +38,7 @@ impl Curve {
 
     fn of(points: &[Point], loads: &LoadPath, scene: &Scene) -> Self {
         let asks = |quantity: Quantity| scene.output.asks(quantity.path());
-        let has_depth = scene.layer.base != Base::Infinite && asks(Quantity::Indentation);
+        let has_depth = scene.layer.has_depths() && asks(Quantity::Indentation);
         let sticks = |quantity: Quantity| scene.friction.is_some() && asks(quantity);
         let column = |of: fn(&Point) -> Option<f64>| points.iter().map(of).collect::<Vec<_>>();
         let status = points.iter().map(|point| point.status).max_by_key(|status| gravity(*status));

@@ -189,10 +189,11 @@ impl Graph {
         let (coarse, fine) = (by(24), by(48));
         // The finer grid's error is about the square of the coarser one's.
         let differ = (coarse - fine).abs() > 1e-11 * fine.abs();
-        if !differ || depth == DEPTH {
+        let middle = from + 0.5 * (to - from);
+        // Between neighbours among the numbers nothing is to be cut.
+        if !differ || depth == DEPTH || middle <= from || middle >= to {
             return fine;
         }
-        let middle = from + 0.5 * (to - from);
         self.panel(from, middle, depth + 1) + self.panel(middle, to, depth + 1)
     }
 }

@@ -44,6 +44,25 @@ fn a_formula_may_be_what_another_punch_is() {
 }
 
 #[test]
+fn a_height_by_its_slope_is_a_number_however_near_to_a_kink() {
+    for text in [
+        "0.05*(max(0, x-0.5) - max(0, -x-0.5))",
+        "0.1*x*max(0, x^2-0.25)",
+        "0.02*x + 0.1*(x/abs(x))*max(0, abs(x)-0.5)^0.1",
+    ] {
+        let shape = good(slope(text));
+        let mut x = 0.5_f64;
+        let mut before = shape.height(x);
+        for _ in 0..40 {
+            x = x.next_up();
+            let height = shape.height(x);
+            assert!(height >= before, "{text}: {height} after {before} at {x}");
+            before = height;
+        }
+    }
+}
+
+#[test]
 fn corners_are_kinks_where_the_slope_jumps() {
     for (shape, kinks, corners) in [
         (height("0.1*abs(x)"), vec![0.0], vec![0.0]),
