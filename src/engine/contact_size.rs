@@ -230,7 +230,8 @@ fn first_size(problem: &Problem, target: f64, by_force: bool) -> f64 {
     let mut b = problem.natural_length();
     // Further out than the face a punch that does not rise is hollow there, or has no shape. Each loop ends: b leaves the range of
     // floating point numbers after 2100 steps at the latest.
-    let is_beyond = |b: f64| reached(b) > target || b > problem.face() && !(reached(b) > 0.0);
+    let rises = |b: f64| b <= problem.face() || reached(b) > 0.0;
+    let is_beyond = |b: f64| reached(b) > target || !rises(b);
     while is_beyond(b) && b > f64::MIN_POSITIVE {
         b *= 0.5;
     }

@@ -221,6 +221,8 @@ impl Growing {
         self.stack = None;
         self.inherited = Work::default();
         let sizes = (half_width, room * half_width);
+        // Where stick zones shrink some are not the contact's own; those at a finer resolution are looked for anew.
+        let coarse = coarse.filter(|coarse| coarse.shrinks(0.0..f64::INFINITY, STEADY).is_none());
         self.family = match Family::new(layer, task, self.quadrature.as_ref(), sizes, rubs, coarse) {
             Ok(family) => Some(family),
             Err(Unfit::Refused(refusal)) => return Err(refusal),

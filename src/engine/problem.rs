@@ -14,6 +14,13 @@ const COUPLED: f64 = 4.0;
 /// at the edges, with as many unknowns as are worth it.
 const SLOPES: usize = 40;
 
+/// Chebyshev points that do so over a piece, the least error asked of them, and the most pieces worth it.
+const OF_PIECE: usize = 24;
+const LEAST: f64 = 1e-13;
+const MOST_PIECES: usize = 24;
+/// How much nearer to the middle a piece there is cut, in `ln x`.
+const NEARER: f64 = 2.5;
+
 /// What the engine solves.
 pub(crate) struct Problem {
     /// The elastic layer.
@@ -32,8 +39,9 @@ pub(crate) struct Problem {
     pub(crate) friction: Option<f64>,
     /// Whether the strain in the stick zone is taken to be `C|x|`, whatever the contact's history.
     pub(crate) is_linear: bool,
-    /// Whether a smooth shape has details that a grid over the whole contact does not resolve: it is stacked as one with kinks is.
-    pub(crate) is_detailed: bool,
+    /// Whether a smooth shape has details that a grid over the whole contact does not resolve, and is stacked as one with kinks is;
+    /// `None` where that was not asked yet.
+    pub(crate) is_detailed: Option<bool>,
     /// What is asked for.
     pub(crate) wishes: Wishes,
 }
@@ -95,7 +103,7 @@ impl Problem {
             load,
             friction,
             is_linear,
-            is_detailed: false,
+            is_detailed: None,
             wishes,
         })
     }
@@ -111,7 +119,7 @@ impl Problem {
             load: LoadInLayerUnits::Force(1.0),
             friction: self.friction,
             is_linear: false,
-            is_detailed: false,
+            is_detailed: None,
             wishes: self.wishes.of_member(self.wants_depth()),
         }
     }
@@ -129,18 +137,41 @@ impl Problem {
 
     /// Whether the shape is not analytic all over the contact, or must not be taken for that.
     pub(crate) fn is_kinked(&self) -> bool {
-        self.is_detailed || self.shape.face() > 0.0 || !self.shape.kinks().is_empty()
+        self.is_detailed == Some(true) || self.shape.face() > 0.0 || !self.shape.kinks().is_empty()
     }
 
     /// Whether the slope of a smooth shape has details within a half-width that no grid over all of it resolves to a tolerance, such as
     /// a tip rounded off by little.
     pub(crate) fn has_details(&self, half_width: f64, tolerance: f64) -> bool {
-        if self.is_kinked() || self.is_linear || self.fixed_half_width().is_some() {
+        if self.is_detailed.is_some() || self.is_kinked() || self.is_linear || self.fixed_half_width().is_some() {
             return false;
         }
         let points = Points::get(SLOPES);
         let slopes: Vec<f64> = points.at.iter().map(|s| self.slope(half_width * (2.0 * s - 1.0))).collect();
-        points.through(&slopes).tail() > tolerance
+        points.through(&slopes).tail() > tolerance && self.cut(&mut vec![0.0, half_width], tolerance)
+    }
+
+    /// Cuts pieces of a smooth shape until the slope is resolved over each, beside the slope at the end of all; one in the middle nearer
+    /// to it. Returns whether that took few pieces.
+    pub(crate) fn cut(&self, breaks: &mut Vec<f64>, digits: f64) -> bool {
+        let points = Points::get(OF_PIECE);
+        let steepest = breaks.last().map_or(0.0, |end| self.slope(*end).abs());
+        let mut i = 1;
+        while i < breaks.len() {
+            let (from, to) = (breaks[i - 1], breaks[i]);
+            // Across the middle the slope is as smooth as beside it.
+            let begins = if from > 0.0 { from } else { -to };
+            let slopes: Vec<f64> = points.at.iter().map(|s| self.slope(begins + (to - begins) * s)).collect();
+            let largest = slopes.iter().fold(0.0_f64, |most, slope| most.max(slope.abs()));
+            if points.through(&slopes).tail() * largest <= digits.max(LEAST) * steepest {
+                i += 1;
+            } else if breaks.len() > MOST_PIECES {
+                return false;
+            } else {
+                breaks.insert(i, if from > 0.0 { 0.5 * (from + to) } else { to * (-NEARER).exp() });
+            }
+        }
+        true
     }
 
     /// Relative errors of numbers because the layer's law is smoother than what it stands for: the narrower the contact, or its

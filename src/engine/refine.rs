@@ -100,11 +100,14 @@ impl Judged {
         Self { outcome, stage, errors, of_shear: None, doubt: None, how, of_model: 0.0, stopped: None }
     }
 
+    /// The largest error of a number that has to meet the tolerance.
+    pub(super) fn worst(&self, problem: &Problem) -> f64 {
+        judged(problem, &self.errors).map_or(0.0, |(_, error)| error)
+    }
+
     /// Whether it misses the tolerance because the shape has details that a grid over all of the contact does not resolve.
     pub(super) fn misses_details(&self, problem: &Problem, tolerance: f64) -> bool {
-        self.how != How::Twin
-            && !meets(problem, &self.errors, tolerance)
-            && has_details(problem, &self.outcome, tolerance)
+        self.how != How::Twin && self.worst(problem) > tolerance && has_details(problem, &self.outcome, tolerance)
     }
 }
 

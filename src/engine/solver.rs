@@ -184,22 +184,34 @@ impl Solver {
         Ok(())
     }
 
-    /// What refinement finds; a smooth shape that has details is solved as one with kinks where it does not converge.
+    /// What refinement finds. A smooth shape that has details is solved as one with kinks where it does not converge, and to the end as
+    /// it is where it does not converge so either.
     fn refined(&mut self, tolerance: f64) -> Result<Judged, Refusal> {
         let Self { chosen, problem, layer, ladder, .. } = self;
         let found = ladder.refine(layer, problem, &chosen.methods, tolerance)?;
         if !found.misses_details(problem, tolerance) {
             return Ok(found);
         }
-        layer.meter().resume();
-        problem.is_detailed = true;
-        let mut stacked = Ladder::default();
-        if let Ok(found) = stacked.refine(layer, problem, &chosen.methods, tolerance) {
-            *ladder = stacked;
-            return Ok(found);
-        }
-        problem.is_detailed = false;
-        layer.meter().conclude();
+        let mut again = |is_detailed| {
+            layer.meter().resume();
+            problem.is_detailed = Some(is_detailed);
+            let mut ladder = Ladder::default();
+            let found = ladder.refine(layer, problem, &chosen.methods, tolerance)?;
+            Ok::<_, Refusal>((found.worst(problem), found, ladder))
+        };
+        let stacked = again(true);
+        let best = match stacked {
+            Ok((error, ..)) if error <= tolerance => stacked,
+            _ => match (again(false), stacked) {
+                (Ok(smooth), Ok(stacked)) if stacked.0 < smooth.0 => {
+                    problem.is_detailed = Some(true);
+                    Ok(stacked)
+                }
+                (smooth, _) => smooth,
+            },
+        };
+        let (_, found, best) = best?;
+        *ladder = best;
         Ok(found)
     }
 

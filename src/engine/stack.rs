@@ -43,9 +43,6 @@ const LOST: (f64, f64, usize) = (1e-2, 1.2, 96);
 const ROUNDING: f64 = 1e-14;
 /// The longest piece that does not begin in the middle, in `ln b'`.
 const LONGEST_PIECE: f64 = 2.5;
-/// Chebyshev points that tell whether the slope of a smooth shape is resolved over a piece, the least error asked of them, and the
-/// most ends of pieces.
-const DETAILS: (usize, f64, usize) = (24, 1e-13, 48);
 /// By how much a half-width is narrower from which the growth of a load is measured, relative.
 const BESIDE: f64 = 1e-3;
 /// Half-widths at which the force is looked at.
@@ -137,8 +134,8 @@ impl Stack {
             breaks.extend(ends.map(|part| from * (next / from).powf(part / parts)));
             breaks.push(next);
         }
-        if problem.is_detailed {
-            cut(problem, &mut breaks, digits.max(DETAILS.1));
+        if problem.is_detailed == Some(true) {
+            problem.cut(&mut breaks, digits);
         }
         let mut stack = Self {
             pieces: Vec::new(),
@@ -440,24 +437,6 @@ impl Stack {
         let x = apart(x.abs(), b);
         let since = self.stuck_since(family, b, x);
         family.stacked_lack(&self.slices(problem, &self.ways, x, (since, b)), x)
-    }
-}
-
-/// Cuts pieces of a smooth shape until the slope is resolved over each; those in the middle nearer to it by as much as a piece may be
-/// long.
-fn cut(problem: &Problem, breaks: &mut Vec<f64>, digits: f64) {
-    let points = Points::get(DETAILS.0);
-    let mut i = 1;
-    while i < breaks.len() && breaks.len() < DETAILS.2 {
-        let (from, to) = (breaks[i - 1], breaks[i]);
-        // Across the middle the slope is as smooth as beside it.
-        let begins = if from > 0.0 { from } else { -to };
-        let slopes: Vec<f64> = points.at.iter().map(|s| problem.slope(begins + (to - begins) * s)).collect();
-        if points.through(&slopes).tail() > digits {
-            breaks.insert(i, if from > 0.0 { 0.5 * (from + to) } else { to * (-LONGEST_PIECE).exp() });
-        } else {
-            i += 1;
-        }
     }
 }
 
