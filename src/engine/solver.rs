@@ -199,17 +199,16 @@ impl Solver {
             let found = ladder.refine(layer, problem, &chosen.methods, tolerance)?;
             Ok::<_, Refusal>((found.worst(problem), found, ladder))
         };
-        let stacked = again(true);
-        let best = match stacked {
-            Ok((error, ..)) if error <= tolerance => stacked,
-            _ => match (again(false), stacked) {
-                (Ok(smooth), Ok(stacked)) if stacked.0 < smooth.0 => {
-                    problem.is_detailed = Some(true);
-                    Ok(stacked)
-                }
-                (smooth, _) => smooth,
-            },
-        };
+        let error = |solved: &Result<(f64, _, _), Refusal>| solved.as_ref().map_or(f64::INFINITY, |solved| solved.0);
+        let mut best = again(true);
+        if error(&best) > tolerance {
+            let smooth = again(false);
+            if error(&smooth) <= error(&best) {
+                best = smooth;
+            } else {
+                problem.is_detailed = Some(true);
+            }
+        }
         let (_, found, best) = best?;
         *ladder = best;
         Ok(found)
