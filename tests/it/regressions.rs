@@ -763,3 +763,22 @@ fn a_loading_curve_has_depths_where_there_is_a_datum() {
     assert_eq!(curve(", datum = 12.0", "indentation = [0.2, 0.3]"), Some(vec![Some(0.2), Some(0.3)]));
     assert_eq!(curve("", "half_width = [0.5, 1.0]"), None);
 }
+
+/// Rounding of a Poisson's ratio that is the same in both materials was taken for a grading too fast, the nearer to 1/2 the more.
+#[test]
+fn two_materials_that_are_next_to_incompressible_mix() {
+    let solved = |grading: &str| {
+        let layer = format!("thickness = 5.0, poisson = 0.499999, grading = {{ {grading} }}");
+        written(&layer, "type = \"cylinder\", radius = 10.0", "half_width = 1.0", "")
+    };
+    let material = |modulus: f64| format!("{{ modulus = {modulus:?}, poisson = 0.499999 }}");
+    let mixed = format!(
+        "type = \"volume-fraction\", surface = {}, base = {}, exponent = 1.0, rule = \"mixture\"",
+        material(1.0),
+        material(0.25)
+    );
+    let [mixed, linear] = [mixed.as_str(), "type = \"linear\", surface = 1.0, base = 0.25"].map(solved);
+    assert_eq!(mixed.status, Status::Converged, "{:?}", mixed.reason);
+    let [one, other] = [mixed, linear].map(|solution| solution.load.force.unwrap());
+    assert!((one / other - 1.0).abs() < 1e-8, "{one} and {other}");
+}

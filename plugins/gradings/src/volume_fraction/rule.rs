@@ -57,7 +57,11 @@ impl Mixture {
     }
 }
 
-/// `a` at a share of 0, `b` at 1, in proportion between.
+/// `a` at a share of 0, `b` at 1, in proportion between; where both are the same without rounding, of which a material next to
+/// incompressible would make much.
 fn between<N: Arithmetic>(a: f64, b: f64, share: &N) -> N {
+    if a.to_bits() == b.to_bits() {
+        return share.clone() * 0.0 + a;
+    }
     (share.clone() * -1.0 + 1.0) * a + share.clone() * b
 }
