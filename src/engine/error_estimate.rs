@@ -25,7 +25,7 @@ const SHARES: [f64; 2] = [0.5, 1e-4];
 /// That of the shear where it is stacked: it is asked for as well as the zone.
 const STACKED_SHARE: f64 = 0.5;
 /// A slip zone that is narrower than this over the contact may agree on two coarse resolutions by chance: what is left is then not taken to be
-/// less than their difference, nor than what the one before may have left. Two of 30,000 random scenes were off by four tolerances without.
+/// less than their difference, nor than what the one before may have left. Two of 40,000 random scenes were off by four tolerances without.
 const CROWDED: f64 = 1e-3;
 /// Another load, and another punch, on flat punches that are known are not taken to come any faster than this.
 const ANOTHER_LOAD: f64 = 1.0 / 16.0;

@@ -705,18 +705,26 @@ fn a_kink_over_a_thin_layer_is_told() {
 /// far from its points, and the scene was refused.
 #[test]
 fn a_contact_wider_than_it_looked_at_first_has_its_stick_zone() {
-    let layer = |nu: f64| {
-        format!("thickness = 0.25, poisson = {nu:?}, grading = {{ type = \"linear\", surface = 1.0, base = 24.0 }}")
+    let layer = |thickness: f64, law: &str, nu: f64| {
+        format!(
+            "thickness = {thickness:?}, poisson = {nu:?}, \
+             grading = {{ type = \"{law}\", surface = 1.0, base = 24.0 }}"
+        )
     };
     let rubbed = |layer: &str, load: &str, tolerance: f64| {
         let rest =
             format!("friction = {{ type = \"goodman\", coefficient = 0.4 }}\nsolver = {{ tolerance = {tolerance:e} }}");
         written(layer, "type = \"cylinder\", radius = 50.0", load, &rest)
     };
-    for (nu, force, tolerance) in [(0.0, 0.8, 1e-3), (0.3, 2.609_664_728_526_815_3, 1e-4)] {
-        let found = rubbed(&layer(nu), &format!("force = {force:?}"), tolerance);
+    for (layer, force, tolerance) in [
+        (layer(0.25, "linear", 0.0), 0.3, 1e-3),
+        (layer(0.25, "linear", 0.0), 0.8, 1e-3),
+        (layer(0.25, "linear", 0.3), 2.609_664_728_526_815_3, 1e-4),
+        (layer(0.1, "exponential", 0.3), 0.7, 1e-3),
+    ] {
+        let found = rubbed(&layer, &format!("force = {force:?}"), tolerance);
         assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
-        let again = rubbed(&layer(nu), &format!("half_width = {:?}", found.load.half_width.unwrap()), tolerance);
+        let again = rubbed(&layer, &format!("half_width = {:?}", found.load.half_width.unwrap()), tolerance);
         let [one, other] = [&found, &again].map(|solution| solution.stick.as_ref().unwrap().ratio.unwrap());
         assert!((one / other - 1.0).abs() < tolerance, "{one} and {other}");
     }
