@@ -95,27 +95,30 @@ impl Blend {
         coefficients
     }
 
+    /// A half-width from 0, the narrowest, to 1, the widest.
+    fn share(&self, half_width: f64) -> f64 {
+        (half_width - self.narrowest) / (self.widest - self.narrowest)
+    }
+
     /// The functions at some half-widths, one after another.
     pub(crate) fn functions_into(&self, half_widths: &Lanes, out: &mut Vec<Lanes>) {
         out.clear();
         out.resize(self.half_widths.len(), [0.0; LANES]);
-        let per_width = 1.0 / (self.widest - self.narrowest);
-        let s = half_widths.map(|half_width| (half_width - self.narrowest) * per_width);
-        self.functions.lanes_into(&s, out);
+        self.functions.lanes_into(&half_widths.map(|half_width| self.share(half_width)), out);
     }
 
     /// The functions at a half-width.
     pub(crate) fn functions_at(&self, half_width: f64, out: &mut Vec<f64>) {
         out.clear();
         out.resize(self.half_widths.len(), 0.0);
-        self.functions.values_into((half_width - self.narrowest) / (self.widest - self.narrowest), out);
+        self.functions.values_into(self.share(half_width), out);
     }
 
     /// One thing at a half-width, of which there is so much of each function.
     pub(crate) fn sum(&self, half_width: f64, coefficients: &[f64]) -> f64 {
         let mut values = [0.0; MOST];
         let values = &mut values[..coefficients.len()];
-        self.functions.values_into((half_width - self.narrowest) / (self.widest - self.narrowest), values);
+        self.functions.values_into(self.share(half_width), values);
         values.iter().zip(coefficients).map(|(value, coefficient)| value * coefficient).sum()
     }
 }

@@ -177,6 +177,7 @@ impl Shear {
         }
         normal.potential_into(layer, Component::Coupling, &self.coupling, &grid.stations, &mut grid.coupled);
         normal.values_into(&grid.stations, &mut grid.pressure);
+        self.slip.resolve(rule.unknowns());
         self.slip.potential_into(layer, normal, known, rule.collocation(), &mut grid.by_slip);
         Ok(self.slip.pressure_at_stick_edge())
     }
@@ -286,11 +287,8 @@ impl Shear {
                 Err(_) => return Ok(false),
             }
         }
-        let [own, wanted] = [0, finer].map(|step| self.grids[step].rule.unknowns());
-        self.slip.resolve(wanted);
-        let solved = self.solve_on(finer, layer, normal, beta, zone);
-        self.slip.resolve(own);
-        solved.map(|_| true)
+        self.solve_on(finer, layer, normal, beta, zone)?;
+        Ok(true)
     }
 
     /// The unknowns of the shear in the stick zone.

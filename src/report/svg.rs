@@ -126,6 +126,21 @@ const FONTS: &str = "Helvetica, Arial, 'DejaVu Sans', sans-serif";
 /// Size of letters beside the axes, px.
 const LETTERS: u32 = 14;
 
+/// Axes around a frame with a scale below and one beside it: their ranges, the size of all, px, and their labels.
+fn framed(x: (f64, f64), y: (f64, f64), size: (f64, f64), labels: [&str; 2]) -> Layout {
+    Layout::new(x, y)
+        .with_width(size.0)
+        .with_height(size.1)
+        .with_box_axes()
+        .with_show_grid(false)
+        .with_font_family(FONTS)
+        .with_label_size(15)
+        .with_tick_size(LETTERS)
+        .with_body_size(LETTERS)
+        .with_x_label(literal(labels[0]))
+        .with_y_label(literal(labels[1]))
+}
+
 /// Titles, axes and legend.
 fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
     let labels = Labels::new(&solution.units);
@@ -137,9 +152,9 @@ fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
         let supported = solution.error.each.get(path).map_or(SCALE_DIGITS, |e| digits(*e).min(SCALE_DIGITS));
         with_unit(&typeset(&short(value, supported)), unit)
     };
-    Layout::new((-HALF_RANGE, HALF_RANGE), (frame.bottom, frame.top))
-        .with_width(SIZE.0)
-        .with_height(SIZE.1)
+    let below = format!("x / b (b = {})", own("load.half_width", b, &labels.length));
+    let beside = format!("traction / mean pressure (mean {})", own("pressure.mean", mean, &labels.stress));
+    framed((-HALF_RANGE, HALF_RANGE), (frame.bottom, frame.top), SIZE, [&below, &beside])
         .with_x_axis_min(-HALF_RANGE)
         .with_x_axis_max(HALF_RANGE)
         .with_y_axis_min(frame.bottom)
@@ -147,23 +162,12 @@ fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
         .with_x_tick_step(0.5)
         .with_y_tick_step(frame.step)
         .with_tick_format(TickFormat::Custom(Arc::new(|v| format!("{v:.1}").replace('-', "\u{2212}"))))
-        .with_box_axes()
-        .with_show_grid(false)
-        .with_font_family(FONTS)
         .with_title(literal(&title))
         .with_title_size(17)
         .with_title_wrap(52)
         .with_subtitle(literal(&lines(&scene_parts(solution, &GREEK), SUBTITLE)))
         .with_subtitle_size(12)
         .with_subtitle_wrap(SUBTITLE)
-        .with_label_size(15)
-        .with_tick_size(14)
-        .with_body_size(14)
-        .with_x_label(literal(&format!("x / b (b = {})", own("load.half_width", b, &labels.length))))
-        .with_y_label(literal(&format!(
-            "traction / mean pressure (mean {})",
-            own("pressure.mean", mean, &labels.stress)
-        )))
         .with_y_label_wrap(24)
         .with_x_label_offset(0.0, -LEGEND)
 }

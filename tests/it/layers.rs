@@ -195,6 +195,24 @@ fn tables_pass_through_their_law() {
     assert!(errors[3] < 1e-7, "{errors:?}");
 }
 
+/// Close to incompressible `beta` is a difference whose rounding grows: what varies there by rounding is no law.
+#[test]
+fn nearly_incompressible_ratios_of_a_table_or_a_formula_are_those_of_the_layer() {
+    for nu in [0.49995, 0.49999, 0.499_999] {
+        let rows = |ratio: &str| {
+            let row = |y: f64| format!("[{y:?}, {:?}{ratio}]", 1.0 + y * y);
+            [0.0, 0.3, 0.6, 0.8, 1.0].map(row).join(", ")
+        };
+        let table = |ratio: &str| format!("grading = {{ type = \"table\", points = [{}] }}", rows(ratio));
+        let of_layer = |grading: &str| format!("thickness = 1.0\npoisson = {nu:?}\n{grading}");
+        assert_same_flexibility(&lines(1.0, &table(&format!(", {nu:?}"))), &of_layer(&table("")));
+        let formula = |ratio: &str| format!("grading = {{ type = \"formula\", modulus = \"1 + y^2\"{ratio} }}");
+        let rounded = lines(1.0, &formula(&format!(", poisson = \"{nu:?}*(sin(y)^2 + cos(y)^2)\"")));
+        let difference = difference(&*response(&rounded), &*response(&of_layer(&formula(""))), 1.0);
+        assert!(difference < f64::EPSILON / (1.0 - 2.0 * nu), "{nu}: {difference:e}");
+    }
+}
+
 #[test]
 fn a_coating_of_its_substrates_material_is_a_half_plane() {
     let beta = 2.0 / 7.0;

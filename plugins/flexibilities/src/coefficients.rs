@@ -61,6 +61,10 @@ pub(crate) struct Coefficients {
     pub(crate) cross: Polynomial,
 }
 
+/// Places of the first and of the last among those of one point.
+pub(crate) const SOFTNESS: usize = 0;
+pub(crate) const CROSS: usize = 3;
+
 impl Coefficients {
     /// Those of one point: softness, stiffness, contraction, cross, the modulus in units of `unit`.
     pub(crate) fn of(material: Material, unit: f64) -> [f64; 4] {

@@ -1,6 +1,6 @@
 //! A layer as panels of depth on each of which its elastic constants are polynomials.
 
-use crate::coefficients::{Coefficients, MOST, Polynomial};
+use crate::coefficients::{CROSS, Coefficients, MOST, Polynomial, SOFTNESS};
 use crate::precision::Precision;
 use crate::propagator::Propagator;
 use crate::slices::Slices;
@@ -67,6 +67,10 @@ pub(crate) struct Panels {
 /// A law's own rounding may be larger than a panel's errors: coefficients below this that halving the panel leaves above a part of
 /// what they were are taken for it. Those of a smooth law fall by far more, those of a jump are larger.
 const NOISE: (f64, f64) = (1e-12, 0.3);
+
+/// The last of the constants, `beta/mu`, is a difference that vanishes where a solid is incompressible: its own rounding is that of
+/// Poisson's ratio, relative to the first, `1/mu`. It is measured by this part of that at least when it is taken for noise.
+const FAINT: f64 = 1e-3;
 
 /// Coefficients that must be small at the end of a series.
 const LAST: usize = 3;
@@ -206,7 +210,7 @@ struct Fit {
     /// Smallest and largest modulus seen.
     extremes: (f64, f64),
     is_smooth: bool,
-    /// The largest of what should be small, relative.
+    /// The largest of what should be small, relative, where it is felt.
     error: f64,
 }
 
@@ -226,16 +230,21 @@ impl Fit {
             return None;
         }
         let (fitted, last) = Arch::new().dispatch(Through(&values, precision.dropped));
-        let mut error = last.into_iter().fold(0.0_f64, f64::max);
-        let mut is_smooth = error <= precision.fit.0;
+        let sizes = sizes(&values);
+        // What of its relative error is felt.
+        let felt = |i: usize, error: f64| {
+            if i == CROSS && error > 0.0 { error * sizes[i] / sizes[i].max(FAINT * sizes[SOFTNESS]) } else { error }
+        };
+        let mut is_smooth = last.iter().all(|error| *error <= precision.fit.0);
+        let mut error = (0..last.len()).map(|i| felt(i, last[i])).fold(0.0_f64, f64::max);
         let [softness, stiffness, contraction, cross] = fitted;
         let coefficients = Coefficients { softness, stiffness, contraction, cross };
         for x in BESIDE {
             let own = [&coefficients.softness, &coefficients.stiffness, &coefficients.contraction, &coefficients.cross];
-            for ((polynomial, value), size) in own.iter().zip(Coefficients::of(at(x), unit)).zip(sizes(&values)) {
-                let beside = if size == 0.0 { 0.0 } else { (polynomial.at(x) - value).abs() / size };
+            for (i, value) in Coefficients::of(at(x), unit).into_iter().enumerate() {
+                let beside = if sizes[i] == 0.0 { 0.0 } else { (own[i].at(x) - value).abs() / sizes[i] };
                 is_smooth &= beside <= precision.fit.1;
-                error = error.max(beside);
+                error = error.max(felt(i, beside));
             }
         }
         Some(Self { coefficients, unit, extremes, is_smooth, error })

@@ -4,7 +4,7 @@ mod trace;
 
 use super::axis::Axis;
 use super::head::Head;
-use super::{FONTS, FigureError, GRID, LEGEND, LETTERS, SIZE, alarm, legend, literal, outline, place};
+use super::{FigureError, GRID, LEGEND, SIZE, alarm, framed, legend, outline, place};
 use crate::engine::{Curve, Solution, Status, first_not_finite};
 use crate::report::labels::Labels;
 use crate::report::scene_line::{GREEK, constant_parts};
@@ -12,7 +12,7 @@ use crate::report::svg::curves::Stroke;
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::{LinePlot, LineStyle};
 use kuva::render::color::Color;
-use kuva::render::layout::{ComputedLayout, Layout};
+use kuva::render::layout::ComputedLayout;
 use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, render_multiple};
 use trace::Trace;
@@ -93,9 +93,8 @@ fn panels(solution: &Solution, curve: &Curve, labels: &Labels) -> Vec<Panel> {
 
 /// A panel by itself.
 fn draw(panel: &Panel, force: &Axis) -> Scene {
-    let layout = Layout::new((0.0, panel.axis.most), (0.0, force.most))
-        .with_width(SIZE.0)
-        .with_height(PANEL)
+    let labels = [panel.axis.label.as_str(), &force.label];
+    let layout = framed((0.0, panel.axis.most), (0.0, force.most), (SIZE.0, PANEL), labels)
         .with_x_axis_min(0.0)
         .with_x_axis_max(panel.axis.most)
         .with_y_axis_min(0.0)
@@ -103,15 +102,7 @@ fn draw(panel: &Panel, force: &Axis) -> Scene {
         .with_x_tick_step(panel.axis.step)
         .with_y_tick_step(force.step)
         .with_x_tick_format(panel.axis.ticks())
-        .with_y_tick_format(force.ticks())
-        .with_box_axes()
-        .with_show_grid(false)
-        .with_font_family(FONTS)
-        .with_label_size(15)
-        .with_tick_size(LETTERS)
-        .with_body_size(LETTERS)
-        .with_x_label(literal(&panel.axis.label))
-        .with_y_label(literal(&force.label));
+        .with_y_tick_format(force.ticks());
     let below = if panel.legend { LEGEND } else { 0.0 };
     let plain = ComputedLayout::from_layout(&layout);
     let layout =

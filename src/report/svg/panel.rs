@@ -3,7 +3,7 @@
 use super::curves::thinned;
 use super::scale::Scale;
 use super::style::Style;
-use super::{FONTS, GRID, INK, LETTERS, LINE, SIZE, literal, outline, write};
+use super::{GRID, INK, LINE, SIZE, framed, literal, outline, write};
 use kuva::plot::{LinePlot, LineStyle};
 use kuva::render::layout::{ComputedLayout, Layout};
 use kuva::render::plots::Plot;
@@ -43,19 +43,9 @@ pub(super) trait Ground {
 
 impl Panel {
     fn plain_layout(&self) -> Layout {
-        let layout = Layout::new((self.x.least, self.x.most), (self.y.least, self.y.most))
-            .with_width(SIZE.0)
-            .with_height(PANEL)
-            .with_box_axes()
-            .with_show_grid(false)
-            .with_font_family(FONTS)
-            .with_label_size(15)
-            .with_tick_size(LETTERS)
-            .with_body_size(LETTERS)
-            .with_x_label(literal(&self.x.label))
-            .with_y_label(literal(&self.y.label))
-            .with_y_label_wrap(40);
-        self.y.beside(self.x.below(layout))
+        let Self { x, y, .. } = self;
+        let layout = framed((x.least, x.most), (y.least, y.most), (SIZE.0, PANEL), [&x.label, &y.label]);
+        y.beside(x.below(layout.with_y_label_wrap(40)))
     }
 
     /// Room that the numbers beside the frame take, px: panels one over the other share the larger.

@@ -2,7 +2,7 @@
 
 use crate::report::svg::curves::{Stroke, thinned};
 use crate::report::svg::scale::Scale;
-use crate::report::svg::{FONTS, GRID, INK, LEGEND, LETTERS, legend, literal, outline};
+use crate::report::svg::{GRID, INK, LEGEND, LETTERS, framed, legend, outline};
 use kuva::plot::{LinePlot, LineStyle};
 use kuva::render::annotations::ShadedRegion;
 use kuva::render::color::Color;
@@ -37,18 +37,8 @@ fn rule(from: (f64, f64), to: (f64, f64), color: &str, dashes: &str) -> Plot {
 
 impl Panel {
     fn plain_layout(&self) -> Layout {
-        let layout = Layout::new((self.x.least, self.x.most), (self.y.least, self.y.most))
-            .with_width(self.size.0)
-            .with_height(self.size.1)
-            .with_box_axes()
-            .with_show_grid(false)
-            .with_font_family(FONTS)
-            .with_label_size(15)
-            .with_tick_size(LETTERS)
-            .with_body_size(LETTERS)
-            .with_x_label(literal(&self.x.label))
-            .with_y_label(literal(&self.y.label));
-        self.y.beside(self.x.below(layout))
+        let Self { x, y, size, .. } = self;
+        y.beside(x.below(framed((x.least, x.most), (y.least, y.most), *size, [&x.label, &y.label])))
     }
 
     /// Room that the numbers beside the frame take, px: panels one over the other share the larger.
