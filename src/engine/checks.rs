@@ -57,13 +57,13 @@ pub(crate) fn tension(b: f64, mean: f64, pressure_into: impl FnOnce(&[Station], 
     (lowest.1 < -1e-9).then_some(lowest)
 }
 
-/// Where friction cannot hold: `(x/b, |q|/(eta p))` of the worst point of the stick zone, if above 1.
-pub(crate) fn overload(normal: &Normal, shear: &Shear) -> Option<(f64, f64)> {
+/// Where friction of a coefficient cannot hold: `(x/b, |q|/(eta p))` of the worst point of the stick zone, if above 1.
+pub(crate) fn overload(normal: &Normal, shear: &Shear, eta: f64) -> Option<(f64, f64)> {
     let at = stretched(&AT_SHEAR, shear.zone.half_width);
     let (mut q, mut p) = ([0.0; SHEAR_SAMPLES], [0.0; SHEAR_SAMPLES]);
     shear.in_stick_into(&at, &mut q);
     normal.values_into(&at.map(|station| shear.zone.in_contact(station)), &mut p);
-    let load = |i: usize| (at[i].x / normal.half_width, q[i].abs() / (shear.friction.abs() * p[i]));
+    let load = |i: usize| (at[i].x / normal.half_width, q[i].abs() / (eta * p[i]));
     // q = 0 in the middle, whatever the limit.
     let worst = (1..SHEAR_SAMPLES).map(load).max_by(|one, other| one.1.total_cmp(&other.1))?;
     (worst.1 > 1.0 + MARGIN).then_some(worst)
@@ -258,7 +258,7 @@ mod tests {
             assert!((friction + 0.1).abs() < 5e-3, "a root of eta(a) = -0.1: {friction}");
             let mut check = SlipCheck::default();
             let wrong = check.wrong_slip(curve.layer, &problem, curve.normal, curve.shear);
-            (overload(curve.normal, curve.shear), wrong, check.strain)
+            (overload(curve.normal, curve.shear, 0.1), wrong, check.strain)
         };
         let (overloaded, ..) = solve(1.6e-4);
         let (x, load) = overloaded.expect("friction cannot hold");

@@ -197,13 +197,15 @@ impl Family {
     fn solve(&mut self, layer: &mut Layer, task: Task, contact: f64, coarse: Option<&Family>) -> Result<(), Unfit> {
         let half_widths = self.blend.half_widths().to_vec();
         let mut before: Option<Root> = None;
+        let mut sticks = coarse.is_some_and(Family::sticks);
         if self.friction.is_some() && coarse.as_ref().is_none_or(|coarse| coarse.rubbed.is_none()) {
             // The contact itself, by a search of its own: the others follow.
             let flat = member(task.problem, contact, true);
             let outcome = self.stage.solve(layer, Task { problem: &flat, ..task }, None, None)?;
             let found = outcome.rubbing.as_ref().expect("a stick zone, or why there is none");
             before = found.reported();
-            if before.is_none() {
+            sticks = found.verdict == Verdict::Sticks;
+            if before.is_none() && !sticks {
                 return Err(Unfit::Friction(contact, Box::new(found.clone())));
             }
         }
@@ -219,6 +221,12 @@ impl Family {
                 continue;
             }
             let asked = !is_first && !known && k % CHECKED == 0;
+            if sticks {
+                let member = self.stick_member(layer, task, b, asked)?;
+                self.keep_pressure(layer, &flat, b)?;
+                found.add(member);
+                continue;
+            }
             let told = coarse.and_then(|coarse| coarse.root_at(b));
             let start = told.or_else(|| found.continued(&half_widths[..k], b)).or(before.take());
             let (member, checked) = match self.solve_member(layer, task, b, (start, asked), &mut found)? {
@@ -273,9 +281,27 @@ impl Family {
             member
         } else {
             self.stage.curve(layer, task).at(root.lambda)?;
-            Member { root, lack: Found::lack(&self.stage, b), moves: None }
+            Member { root, lack: Found::lack(&self.stage, b), moves: None, least: None }
         };
         Ok(Ok((member, rubbing.is_checked())))
+    }
+
+    /// Solves one member of which all shall stick, and leaves its pressure in the stage; the conditions of that are looked at where
+    /// that is asked.
+    fn stick_member(&mut self, layer: &mut Layer, task: Task, b: f64, asked: bool) -> Result<Member, Unfit> {
+        self.stage.press(layer, task, b)?;
+        let eta = task.problem.friction.expect("friction that sticks");
+        let (lambda, least) = self.stage.stick(layer, task)?;
+        let stuck = Rubbing::sticking(b, lambda, asked);
+        if least.abs() >= eta {
+            let what = "beside the contact's edge the surface slips, while it sticks there at other times".into();
+            return Err(Unfit::Friction(b, Box::new(stuck.failing(what))));
+        }
+        if let Some(what) = self.stage.overload(eta).filter(|_| asked) {
+            return Err(Unfit::Friction(b, Box::new(stuck.failing(what))));
+        }
+        let root = Root { lambda, branch: 1.0, slope: f64::NAN, doubt: f64::INFINITY };
+        Ok(Member { root, lack: Found::lack(&self.stage, b), moves: None, least: Some(least) })
     }
 
     /// The stick zone of one member from near it.
@@ -302,6 +328,15 @@ impl Family {
         for b in [half_width].into_iter().chain(half_widths.into_iter().filter(|b| *b < half_width).step_by(CHECKED)) {
             let flat = member(task.problem, b, true);
             let task = Task { problem: &flat, ..task };
+            if self.sticks() {
+                match self.stick_member(layer, task, b, true) {
+                    Ok(_) => continue,
+                    Err(Unfit::Refused(refusal)) => return Err(refusal),
+                    Err(Unfit::Friction(b, what)) => {
+                        return Ok(what.failure().map(|what| during(task.problem, b, what)));
+                    }
+                }
+            }
             let start = self.root_at(b).map(|root| Outcome::of_rubbing(Rubbing::expected(root, b, false)));
             let mut outcome = self.stage.solve(layer, task, start.as_ref(), None)?;
             self.stage.settle(layer, task, &mut outcome)?;
@@ -331,6 +366,9 @@ impl Family {
     /// beginning.
     pub(crate) fn rubbing(&mut self, layer: &mut Layer, task: Task, b: f64) -> Result<Option<Rubbing>, Refusal> {
         let checked = self.is_checked();
+        if self.sticks() {
+            return Ok(self.rubbing_between(b));
+        }
         let Some(guess) = self.root_at(b) else { return Ok(None) };
         let flat = member(task.problem, b, true);
         let root = self.stage.follow(layer, Task { problem: &flat, ..task }, b, guess, REFINED * task.tolerance)?;
@@ -339,7 +377,21 @@ impl Family {
 
     /// The stick zone of a contact of that half-width, as told between the members; `None` without friction.
     pub(crate) fn rubbing_between(&self, b: f64) -> Option<Rubbing> {
+        if self.sticks() {
+            return Some(Rubbing::sticking(b, self.zone(b).log(), self.is_checked()));
+        }
         Some(Rubbing::expected(self.root_at(b)?, b, self.is_checked()))
+    }
+
+    /// Whether everything sticks under all of its members.
+    pub(crate) fn sticks(&self) -> bool {
+        self.rubbed.as_ref().is_some_and(|rubbed| rubbed.of_least.is_some())
+    }
+
+    /// The friction coefficient that a member's shear lacks what it does of: where everything sticks the least with which it does.
+    pub(crate) fn sliding(&self, b: f64) -> f64 {
+        let least = self.rubbed.as_ref().and_then(|rubbed| rubbed.of_least.as_ref());
+        least.map_or_else(|| self.signed_friction(), |of_least| self.of_shear.sum(b, of_least))
     }
 
     /// Work in its systems so far.

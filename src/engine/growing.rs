@@ -308,6 +308,10 @@ impl Growing {
                     let what = during(problem, *at, what);
                     rubbing.failing(what)
                 }
+                Verdict::Sticks => {
+                    let what = during(problem, *at, "all of the surface sticks, but not always");
+                    rubbing.failing(what)
+                }
                 _ if *at >= b || self.has_no_shear() => rubbing,
                 verdict => {
                     let what = match verdict {
@@ -332,12 +336,17 @@ impl Growing {
         let stack = self.stack.as_ref().expect("provided before");
         let mut lack = |part: f64| stack.lack(problem, family, b, part * zone.half_width);
         let (lack, inner) = (TRACED.map(&mut lack), NEAR_MIDDLE.map(&mut lack));
-        let friction = family.signed_friction();
-        let mut sliding = [0.0; TRACED.len()];
+        let (friction, sticks) = (family.signed_friction(), family.sticks());
+        let mut pressure = [0.0; TRACED.len()];
         let own = |part: f64| Station { x: part * zone.half_width, gap: (1.0 - part) * zone.half_width };
-        self.pressure_into(problem, normal, &TRACED.map(|part| zone.in_contact(own(part))), &mut sliding);
+        let at = TRACED.map(|part| zone.in_contact(own(part)));
+        self.pressure_into(problem, normal, &at, &mut pressure);
         let mean = self.force / (2.0 * b);
-        let shear = std::array::from_fn(|i| (friction * sliding[i] - lack[i]) / mean);
+        let shear = std::array::from_fn(|i| (self.sliding(problem, at[i].x, pressure[i]) - lack[i]) / mean);
+        if sticks {
+            // What slides is as much as the resolution makes it.
+            return Ok(rubbing.traced(ShearTrace::new(shear, shear, friction)));
+        }
         let trace = ShearTrace::new(lack.map(|lack| lack / mean), shear, friction);
         Ok(rubbing.traced(ShearTrace { inner: inner.map(|lack| lack / mean), ..trace }))
     }
@@ -362,7 +371,7 @@ impl Growing {
             let b = stack.under(problem, family, *load)?;
             let mut numbers = sizes(layer, problem, family, stack, b);
             if problem.friction.is_some() {
-                let zone = family.zone(b);
+                let zone = family.rubbing_between(b)?.reported_zone();
                 numbers.set(Quantity::StickHalfWidth, zone.half_width);
                 numbers.set(Quantity::StickRatio, zone.ratio());
             }
@@ -374,7 +383,7 @@ impl Growing {
     /// Checks the conditions of friction where no coarser resolution has.
     pub(crate) fn settle(&mut self, layer: &mut Layer, task: Task, outcome: &mut Outcome) -> Result<(), Refusal> {
         let (Some(family), Some(rubbing)) = (&mut self.family, &mut outcome.rubbing) else { return Ok(()) };
-        if rubbing.verdict != Verdict::Holds || family.is_checked() {
+        if !matches!(rubbing.verdict, Verdict::Holds | Verdict::Sticks) || family.is_checked() {
             return Ok(());
         }
         if let Some(what) = family.check(layer, task, self.half_width)? {
@@ -403,18 +412,32 @@ impl Growing {
         if self.has_no_shear() {
             return Some(vec![0.0; at.len()]);
         }
-        let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return None };
+        let (Some(family), Some(_), None) = (&self.family, &self.stack, &self.broken) else { return None };
         problem.friction?;
-        let (b, zone, friction) = (self.half_width, family.zone(self.half_width), family.signed_friction());
+        let zone = family.zone(self.half_width);
         let one = |(at, p): (&Station, &f64)| {
             let x = at.x.abs();
             if x == 0.0 {
                 return 0.0;
             }
-            let lack = if x < zone.half_width { stack.lack(problem, family, b, x) } else { 0.0 };
-            (friction * p - lack) * 1.0_f64.copysign(at.x)
+            let lack = if x < zone.half_width { self.lack(problem, x) } else { 0.0 };
+            (self.sliding(problem, x, *p) - lack) * 1.0_f64.copysign(at.x)
         };
         Some(at.iter().zip(pressure).map(one).collect())
+    }
+
+    /// What the shear at a point of the stick zone lacks to what slides, see [`Self::sliding`].
+    fn lack(&mut self, problem: &Problem, x: f64) -> f64 {
+        let (family, stack) = self.family.as_mut().zip(self.stack.as_ref()).expect("provided before");
+        stack.lack(problem, family, self.half_width, x)
+    }
+
+    /// What the shear at a point would be if all slid, where the pressure is `pressure`; where everything sticks, with as much friction
+    /// under each flat punch as that asks for.
+    fn sliding(&mut self, problem: &Problem, x: f64, pressure: f64) -> f64 {
+        let (family, stack) = self.family.as_mut().zip(self.stack.as_ref()).expect("provided before");
+        let (b, friction) = (self.half_width, family.sliding(self.half_width));
+        friction * pressure + if family.sticks() { stack.slides_beside(problem, family, b, x) } else { 0.0 }
     }
 
     /// The strain left on the surface at points of the stick zone, `x >= 0`; `None` where it cannot be told, and at points

@@ -80,7 +80,14 @@ impl Outcome {
     pub(crate) fn seen(&self) -> Seen {
         let shear = self.rubbing.as_ref().and_then(|rubbing| rubbing.shear);
         let traces = Traces { pressure: self.pressure, shear, is_stacked: self.lost.is_some() };
-        Seen { numbers: self.numbers, traces }
+        let mut numbers = self.numbers;
+        if self.rubbing.as_ref().is_some_and(|rubbing| rubbing.is_full) {
+            // A zone that is all of the contact is no number that converges.
+            for quantity in [Quantity::StickHalfWidth, Quantity::StickRatio, Quantity::OneMinusRatio] {
+                numbers.take(quantity);
+            }
+        }
+        Seen { numbers, traces }
     }
 }
 
@@ -89,6 +96,8 @@ impl Outcome {
 pub(crate) struct Rubbing {
     pub(crate) zone: StickZone,
     pub(crate) verdict: Verdict,
+    /// Whether all of the contact sticks in it, but for less than can be told.
+    pub(crate) is_full: bool,
     found: Found,
     /// Which of the roots is reported.
     chosen: usize,
@@ -111,6 +120,9 @@ pub(crate) enum Verdict {
     TooNarrow,
     /// No root; the slip zone is narrower than what the resolution can tell.
     TooWide,
+    /// No root, and every slip zone that can be told from none was looked at: everything sticks. The shear is that of the widest
+    /// zone looked at.
+    Sticks,
     /// No shear arises, whatever the zone: everything sticks without friction.
     NoShear,
     /// No root in between: the direction of slip changes along the contact.
@@ -309,7 +321,7 @@ impl Stage {
             return Ok(rubbing.clone());
         }
         let mut rubbing = self.find(layer, task, eta, coarse)?;
-        if let Some(lambda) = rubbing.root() {
+        if let Some(lambda) = rubbing.solved() {
             self.examine(layer, task, lambda, &mut rubbing, coarse.and_then(Rubbing::root))?;
         }
         self.rubbed = Some((b, eta, rubbing.clone()));
@@ -340,12 +352,12 @@ impl Stage {
                 let root = Root { lambda, branch, slope: f64::NAN, doubt: f64::NAN };
                 let rubbing = Rubbing::expected(root, b, true);
                 let rubbing = rubbing.traced(curve.shear.trace(curve.normal.mean()));
-                let Some((x, load)) = checks::overload(curve.normal, curve.shear) else { return Ok(rubbing) };
+                let Some((x, load)) = checks::overload(curve.normal, curve.shear, eta) else { return Ok(rubbing) };
                 let what = format!("|q| reaches {load:.3} eta p at x = {x:.4} b inside the stick zone");
                 failure = failure.or(Some(rubbing.failing(what)));
             }
         }
-        let nothing = Root { lambda: FrictionCurve::narrowest(), branch: 1.0, slope: f64::NAN, doubt: f64::NAN };
+        let nothing = Root { lambda: -FrictionCurve::WIDEST, branch: 1.0, slope: f64::NAN, doubt: f64::NAN };
         let lost = || Rubbing { verdict: Verdict::None, ..Rubbing::expected(nothing, b, true) };
         Ok(failure.unwrap_or_else(lost))
     }
@@ -393,12 +405,27 @@ impl Stage {
 
     /// [`Self::rub`], from the beginning.
     fn find(&mut self, layer: &Layer, task: Task, eta: f64, coarse: Option<&Rubbing>) -> Result<Rubbing, Refusal> {
+        if coarse.is_some_and(|coarse| coarse.verdict == Verdict::Sticks)
+            && let (lambda, least) = self.stick(layer, task)?
+            && least.abs() < eta
+        {
+            return Ok(Rubbing::sticking(self.normal.half_width, lambda, false));
+        }
         self.refresh(layer);
         let known = coarse.filter(|coarse| !coarse.found.roots.is_empty());
         match known.map(|coarse| self.followed(layer, task, eta, coarse)).transpose()?.flatten() {
             Some(rubbing) => Ok(rubbing),
             None => self.scan(layer, task, eta),
         }
+    }
+
+    /// The widest stick zone that this resolution can tell from all of the contact, and the friction coefficient that belongs to it, with
+    /// the sign of the shear there: everything sticks with more. Leaves the shear.
+    pub(crate) fn stick(&mut self, layer: &Layer, task: Task) -> Result<(f64, f64), Refusal> {
+        self.refresh(layer);
+        let mut curve = self.curve(layer, task);
+        let widest = curve.widest();
+        Ok((widest, curve.at(widest)?))
     }
 
     /// Stick zones known roughly, found at this resolution to the tolerance; `None` where the one reported is lost.
@@ -417,7 +444,8 @@ impl Stage {
         let Some(chosen) = chosen else { return Ok(None) };
         let zone = StickZone::from_log(found.roots[chosen].lambda, self.normal.half_width);
         let checked = known.checked;
-        Ok(Some(Rubbing { zone, verdict: Verdict::Holds, found, chosen, scanned: false, checked, shear: None }))
+        let (verdict, is_full) = (Verdict::Holds, false);
+        Ok(Some(Rubbing { zone, verdict, is_full, found, chosen, scanned: false, checked, shear: None }))
     }
 
     /// Looks for all stick zones, and for the first that holds where there are several.
@@ -427,21 +455,25 @@ impl Stage {
             Some((half_width, samples)) if half_width.to_bits() == b.to_bits() => samples,
             _ => self.curve(layer, task).sample()?,
         };
-        let found = self.curve(layer, task).roots(eta, &samples)?;
+        let mut curve = self.curve(layer, task);
+        let (found, sees_all) = (curve.roots(eta, &samples)?, curve.sees_all());
         self.curve = Some((b, samples));
         let curve = self.curve(layer, task);
         let (lambda, verdict) = match found.roots.first() {
             Some(root) => (root.lambda, Verdict::Holds),
             None if found.largest < NO_SHEAR * eta => (0.0, Verdict::NoShear),
-            None if found.narrower => (FrictionCurve::narrowest(), Verdict::TooNarrow),
+            None if found.narrower => (-FrictionCurve::WIDEST, Verdict::TooNarrow),
+            None if found.wider && sees_all => (curve.widest(), Verdict::Sticks),
             None if found.wider => (curve.widest(), Verdict::TooWide),
-            None => (FrictionCurve::narrowest(), Verdict::None),
+            None => (-FrictionCurve::WIDEST, Verdict::None),
         };
         let zone = match verdict {
             Verdict::NoShear => StickZone { half_width: b, slip_width: 0.0 },
             _ => StickZone::from_log(lambda, b),
         };
-        let mut rubbing = Rubbing { zone, verdict, found, chosen: 0, scanned: true, checked: false, shear: None };
+        let is_full = verdict == Verdict::Sticks;
+        let mut rubbing =
+            Rubbing { zone, verdict, is_full, found, chosen: 0, scanned: true, checked: false, shear: None };
         if rubbing.found.roots.len() > 1 {
             self.choose(layer, task, &mut rubbing)?;
         }
@@ -550,8 +582,15 @@ impl Stage {
             rubbing.report(&mut outcome.numbers);
             return Ok(changed);
         }
-        let lambda = (rubbing.zone.half_width / rubbing.zone.slip_width).ln();
-        let finite = lambda.clamp(FrictionCurve::narrowest(), -FrictionCurve::narrowest());
+        let lambda = rubbing.zone.log();
+        if rubbing.verdict == Verdict::Sticks {
+            self.curve(layer, task).at_or_near(lambda, KNOWN)?;
+            if let Some(what) = self.overload(eta) {
+                rubbing.verdict = Verdict::Fails(what);
+            }
+            return Ok(false);
+        }
+        let finite = lambda.clamp(-FrictionCurve::WIDEST, FrictionCurve::WIDEST);
         let friction = self.curve(layer, task).at(finite)?;
         let shear = self.shear.as_mut().expect("room for the shear was made with friction");
         let sliding = eta.copysign(friction);
@@ -578,7 +617,8 @@ impl Stage {
         outcome: &Outcome,
         of_pressure: f64,
     ) -> Result<Option<f64>, Refusal> {
-        let is_solved = |rubbing: &&Rubbing| matches!(rubbing.verdict, Verdict::Holds | Verdict::Fails(_));
+        let is_solved =
+            |rubbing: &&Rubbing| matches!(rubbing.verdict, Verdict::Holds | Verdict::Sticks | Verdict::Fails(_));
         let found = outcome.rubbing.as_ref().filter(is_solved).filter(|_| !task.problem.is_linear);
         let shear = self.shear.as_mut().filter(|shear| shear.is_solved);
         let Some((shear, found)) = shear.zip(found) else { return Ok(None) };
@@ -592,12 +632,18 @@ impl Stage {
         Some(apart_from_twin(own, other, &self.normal))
     }
 
+    /// Where the shear solved last is more than a friction coefficient bears, though everything sticks.
+    pub(crate) fn overload(&self, eta: f64) -> Option<String> {
+        let (x, load) = checks::overload(&self.normal, self.shear.as_ref()?, eta)?;
+        Some(format!("where everything sticks |q| reaches {load:.3} eta p at x = {x:.4} b"))
+    }
+
     /// The condition of friction that the stick zone solved last fails, and where.
     fn violation(&mut self, layer: &Layer, problem: &Problem) -> Option<String> {
         let (normal, shear) = (&mut self.normal, self.shear.as_ref()?);
         let direction = if shear.friction < 0.0 { "outward" } else { "inward" };
         let ratio = shear.zone.ratio();
-        if let Some((x, load)) = checks::overload(normal, shear) {
+        if let Some((x, load)) = checks::overload(normal, shear, shear.friction.abs()) {
             return Some(format!(
                 "with {direction} slip and a/b = {ratio:.6}, |q| reaches {load:.3} eta p at x = {x:.4} b inside the \
                  stick zone"
@@ -615,6 +661,7 @@ impl Rubbing {
         Self {
             zone: StickZone::from_log(root.lambda, half_width),
             verdict: Verdict::Holds,
+            is_full: false,
             found: Found::only(root),
             chosen: 0,
             scanned: false,
@@ -623,9 +670,21 @@ impl Rubbing {
         }
     }
 
+    /// Everything sticks, but for less than can be told beside that zone.
+    pub(crate) fn sticking(half_width: f64, lambda: f64, checked: bool) -> Self {
+        let zone = StickZone::from_log(lambda, half_width);
+        let (verdict, is_full) = (Verdict::Sticks, true);
+        Self { zone, verdict, is_full, found: Found::default(), chosen: 0, scanned: false, checked, shear: None }
+    }
+
     /// The root reported, where there is one that may hold.
     pub(crate) fn reported(&self) -> Option<Root> {
         (self.verdict == Verdict::Holds).then(|| self.found.roots[self.chosen])
+    }
+
+    /// `lambda` of the zone whose shear is that of the contact.
+    fn solved(&self) -> Option<f64> {
+        if self.is_full { Some(self.zone.log()) } else { self.root() }
     }
 
     /// `lambda` of that root.
@@ -638,6 +697,11 @@ impl Rubbing {
         self.checked
     }
 
+    /// The condition that it fails.
+    pub(crate) fn failure(&self) -> Option<&str> {
+        if let Verdict::Fails(what) = &self.verdict { Some(what) } else { None }
+    }
+
     /// The same, found to fail a condition.
     pub(crate) fn failing(self, what: String) -> Self {
         Self { verdict: Verdict::Fails(what), ..self }
@@ -648,11 +712,17 @@ impl Rubbing {
         Self { shear: Some(shear), ..self }
     }
 
+    /// The stick zone, all of the contact where everything sticks.
+    pub(crate) fn reported_zone(&self) -> StickZone {
+        if self.is_full { StickZone { half_width: self.zone.contact(), slip_width: 0.0 } } else { self.zone }
+    }
+
     /// Adds the zone to the numbers reported.
     pub(crate) fn report(&self, numbers: &mut Numbers) {
-        numbers.set(Quantity::StickHalfWidth, self.zone.half_width);
-        numbers.set(Quantity::StickRatio, self.zone.ratio());
-        numbers.set(Quantity::OneMinusRatio, self.zone.one_minus_ratio());
+        let zone = self.reported_zone();
+        numbers.set(Quantity::StickHalfWidth, zone.half_width);
+        numbers.set(Quantity::StickRatio, zone.ratio());
+        numbers.set(Quantity::OneMinusRatio, zone.one_minus_ratio());
     }
 }
 

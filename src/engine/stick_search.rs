@@ -10,8 +10,8 @@ use basin::{RootError, Toms748Root};
 use slipzone_api::{Component, Refusal, Station};
 use std::f64::consts::PI;
 
-/// `lambda = ln(a/(b - a))` of the stick zones looked for is within this: `a/b` or `1 - a/b` down to 7e-13.
-const WIDEST: f64 = 28.0;
+/// See [`FrictionCurve::WIDEST`].
+const WIDEST: f64 = FrictionCurve::WIDEST;
 /// Where the curve follows its asymptotes, seen from a contact that is narrow beside the layer: the
 /// corrections fall like `exp(2 lambda)` below and `lambda exp(-lambda)` above.
 const ASYMPTOTIC: (f64, f64) = (-4.0, 5.0);
@@ -91,7 +91,7 @@ impl FrictionCurve<'_> {
     /// [`Self::at`], unless the zone solved last is this one to within a relative error of its widths.
     pub(crate) fn at_or_near(&mut self, lambda: f64, error: f64) -> Result<(), Refusal> {
         let last = self.shear.zone;
-        let is_near = ((last.half_width / last.slip_width).ln() - lambda).abs() < error;
+        let is_near = (last.log() - lambda).abs() < error;
         let is_here = (last.contact() / self.normal.half_width - 1.0).abs() < 4.0 * f64::EPSILON;
         if !(self.shear.is_solved && is_near && is_here) {
             self.at(lambda)?;
@@ -104,9 +104,12 @@ impl FrictionCurve<'_> {
         (-(RESOLVED * self.normal.finest_gap()).ln()).min(WIDEST)
     }
 
-    /// `lambda` of the narrowest stick zone looked for.
-    pub(crate) fn narrowest() -> f64 {
-        -WIDEST
+    /// `lambda = ln(a/(b - a))` of the stick zones looked for is within this: `a/b` or `1 - a/b` down to 7e-13.
+    pub(crate) const WIDEST: f64 = 28.0;
+
+    /// Whether the resolution tells all zones that are looked for.
+    pub(crate) fn sees_all(&self) -> bool {
+        self.widest() >= Self::WIDEST
     }
 
     /// `d(1/eta)/d lambda` for a narrow stick zone: `-2/(pi beta')`, with the strain that the pressure causes

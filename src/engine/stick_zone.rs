@@ -19,6 +19,11 @@ impl StickZone {
         Self { half_width: b / (1.0 + (-lambda).exp()), slip_width: b / (1.0 + lambda.exp()) }
     }
 
+    /// What it is made from.
+    pub(crate) fn log(self) -> f64 {
+        (self.half_width / self.slip_width).ln()
+    }
+
     /// How near to the contact's edge the shear under a sharp one may be out of all proportion, over the half-width.
     pub(crate) const NEAR: f64 = 0.01;
 

@@ -64,7 +64,7 @@ fn objection(problem: &Problem, stage: &mut Stage, judged: &Judged, tolerance: f
 /// What is to be said against a stick zone.
 fn of_stick(rubbing: &Rubbing) -> Option<(Status, String)> {
     match &rubbing.verdict {
-        Verdict::Holds | Verdict::NoShear => None,
+        Verdict::Holds | Verdict::Sticks | Verdict::NoShear => None,
         Verdict::Fails(what) => {
             let why = format!("no stick zone satisfies the conditions of friction: {what}");
             Some((Status::AssumptionViolated, why))

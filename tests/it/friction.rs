@@ -3,6 +3,7 @@
 use crate::sketch::Sketch;
 use slipzone::api::reference::partial_slip;
 use slipzone::engine::{Slip, Solution, Status};
+use std::f64::consts::PI;
 
 #[test]
 fn half_plane_follows_spence() {
@@ -125,4 +126,44 @@ fn a_pole_of_the_friction_curve_is_no_stick_zone() {
     let shear = solution.profile.shear.expect("friction");
     let largest = shear.iter().flatten().fold(0.0_f64, |most, q| most.max(q.abs()));
     assert!(largest < 10.0, "|q| = {largest} under a mean pressure of 0.5");
+}
+
+/// Everything sticks where friction is far above what that takes. On a half-plane without the shear's effect on the pressure
+/// `q = beta p(x)/pi ln((b + x)/(b - x))` under a flat punch, the odd density whose Hilbert transform is `-beta p`; a growing contact
+/// is a stack of such.
+#[test]
+fn everything_sticks_as_in_closed_form() {
+    let beta = 2.0 / 7.0;
+    let [flat, grown] = [Sketch::half_plane(0.3).rubbing(10.0), Sketch::half_plane(0.3).cylinder().rubbing(10.0)];
+    let [flat, grown] = [flat, grown].map(|sketch| sketch.solve());
+    for solution in [&flat, &grown] {
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+        let stick = solution.stick.as_ref().expect("friction");
+        assert_eq!((stick.ratio, stick.one_minus_ratio, stick.slip), (Some(1.0), Some(0.0), None));
+        assert_eq!(stick.half_width, solution.load.half_width);
+    }
+    // Of a cylinder dP = 2 P b' db'/b^2, and b' = x cosh(t): by the midpoint rule, in s with t = s^2 against the logarithm.
+    let of_stack = |x: f64, b: f64, force: f64| {
+        let (end, steps) = ((b / x).acosh().sqrt(), 20_000);
+        let slice = |s: f64| -2.0 * (0.5 * s * s).tanh().ln() * (s * s).cosh() * 2.0 * s;
+        let sum: f64 = (0..steps).map(|i| slice(end * (f64::from(i) + 0.5) / f64::from(steps))).sum();
+        2.0 * beta * force * x / (PI * b).powi(2) * sum * end / f64::from(steps)
+    };
+    for (solution, tolerance) in [(flat, 1e-8), (grown, 2e-6)] {
+        let (b, force) = (solution.load.half_width.unwrap(), solution.load.force.unwrap());
+        let error = solution.error.each["profile.shear"];
+        assert!(error <= tolerance * 1.1, "{error:e}");
+        let shear = solution.profile.shear.as_ref().expect("friction");
+        let pairs = solution.profile.x.iter().zip(shear).filter_map(|(x, q)| Some((*x, (*q)?)));
+        let exact = |x: f64| {
+            let flat = beta * force / (PI * PI * (b * b - x * x).sqrt()) * ((b + x) / (b - x)).ln();
+            if solution.edge.ratio == Some(0.0) { of_stack(x, b, force) } else { flat }
+        };
+        let inside: Vec<(f64, f64)> = pairs.filter(|(x, _)| *x > 0.0 && *x < 0.99 * b).collect();
+        let largest = inside.iter().fold(0.0_f64, |most, (_, q)| most.max(q.abs()));
+        for (x, q) in inside {
+            let apart = (q - exact(x)).abs() / largest;
+            assert!(apart < tolerance, "{apart:e} at {x} of {b}");
+        }
+    }
 }

@@ -17,6 +17,9 @@ pub(super) struct Rubbed {
     of_slope: Vec<f64>,
     /// `+1` where the slip is inward, `-1` where it is outward.
     pub(super) branch: f64,
+    /// Where everything sticks: how much of each function of the half-width there is in the friction coefficient from which on it
+    /// does, with the sign of the shear at the edge.
+    pub(super) of_least: Option<Vec<f64>>,
     /// What the shear lacks in the stick zone, times the half-width.
     pub(super) lack: Sheet,
     /// By how much that moves with `lambda`, here or at a coarser resolution.
@@ -74,6 +77,8 @@ pub(super) struct Member {
     pub(super) lack: Vec<f64>,
     /// By how much that moves with `lambda`: measured, or known well enough before.
     pub(super) moves: Option<Vec<f64>>,
+    /// Where everything sticks: the friction coefficient from which on it does. The shear lacks what it does to that.
+    pub(super) least: Option<f64>,
 }
 
 /// What was found of the members so far.
@@ -83,6 +88,7 @@ pub(super) struct Found {
     branch: f64,
     lack: Vec<Vec<f64>>,
     moves: Vec<Vec<f64>>,
+    least: Vec<f64>,
     /// What a coarser resolution knows of the moves, and by how much those measured last differ from it, relative.
     known: Option<Arc<Moves>>,
     doubt: f64,
@@ -98,6 +104,7 @@ impl Found {
             branch: 1.0,
             lack: Vec::new(),
             moves: Vec::new(),
+            least: Vec::new(),
             known,
             doubt,
             checked,
@@ -120,6 +127,7 @@ impl Found {
         self.slope.push(member.root.slope);
         self.lack.push(member.lack);
         self.moves.extend(member.moves);
+        self.least.extend(member.least);
         self.branch.to_bits() == member.root.branch.to_bits()
     }
 
@@ -137,6 +145,7 @@ impl Found {
             of_slope: blend.coefficients(&self.slope, 1),
             lambda: self.lambda,
             branch: self.branch,
+            of_least: (!self.least.is_empty()).then(|| blend.coefficients(&self.least, 1)),
             lack: Sheet::new(blend.coefficients(&lack, width), width),
             moves: moves.or(self.known),
             checked: self.checked,
@@ -231,7 +240,7 @@ impl Found {
                         make_alike(&mut lack, known);
                         lack.iter_mut().zip(known).for_each(|(lack, moves)| *lack += step * *moves);
                     }
-                    return Ok(Some(Member { root, lack, moves: known }));
+                    return Ok(Some(Member { root, lack, moves: known, least: None }));
                 }
                 before = Some((from.lambda, step, lack));
                 from = root;
@@ -246,7 +255,7 @@ impl Found {
                     self.doubt = doubt(known, &moves, share);
                 }
                 lack.iter_mut().zip(&moves).for_each(|(lack, moves)| *lack += step * moves);
-                return Ok(Some(Member { root: next, lack, moves: Some(moves) }));
+                return Ok(Some(Member { root: next, lack, moves: Some(moves), least: None }));
             }
             before = Some((from.lambda, step, lack));
             from = next;
