@@ -80,7 +80,7 @@ impl DepthProfile {
         let mut profile = Self { sublayers, substrate: substrate(model), ..Self::default() };
         let count = (SAMPLES / stretches.len()).clamp(2, MOST);
         for (index, stretch) in stretches.iter().enumerate() {
-            if index > 0 {
+            if index > 0 && !stretch.is_continued {
                 profile.interfaces.push(length * stretch.in_whole(stretch.from));
             }
             profile.sample(stretch, model, length, end, count);

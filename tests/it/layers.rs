@@ -195,6 +195,59 @@ fn tables_pass_through_their_law() {
     assert!(errors[3] < 1e-7, "{errors:?}");
 }
 
+/// A film of a hundredth of the thickness, between two samples of a law that is level elsewhere, was not there at all.
+#[test]
+fn films_and_skins_of_a_formula_are_seen() {
+    let formula = |law: &str| format!("grading = {{ type = \"formula\", modulus = \"{law}\" }}");
+    let film = |shift: &str| formula(&format!("1 - 0.9*exp(-((y - {shift})/0.004)^2)"));
+    let parts = stack(&[(0.26, &film("0.3")), (0.08, &film("0.04")), (0.66, &film("(-0.04)"))]);
+    assert_same_flexibility(&lines(1.0, &film("0.3")), &lines(1.0, &parts));
+    let adhesive = |shift: f64| {
+        formula(&format!("1 - 0.4*(tanh((y + {shift} - 0.3)/0.0004) - tanh((y + {shift} - 0.31)/0.0004))"))
+    };
+    let parts = stack(&[(0.28, &adhesive(0.0)), (0.05, &adhesive(0.28)), (0.67, &adhesive(0.33))]);
+    assert_same_flexibility(&lines(1.0, &adhesive(0.0)), &lines(1.0, &parts));
+    let resonance = |shift: f64| formula(&format!("1 + 9/(1 + ((y + {shift} - 0.6)/1e-5)^2)"));
+    let parts = stack(&[(0.59, &resonance(0.0)), (0.02, &resonance(0.59)), (0.39, &resonance(0.61))]);
+    assert_same_flexibility(&lines(1.0, &resonance(0.0)), &lines(1.0, &parts));
+    let skin = |shift: f64| formula(&format!("1 + 9*exp(-(y + {shift})/1e-4)"));
+    let parts = stack(&[(0.004, &skin(0.0)), (0.996, &skin(0.004))]);
+    assert_same_flexibility(&lines(1.0, &skin(0.0)), &lines(1.0, &parts));
+}
+
+#[test]
+fn interfaces_as_sharp_as_can_be_are_steps() {
+    let step = response(&lines(
+        1.0,
+        &stack(&[
+            (0.3, "grading = { type = \"homogeneous\", modulus = 1.0 }"),
+            (0.7, "grading = { type = \"homogeneous\", modulus = 10.0 }"),
+        ]),
+    ));
+    for kind in ["sigmoid", "error-function"] {
+        for width in [1e-5, 1e-6, 1e-7, 1e-9, 1e-12] {
+            let grading = format!(
+                "grading = {{ type = \"{kind}\", above = 1.0, below = 10.0, centre = 0.3, width = {width:e} }}"
+            );
+            let apart = difference(&*response(&lines(1.0, &grading)), &*step, 1.0);
+            // Softer by the mean of the inverse over the interface: some ten widths.
+            assert!(apart < 30.0 * width + SAME, "{kind}, {width:e}: {apart:e}");
+        }
+    }
+}
+
+#[test]
+fn a_film_that_is_no_solid_is_refused() {
+    for (law, what) in [
+        ("modulus = \"1 - 1.5*exp(-((y - 0.2345)/0.002)^2)\"", "modulus"),
+        ("modulus = \"1 + y\", poisson = \"0.3 + 0.3*exp(-((y - 0.2345)/0.002)^2)\"", "Poisson's ratio"),
+    ] {
+        let text = Sketch::on(lines(1.0, &format!("grading = {{ type = \"formula\", {law} }}"))).text();
+        let error = slipzone::scene::parse("film.toml", &text).expect_err("no elastic solid").to_string();
+        assert!(error.contains("no elastic solid") && error.contains(what), "{error}");
+    }
+}
+
 /// Close to incompressible `beta` is a difference whose rounding grows: what varies there by rounding is no law.
 #[test]
 fn nearly_incompressible_ratios_of_a_table_or_a_formula_are_those_of_the_layer() {

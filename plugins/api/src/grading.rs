@@ -109,6 +109,12 @@ pub trait ModulusLaw: Debug + Send + Sync {
         &[]
     }
 
+    /// Depths, ascending, beside which the law, smooth there, may vary over lengths far shorter than elsewhere: a thin film, a skin. Nothing
+    /// is between two of them that a few dozen samples would miss.
+    fn details(&self) -> &[f64] {
+        &[]
+    }
+
     /// The sublayers of which the law is made, top first, their thicknesses adding up to 1; none where it is no stack.
     /// They are bonded to each other; each has a law over a depth of its own from 0 to 1. All else that a stack tells is
     /// what its sublayers tell.
@@ -126,7 +132,7 @@ pub struct Sublayer {
     pub law: Box<dyn ModulusLaw>,
 }
 
-/// A part of a law without the kinks and jumps that it tells.
+/// A part of a law without the kinks and jumps that it tells, between two of its details.
 #[derive(Clone, Copy, Debug)]
 pub struct Stretch<'l> {
     /// A law that is no stack.
@@ -139,6 +145,8 @@ pub struct Stretch<'l> {
     pub from: f64,
     /// See `from`.
     pub to: f64,
+    /// Whether the law is smooth where it begins.
+    pub is_continued: bool,
 }
 
 impl Stretch<'_> {
@@ -164,7 +172,15 @@ fn collect<'l>(law: &'l dyn ModulusLaw, top: f64, thickness: f64, out: &mut Vec<
         above += sublayer.thickness;
     }
     if law.sublayers().is_empty() {
-        let ends: Vec<f64> = [0.0].into_iter().chain(law.breakpoints().iter().copied()).chain([1.0]).collect();
-        out.extend(ends.windows(2).map(|ends| Stretch { law, top, thickness, from: ends[0], to: ends[1] }));
+        let breaks = law.breakpoints().iter().map(|depth| (*depth, false));
+        let mut ends: Vec<_> = [(0.0, false), (1.0, false)].into_iter().chain(breaks).collect();
+        ends.extend(law.details().iter().map(|depth| (*depth, true)));
+        ends.sort_by(|one, other| one.0.total_cmp(&other.0).then(one.1.cmp(&other.1)));
+        ends.dedup_by_key(|(depth, _)| depth.to_bits());
+        let stretch = |ends: &[(f64, bool)]| {
+            let [(from, is_continued), (to, _)] = [ends[0], ends[1]];
+            Stretch { law, top, thickness, from, to, is_continued }
+        };
+        out.extend(ends.windows(2).map(stretch));
     }
 }

@@ -68,6 +68,9 @@ pub(crate) struct Panels {
 /// what they were are taken for it. Those of a smooth law fall by far more, those of a jump are larger.
 const NOISE: (f64, f64) = (1e-12, 0.3);
 
+/// What of the rounding of a depth, over the thickness of a panel there, is taken for noise.
+const NOISE_OF_DEPTH: f64 = 8.0;
+
 /// The last of the constants, `beta/mu`, is a difference that vanishes where a solid is incompressible: its own rounding is that of
 /// Poisson's ratio, relative to the first, `1/mu`. It is measured by this part of that at least when it is taken for noise.
 const FAINT: f64 = 1e-3;
@@ -94,7 +97,7 @@ impl Panels {
         let mut panels = Self { precision, all: Vec::new(), contrast: 0.0, first_break: 1.0 };
         let mut extremes = (f64::INFINITY, 0.0_f64);
         for stretch in layer.law.stretches() {
-            if !panels.all.is_empty() {
+            if !panels.all.is_empty() && !stretch.is_continued {
                 panels.first_break = panels.first_break.min(stretch.in_whole(stretch.from));
             }
             panels.add(layer, &stretch, |shear| extremes = (extremes.0.min(shear), extremes.1.max(shear)))?;
@@ -125,7 +128,9 @@ impl Panels {
             let fit = Fit::of(layer, law, (start, width), self.precision)?;
             let (top, wide) = (stretch.in_whole(start), width * thickness);
             let is_thinnest = wide <= THINNEST || width <= THINNEST;
-            let is_noise = fit.error < NOISE.0 && fit.error > NOISE.1 * before;
+            // A depth is rounded, too, and a law that varies over the panel with it.
+            let rounding = NOISE.0.max(NOISE_OF_DEPTH * f64::EPSILON * (start + width) / width);
+            let is_noise = fit.error < rounding && fit.error > NOISE.1 * before;
             if !fit.is_smooth && !is_noise && !is_thinnest {
                 let half = 0.5 * width;
                 stack.push((start + half, half, fit.error));

@@ -28,6 +28,7 @@
 
 mod dual;
 mod lexer;
+mod narrow;
 mod parser;
 mod singular;
 mod tape;
@@ -144,5 +145,12 @@ impl Formula {
     /// be missed. A place too many does no harm.
     pub fn singular_points(&self, scale: f64, most: usize) -> Vec<f64> {
         singular::points(&self.tape, scale, most)
+    }
+
+    /// Where on `[0, length]` the formula, analytic there, may vary over less than `length/50`: the step of a hyperbolic tangent,
+    /// the peak of an exponential or of an inverse, the beginning of either at an end. Place and width of each, the first `most`
+    /// of them. A place too many does no harm; what is not seen by the arguments of its functions at a thousand samples is missed.
+    pub fn narrow_places(&self, length: f64, most: usize) -> Vec<(f64, f64)> {
+        narrow::places(&self.tape, length, most)
     }
 }

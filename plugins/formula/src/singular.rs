@@ -126,7 +126,7 @@ fn zeros(tape: &Tape, suspect: &Suspect, scale: f64, samples: &[f64]) -> Vec<f64
 }
 
 /// Where a function changes its sign, to the last bit.
-fn bisect(mut from: f64, mut to: f64, f: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn bisect(mut from: f64, mut to: f64, f: impl Fn(f64) -> f64) -> f64 {
     let is_negative = f(from) < 0.0;
     loop {
         let middle = from + 0.5 * (to - from);

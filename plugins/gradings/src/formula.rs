@@ -1,6 +1,6 @@
 //! A modulus given by a formula.
 
-use crate::thickness;
+use crate::{details, thickness};
 use serde::{Deserialize, Serialize};
 use slipzone_api::taylor::Taylor;
 use slipzone_api::{Fault, Files, Grading, ModulusLaw, Refusal, Setting, Values, short};
@@ -68,7 +68,10 @@ impl Grading for Formula {
         let mut breakpoints: Vec<f64> = kinks.map(|depth| depth / thickness).filter(|d| *d > 0.0 && *d < 1.0).collect();
         breakpoints.sort_unstable_by(f64::total_cmp);
         breakpoints.dedup();
-        let law = Law { formulas, thickness, breakpoints };
+        let narrow = formulas.iter().flat_map(|formula| formula.narrow_places(thickness, MOST_KINKS));
+        let narrow = narrow.map(|(depth, width)| (depth / thickness, width / thickness));
+        let details = details::beside(narrow);
+        let law = Law { formulas, thickness, breakpoints, details };
         if law.is_steep() {
             return Err(Refusal::NotBuilt {
                 what: "a formula with an infinite gradient at the surface, such as a root of y,".into(),
@@ -102,6 +105,7 @@ struct Law {
     formulas: Vec<formula::Formula>,
     thickness: f64,
     breakpoints: Vec<f64>,
+    details: Vec<f64>,
 }
 
 impl Law {
@@ -143,6 +147,10 @@ impl ModulusLaw for Law {
 
     fn breakpoints(&self) -> &[f64] {
         &self.breakpoints
+    }
+
+    fn details(&self) -> &[f64] {
+        &self.details
     }
 }
 

@@ -1,5 +1,6 @@
 //! Gradings: how the elastic constants vary with depth. One file per plugin.
 
+mod details;
 mod error_function;
 mod exponential;
 #[cfg(feature = "formula")]

@@ -70,6 +70,10 @@ impl ModulusLaw for OwnPoisson {
         self.law().breakpoints()
     }
 
+    fn details(&self) -> &[f64] {
+        self.law().details()
+    }
+
     fn sublayers(&self) -> &[Sublayer] {
         &self.sublayers
     }

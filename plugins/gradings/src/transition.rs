@@ -1,7 +1,7 @@
 //! Two materials with a blurred interface between them: what both plugins for it share.
 
 use crate::homogeneous::Constant;
-use crate::thickness;
+use crate::{details, thickness};
 use serde::{Deserialize, Serialize};
 use slipzone_api::taylor::Taylor;
 use slipzone_api::{Finite, ModulusLaw, Positive, Refusal, Setting};
@@ -22,6 +22,9 @@ pub struct Transition {
     pub width: Positive,
 }
 
+/// Narrower than this over the thickness an interface is told of.
+const NARROW: f64 = 0.02;
+
 /// A smooth step from 1 far on the left to 0 far on the right, with `S(z) + S(-z) = 1`.
 pub(crate) trait Step: Debug + Send + Sync + 'static {
     /// `S(z)`, to full relative precision.
@@ -40,7 +43,15 @@ impl Transition {
             return Ok(Box::new(Constant(above)));
         }
         let (top, rate) = (-self.centre.get() / width, thickness / width);
-        Ok(Box::new(Law::<S> { above, below, top, rate, step: PhantomData }))
+        let place = Some((self.centre.get() / thickness, 1.0 / rate)).filter(|(_, width)| *width < NARROW);
+        Ok(Box::new(Law::<S> {
+            above,
+            below,
+            top,
+            rate,
+            details: details::beside(place.into_iter()),
+            step: PhantomData,
+        }))
     }
 }
 
@@ -51,6 +62,7 @@ struct Law<S> {
     below: f64,
     top: f64,
     rate: f64,
+    details: Vec<f64>,
     step: PhantomData<S>,
 }
 
@@ -64,6 +76,10 @@ impl<S: Step> ModulusLaw for Law<S> {
         let (above, below) = S::series(Taylor::line(self.top, self.rate, terms));
         let series = (above * self.above + below * self.below) * self.surface_modulus().recip();
         series.with_value(1.0).into_finite()
+    }
+
+    fn details(&self) -> &[f64] {
+        &self.details
     }
 }
 

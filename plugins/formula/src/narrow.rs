@@ -1,0 +1,87 @@
+//! Where a formula that is analytic varies over a short length: there, the argument of a function that rises or falls fast passes
+//! through zero, or turns around, or begins.
+
+use crate::dual::Dual;
+use crate::singular::bisect;
+use crate::tape::{Function, Step, Tape};
+use std::ops::Range;
+
+/// Samples of each argument: it is no narrower than what is made of it, but far broader as a rule.
+const SAMPLES: i32 = 1024;
+/// Wider than this, over the length, everything is seen anyway; narrower than the second, nothing is to be seen.
+const NARROW: f64 = 0.02;
+const NARROWEST: f64 = 1e-12;
+/// Over which parts of the length a slope's change is looked at: of a parabola, and of a kink.
+const BESIDE: [f64; 2] = [1e-3, 1e-9];
+
+/// How a function varies with its argument.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    /// By its difference to the place: an exponential.
+    Plain,
+    /// Beside zero: a hyperbolic tangent.
+    Step,
+    /// In proportion: an inverse, a root.
+    Scaled,
+}
+
+/// See [`crate::Formula::narrow_places`].
+pub(crate) fn places(tape: &Tape, length: f64, most: usize) -> Vec<(f64, f64)> {
+    let mut found = Vec::new();
+    for (range, kind) in arguments(tape) {
+        look(|x| tape.part(range.clone(), x), kind, length, &mut found);
+    }
+    let is_narrow = |(_, width): &(f64, f64)| *width < NARROW * length && *width > NARROWEST * length;
+    found.retain(is_narrow);
+    found.sort_by(|one, other| one.0.total_cmp(&other.0).then(one.1.total_cmp(&other.1)));
+    found.dedup();
+    found.truncate(most);
+    found
+}
+
+/// The arguments of functions that may vary fast.
+fn arguments(tape: &Tape) -> Vec<(Range<usize>, Kind)> {
+    let of = |(end, step): (usize, &Step)| match step {
+        Step::Divide => Some((tape.operands(end).1, Kind::Scaled)),
+        Step::Power => Some((tape.operands(end).0, Kind::Scaled)),
+        Step::Of(function) => match function {
+            Function::Exp | Function::Sinh | Function::Cosh => Some((tape.operand(end), Kind::Plain)),
+            Function::Tanh | Function::Atan | Function::Asinh => Some((tape.operand(end), Kind::Step)),
+            Function::Sqrt | Function::Cbrt | Function::Ln | Function::Log10 => Some((tape.operand(end), Kind::Scaled)),
+            _ => None,
+        },
+        _ => None,
+    };
+    let varies = |(range, _): &(Range<usize>, Kind)| tape.steps()[range.clone()].contains(&Step::Variable);
+    tape.steps().iter().enumerate().filter_map(of).filter(varies).collect()
+}
+
+/// Adds where an argument passes through zero, turns around or begins, and over which length.
+fn look(u: impl Fn(f64) -> Dual, kind: Kind, length: f64, found: &mut Vec<(f64, f64)>) {
+    let scale = |value: f64| if kind == Kind::Scaled { value.abs() } else { 1.0 };
+    let steep = |x: f64| {
+        let Dual { value, slope } = u(x);
+        (x, scale(value) / slope.abs())
+    };
+    found.extend([0.0, length].map(steep));
+    let mut before = (0.0, u(0.0));
+    for i in 1..=SAMPLES {
+        let x = length * f64::from(i) / f64::from(SAMPLES);
+        let (then, now) = (before.1, u(x));
+        if kind == Kind::Step && then.value * now.value <= 0.0 && then.value != now.value {
+            found.push(steep(bisect(before.0, x, |x| u(x).value)));
+        }
+        if then.slope * now.slope < 0.0 {
+            let turn = bisect(before.0, x, |x| u(x).slope);
+            let size = scale(u(turn).value);
+            // Of a parabola, and of a kink.
+            let [bend, jump] = BESIDE.map(|part| {
+                let beside = part * length;
+                (u(turn + beside).slope - u(turn - beside).slope).abs() / (2.0 * beside)
+            });
+            let of_kink = 1.0 / (jump * BESIDE[1] * length);
+            found.push((turn, (2.0 * size / bend).sqrt().min(size * of_kink)));
+        }
+        before = (x, now);
+    }
+}

@@ -1,0 +1,21 @@
+//! Depths that cut a law beside its narrow places.
+
+/// Lengths from one cut to the next grow by this factor, up to the last, over the thickness.
+const GROWTH: f64 = 4.0;
+const LAST: f64 = 0.1;
+
+/// Cuts beside places of which width and depth are given over the thickness, ever farther from each; ascending, inside the layer.
+pub(crate) fn beside(places: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
+    let mut cuts = Vec::new();
+    for (depth, width) in places {
+        cuts.push(depth);
+        let lengths =
+            std::iter::successors(Some(width), |length| Some(length * GROWTH)).take_while(|length| *length < LAST);
+        cuts.extend(lengths.flat_map(|length| [depth - length, depth + length]));
+    }
+    cuts.retain(|depth| *depth > 0.0 && *depth < 1.0);
+    cuts.sort_by(f64::total_cmp);
+    // Two that all but meet are one.
+    cuts.dedup_by(|next, before| *next - *before < f64::EPSILON);
+    cuts
+}
