@@ -15,7 +15,7 @@ use std::sync::{Arc, LazyLock};
 const PRESSURE_SAMPLES: usize = 32;
 const SHEAR_SAMPLES: usize = 48;
 /// Relative excess that rounding and discretisation may cause.
-const MARGIN: f64 = 1e-3;
+pub(crate) const MARGIN: f64 = 1e-3;
 /// Nodes on either side of the grids on which the slip is integrated.
 const SLIP_NODES: usize = 8;
 /// Nodes on either side of the grids over which the tractions are, more where the slip zone is narrow

@@ -175,6 +175,9 @@ impl Family {
             room: Room::default(),
             meter: Arc::clone(layer.meter()),
         };
+        family.stage.of_slices = true;
+        // What a coarser resolution found to hold is not looked at again.
+        family.stage.is_overloaded = coarse.is_some_and(Family::is_overloaded);
         family.solve(layer, task, contact, coarse)?;
         Ok(family)
     }
@@ -222,7 +225,13 @@ impl Family {
             }
             let asked = !is_first && !known && k % CHECKED == 0;
             if sticks {
-                let member = self.stick_member(layer, task, b, asked)?;
+                let member = match self.stick_member(layer, task, b, asked) {
+                    // At other times slip zones are seen beside the edge, just so: the contact's own is narrower.
+                    Err(Unfit::Friction(_, why)) if why.verdict == Verdict::TooWide => {
+                        return Err(Unfit::Friction(contact, Box::new(why.bounded(contact))));
+                    }
+                    member => member?,
+                };
                 self.keep_pressure(layer, &flat, b)?;
                 found.add(member);
                 continue;
@@ -292,13 +301,12 @@ impl Family {
         self.stage.press(layer, task, b)?;
         let eta = task.problem.friction.expect("friction that sticks");
         let (lambda, least) = self.stage.stick(layer, task)?;
-        let stuck = Rubbing::sticking(b, lambda, asked);
+        let stuck = || Rubbing::sticking(b, lambda, asked);
         if least.abs() >= eta {
-            let what = "beside the contact's edge the surface slips, while it sticks there at other times".into();
-            return Err(Unfit::Friction(b, Box::new(stuck.failing(what))));
+            return Err(Unfit::Friction(b, Box::new(stuck().bounded(b))));
         }
-        if let Some(what) = self.stage.overload(eta).filter(|_| asked) {
-            return Err(Unfit::Friction(b, Box::new(stuck.failing(what))));
+        if asked && let Some(what) = self.stage.overload(eta) {
+            return Err(Unfit::Friction(b, Box::new(stuck().failing(what))));
         }
         let root = Root { lambda, branch: 1.0, slope: f64::NAN, doubt: f64::INFINITY };
         Ok(Member { root, lack: Found::lack(&self.stage, b), moves: None, least: Some(least) })
@@ -324,8 +332,7 @@ impl Family {
     /// Checks the conditions of friction under some of the members up to a half-width; what the first that fails one
     /// fails.
     pub(crate) fn check(&mut self, layer: &mut Layer, task: Task, half_width: f64) -> Result<Option<String>, Refusal> {
-        let half_widths = self.blend.half_widths().to_vec();
-        for b in [half_width].into_iter().chain(half_widths.into_iter().filter(|b| *b < half_width).step_by(CHECKED)) {
+        for b in self.looked_at(half_width) {
             let flat = member(task.problem, b, true);
             let task = Task { problem: &flat, ..task };
             if self.sticks() {
@@ -446,6 +453,17 @@ impl Family {
     /// Friction coefficient, negative where the slip is outward.
     pub(crate) fn signed_friction(&self) -> f64 {
         self.rubbed.as_ref().map_or(0.0, |rubbed| rubbed.branch) * self.friction.unwrap_or(0.0)
+    }
+
+    /// Whether friction does not bear one of its members by itself.
+    pub(crate) fn is_overloaded(&self) -> bool {
+        self.stage.is_overloaded
+    }
+
+    /// Half-widths at which a contact that grew so wide is looked at.
+    pub(crate) fn looked_at(&self, half_width: f64) -> Vec<f64> {
+        let narrower = self.blend.half_widths().iter().copied().filter(|b| *b < half_width);
+        [half_width].into_iter().chain(narrower.step_by(CHECKED)).collect()
     }
 
     /// Whether the conditions of friction were found to hold under its members.

@@ -1,6 +1,7 @@
 //! A contact that grows with the load, solved as a stack of flat punches: under friction, which remembers how it grew, and
 //! under shapes that are not analytic.
 
+use super::checks::MARGIN;
 use super::contact_size::{self, Size};
 use super::family::{Family, Unfit, during};
 use super::layer::Layer;
@@ -12,6 +13,7 @@ use super::stage::{Outcome, Rubbing, Task, Verdict, normal_numbers, peak};
 use super::strain::Strain;
 use super::work::Work;
 use slipzone_api::{Quadrature, Refusal, Station};
+use std::f64::consts::PI;
 
 /// By how much a family is wider than the contact expected: beside a size known from a coarser resolution, and beside a
 /// guess; and how often it is widened when that was not enough.
@@ -342,7 +344,7 @@ impl Growing {
         let at = TRACED.map(|part| zone.in_contact(own(part)));
         self.pressure_into(problem, normal, &at, &mut pressure);
         let mean = self.force / (2.0 * b);
-        let shear = std::array::from_fn(|i| (self.sliding(problem, at[i].x, pressure[i]) - lack[i]) / mean);
+        let shear = std::array::from_fn(|i| (self.sliding(problem, b, at[i].x, pressure[i]) - lack[i]) / mean);
         if sticks {
             // What slides is as much as the resolution makes it.
             return Ok(rubbing.traced(ShearTrace::new(shear, shear, friction)));
@@ -383,13 +385,41 @@ impl Growing {
     /// Checks the conditions of friction where no coarser resolution has.
     pub(crate) fn settle(&mut self, layer: &mut Layer, task: Task, outcome: &mut Outcome) -> Result<(), Refusal> {
         let (Some(family), Some(rubbing)) = (&mut self.family, &mut outcome.rubbing) else { return Ok(()) };
-        if !matches!(rubbing.verdict, Verdict::Holds | Verdict::Sticks) || family.is_checked() {
+        if !matches!(rubbing.verdict, Verdict::Holds | Verdict::Sticks) {
             return Ok(());
         }
-        if let Some(what) = family.check(layer, task, self.half_width)? {
+        let failed = if family.is_checked() { None } else { family.check(layer, task, self.half_width)? };
+        let is_overloaded = family.is_overloaded();
+        if let Some(what) = failed.or_else(|| if is_overloaded { self.overload(task.problem) } else { None }) {
             *rubbing = rubbing.clone().failing(what);
         }
         Ok(())
+    }
+
+    /// Where and when friction does not bear the shear of the contact as it grew.
+    fn overload(&mut self, problem: &Problem) -> Option<String> {
+        /// Points of the stick zone, denser at its end.
+        const POINTS: usize = 16;
+        let (family, friction) = (self.family.as_ref()?, problem.friction?);
+        family.looked_at(self.half_width).into_iter().filter(|b| *b > problem.face()).find_map(|b| {
+            let a = self.family.as_ref()?.zone(b).half_width;
+            (1..POINTS).find_map(|i| {
+                let x = a * (0.5 * PI * i as f64 / POINTS as f64).sin();
+                let (family, stack) = self.family.as_mut().zip(self.stack.as_ref())?;
+                let p = stack.pressure(problem, family, b, x);
+                let q = self.sliding(problem, b, x, p) - self.lack(problem, b, x);
+                let load = q.abs() / (friction * p);
+                let at = x / b;
+                let what = if p < 0.0 {
+                    format!("the pressure pulls at x = {at:.4} b")
+                } else if load > 1.0 + MARGIN {
+                    format!("|q| reaches {load:.3} eta p at x = {at:.4} b inside the stick zone")
+                } else {
+                    return None;
+                };
+                Some(during(problem, b, &what))
+            })
+        })
     }
 
     /// Pressure at points strictly inside the contact.
@@ -414,29 +444,29 @@ impl Growing {
         }
         let (Some(family), Some(_), None) = (&self.family, &self.stack, &self.broken) else { return None };
         problem.friction?;
-        let zone = family.zone(self.half_width);
+        let (b, zone) = (self.half_width, family.zone(self.half_width));
         let one = |(at, p): (&Station, &f64)| {
             let x = at.x.abs();
             if x == 0.0 {
                 return 0.0;
             }
-            let lack = if x < zone.half_width { self.lack(problem, x) } else { 0.0 };
-            (self.sliding(problem, x, *p) - lack) * 1.0_f64.copysign(at.x)
+            let lack = if x < zone.half_width { self.lack(problem, b, x) } else { 0.0 };
+            (self.sliding(problem, b, x, *p) - lack) * 1.0_f64.copysign(at.x)
         };
         Some(at.iter().zip(pressure).map(one).collect())
     }
 
     /// What the shear at a point of the stick zone lacks to what slides, see [`Self::sliding`].
-    fn lack(&mut self, problem: &Problem, x: f64) -> f64 {
+    fn lack(&mut self, problem: &Problem, b: f64, x: f64) -> f64 {
         let (family, stack) = self.family.as_mut().zip(self.stack.as_ref()).expect("provided before");
-        stack.lack(problem, family, self.half_width, x)
+        stack.lack(problem, family, b, x)
     }
 
-    /// What the shear at a point would be if all slid, where the pressure is `pressure`; where everything sticks, with as much friction
+    /// What the shear at a point of a contact so wide would be if all slid, where the pressure is `pressure`; where everything sticks, with as much friction
     /// under each flat punch as that asks for.
-    fn sliding(&mut self, problem: &Problem, x: f64, pressure: f64) -> f64 {
+    fn sliding(&mut self, problem: &Problem, b: f64, x: f64, pressure: f64) -> f64 {
         let (family, stack) = self.family.as_mut().zip(self.stack.as_ref()).expect("provided before");
-        let (b, friction) = (self.half_width, family.sliding(self.half_width));
+        let friction = family.sliding(b);
         friction * pressure + if family.sticks() { stack.slides_beside(problem, family, b, x) } else { 0.0 }
     }
 

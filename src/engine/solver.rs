@@ -348,8 +348,8 @@ impl Solver {
         let tolerance = self.chosen.scene.solver.tolerance.get();
         let Self { chosen, problem, layer, ladder, judged, .. } = self;
         let judged = judged.as_ref()?;
-        // A few take less by themselves than all the flat punches that they are made of.
-        if !problem.is_stacked() && loads.len() <= FEW {
+        // A strain that is prescribed has no history; a few take less by themselves than all the flat punches that they are made of.
+        if problem.is_linear || !problem.is_stacked() && loads.len() <= FEW {
             return None;
         }
         let (status, reason) = verdict(problem, ladder.stage(judged.stage), judged, tolerance);

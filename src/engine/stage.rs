@@ -35,6 +35,10 @@ pub(crate) struct Stage {
     /// Of a contact that grows with the load.
     pub(crate) growing: Option<Box<Growing>>,
     slip_check: SlipCheck,
+    /// Whether it solves slices of contacts that grow. Friction bears their sum: it need not bear each of them.
+    pub(crate) of_slices: bool,
+    /// Whether it does not bear one of those examined.
+    pub(crate) is_overloaded: bool,
     /// The friction curve, and the half-width that it belongs to: it depends on no load.
     curve: Option<(f64, Samples)>,
     /// The stick zones found last, and the half-width and the friction coefficient that they belong to: they
@@ -154,6 +158,8 @@ impl Stage {
             shear,
             growing,
             slip_check: SlipCheck::default(),
+            of_slices: false,
+            is_overloaded: false,
             curve: None,
             rubbed: None,
             shown: None,
@@ -633,9 +639,10 @@ impl Stage {
     }
 
     /// Where the shear solved last is more than a friction coefficient bears, though everything sticks.
-    pub(crate) fn overload(&self, eta: f64) -> Option<String> {
+    pub(crate) fn overload(&mut self, eta: f64) -> Option<String> {
         let (x, load) = checks::overload(&self.normal, self.shear.as_ref()?, eta)?;
-        Some(format!("where everything sticks |q| reaches {load:.3} eta p at x = {x:.4} b"))
+        self.is_overloaded = true;
+        (!self.of_slices).then(|| format!("where everything sticks |q| reaches {load:.3} eta p at x = {x:.4} b"))
     }
 
     /// The condition of friction that the stick zone solved last fails, and where.
@@ -644,10 +651,13 @@ impl Stage {
         let direction = if shear.friction < 0.0 { "outward" } else { "inward" };
         let ratio = shear.zone.ratio();
         if let Some((x, load)) = checks::overload(normal, shear, shear.friction.abs()) {
-            return Some(format!(
-                "with {direction} slip and a/b = {ratio:.6}, |q| reaches {load:.3} eta p at x = {x:.4} b inside the \
-                 stick zone"
-            ));
+            self.is_overloaded = true;
+            if !self.of_slices {
+                return Some(format!(
+                    "with {direction} slip and a/b = {ratio:.6}, |q| reaches {load:.3} eta p at x = {x:.4} b inside \
+                     the stick zone"
+                ));
+            }
         }
         self.slip_check.wrong_slip(layer, problem, normal, shear).map(|x| {
             format!("with {direction} slip and a/b = {ratio:.6}, the surface slides the other way at x = {x:.4} b")
@@ -695,6 +705,12 @@ impl Rubbing {
     /// Whether the root reported is known to satisfy the conditions of friction.
     pub(crate) fn is_checked(&self) -> bool {
         self.checked
+    }
+
+    /// A stick zone of which no more is told than that it is at least as wide, in a contact of that half-width.
+    pub(crate) fn bounded(self, half_width: f64) -> Self {
+        let zone = StickZone::from_log(self.zone.log(), half_width);
+        Self { zone, verdict: Verdict::TooWide, is_full: false, ..self }
     }
 
     /// The condition that it fails.

@@ -167,3 +167,29 @@ fn everything_sticks_as_in_closed_form() {
         }
     }
 }
+
+/// Under a stiff layer on a soft half-plane each slice presses little in the middle: what was pressed there before bears the shear. Some loads
+/// were said to break the conditions of friction, others, larger ones with the same history, were not; or another of two stick zones was
+/// told.
+#[test]
+fn friction_bears_what_grew_and_not_each_slice_of_it() {
+    let stiff = "thickness = 1.0\npoisson = 0.3\nbase = { type = \"half-plane\", shear = 0.161, poisson = 0.3 }\n\
+        grading = { type = \"exponential\", surface = 1.0, base = 2.148 }";
+    let mut before = 0.0;
+    for half_width in ["0.9", "1.0", "1.1", "1.2", "1.5", "2.0"] {
+        let sketch = Sketch::on(stiff).cylinder().loaded(&format!("half_width = {half_width}")).rubbing(0.79);
+        let solution = sketch.with("[solver]\ntolerance = 1e-5").solve();
+        assert_eq!(solution.status, Status::Converged, "{half_width}: {:?}", solution.reason);
+        let (shear, pressure) = (solution.profile.shear.as_ref().expect("friction"), &solution.profile.pressure);
+        let worst = shear.iter().zip(pressure).filter_map(|(q, p)| Some((*q)?.abs() / (0.79 * (*p)?)));
+        let worst = worst.filter(|load| load.is_finite()).fold(0.0, f64::max);
+        assert!(worst < 1.0 + 1e-3, "{worst} at {half_width}");
+        let ratio = solution.stick.and_then(|stick| stick.ratio).expect("a stick zone");
+        assert!(ratio > before, "{ratio} after {before}");
+        before = ratio;
+    }
+    // Where the sum is too much it is told.
+    let soft = Sketch::flat(0.3, 1.0, 0.45).cylinder().rubbing(0.05).with("[solver]\ntolerance = 1e-5").solve();
+    assert_eq!(soft.status, Status::AssumptionViolated, "{:?}", soft.reason);
+    assert!(soft.reason.as_ref().is_some_and(|reason| reason.contains("eta p")), "{:?}", soft.reason);
+}

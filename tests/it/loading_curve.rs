@@ -122,6 +122,24 @@ fn points_on_the_way_are_results_of_their_loads() {
     assert!(solver.solve().path.is_none(), "and by that alone");
 }
 
+/// A strain that is prescribed has no history: flat punches tell nothing of its stick zones. (They told another ratio at all
+/// loads but the last.)
+#[test]
+fn stick_zones_of_a_prescribed_strain_are_those_of_their_loads() {
+    let sketch = |load: &str| {
+        let punch = "[friction]\ntype = \"goodman\"\ncoefficient = 0.3\nstrain = \"linear\"\n";
+        let text = Sketch::flat(5.0, 8.0, 0.3).cylinder().loaded(load).with("[solver]\ntolerance = 1e-4").text();
+        slipzone::scene::parse("linear.toml", &text.replace("[load]", &format!("{punch}[load]"))).expect("a scene")
+    };
+    let walked = solve(&sketch("until = { force = 0.1, points = 8 }"));
+    let ratios = full(curve(&walked).stick_ratio.as_deref().expect("friction"));
+    for (i, ratio) in ratios.into_iter().enumerate() {
+        let force = curve(&walked).force[i].expect("given");
+        let alone = solve(&sketch(&format!("force = {force:?}"))).stick.and_then(|stick| stick.ratio).expect("a zone");
+        assert!((ratio / alone - 1.0).abs() < 3e-4, "{ratio} and {alone} at {force}");
+    }
+}
+
 #[test]
 fn a_cylinder_on_a_half_plane_follows_hertz() {
     let scene = Sketch::half_plane(0.3).cylinder().loaded("path = { force = [1e-6, 0.01, 0.1, 0.2] }");
