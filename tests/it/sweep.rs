@@ -577,3 +577,53 @@ fn the_error_of_an_answer_has_no_unit() {
     let (small, large) = (error("force = 1e-6"), error("force = 1e6"));
     assert!((small / large - 1.0).abs() < 0.1, "{small}, {large}");
 }
+
+/// Neither data nor scene nor study is given away for a result.
+#[test]
+fn no_result_takes_the_place_of_what_the_study_reads() {
+    const PROFILE: &str = "x, height\n0, 0\n1, 0.1\n2, 0.4\n3, 0.9\n4, 1.6\n";
+    let table = GOOD
+        .replace("type = \"flat\"\nhalf_width = 1.0", "type = \"table\"\nfile = \"out/results.csv\"")
+        .replace("force = 1.0", "half_width = 1.0");
+    let study =
+        "format = 1\nscene = \"SCENE\"\n[[axes]]\nfield = \"layer.thickness\"\nvalues = [4.0, 5.0]\n".to_owned();
+    let cases = [
+        ("study.toml", "table.toml", "out/results.csv", PROFILE),
+        ("study.toml", "out/results.jsonl", "out/results.jsonl", GOOD),
+        ("out/journal.jsonl", "../good.toml", "out/journal.jsonl", ""),
+    ];
+    for (name, scene, kept, text) in cases {
+        let folder = crate::run::folder();
+        let path = |name: &str| folder.path().join(name);
+        let study = study.replace("SCENE", scene);
+        let text = if text.is_empty() { &study } else { text };
+        fs::create_dir(path("out")).unwrap();
+        fs::write(path("table.toml"), &table).unwrap();
+        fs::write(path(kept), text).unwrap();
+        fs::write(path(name), &study).unwrap();
+        let output = run(folder.path(), ["sweep", name, "--out", "out"]);
+        assert_eq!(output.status.code(), Some(2), "{kept}: {}", told(&output));
+        assert!(told(&output).contains(&format!("would overwrite {kept}, which the study reads")), "{}", told(&output));
+        assert_eq!(fs::read_to_string(path(kept)).unwrap(), *text, "{kept}");
+    }
+}
+
+#[cfg(feature = "plot")]
+#[test]
+fn a_figure_that_is_not_drawn_is_no_result() {
+    let plot =
+        |file: &str, y: &str| format!("[[plots]]\nfile = \"{file}\"\nx = \"friction.coefficient\"\ny = \"{y}\"\n");
+    let scene = GOOD.replace("thickness = 5.0\n", "base = { type = \"infinite\" }\n");
+    let scene =
+        scene.replace("type = \"exponential\", surface = 1.0, base = 8.0", "type = \"homogeneous\", modulus = 1.0");
+    let folder = folder_with(
+        &(STUDY[..STUDY.rfind("[[axes]]").unwrap()].to_owned()
+            + &plot("drawn.svg", "stick.ratio")
+            + &plot("none.svg", "load.indentation")),
+    );
+    fs::write(folder.path().join("good.toml"), scene).unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert!(told(&output).contains("none.svg was not drawn"), "{}", told(&output));
+    let summary = String::from_utf8(output.stdout).unwrap();
+    assert!(summary.contains("drawn.svg") && !summary.contains("none.svg"), "{summary}");
+}
