@@ -410,7 +410,7 @@ fn the_studies_among_the_examples_run() {
 
 /// The question of a study, asked by the library.
 fn found(scene: &str, find: &str) -> Value {
-    let text = format!("format = 1\n[find]\n{find}\n[scene]\n{}", scene.replace('[', "[scene."));
+    let text = format!("format = 1\n[find]\n{find}\n[scene]\n{}", scene.replace("\n[", "\n[scene."));
     let study = Study::parse("study.toml", &text, &NoFiles).unwrap();
     let mut answer = None;
     slipzone::study::sweep(&study, &|_| false, |record| {
@@ -626,4 +626,117 @@ fn a_figure_that_is_not_drawn_is_no_result() {
     assert!(told(&output).contains("none.svg was not drawn"), "{}", told(&output));
     let summary = String::from_utf8(output.stdout).unwrap();
     assert!(summary.contains("drawn.svg") && !summary.contains("none.svg"), "{summary}");
+}
+
+/// Heights of a tip as wide as 4: a larger force needs more of it.
+const TIP: &str = r#"format = 1
+[layer]
+thickness = 5.0
+poisson = 0.3
+grading = { type = "homogeneous", modulus = 1.0 }
+[punch]
+type = "table"
+points = [[0.0, 0.0], [0.5, 0.0125], [1.0, 0.05], [1.5, 0.1125], [2.0, 0.2]]
+[load]
+force = 0.1
+"#;
+
+/// The largest of a number that grows to where the punch ends is not its least.
+#[test]
+fn an_extreme_beside_what_cannot_be_solved_is_none() {
+    let find = |wish: &str| {
+        let range = "field = \"load.force\"\nfrom = 0.01\nto = 10.0\nquantity = \"load.half_width\"";
+        found(TIP, &format!("{range}\n{wish}"))
+    };
+    let largest = find("maximum = true");
+    assert_eq!(largest["status"], "refused", "{largest}");
+    let reason = largest["reason"].as_str().unwrap();
+    assert!(reason.contains("load.half_width is largest, "), "{reason}");
+    assert!(reason.contains("where what can be solved ends: load.force = "), "{reason}");
+    let number: f64 = reason.split("largest, ").nth(1).unwrap().split(',').next().unwrap().parse().unwrap();
+    assert!((1.5..=2.0).contains(&number), "{reason}");
+    let least = find("minimum = true");
+    assert_eq!((&least["status"], &least["found"]["value"]), (&"converged".into(), &0.01.into()), "{least}");
+    // The contact would have to be wider than the tip.
+    let none = find("target = 3.0");
+    let reason = none["reason"].as_str().unwrap();
+    assert!(reason.contains("stays between") && reason.contains("; from load.force = "), "{reason}");
+    assert!(reason.contains(" on it could not be told: "), "{reason}");
+}
+
+#[test]
+fn what_does_not_change_is_no_answer() {
+    for wish in ["minimum = true", "maximum = true", "target = 1.0"] {
+        let range = "field = \"friction.coefficient\"\nfrom = 0.1\nto = 1.0\nquantity = \"load.half_width\"";
+        let record = found(GOOD, &format!("{range}\n{wish}"));
+        assert_eq!(record["status"], "refused", "{record}");
+        let reason = record["reason"].as_str().unwrap();
+        assert!(reason.contains("load.half_width does not depend on friction.coefficient"), "{reason}");
+    }
+}
+
+/// Values that are wrong only together are lines, whatever their order.
+#[test]
+fn the_order_of_values_stops_no_study() {
+    let study = |widths: &str| {
+        format!(
+            "format = 1\nscene = \"cylinder.toml\"\n[[axes]]\nfield = \"punch\"\nvalues = [{{ type = \"cylinder\", radius \
+             = 10.0 }}, {{ type = \"rounded-flat\", radius = 10.0, half_width = 0.5 }}]\n[[axes]]\nfield = \
+             \"load.half_width\"\nvalues = {widths}\n"
+        )
+    };
+    let cylinder = GOOD
+        .replace("type = \"flat\"\nhalf_width = 1.0", "type = \"cylinder\"\nradius = 10.0")
+        .replace("force = 1.0", "half_width = 1.0");
+    for (widths, invalid) in [("[0.4, 1.0]", 2), ("[1.0, 0.4]", 3)] {
+        let folder = folder_with(&study(widths));
+        fs::write(folder.path().join("cylinder.toml"), &cylinder).unwrap();
+        let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+        assert_eq!(output.status.code(), Some(1), "{widths}: {}", told(&output));
+        let lines = read(folder.path(), "out/results.jsonl");
+        let records: Vec<Value> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        let states: Vec<usize> = (0..4).filter(|row| records[*row]["status"] == "invalid").collect();
+        assert_eq!(states, [invalid], "{widths}");
+    }
+}
+
+/// Fields in order are no table.
+#[test]
+fn an_array_is_no_table() {
+    let base = "format = 1\nscene = \"good.toml\"\n";
+    let linear = "[[axes]]\nfield = \"friction.coefficient\"\nlinear = [0.2, 0.3, 3]\n";
+    let find = "find = [\"friction.coefficient\", 0.1, 1.0, \"stick.ratio\", 0.5]\n";
+    let axes = "axes = [[\"friction.coefficient\"]]\n";
+    for (text, line) in [(linear, 5), (find, 3), (axes, 3)] {
+        let error = Study::parse("study.toml", &(base.to_owned() + text), &Beside).unwrap_err();
+        assert_eq!(
+            (error.line, error.found.as_deref(), error.expected.as_deref()),
+            (line, Some("an array"), Some("a table")),
+            "{error}"
+        );
+    }
+    for (before, after, line) in [
+        ("[load]", "[units]\n[load]", 0),
+        ("[layer]", "units = [\"mm\", \"MPa\"]\n[layer]", 4),
+        ("[layer]", "solver = [1e-3]\n[layer]", 4),
+        ("[layer]", "output = [11]\n[layer]", 4),
+        (
+            "type = \"exponential\", surface = 1.0, base = 8.0",
+            "type = \"stack\", layers = [[5.0, 0.3, { type = \"homogeneous\", modulus = 1.0 }]]",
+            7,
+        ),
+        (
+            "type = \"exponential\", surface = 1.0, base = 8.0",
+            "type = \"volume-fraction\", surface = [1.0, 0.3], base = { modulus = 4.0, poisson = 0.2 }, exponent = 2.0, rule = \"mixture\"",
+            7,
+        ),
+    ] {
+        match slipzone::scene::parse("scene.toml", &GOOD.replace(before, after)) {
+            Ok(_) => assert_eq!(line, 0, "{after}"),
+            Err(error) => {
+                let told = (error.line, error.found.as_deref(), error.expected.as_deref());
+                assert_eq!(told, (line, Some("an array"), Some("a table")), "{error}");
+            }
+        }
+    }
 }
