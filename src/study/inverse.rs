@@ -149,7 +149,7 @@ impl Question<'_> {
         let (Some((first, why)), Some((last, why_last))) = (gaps.first(), gaps.last()) else { return String::new() };
         let field = &self.find.field;
         let steps = f64::from(STEPS);
-        let is_one_stretch = ((last - first) * steps).round() as usize + 1 == gaps.len();
+        let is_one_stretch = (last - first) * steps < gaps.len() as f64 - 0.5;
         let value = |at: f64| short(self.value(at));
         match (*first <= 0.0, *last >= 1.0) {
             (false, true) if is_one_stretch => {
