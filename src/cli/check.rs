@@ -7,7 +7,7 @@ use slipzone::scene::{Load, Scene};
 use std::path::Path;
 
 pub(super) fn run(path: &Path) -> Result<Outcome, Failure> {
-    let scene = input::scene(path)?;
+    let (scene, _) = input::scene(path)?;
     print::result(&format!("ok: {}", summary(&scene)))?;
     if let Some(refusal) = engine::refusal(&scene) {
         print::result(&format!("but solving it would be refused: {refusal}"))?;

@@ -24,7 +24,12 @@ pub(super) fn run(arguments: &Explain) -> Result<Outcome, Failure> {
         output::named("--svg", path, "standard output is for the text; a file called `-` is `./-`")?;
         output::distinct(&arguments.scene, &[("--svg", path)])?;
     }
-    let scene = input::scene(&arguments.scene)?;
+    #[cfg_attr(not(feature = "plot"), allow(unused_variables))]
+    let (scene, read) = input::scene(&arguments.scene)?;
+    #[cfg(feature = "plot")]
+    if let Some(path) = &arguments.svg {
+        output::spared("scene", &read, &[("--svg", path)], "give the figure a name of its own")?;
+    }
     #[cfg(feature = "plot")]
     let target = arguments.svg.as_deref().map(Target::new).transpose()?;
     let known = Known { depths: DepthProfile::new(&scene.layer), response: engine::response(&scene) };

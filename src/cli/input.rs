@@ -4,25 +4,30 @@ use super::Failure;
 use slipzone::api::{Files, LARGEST_FILE};
 use slipzone::scene::{self, Scene};
 use slipzone::study::Study;
+use std::cell::RefCell;
 use std::fs::File;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Whether a path stands for standard input or output.
 pub(super) fn is_dash(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
-/// Reads and checks a scene.
-pub(super) fn scene(path: &Path) -> Result<Scene, Failure> {
+/// Reads and checks a scene; with it, the files that it names.
+pub(super) fn scene(path: &Path) -> Result<(Scene, Vec<PathBuf>), Failure> {
     let (name, text) = text(path, "scene")?;
-    Ok(scene::parse_with(&name, &text, &Folder::of(path))?)
+    let folder = Folder::of(path);
+    let scene = scene::parse_with(&name, &text, &folder)?;
+    Ok((scene, folder.read.into_inner()))
 }
 
-/// Reads and checks a study.
-pub(super) fn study(path: &Path) -> Result<Study, Failure> {
+/// Reads and checks a study; with it, the files that it and its scenes name.
+pub(super) fn study(path: &Path) -> Result<(Study, Vec<PathBuf>), Failure> {
     let (name, text) = text(path, "study")?;
-    Ok(Study::parse(&name, &text, &Folder::of(path))?)
+    let folder = Folder::of(path);
+    let study = Study::parse(&name, &text, &folder)?;
+    Ok((study, folder.read.into_inner()))
 }
 
 /// What errors call a file, and its text.
@@ -36,20 +41,26 @@ fn text(path: &Path, what: &str) -> Result<(String, String), Failure> {
 }
 
 /// The folder of a scene or a study, which the files that it names are relative to.
-struct Folder<'a>(&'a Path);
+struct Folder<'a> {
+    path: &'a Path,
+    /// What was read of it.
+    read: RefCell<Vec<PathBuf>>,
+}
 
 impl<'a> Folder<'a> {
     /// Of a file; of standard input the current one.
     fn of(path: &'a Path) -> Self {
         let folder = if is_dash(path) { None } else { path.parent() };
-        Self(folder.unwrap_or(Path::new("")))
+        Self { path: folder.unwrap_or(Path::new("")), read: RefCell::default() }
     }
 }
 
 impl Files for Folder<'_> {
     fn read(&self, name: &str) -> Result<Vec<u8>, String> {
-        let path = self.0.join(name);
-        file(&path, LARGEST_FILE).map_err(|error| format!("{}: {error}", path.display()))
+        let path = self.path.join(name);
+        let bytes = file(&path, LARGEST_FILE).map_err(|error| format!("{}: {error}", path.display()))?;
+        self.read.borrow_mut().push(path);
+        Ok(bytes)
     }
 }
 

@@ -207,8 +207,6 @@ pub(super) fn named(option: &str, path: &Path, hint: &str) -> Result<(), Failure
 
 /// Refuses outputs that would overwrite one another or the scene.
 pub(super) fn distinct(scene: &Path, outputs: &[(&str, &Path)]) -> Result<(), Failure> {
-    let identity =
-        |path: &Path| (!is_dash(path)).then(|| real(path).ok()).flatten().filter(|path| is_replaceable(path));
     for (index, (option, path)) in outputs.iter().enumerate() {
         let Some(own) = identity(path) else { continue };
         if identity(scene).as_ref() == Some(&own) {
@@ -221,6 +219,23 @@ pub(super) fn distinct(scene: &Path, outputs: &[(&str, &Path)]) -> Result<(), Fa
         }
     }
     Ok(())
+}
+
+/// Refuses outputs that would overwrite a file that the scene or the study, the `reader`, has read.
+pub(super) fn spared(reader: &str, read: &[PathBuf], outputs: &[(&str, &Path)], hint: &str) -> Result<(), Failure> {
+    for (option, path) in outputs {
+        let Some(own) = identity(path) else { continue };
+        if let Some(file) = read.iter().find(|file| identity(file).as_ref() == Some(&own)) {
+            let message = format!("{option} would overwrite {}, which the {reader} reads", file.display());
+            return Err(Failure::Usage(message, Some(hint.into())));
+        }
+    }
+    Ok(())
+}
+
+/// What tells a file that would be replaced from others.
+fn identity(path: &Path) -> Option<PathBuf> {
+    (!is_dash(path)).then(|| real(path).ok()).flatten().filter(|path| is_replaceable(path))
 }
 
 /// Devices and pipes may be written to twice.

@@ -32,9 +32,11 @@ pub(super) fn run(arguments: &Solve) -> Result<Outcome, Failure> {
     for (option, path, _) in &files {
         output::named(option, path, "only `--json -` prints; a file called `-` is `./-`")?;
     }
-    output::distinct(&arguments.scene, &files.iter().map(|(option, path, _)| (*option, *path)).collect::<Vec<_>>())?;
+    let named: Vec<_> = files.iter().map(|(option, path, _)| (*option, *path)).collect();
+    output::distinct(&arguments.scene, &named)?;
 
-    let scene = input::scene(&arguments.scene)?;
+    let (scene, read) = input::scene(&arguments.scene)?;
+    output::spared("scene", &read, &named, "give the result a name of its own")?;
     if let Some((option, ..)) = files.iter().find(|file| [CURVE_CSV, CURVE_SVG].contains(&file.0))
         && scene.path.is_none()
     {

@@ -14,6 +14,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+/// Names in the folder of the results.
+const TABLE: &str = "results.csv";
+const LINES: &str = "results.jsonl";
+const JOURNAL: &str = "journal.jsonl";
+
 /// Scenes that failed and are named on the terminal.
 const NAMED: usize = 10;
 
@@ -21,22 +26,30 @@ pub(super) fn run(arguments: &Sweep) -> Result<Outcome, Failure> {
     if let Some(out) = &arguments.out {
         output::named("--out", out, "a folder called `-` is `./-`")?;
     }
-    let study = input::study(&arguments.study)?;
+    let (study, mut read) = input::study(&arguments.study)?;
+    read.push(arguments.study.clone());
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.study));
     output::make_folder(&folder)?;
-    let table = Target::new(&folder.join("results.csv"))?;
-    let lines = Target::new(&folder.join("results.jsonl"))?;
+    let mut written = vec![TABLE, LINES, JOURNAL];
+    written.extend(study.plots.iter().filter(|_| cfg!(feature = "plot")).map(|plot| plot.file.as_str()));
+    let written: Vec<_> = written.into_iter().map(|name| folder.join(name)).collect();
+    let outputs: Vec<_> = written.iter().map(|path| ("sweep", path.as_path())).collect();
+    output::spared("study", &read, &outputs, "name another folder with --out")?;
+    let table = Target::new(&folder.join(TABLE))?;
+    let lines = Target::new(&folder.join(LINES))?;
     #[cfg(feature = "plot")]
     let figures = study.plots.iter().map(|plot| Ok((Target::new(&folder.join(&plot.file))?, plot)));
     #[cfg(feature = "plot")]
     let figures = figures.collect::<Result<Vec<_>, Failure>>()?;
-    let mut journal = Journal::open(&folder.join("journal.jsonl"), &study, arguments.fresh)?;
+    let mut journal = Journal::open(&folder.join(JOURNAL), &study, arguments.fresh)?;
     solve(&study, &mut journal, &folder)?;
     write_results(&study, &journal, &table, &lines)?;
+    #[cfg_attr(not(feature = "plot"), allow(unused_mut))]
+    let mut results = vec![TABLE, LINES];
     #[cfg(feature = "plot")]
-    draw(&study, &journal, figures)?;
+    results.extend(draw(&study, &journal, figures)?);
     let failed = journal.tally().failed;
-    print::result(&summary(&study, &folder, failed))?;
+    print::result(&summary(&study, &folder, &results, failed))?;
     Ok(if failed == 0 { Outcome::Done } else { Outcome::NotConverged })
 }
 
@@ -113,10 +126,10 @@ fn write_results(study: &Study, journal: &Journal, table: &Target, lines: &Targe
     jsonl.keep()
 }
 
-/// The figures that the study asks for; one that cannot be drawn is a note.
+/// The figures that the study asks for, and the names of those that were drawn; one that cannot be drawn is a note.
 #[cfg(feature = "plot")]
-fn draw(study: &Study, journal: &Journal, figures: Vec<(Target, &Plot)>) -> Result<(), Failure> {
-    let mut drawn = Vec::new();
+fn draw<'a>(study: &Study, journal: &Journal, figures: Vec<(Target, &'a Plot)>) -> Result<Vec<&'a str>, Failure> {
+    let (mut drawn, mut names) = (Vec::new(), Vec::new());
     for (target, plot) in figures {
         let mut lines = journal.in_order().map_err(of_journal)?;
         let mut failure = None;
@@ -132,11 +145,15 @@ fn draw(study: &Study, journal: &Journal, figures: Vec<(Target, &Plot)>) -> Resu
             return Err(of_journal(error));
         }
         match figure {
-            Ok(figure) => drawn.push((target, figure)),
+            Ok(figure) => {
+                drawn.push((target, figure));
+                names.push(plot.file.as_str());
+            }
             Err(error) => print::note(&format!("{} was not drawn: {error}", plot.file)),
         }
     }
-    output::write(&drawn)
+    output::write(&drawn)?;
+    Ok(names)
 }
 
 #[allow(clippy::needless_pass_by_value)] // as `map_err` wants it
@@ -144,7 +161,7 @@ fn of_journal(error: std::io::Error) -> Failure {
     Failure::System(format!("cannot read the journal: {error}"))
 }
 
-fn summary(study: &Study, folder: &Path, failed: u64) -> String {
+fn summary(study: &Study, folder: &Path, results: &[&str], failed: u64) -> String {
     let rows = study.rows();
     let title = study.title.as_ref().map_or(String::new(), |title| format!("{title}: "));
     let failures = match failed {
@@ -153,9 +170,5 @@ fn summary(study: &Study, folder: &Path, failed: u64) -> String {
         _ => format!("{failed} did not converge (their `reason` is in the results)"),
     };
     let scenes = if rows == 1 { "scene" } else { "scenes" };
-    let mut files = vec!["results.csv", "results.jsonl"];
-    if cfg!(feature = "plot") {
-        files.extend(study.plots.iter().map(|plot| plot.file.as_str()));
-    }
-    format!("{title}{rows} {scenes}, {failures}\n{}: {}\n", folder.display(), files.join(", "))
+    format!("{title}{rows} {scenes}, {failures}\n{}: {}\n", folder.display(), results.join(", "))
 }

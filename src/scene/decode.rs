@@ -4,6 +4,7 @@ use super::SceneError;
 use super::complaint::Complaint;
 use super::document::{Document, clip, dotted, one_of};
 use super::load_keys::LOAD;
+use super::tables::Tables;
 use serde::de::DeserializeOwned;
 use serde_path_to_error::{Path, Segment};
 use slipzone_api::{Family, PluginInfo, plugins};
@@ -37,7 +38,7 @@ pub(crate) fn format(document: &Document) -> Result<(), SceneError> {
 pub(crate) fn decode<T: DeserializeOwned>(document: &Document) -> Result<T, SceneError> {
     let mut tree = document.tree();
     type_first(tree.get_mut());
-    serde_path_to_error::deserialize(toml::Deserializer::from(tree))
+    serde_path_to_error::deserialize(Tables(toml::Deserializer::from(tree)))
         .map_err(|error| explain(document, error.path(), error.inner().message()))
 }
 

@@ -20,6 +20,7 @@ mod model;
 mod names;
 mod schema;
 mod table;
+mod tables;
 mod tagged;
 mod template;
 mod text;

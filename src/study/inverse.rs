@@ -12,12 +12,13 @@ use basin::{
     BoxBounds, Brent, ConstraintDescription, ConstraintSet, Constraints, CostFunction, Executor, PointState,
     Toms748Root,
 };
+use slipzone_api::short;
 
 /// Steps in which a range is looked over.
 const STEPS: u32 = 24;
 /// Ranges wider than this factor are stepped by factors.
 const WIDE: f64 = 4.0;
-/// Share of the range over which a slope is measured.
+/// Share of the range over which a slope is measured, and what is beside a value.
 const BESIDE: f64 = 1e-3;
 /// Iterations of a search that has a bracket.
 const MOST: u64 = 100;
@@ -65,15 +66,26 @@ impl Moved {
 struct Point {
     at: f64,
     excess: f64,
+    /// Of the excess.
+    error: f64,
+}
+
+/// The range as it was looked over.
+struct Seen {
+    points: Vec<Point>,
+    /// Where the number could not be told, and why.
+    gaps: Vec<(f64, String)>,
 }
 
 impl Question<'_> {
     /// The field's value, and the solution there.
     fn search(&self) -> Result<(Found, Solution), String> {
-        let points = self.look_over()?;
+        let seen = self.look_over()?;
         let mut places = match self.find.wanted {
-            Wanted::Minimum | Wanted::Maximum => vec![self.least(&points)?],
-            Wanted::Target(_) | Wanted::HalfPlaneWithin(_) => self.crossings(&points)?,
+            Wanted::Minimum | Wanted::Maximum => vec![self.least(&seen.points)?],
+            Wanted::Target(_) | Wanted::HalfPlaneWithin(_) => {
+                self.crossings(&seen.points).map_err(|reason| reason + &self.untold(&seen.gaps))?
+            }
         };
         if matches!(self.find.wanted, Wanted::HalfPlaneWithin(_)) {
             // From the last crossing on it stays within.
@@ -81,9 +93,9 @@ impl Question<'_> {
         }
         let (at, moved) = places[0];
         let value = self.value(at);
-        let solution = self.solution(value, false)?;
+        let solution = self.solution(value, false).map_err(|why| self.placed(at, &why))?;
         let tolerance = solution.scene.solver.tolerance.get();
-        let number_error = solution.error.each.get(&self.find.quantity).copied().unwrap_or(tolerance);
+        let number_error = self.number_error(&solution);
         let size = if matches!(self.find.wanted, Wanted::HalfPlaneWithin(_)) {
             2.0 // relative to the half-plane's number, which has an error of its own
         } else {
@@ -106,21 +118,63 @@ impl Question<'_> {
         Some((other - one) / (upper - lower)).filter(|slope| *slope != 0.0)
     }
 
-    /// Values of the field at equal steps, those that could be solved.
-    fn look_over(&self) -> Result<Vec<Point>, String> {
-        let mut failure = None;
-        let mut points = Vec::new();
+    /// Values of the field at equal steps. At least two can be solved, and they differ by more than their errors.
+    fn look_over(&self) -> Result<Seen, String> {
+        let (mut points, mut gaps) = (Vec::new(), Vec::new());
         for step in 0..=STEPS {
             let at = f64::from(step) / f64::from(STEPS);
-            match self.excess(at) {
-                Ok(excess) => points.push(Point { at, excess }),
-                Err(why) => failure = Some(why),
+            match self.point(at) {
+                Ok(point) => points.push(point),
+                Err(why) => gaps.push((at, why)),
             }
         }
-        match failure {
-            Some(failure) if points.len() < 2 => Err(failure),
-            _ => Ok(points),
+        if let Some((at, why)) = gaps.last().filter(|_| points.len() < 2) {
+            return Err(self.placed(*at, why));
         }
+        let most = points.iter().fold(f64::NEG_INFINITY, |most, point| most.max(point.excess - point.error));
+        let least = points.iter().fold(f64::INFINITY, |least, point| least.min(point.excess + point.error));
+        // How far a half-plane is off may well be nothing anywhere: that is told as such.
+        if most <= least && !matches!(self.find.wanted, Wanted::HalfPlaneWithin(_)) {
+            let Find { field, quantity, from, to, .. } = self.find;
+            let untold = self.untold(&gaps);
+            return Err(format!(
+                "{quantity} does not depend on {field}: from {from:?} to {to:?} it changes by less than its error{untold}"
+            ));
+        }
+        Ok(Seen { points, gaps })
+    }
+
+    /// What a reason adds where a part of the range could not be told.
+    fn untold(&self, gaps: &[(f64, String)]) -> String {
+        let (Some((first, why)), Some((last, why_last))) = (gaps.first(), gaps.last()) else { return String::new() };
+        let field = &self.find.field;
+        let steps = f64::from(STEPS);
+        let is_one_stretch = (last - first) * steps < gaps.len() as f64 - 0.5;
+        let value = |at: f64| short(self.value(at));
+        match (*first <= 0.0, *last >= 1.0) {
+            (false, true) if is_one_stretch => {
+                format!("; from {field} = {} on it could not be told: {why}", value(*first))
+            }
+            (true, false) if is_one_stretch => {
+                format!("; up to {field} = {} it could not be told: {why_last}", value(*last))
+            }
+            _ => {
+                let (count, all) = (gaps.len(), STEPS + 1);
+                let first = value(*first);
+                format!("; at {count} of {all} values it could not be told, the first of them {field} = {first}: {why}")
+            }
+        }
+    }
+
+    /// A reason with the value of the field that it is about.
+    fn placed(&self, at: f64, why: &str) -> String {
+        format!("{} = {:?}: {why}", self.find.field, self.value(at))
+    }
+
+    /// The relative error of the number that decides.
+    fn number_error(&self, solution: &Solution) -> f64 {
+        let tolerance = solution.scene.solver.tolerance.get();
+        solution.error.each.get(&self.find.quantity).copied().unwrap_or(tolerance)
     }
 
     /// Where the number is as wanted, over the range taken as 0 to 1.
@@ -135,7 +189,9 @@ impl Question<'_> {
         for pair in points.windows(2).filter(crosses) {
             let tolerance = self.study.scene.solver.tolerance.get();
             let root = Toms748Root::new(pair[0].at, pair[1].at).with_absolute_position_tolerance(tolerance);
-            let root = root.solve(|at| self.excess(at)).map_err(|error| error.to_string())?;
+            let root = root
+                .solve(|at| self.excess(at).map_err(|why| self.placed(at, &why)))
+                .map_err(|error| error.to_string())?;
             found.push((root.root(), slope(&pair[0], &pair[1])));
         }
         // Steps may hit it.
@@ -179,7 +235,9 @@ impl Question<'_> {
     fn least(&self, points: &[Point]) -> Result<(f64, Moved), String> {
         let order = |one: &&[Point], other: &&[Point]| one[1].excess.total_cmp(&other[1].excess);
         let around = points.windows(3).min_by(order).ok_or("too little of the range can be solved")?;
-        let lowest = points.iter().min_by(|one, other| one.excess.total_cmp(&other.excess)).map_or(0.0, |p| p.at);
+        let lower_of = |one: &(f64, f64), other: &(f64, f64)| one.1.total_cmp(&other.1);
+        let seen = points.iter().map(|point| (point.at, point.excess));
+        let lowest = seen.clone().min_by(lower_of).map_or(0.0, |(at, _)| at);
         let step = f64::from(STEPS).recip();
         let (lower, upper) = ((lowest - step).max(0.0), (lowest + step).min(1.0));
         let highest = points.iter().fold(f64::NEG_INFINITY, |most, point| most.max(point.excess));
@@ -188,13 +246,35 @@ impl Question<'_> {
             .max_iter(MOST)
             .run()
             .map_err(|error| error.to_string())?;
-        // A value that falls to the very end of the range has its least there.
+        // A value that falls to the very end of the range has its least there; where nothing can be solved, the search saw
+        // the largest value, and what it found may be none.
         let inside = (*found.param(), found.cost());
-        let ends = points.iter().filter(|point| point.at <= 0.0 || point.at >= 1.0).map(|p| (p.at, p.excess));
-        let best = ends.chain([inside]).min_by(|one, other| one.1.total_cmp(&other.1)).unwrap_or(inside);
+        let (at, excess) = seen.chain([inside]).min_by(lower_of).unwrap_or(inside);
+        self.is_surrounded(at, excess)?;
+        // Between the steps may be some that could not be solved.
+        let slope = |one: &Point, other: &Point| (other.excess - one.excess) / (other.at - one.at);
         let half = 0.5 * (around[2].at - around[0].at);
-        let bend = (around[0].excess - 2.0 * around[1].excess + around[2].excess) / (half * half);
-        Ok((best.0, Moved::ByRoot(bend)))
+        let bend = (slope(&around[1], &around[2]) - slope(&around[0], &around[1])) / half;
+        Ok((at, Moved::ByRoot(bend)))
+    }
+
+    /// Refuses a least value beside which nothing can be solved: the number may go on falling there.
+    fn is_surrounded(&self, at: f64, excess: f64) -> Result<(), String> {
+        for beside in [at - BESIDE, at + BESIDE] {
+            let beside = beside.clamp(0.0, 1.0);
+            let Err(why) = self.excess(beside) else { continue };
+            let Find { field, quantity, wanted, .. } = self.find;
+            let (extreme, number) = match wanted {
+                Wanted::Maximum => ("largest", -excess),
+                _ => ("least", excess),
+            };
+            let value = short(self.value(at));
+            return Err(format!(
+                "{quantity} is {extreme}, {number:.6e}, at {field} = {value}, where what can be solved ends: {}",
+                self.placed(beside, &why)
+            ));
+        }
+        Ok(())
     }
 
     fn by_factors(&self) -> bool {
@@ -219,10 +299,15 @@ impl Question<'_> {
     }
 
     fn excess(&self, at: f64) -> Result<f64, String> {
+        self.point(at).map(|point| point.excess)
+    }
+
+    fn point(&self, at: f64) -> Result<Point, String> {
         let solution = self.solution(self.value(at), true)?;
         let number =
             solution.number(&self.find.quantity).ok_or_else(|| format!("{} is undefined", self.find.quantity))?;
-        Ok(match self.find.wanted {
+        let error = self.number_error(&solution) * number.abs();
+        let excess = match self.find.wanted {
             Wanted::Target(target) => number - target,
             Wanted::Minimum => number,
             Wanted::Maximum => -number,
@@ -233,7 +318,8 @@ impl Question<'_> {
                     .ok_or_else(|| format!("{} has no value on a half-plane to compare with", self.find.quantity))?;
                 (number / reference - 1.0).abs() - share
             }
-        })
+        };
+        Ok(Point { at, excess, error })
     }
 
     /// The scene solved with the field at a value, for nothing but the number that decides where `alone`; an error where it
@@ -250,8 +336,7 @@ impl Question<'_> {
         if solution.status == Status::Converged {
             return Ok(solution);
         }
-        let why = solution.reason.unwrap_or_else(|| "it does not converge".into());
-        Err(format!("{} = {value:?}: {why}", self.find.field))
+        Err(solution.reason.unwrap_or_else(|| "it does not converge".into()))
     }
 }
 

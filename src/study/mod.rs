@@ -105,16 +105,27 @@ impl Study {
     /// # Errors
     /// When its values make no scene together; the error has no place.
     pub fn scene(&self, row: u64) -> Result<Scene, SceneError> {
-        self.made(&self.steps(row), None, &self.files)
+        self.made(self.chosen(row), None, &self.files)
     }
 
     /// The scene with one more value set.
     pub(crate) fn scene_where(&self, row: u64, more: Replacement) -> Result<Scene, SceneError> {
-        self.made(&self.steps(row), Some(more), &self.files)
+        self.made(self.chosen(row), Some(more), &self.files)
     }
 
-    fn made(&self, steps: &[u64], more: Option<Replacement>, files: &dyn Files) -> Result<Scene, SceneError> {
-        let columns = self.axes.iter().zip(steps).flat_map(|(axis, step)| axis.columns.iter().map(move |c| (c, *step)));
+    /// The steps of the axes in one scene.
+    fn chosen(&self, row: u64) -> impl Iterator<Item = (&Axis, u64)> {
+        self.axes.iter().zip(self.steps(row))
+    }
+
+    /// The base scene with some axes at given steps.
+    fn made<'a>(
+        &self,
+        steps: impl Iterator<Item = (&'a Axis, u64)>,
+        more: Option<Replacement>,
+        files: &dyn Files,
+    ) -> Result<Scene, SceneError> {
+        let columns = steps.flat_map(|(axis, step)| axis.columns.iter().map(move |column| (column, step)));
         let replaced = columns.map(|(column, step)| Replacement { path: &column.path, value: column.toml(step) });
         let replaced: Vec<Replacement> = replaced.chain(more).collect();
         let mut scene = self.base.with(&replaced, files)?;

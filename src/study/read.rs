@@ -2,7 +2,7 @@
 
 use super::axis::{Axis, Cell, Column, Values};
 use super::files::{Kept, Reading};
-use super::find::Find;
+use super::find::{Find, Wanted};
 use super::plot::Plot;
 use super::shown::PlotFault;
 use super::{LARGEST_STUDY, Study};
@@ -344,22 +344,27 @@ fn distinct(document: &Document, axes: &[Axis]) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// Each value makes a scene of the base, the other axes at their first values.
+/// Each value makes a scene of the base: with the other axes at their first values, as the base has them, or at their last
+/// values. What is wrong only together is a line of the results.
 fn check_values(document: &Document, study: &Study, files: &dyn Files) -> Result<(), SceneError> {
     for (a, axis) in study.axes.iter().enumerate() {
         for (c, column) in axis.columns.iter().enumerate() {
             for step in column.checked() {
-                let mut steps = vec![0; study.axes.len()];
-                steps[a] = step;
-                let Err(error) = study.made(&steps, None, files) else { continue };
-                let number = a.to_string();
-                // The first scene may be wrong because of any of its values: the one that its error names.
-                let blamed = if step == 0 { blamed(study, &error) } else { Some((a, c)) };
-                let Some((a, c)) = blamed else {
-                    return Err(placed(document, &["axes", &number], &error, "the first scene of the study"));
+                let with_others = |of: fn(&Axis) -> u64| {
+                    let steps = study.axes.iter().enumerate();
+                    study.made(steps.map(|(i, axis)| (axis, if i == a { step } else { of(axis) })), None, files)
                 };
+                if with_others(|_| 0).is_ok() {
+                    continue;
+                }
+                let Err(error) = study.made(std::iter::once((axis, step)), None, files) else { continue };
+                if with_others(|axis| axis.count - 1).is_ok() {
+                    continue;
+                }
+                // Fields zipped change together: the one that the error names.
+                let c = if step == 0 { blamed(axis, &error).unwrap_or(c) } else { c };
+                let column = &axis.columns[c];
                 let (a, c) = (a.to_string(), c.to_string());
-                let column = &study.axes[a.parse::<usize>().unwrap_or(0)].columns[c.parse::<usize>().unwrap_or(0)];
                 let mut place = vec!["axes", a.as_str()];
                 if document.value(&["axes", &a, "zip"]).is_some() {
                     place.extend(["zip", c.as_str()]);
@@ -392,19 +397,14 @@ fn is_of_field(error: &SceneError) -> bool {
     starts.iter().any(|start| error.message.starts_with(start))
 }
 
-/// The column whose field an error of the first scene names.
-fn blamed(study: &Study, error: &SceneError) -> Option<(usize, usize)> {
-    let columns = study
-        .axes
-        .iter()
-        .enumerate()
-        .flat_map(|(a, axis)| axis.columns.iter().enumerate().map(move |(c, column)| (a, c, column)));
+/// The column of an axis whose field an error names.
+fn blamed(axis: &Axis, error: &SceneError) -> Option<usize> {
     let named = |column: &Column| {
         let keys: Vec<&str> = column.path.iter().map(String::as_str).collect();
         let last = keys.last().copied().unwrap_or_default();
         error.message.contains(&format!("`{}`", dotted(&keys))) || error.message.contains(&format!("`{last}`"))
     };
-    columns.clone().find(|(_, _, column)| named(column)).or_else(|| columns.clone().next()).map(|(a, c, _)| (a, c))
+    axis.columns.iter().position(named)
 }
 
 /// An error of a scene at the place of the study that is to blame.
@@ -443,10 +443,19 @@ fn check_find(document: &Document, study: &Study, files: &dyn Files) -> Result<(
             return Err(document.not_allowed(&["find", key], "a finite number"));
         }
         let value = Replacement { path: &path, value: format!("{end:?}").into() };
-        if let Err(error) = study.made(&vec![0; study.axes.len()], Some(value), files) {
+        if let Err(error) = study.made(study.axes.iter().map(|axis| (axis, 0)), Some(value), files) {
             let key = if is_of_field(&error) { "field" } else { key };
             return Err(placed(document, &["find", key], &error, &format!("`{}`", find.field)));
         }
+    }
+    match find.wanted {
+        Wanted::Target(target) if !target.is_finite() => {
+            return Err(document.not_allowed(&["find", "target"], "a finite number"));
+        }
+        Wanted::HalfPlaneWithin(share) if !(share.is_finite() && share > 0.0) => {
+            return Err(document.not_allowed(&["find", "half_plane_within"], "a finite number above 0"));
+        }
+        _ => {}
     }
     if find.from >= find.to {
         return Err(document.not_allowed(&["find", "to"], format!("a number above `from`, which is {}", find.from)));

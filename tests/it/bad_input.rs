@@ -308,3 +308,14 @@ mod formulas {
         }
     }
 }
+
+#[test]
+fn a_series_of_more_terms_than_are_used() {
+    let read = |terms: u8| {
+        let scene = format!("{GOOD}[solver]\nkernel = {{ type = \"split\", terms = {terms} }}\n");
+        slipzone::scene::parse("scene.toml", &scene)
+    };
+    assert!(read(40).is_ok());
+    let error = read(41).unwrap_err();
+    assert_eq!((error.line, error.expected.as_deref()), (20, Some("an integer from 1 to 40")), "{error}");
+}

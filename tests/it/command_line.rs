@@ -318,6 +318,33 @@ fn outputs_must_be_distinct() {
     insta::assert_snapshot!("outputs_scene", told(&run(folder.path(), ["solve", "good.toml", "--csv", "good.toml"])));
 }
 
+/// Measured data are not given away for a result, under whatever name.
+#[test]
+fn no_result_takes_the_place_of_the_data() {
+    const PROFILE: &str = "x, height\n0, 0\n1, 0.1\n2, 0.4\n3, 0.9\n4, 1.6\n";
+    let folder = folder();
+    let scene = GOOD.replace("type = \"flat\"\nhalf_width = 1.0", "type = \"table\"\nfile = \"profile.csv\"");
+    fs::create_dir(folder.path().join("sub")).unwrap();
+    fs::write(folder.path().join("table.toml"), scene.replace("force = 1.0", "half_width = 1.0")).unwrap();
+    fs::write(folder.path().join("profile.csv"), PROFILE).unwrap();
+    let cases: [&[&str]; 6] = [
+        &["solve", "table.toml", "--csv", "profile.csv"],
+        &["solve", "table.toml", "--json", "sub/../profile.csv"],
+        &["solve", "table.toml", "--curve-csv", "profile.csv"],
+        &["solve", "table.toml", "--svg", "profile.csv"],
+        &["solve", "table.toml", "--curve-svg", "profile.csv"],
+        &["explain", "table.toml", "--svg", "profile.csv"],
+    ];
+    for arguments in &cases[..if cfg!(feature = "plot") { 6 } else { 3 }] {
+        let output = run(folder.path(), *arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", told(&output));
+        assert!(told(&output).contains("would overwrite profile.csv, which the scene reads"), "{}", told(&output));
+        assert_eq!(fs::read_to_string(folder.path().join("profile.csv")).unwrap(), PROFILE, "{arguments:?}");
+    }
+    let spared = run(folder.path(), ["solve", "table.toml", "--csv", "result.csv"]);
+    assert_eq!(spared.status.code(), Some(0), "{}", told(&spared));
+}
+
 #[test]
 fn an_output_that_cannot_be_written_leaves_the_others_alone() {
     let folder = folder();

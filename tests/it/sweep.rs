@@ -410,7 +410,7 @@ fn the_studies_among_the_examples_run() {
 
 /// The question of a study, asked by the library.
 fn found(scene: &str, find: &str) -> Value {
-    let text = format!("format = 1\n[find]\n{find}\n[scene]\n{}", scene.replace('[', "[scene."));
+    let text = format!("format = 1\n[find]\n{find}\n[scene]\n{}", scene.replace("\n[", "\n[scene."));
     let study = Study::parse("study.toml", &text, &NoFiles).unwrap();
     let mut answer = None;
     slipzone::study::sweep(&study, &|_| false, |record| {
@@ -576,4 +576,167 @@ fn the_error_of_an_answer_has_no_unit() {
     };
     let (small, large) = (error("force = 1e-6"), error("force = 1e6"));
     assert!((small / large - 1.0).abs() < 0.1, "{small}, {large}");
+}
+
+/// Neither data nor scene nor study is given away for a result.
+#[test]
+fn no_result_takes_the_place_of_what_the_study_reads() {
+    const PROFILE: &str = "x, height\n0, 0\n1, 0.1\n2, 0.4\n3, 0.9\n4, 1.6\n";
+    let table = GOOD
+        .replace("type = \"flat\"\nhalf_width = 1.0", "type = \"table\"\nfile = \"out/results.csv\"")
+        .replace("force = 1.0", "half_width = 1.0");
+    let study =
+        "format = 1\nscene = \"SCENE\"\n[[axes]]\nfield = \"layer.thickness\"\nvalues = [4.0, 5.0]\n".to_owned();
+    let cases = [
+        ("study.toml", "table.toml", "out/results.csv", PROFILE),
+        ("study.toml", "out/results.jsonl", "out/results.jsonl", GOOD),
+        ("out/journal.jsonl", "../good.toml", "out/journal.jsonl", ""),
+    ];
+    for (name, scene, kept, text) in cases {
+        let folder = crate::run::folder();
+        let path = |name: &str| folder.path().join(name);
+        let study = study.replace("SCENE", scene);
+        let text = if text.is_empty() { &study } else { text };
+        fs::create_dir(path("out")).unwrap();
+        fs::write(path("table.toml"), &table).unwrap();
+        fs::write(path(kept), text).unwrap();
+        fs::write(path(name), &study).unwrap();
+        let output = run(folder.path(), ["sweep", name, "--out", "out"]);
+        assert_eq!(output.status.code(), Some(2), "{kept}: {}", told(&output));
+        assert!(told(&output).contains(&format!("would overwrite {kept}, which the study reads")), "{}", told(&output));
+        assert_eq!(fs::read_to_string(path(kept)).unwrap(), *text, "{kept}");
+    }
+}
+
+#[cfg(feature = "plot")]
+#[test]
+fn a_figure_that_is_not_drawn_is_no_result() {
+    let plot =
+        |file: &str, y: &str| format!("[[plots]]\nfile = \"{file}\"\nx = \"friction.coefficient\"\ny = \"{y}\"\n");
+    let scene = GOOD.replace("thickness = 5.0\n", "base = { type = \"infinite\" }\n");
+    let scene =
+        scene.replace("type = \"exponential\", surface = 1.0, base = 8.0", "type = \"homogeneous\", modulus = 1.0");
+    let folder = folder_with(
+        &(STUDY[..STUDY.rfind("[[axes]]").unwrap()].to_owned()
+            + &plot("drawn.svg", "stick.ratio")
+            + &plot("none.svg", "load.indentation")),
+    );
+    fs::write(folder.path().join("good.toml"), scene).unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert!(told(&output).contains("none.svg was not drawn"), "{}", told(&output));
+    let summary = String::from_utf8(output.stdout).unwrap();
+    assert!(summary.contains("drawn.svg") && !summary.contains("none.svg"), "{summary}");
+}
+
+/// Heights of a tip as wide as 4: a larger force needs more of it.
+const TIP: &str = r#"format = 1
+[layer]
+thickness = 5.0
+poisson = 0.3
+grading = { type = "homogeneous", modulus = 1.0 }
+[punch]
+type = "table"
+points = [[0.0, 0.0], [0.5, 0.0125], [1.0, 0.05], [1.5, 0.1125], [2.0, 0.2]]
+[load]
+force = 0.1
+"#;
+
+/// The largest of a number that grows to where the punch ends is not its least.
+#[test]
+fn an_extreme_beside_what_cannot_be_solved_is_none() {
+    let find = |wish: &str| {
+        let range = "field = \"load.force\"\nfrom = 0.01\nto = 10.0\nquantity = \"load.half_width\"";
+        found(TIP, &format!("{range}\n{wish}"))
+    };
+    let largest = find("maximum = true");
+    assert_eq!(largest["status"], "refused", "{largest}");
+    let reason = largest["reason"].as_str().unwrap();
+    assert!(reason.contains("load.half_width is largest, "), "{reason}");
+    assert!(reason.contains("where what can be solved ends: load.force = "), "{reason}");
+    let number: f64 = reason.split("largest, ").nth(1).unwrap().split(',').next().unwrap().parse().unwrap();
+    assert!((1.5..=2.0).contains(&number), "{reason}");
+    let least = find("minimum = true");
+    assert_eq!((&least["status"], &least["found"]["value"]), (&"converged".into(), &0.01.into()), "{least}");
+    // The contact would have to be wider than the tip.
+    let none = find("target = 3.0");
+    let reason = none["reason"].as_str().unwrap();
+    assert!(reason.contains("stays between") && reason.contains("; from load.force = "), "{reason}");
+    assert!(reason.contains(" on it could not be told: "), "{reason}");
+}
+
+#[test]
+fn what_does_not_change_is_no_answer() {
+    for wish in ["minimum = true", "maximum = true", "target = 1.0"] {
+        let range = "field = \"friction.coefficient\"\nfrom = 0.1\nto = 1.0\nquantity = \"load.half_width\"";
+        let record = found(GOOD, &format!("{range}\n{wish}"));
+        assert_eq!(record["status"], "refused", "{record}");
+        let reason = record["reason"].as_str().unwrap();
+        assert!(reason.contains("load.half_width does not depend on friction.coefficient"), "{reason}");
+    }
+}
+
+/// Values that are wrong only together are lines, whatever their order.
+#[test]
+fn the_order_of_values_stops_no_study() {
+    let study = |widths: &str| {
+        format!(
+            "format = 1\nscene = \"cylinder.toml\"\n[[axes]]\nfield = \"punch\"\nvalues = [{{ type = \"cylinder\", radius \
+             = 10.0 }}, {{ type = \"rounded-flat\", radius = 10.0, half_width = 0.5 }}]\n[[axes]]\nfield = \
+             \"load.half_width\"\nvalues = {widths}\n"
+        )
+    };
+    let cylinder = GOOD
+        .replace("type = \"flat\"\nhalf_width = 1.0", "type = \"cylinder\"\nradius = 10.0")
+        .replace("force = 1.0", "half_width = 1.0");
+    for (widths, invalid) in [("[0.4, 1.0]", 2), ("[1.0, 0.4]", 3)] {
+        let folder = folder_with(&study(widths));
+        fs::write(folder.path().join("cylinder.toml"), &cylinder).unwrap();
+        let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+        assert_eq!(output.status.code(), Some(1), "{widths}: {}", told(&output));
+        let lines = read(folder.path(), "out/results.jsonl");
+        let records: Vec<Value> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        let states: Vec<usize> = (0..4).filter(|row| records[*row]["status"] == "invalid").collect();
+        assert_eq!(states, [invalid], "{widths}");
+    }
+}
+
+/// Fields in order are no table.
+#[test]
+fn an_array_is_no_table() {
+    let base = "format = 1\nscene = \"good.toml\"\n";
+    let linear = "[[axes]]\nfield = \"friction.coefficient\"\nlinear = [0.2, 0.3, 3]\n";
+    let find = "find = [\"friction.coefficient\", 0.1, 1.0, \"stick.ratio\", 0.5]\n";
+    let axes = "axes = [[\"friction.coefficient\"]]\n";
+    for (text, line) in [(linear, 5), (find, 3), (axes, 3)] {
+        let error = Study::parse("study.toml", &(base.to_owned() + text), &Beside).unwrap_err();
+        assert_eq!(
+            (error.line, error.found.as_deref(), error.expected.as_deref()),
+            (line, Some("an array"), Some("a table")),
+            "{error}"
+        );
+    }
+    for (before, after, line) in [
+        ("[load]", "[units]\n[load]", 0),
+        ("[layer]", "units = [\"mm\", \"MPa\"]\n[layer]", 4),
+        ("[layer]", "solver = [1e-3]\n[layer]", 4),
+        ("[layer]", "output = [11]\n[layer]", 4),
+        (
+            "type = \"exponential\", surface = 1.0, base = 8.0",
+            "type = \"stack\", layers = [[5.0, 0.3, { type = \"homogeneous\", modulus = 1.0 }]]",
+            7,
+        ),
+        (
+            "type = \"exponential\", surface = 1.0, base = 8.0",
+            "type = \"volume-fraction\", surface = [1.0, 0.3], base = { modulus = 4.0, poisson = 0.2 }, exponent = 2.0, rule = \"mixture\"",
+            7,
+        ),
+    ] {
+        match slipzone::scene::parse("scene.toml", &GOOD.replace(before, after)) {
+            Ok(_) => assert_eq!(line, 0, "{after}"),
+            Err(error) => {
+                let told = (error.line, error.found.as_deref(), error.expected.as_deref());
+                assert_eq!(told, (line, Some("an array"), Some("a table")), "{error}");
+            }
+        }
+    }
 }

@@ -19,7 +19,8 @@ use column::Column;
 use num_complex::Complex64;
 use piece::MOST_NODES;
 use pieces::{Pieces, Plan};
-use serde::{Deserialize, Serialize};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
 use singular::Singular;
 use slipzone_api::{
     Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Positive, Refusal, SurfaceFlexibility,
@@ -45,7 +46,7 @@ pub struct Split {
     pub cutoff: Option<Positive>,
     /// Terms of the series used beyond `S`, at most 40 and as many as the grading tells; left out, chosen
     /// by the accuracy.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "terms", skip_serializing_if = "Option::is_none")]
     pub terms: Option<NonZeroU8>,
 }
 
@@ -53,9 +54,18 @@ slipzone_api::register!(Kernel, "split", "Fourier integral up to a wave number, 
     example: "type = \"split\"",
     parameters: [
         ("cutoff", "wave number times thickness at which the series takes over", false, [10.0, 14.0, 40.0], Positive),
-        ("terms", "terms of the series, 1 to 40", false, [8.0, 14.0, 22.0], Whole(1, 255)),
+        ("terms", "terms of the series, 1 to 40", false, [8.0, 14.0, 22.0], Whole(1, 40)),
     ],
     source: "docs/theory.md section 3");
+
+/// Reads `terms`; more than are ever asked for would not be used.
+fn terms<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<NonZeroU8>, D::Error> {
+    let terms = Option::<NonZeroU8>::deserialize(deserializer)?;
+    match terms.map(NonZeroU8::get).filter(|terms| usize::from(*terms) > MOST_TERMS) {
+        None => Ok(terms),
+        Some(terms) => Err(D::Error::custom(format!("expected an integer from 1 to {MOST_TERMS}, found {terms}"))),
+    }
+}
 
 /// Terms of the series asked for at first: most often enough, and they cost as their square.
 const FEW_TERMS: usize = 16;
