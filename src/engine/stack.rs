@@ -416,7 +416,9 @@ impl Stack {
     pub(crate) fn slides_beside(&self, problem: &Problem, family: &mut Family, b: f64, x: f64) -> f64 {
         let (x, widest) = (apart(x.abs(), b), family.sliding(b));
         let mut slices = self.slices(problem, &self.crowded_ways, x, (x.max(self.breaks[0]), b));
-        slices.iter_mut().for_each(|slice| slice.force *= family.sliding(slice.half_width) - widest);
+        for slice in &mut slices {
+            slice.force *= family.sliding(slice.half_width) - widest;
+        }
         family.stacked_pressure(&slices, x)
     }
 

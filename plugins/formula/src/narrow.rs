@@ -68,7 +68,7 @@ fn look(u: impl Fn(f64) -> Dual, kind: Kind, length: f64, found: &mut Vec<(f64, 
     for i in 1..=SAMPLES {
         let x = length * f64::from(i) / f64::from(SAMPLES);
         let (then, now) = (before.1, u(x));
-        if kind == Kind::Step && then.value * now.value <= 0.0 && then.value != now.value {
+        if kind == Kind::Step && (then.value < 0.0) != (now.value < 0.0) {
             found.push(steep(bisect(before.0, x, |x| u(x).value)));
         }
         if then.slope * now.slope < 0.0 {

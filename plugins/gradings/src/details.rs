@@ -16,6 +16,6 @@ pub(crate) fn beside(places: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
     cuts.retain(|depth| *depth > 0.0 && *depth < 1.0);
     cuts.sort_by(f64::total_cmp);
     // Two that all but meet are one.
-    cuts.dedup_by(|next, before| *next - *before < f64::EPSILON);
+    cuts.dedup_by(|next, before| *next <= *before + f64::EPSILON);
     cuts
 }
