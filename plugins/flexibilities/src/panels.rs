@@ -128,9 +128,12 @@ impl Panels {
             let fit = Fit::of(layer, law, (start, width), self.precision)?;
             let (top, wide) = (stretch.in_whole(start), width * thickness);
             let is_thinnest = wide <= THINNEST || width <= THINNEST;
-            // A depth is rounded, too, and a law that varies over the panel with it.
-            let rounding = NOISE.0.max(NOISE_OF_DEPTH * f64::EPSILON * (start + width) / width);
-            let is_noise = fit.error < rounding && fit.error > NOISE.1 * before;
+            // A depth is rounded, too, and a law that varies over the panel with it; so thin a panel hardly matters, unless it is very soft
+            // or very stiff.
+            let rounding = NOISE_OF_DEPTH * f64::EPSILON * (start + width) / width;
+            let weight = wide * fit.extremes.1.max(fit.extremes.0.recip());
+            let is_rounding = fit.error < rounding && fit.error * weight < NOISE.0;
+            let is_noise = (fit.error < NOISE.0 || is_rounding) && fit.error > NOISE.1 * before;
             if !fit.is_smooth && !is_noise && !is_thinnest {
                 let half = 0.5 * width;
                 stack.push((start + half, half, fit.error));
