@@ -373,7 +373,7 @@ impl Growing {
             let b = stack.under(problem, family, *load)?;
             let mut numbers = sizes(layer, problem, family, stack, b);
             if problem.friction.is_some() {
-                let zone = family.rubbing_between(b)?.reported_zone();
+                let zone = if family.sticks() { family.zone(b).widened() } else { family.zone(b) };
                 numbers.set(Quantity::StickHalfWidth, zone.half_width);
                 numbers.set(Quantity::StickRatio, zone.ratio());
             }

@@ -728,14 +728,9 @@ impl Rubbing {
         Self { shear: Some(shear), ..self }
     }
 
-    /// The stick zone, all of the contact where everything sticks.
-    pub(crate) fn reported_zone(&self) -> StickZone {
-        if self.is_full { StickZone { half_width: self.zone.contact(), slip_width: 0.0 } } else { self.zone }
-    }
-
-    /// Adds the zone to the numbers reported.
+    /// Adds the zone to the numbers reported, all of the contact where everything sticks.
     pub(crate) fn report(&self, numbers: &mut Numbers) {
-        let zone = self.reported_zone();
+        let zone = if self.is_full { self.zone.widened() } else { self.zone };
         numbers.set(Quantity::StickHalfWidth, zone.half_width);
         numbers.set(Quantity::StickRatio, zone.ratio());
         numbers.set(Quantity::OneMinusRatio, zone.one_minus_ratio());

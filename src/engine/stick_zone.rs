@@ -24,6 +24,11 @@ impl StickZone {
         (self.half_width / self.slip_width).ln()
     }
 
+    /// All of the contact.
+    pub(crate) fn widened(self) -> Self {
+        Self { half_width: self.contact(), slip_width: 0.0 }
+    }
+
     /// How near to the contact's edge the shear under a sharp one may be out of all proportion, over the half-width.
     pub(crate) const NEAR: f64 = 0.01;
 
