@@ -239,8 +239,8 @@ fn interfaces_as_sharp_as_can_be_are_steps() {
 #[test]
 fn a_film_that_is_no_solid_is_refused() {
     for (law, what) in [
-        ("modulus = \"1 - 1.5*exp(-((y - 0.2345)/0.002)^2)\"", "modulus"),
-        ("modulus = \"1 + y\", poisson = \"0.3 + 0.3*exp(-((y - 0.2345)/0.002)^2)\"", "Poisson's ratio"),
+        ("modulus = \"1 - 1.5*exp(-((y - 0.2422)/0.001)^2)\"", "modulus"),
+        ("modulus = \"1 + y\", poisson = \"0.3 + 0.3*exp(-((y - 0.2422)/0.001)^2)\"", "Poisson's ratio"),
     ] {
         let text = Sketch::on(lines(1.0, &format!("grading = {{ type = \"formula\", {law} }}"))).text();
         let error = slipzone::scene::parse("film.toml", &text).expect_err("no elastic solid").to_string();

@@ -131,7 +131,7 @@ fn stick_zones_of_a_prescribed_strain_are_those_of_their_loads() {
         let text = Sketch::flat(5.0, 8.0, 0.3).cylinder().loaded(load).with("[solver]\ntolerance = 1e-4").text();
         slipzone::scene::parse("linear.toml", &text.replace("[load]", &format!("{punch}[load]"))).expect("a scene")
     };
-    let walked = solve(&sketch("until = { force = 0.1, points = 8 }"));
+    let walked = solve(&sketch("until = { force = 0.1, points = 20 }"));
     let ratios = full(curve(&walked).stick_ratio.as_deref().expect("friction"));
     for (i, ratio) in ratios.into_iter().enumerate() {
         let force = curve(&walked).force[i].expect("given");
