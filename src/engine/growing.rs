@@ -335,10 +335,8 @@ impl Growing {
             return Ok(rubbing.failing(during(problem, at, "the stick zone shrinks")));
         }
         // The pressure has a trace of its own.
-        let stack = self.stack.as_ref().expect("provided before");
-        let mut lack = |part: f64| stack.lack(problem, family, b, part * zone.half_width);
-        let (lack, inner) = (TRACED.map(&mut lack), NEAR_MIDDLE.map(&mut lack));
         let (friction, sticks) = (family.signed_friction(), family.sticks());
+        let lack = TRACED.map(|part| self.lack(problem, b, part * zone.half_width));
         let mut pressure = [0.0; TRACED.len()];
         let own = |part: f64| Station { x: part * zone.half_width, gap: (1.0 - part) * zone.half_width };
         let at = TRACED.map(|part| zone.in_contact(own(part)));
@@ -346,11 +344,12 @@ impl Growing {
         let mean = self.force / (2.0 * b);
         let shear = std::array::from_fn(|i| (self.sliding(problem, b, at[i].x, pressure[i]) - lack[i]) / mean);
         if sticks {
-            // What slides is as much as the resolution makes it.
+            // What slides is as much as the resolution makes it, and so is what is lacking to it.
             return Ok(rubbing.traced(ShearTrace::new(shear, shear, friction)));
         }
+        let inner = NEAR_MIDDLE.map(|part| self.lack(problem, b, part * zone.half_width) / mean);
         let trace = ShearTrace::new(lack.map(|lack| lack / mean), shear, friction);
-        Ok(rubbing.traced(ShearTrace { inner: inner.map(|lack| lack / mean), ..trace }))
+        Ok(rubbing.traced(ShearTrace { inner, ..trace }))
     }
 
     /// Sizes of the contact on its way to a load solved already, whose half-width is given; `None` where it is no single

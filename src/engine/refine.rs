@@ -198,8 +198,7 @@ impl Ladder {
             self.refined(layer, problem, methods, tolerance)?
         };
         if let Some(of_shear) = judged.of_shear {
-            let least = if is_stuck_stack(&judged.outcome) { STUCK } else { 0.0 };
-            judged.errors.set(Quantity::Shear, of_shear.max(least));
+            judged.errors.set(Quantity::Shear, of_shear.max(left_by_sticking(&judged.outcome)));
         }
         let errors = judged.errors;
         for (quantity, error) in errors.iter().filter(|(quantity, _)| quantity.is_of_shear()) {
@@ -384,12 +383,11 @@ impl Ladder {
         history: &mut ArrayVec<Seen, { FINEST + 1 }>,
     ) {
         for _ in 0..FOR_THE_SHEAR {
-            let least = if is_stuck_stack(&found.outcome) { STUCK } else { 0.0 };
             // That everything sticks, coarse resolutions cannot tell: they have no shear to compare with.
             let unknown =
                 problem.wishes.profile && found.outcome.rubbing.as_ref().is_some_and(|rubbing| rubbing.is_full);
             let error = found.of_shear.unwrap_or(if unknown { 1.0 } else { 0.0 });
-            if error <= least.max(SHEAR * tolerance) {
+            if error <= left_by_sticking(&found.outcome).max(SHEAR * tolerance) {
                 return;
             }
             let stage = found.stage + 1;
@@ -631,9 +629,10 @@ fn is_unseen(layer: &Layer, outcome: &Outcome, unknowns: usize) -> bool {
     WIDE * half_width > UNSEEN * layer.length() * unknowns as f64
 }
 
-/// Whether a contact grew in which everything sticks.
-fn is_stuck_stack(outcome: &Outcome) -> bool {
-    outcome.lost.is_some() && outcome.rubbing.as_ref().is_some_and(|rubbing| rubbing.is_full)
+/// [`STUCK`] of a contact that grew in which everything sticks.
+fn left_by_sticking(outcome: &Outcome) -> f64 {
+    let is_full = outcome.rubbing.as_ref().is_some_and(|rubbing| rubbing.is_full);
+    if is_full && outcome.lost.is_some() { STUCK } else { 0.0 }
 }
 
 /// Whether a stick zone is only bounded, and no finer step finds it.

@@ -147,10 +147,10 @@ impl Formula {
         singular::points(&self.tape, scale, most)
     }
 
-    /// Where on `[0, length]` the formula, analytic there, may vary over less than `length/50`: the step of a hyperbolic tangent,
-    /// the peak of an exponential or of an inverse, the beginning of either at an end. Place and width of each, the first `most`
-    /// of them. A place too many does no harm; what is not seen by the arguments of its functions at a thousand samples is missed.
-    pub fn narrow_places(&self, length: f64, most: usize) -> Vec<(f64, f64)> {
-        narrow::places(&self.tape, length, most)
+    /// Where on `[0, length]` the formula, analytic there, may vary over a short length: the step of a hyperbolic tangent, the peak of an
+    /// exponential or of an inverse, the beginning of either at an end. Place and width of each, in no order; the width is no number
+    /// where nothing varies. A place too many does no harm; what the arguments of its functions do between a thousand samples is missed.
+    pub fn narrow_places(&self, length: f64) -> Vec<(f64, f64)> {
+        narrow::places(&self.tape, length)
     }
 }

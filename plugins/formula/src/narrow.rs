@@ -8,9 +8,6 @@ use std::ops::Range;
 
 /// Samples of each argument: it is no narrower than what is made of it, but far broader as a rule.
 const SAMPLES: i32 = 1024;
-/// Wider than this, over the length, everything is seen anyway; narrower than the second, nothing is to be seen.
-const NARROW: f64 = 0.02;
-const NARROWEST: f64 = 1e-12;
 /// Over which parts of the length a slope's change is looked at: of a parabola, and of a kink.
 const BESIDE: [f64; 2] = [1e-3, 1e-9];
 
@@ -26,16 +23,11 @@ enum Kind {
 }
 
 /// See [`crate::Formula::narrow_places`].
-pub(crate) fn places(tape: &Tape, length: f64, most: usize) -> Vec<(f64, f64)> {
+pub(crate) fn places(tape: &Tape, length: f64) -> Vec<(f64, f64)> {
     let mut found = Vec::new();
     for (range, kind) in arguments(tape) {
         look(|x| tape.part(range.clone(), x), kind, length, &mut found);
     }
-    let is_narrow = |(_, width): &(f64, f64)| *width < NARROW * length && *width > NARROWEST * length;
-    found.retain(is_narrow);
-    found.sort_by(|one, other| one.0.total_cmp(&other.0).then(one.1.total_cmp(&other.1)));
-    found.dedup();
-    found.truncate(most);
     found
 }
 

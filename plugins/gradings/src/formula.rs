@@ -68,7 +68,7 @@ impl Grading for Formula {
         let mut breakpoints: Vec<f64> = kinks.map(|depth| depth / thickness).filter(|d| *d > 0.0 && *d < 1.0).collect();
         breakpoints.sort_unstable_by(f64::total_cmp);
         breakpoints.dedup();
-        let narrow = formulas.iter().flat_map(|formula| formula.narrow_places(thickness, MOST_KINKS));
+        let narrow = formulas.iter().flat_map(|formula| formula.narrow_places(thickness));
         let narrow = narrow.map(|(depth, width)| (depth / thickness, width / thickness));
         let details = details::beside(narrow);
         let law = Law { formulas, thickness, breakpoints, details };

@@ -22,9 +22,6 @@ pub struct Transition {
     pub width: Positive,
 }
 
-/// Narrower than this over the thickness an interface is told of.
-const NARROW: f64 = 0.02;
-
 /// A smooth step from 1 far on the left to 0 far on the right, with `S(z) + S(-z) = 1`.
 pub(crate) trait Step: Debug + Send + Sync + 'static {
     /// `S(z)`, to full relative precision.
@@ -43,15 +40,8 @@ impl Transition {
             return Ok(Box::new(Constant(above)));
         }
         let (top, rate) = (-self.centre.get() / width, thickness / width);
-        let place = Some((self.centre.get() / thickness, 1.0 / rate)).filter(|(_, width)| *width < NARROW);
-        Ok(Box::new(Law::<S> {
-            above,
-            below,
-            top,
-            rate,
-            details: details::beside(place.into_iter()),
-            step: PhantomData,
-        }))
+        let details = details::beside(std::iter::once((self.centre.get() / thickness, 1.0 / rate)));
+        Ok(Box::new(Law::<S> { above, below, top, rate, details, step: PhantomData }))
     }
 }
 
