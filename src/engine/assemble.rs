@@ -2,15 +2,16 @@
 
 use super::coupling;
 use super::finite::first_not_finite;
+use super::judged::{How, Judged, SHEAR};
 use super::layer::Layer;
 use super::loading_curve::Point;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
-use super::refine::{How, Judged, SHEAR};
+use super::rubbing::Verdict;
 use super::solution::{
     EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Slip, Solution, Status, StickReport,
 };
-use super::stage::{Stage, Verdict};
+use super::stage::Stage;
 use super::stick_zone::StickZone;
 use crate::plan::Plan;
 use crate::scene::{Load, LoadKind, Model, Scene};

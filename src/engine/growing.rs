@@ -6,10 +6,12 @@ use super::contact_size::{self, Size};
 use super::family::{Family, Unfit, during};
 use super::layer::Layer;
 use super::normal::Normal;
+use super::peak::peak;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity, ShearTrace, Traces};
+use super::rubbing::{Rubbing, Verdict};
 use super::stack::Stack;
-use super::stage::{Outcome, Rubbing, Task, Verdict, normal_numbers, peak};
+use super::stage::{Outcome, Task};
 use super::strain::Strain;
 use super::work::Work;
 use slipzone_api::{Quadrature, Refusal, Station};
@@ -174,7 +176,7 @@ impl Growing {
     fn sized(&mut self, layer: &Layer, problem: &Problem, normal: &mut Normal, size: Size) -> Numbers {
         self.half_width = size.half_width;
         let numbers =
-            if self.is_kinked { self.stacked_numbers(layer, problem) } else { normal_numbers(layer, problem, normal) };
+            if self.is_kinked { self.stacked_numbers(layer, problem) } else { normal.numbers(layer, problem) };
         self.force = numbers.get(Quantity::Force).expect("every contact has one");
         numbers
     }

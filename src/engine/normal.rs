@@ -2,7 +2,9 @@
 
 use super::dense::Dense;
 use super::layer::Layer;
+use super::peak::peak;
 use super::problem::{LoadInLayerUnits, Problem};
+use super::quantity::{Numbers, Quantity};
 use super::work::Work;
 use slipzone_api::double_exponential::{self, Node};
 use slipzone_api::{Component, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
@@ -199,6 +201,28 @@ impl Normal {
             Some(kernel) => self.rule.potential_into(samples, kernel, at, out),
             None => out.fill(0.0),
         }
+    }
+
+    /// The numbers of the pressure.
+    pub(crate) fn numbers(&mut self, layer: &Layer, problem: &Problem) -> Numbers {
+        let mut numbers = Numbers::default();
+        let depth = if problem.wants_depth() { self.depth(layer, problem) } else { None };
+        let b = self.half_width;
+        numbers.set(Quantity::Force, self.force);
+        numbers.set(Quantity::HalfWidth, b);
+        if problem.wishes.judges(Quantity::Centre) {
+            numbers.set(Quantity::Centre, self.at(Station { x: 0.0, gap: b }));
+        }
+        numbers.set(Quantity::Mean, self.mean());
+        numbers.set(Quantity::StressIntensity, self.edge_factor / b.sqrt());
+        numbers.set(Quantity::EdgeRatio, self.edge_factor / self.force);
+        if let Some(depth) = depth {
+            numbers.set(Quantity::Indentation, depth);
+        }
+        if problem.wishes.reports(Quantity::Peak) && !self.is_sharp() {
+            numbers.set(Quantity::Peak, peak(b, |at, out| self.values_into(at, out)));
+        }
+        numbers
     }
 
     /// Mean pressure.

@@ -2,10 +2,12 @@
 
 use super::error_estimate::{Pace, ROUNDING, SAFETY, Seen, extrapolated, judged_by_twin};
 use super::family::Family;
+use super::judged::{How, Judged, ROUNDED, SHEAR, has_details, judged, left_by_sticking, meets, with_the_rest};
 use super::layer::{Layer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
-use super::stage::{Outcome, Stage, Task, Verdict};
+use super::rubbing::Verdict;
+use super::stage::{Outcome, Stage, Task};
 use super::work::Work;
 use crate::plan::Methods;
 use arrayvec::ArrayVec;
@@ -34,30 +36,10 @@ const UNSEEN: f64 = 3.0;
 const LEFT: f64 = 0.1;
 /// Steps that a loading curve may take beyond those of its last load.
 const MORE: usize = 1;
-/// Error of the shear, over the tolerance, from which it takes finer steps, and from which it is said among the assumptions. Of 600
-/// random contacts the true one was below a tenth of the estimate in half, above all of it in one of thirty.
-pub(super) const SHEAR: f64 = 3.0;
-/// Error of the shear under a contact that grew and sticks everywhere: what the slip zones left out would change, of the order of the
-/// root of their width, and what the stack misses so near to its edge.
-///
-/// Measured on a cylinder on a half-plane, whose closed form is known: 7e-7 at 0.96 b.
-const STUCK: f64 = 2e-6;
 /// Steps that the shear may take beyond those of the numbers.
 const FOR_THE_SHEAR: usize = 2;
 /// Share of the tolerance that the kernels may use up.
 const KERNEL_SHARE: f64 = 0.2;
-/// What a stack leaves out, over the tolerance: its nodes are as many as that asks for.
-///
-/// Measured: 2.4e-7 of the pressure in the middle of a rounded flat punch at 1e-3.
-const STACKED: f64 = 1e-3;
-/// Share of the tolerance below which no error of the shear's numbers is claimed: what a few coarse resolutions show of a
-/// stick zone may agree by chance.
-///
-/// The atlas found three of 1,000 stick zones off by 3 to 9 of their estimates, at most by 0.35 of the tolerance, and 100,000
-/// random scenes seven, one of them by half of it; three of these estimates are 0.6 of it.
-const CLAIMED_OF_SHEAR: f64 = 0.2;
-/// Errors that stop shrinking below this are those of rounding.
-pub(super) const ROUNDED: f64 = 1e-9;
 /// Steps in a row that have to stop shrinking.
 const STALLED: usize = 3;
 
@@ -80,51 +62,6 @@ pub(super) struct FlatPunches {
     families: Vec<Option<Family>>,
     settled: Option<usize>,
     pace: Option<(f64, Pace)>,
-}
-
-/// How sure a solved contact is, and how that is known.
-pub(super) struct Judged {
-    pub(super) outcome: Outcome,
-    /// Which stage of the ladder holds its tractions.
-    pub(super) stage: usize,
-    /// Of the numbers that have to meet the tolerance.
-    pub(super) errors: Numbers,
-    /// How uncertain the shear itself is, over its largest value, where it is asked for.
-    pub(super) of_shear: Option<f64>,
-    /// How uncertain the pressure itself is; `None` where no number tells.
-    pub(super) doubt: Option<f64>,
-    pub(super) how: How,
-    /// The largest error of the model that stands for the solid.
-    pub(super) of_model: f64,
-    /// Why refinement ended before the tolerance was met.
-    pub(super) stopped: Option<Refusal>,
-}
-
-impl Judged {
-    fn new(outcome: Outcome, stage: usize, errors: Numbers, how: How) -> Self {
-        Self { outcome, stage, errors, of_shear: None, doubt: None, how, of_model: 0.0, stopped: None }
-    }
-
-    /// The largest error of a number that has to meet the tolerance.
-    pub(super) fn worst(&self, problem: &Problem) -> f64 {
-        judged(problem, &self.errors).map_or(0.0, |(_, error)| error)
-    }
-
-    /// Whether it misses the tolerance because the shape has details that a grid over all of the contact does not resolve.
-    pub(super) fn misses_details(&self, problem: &Problem, tolerance: f64) -> bool {
-        self.how != How::Twin && self.worst(problem) > tolerance && has_details(problem, &self.outcome, tolerance)
-    }
-}
-
-/// How the errors were estimated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum How {
-    /// By a finer twin.
-    Twin,
-    /// By that many resolutions, the kernels by their own proof or not.
-    Sequence { count: usize, kernels_proven: bool },
-    /// By two resolutions and how fast they came before, the kernels likewise.
-    Again { kernels_proven: bool },
 }
 
 /// What the checks of friction leave of a result.
@@ -166,55 +103,13 @@ impl Ladder {
         methods: &Methods,
         tolerance: f64,
     ) -> Result<Judged, Refusal> {
-        let (kernel_pinned, quadrature_pinned) = (methods.kernel.is_pinned(), methods.quadrature.is_pinned());
-        let mut judged = if kernel_pinned || quadrature_pinned {
-            layer.meter().conclude();
-            let kernel_level = if kernel_pinned { 0 } else { BESIDE_PINNED };
-            let quadrature_level = if quadrature_pinned { 0 } else { BESIDE_PINNED };
-            let mut solve = |index: usize, coarse: Option<&Outcome>| {
-                let step = u32::try_from(index).expect("two steps");
-                self.solve(
-                    layer,
-                    problem,
-                    methods,
-                    tolerance,
-                    (index, kernel_level + step, quadrature_level + step),
-                    coarse,
-                )
-            };
-            // The twin first: the tables left are those of the contact reported.
-            let twin = solve(1, None)?;
-            let mut outcome = solve(0, Some(&twin))?;
-            let task = Self::task(problem, tolerance, kernel_level);
-            self.stages[0].settle(layer, task, &mut outcome)?;
-            let mut errors = judged_by_twin(&outcome.seen(), &twin.seen());
-            // The few points of the traces do not see the end of the zone.
-            if let Some((traced, apart)) = errors.get(Quantity::Shear).zip(self.stages[0].shear_apart(&self.stages[1]))
-            {
-                errors.set(Quantity::Shear, traced.max(SAFETY * apart));
-            }
-            Judged::new(outcome, 0, errors, How::Twin)
+        let is_pinned = methods.kernel.is_pinned() || methods.quadrature.is_pinned();
+        let mut judged = if is_pinned {
+            self.with_twin(layer, problem, methods, tolerance)?
         } else {
             self.refined(layer, problem, methods, tolerance)?
         };
-        if let Some(of_shear) = judged.of_shear {
-            judged.errors.set(Quantity::Shear, of_shear.max(left_by_sticking(&judged.outcome)));
-        }
-        let errors = judged.errors;
-        for (quantity, error) in errors.iter().filter(|(quantity, _)| quantity.is_of_shear()) {
-            judged.errors.set(quantity, error.max(CLAIMED_OF_SHEAR * tolerance));
-        }
-        judged.errors = with_the_rest(problem, layer, &judged.outcome, tolerance, judged.errors);
-        // A bound does not change with the resolution, or does by chance: differences say nothing of its error.
-        if let Some(bound) = bound_of_stick(&judged.outcome) {
-            bound.iter().for_each(|(quantity, error)| judged.errors.set(quantity, error));
-        }
-        for given in problem.given() {
-            judged.errors.set(given, 0.0);
-        }
-        judged.doubt = doubt(problem, &judged.errors);
-        judged.of_shear = judged.errors.take(Quantity::Shear).filter(|_| problem.wishes.profile);
-        judged.errors = judged.errors.judged_by(problem.wishes);
+        judged.conclude(problem, layer, tolerance);
         Ok(judged)
     }
 
@@ -256,6 +151,33 @@ impl Ladder {
         None
     }
 
+    /// Solves at the resolution that the scene fixed, and at the next finer one to tell the error.
+    fn with_twin(
+        &mut self,
+        layer: &mut Layer,
+        problem: &Problem,
+        methods: &Methods,
+        tolerance: f64,
+    ) -> Result<Judged, Refusal> {
+        layer.meter().conclude();
+        let level = |is_pinned: bool| if is_pinned { 0 } else { BESIDE_PINNED };
+        let (of_kernel, of_quadrature) = (level(methods.kernel.is_pinned()), level(methods.quadrature.is_pinned()));
+        let mut solve = |index: usize, coarse: Option<&Outcome>| {
+            let step = u32::try_from(index).expect("two steps");
+            self.solve(layer, problem, methods, tolerance, (index, of_kernel + step, of_quadrature + step), coarse)
+        };
+        // The twin first: the tables left are those of the contact reported.
+        let twin = solve(1, None)?;
+        let mut outcome = solve(0, Some(&twin))?;
+        self.stages[0].settle(layer, Self::task(problem, tolerance, of_kernel), &mut outcome)?;
+        let mut errors = judged_by_twin(&outcome.seen(), &twin.seen());
+        // The few points of the traces do not see the end of the zone.
+        if let Some((traced, apart)) = errors.get(Quantity::Shear).zip(self.stages[0].shear_apart(&self.stages[1])) {
+            errors.set(Quantity::Shear, traced.max(SAFETY * apart));
+        }
+        Ok(Judged::new(outcome, 0, errors, How::Twin))
+    }
+
     /// Takes finer steps until the estimate meets the tolerance.
     fn refined(
         &mut self,
@@ -264,11 +186,8 @@ impl Ladder {
         methods: &Methods,
         tolerance: f64,
     ) -> Result<Judged, Refusal> {
-        let mut history: ArrayVec<Seen, { FINEST + 1 }> = ArrayVec::new();
-        let mut last: Option<(Outcome, usize)> = None;
-        let (mut errors, mut stopped) = (Numbers::default(), None);
-        let mut stalled = 0;
-        let (mut of_shear, mut met) = (None, false);
+        let mut estimate = Estimate::default();
+        let (mut last, mut stopped): (Option<(Outcome, usize)>, _) = (None, None);
         let first = first_level(problem, tolerance);
         // What a search found on the coarsest level is followed from there to the first that matters.
         let after_search = Some(left_out(tolerance)).filter(|level| searches(problem) && *level > 1);
@@ -284,7 +203,7 @@ impl Ladder {
             let coarse = last.as_ref().map(|(outcome, _)| outcome);
             let mut outcome = match self.solve(layer, problem, methods, tolerance, (step, level, level), coarse) {
                 Ok(outcome) => outcome,
-                Err(refusal) if history.len() >= 3 => {
+                Err(refusal) if estimate.is_told() => {
                     stopped = Some(refusal);
                     break;
                 }
@@ -302,38 +221,19 @@ impl Ladder {
                 (next, last) = (later, Some((outcome, step)));
                 continue;
             }
-            history.push(outcome.seen());
-            let mut done = false;
             let unseen = is_unseen(layer, &outcome, self.stages[step].unknowns());
-            if let Some(mut estimate) = extrapolated(&history, unseen) {
-                of_shear = estimate.take(Quantity::Shear).filter(|_| problem.wishes.profile);
-                let before = judged(problem, &errors).map_or(f64::INFINITY, |(_, error)| error);
-                errors = estimate;
-                let now = judged(problem, &errors).map_or(0.0, |(_, error)| error);
-                let all = with_the_rest(problem, layer, &outcome, tolerance, errors);
-                met = meets(problem, &all, tolerance) || now <= 2.0 * ROUNDING;
-                stalled = if now < ROUNDED && now > 0.5 * before { stalled + 1 } else { 0 };
-                // What a stack loses at any resolution, and a law that was smoothed.
-                let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));
-                let is_small =
-                    |(quantity, error): (Quantity, f64)| error <= lost.get(quantity).unwrap_or(0.0).max(tolerance);
-                let is_vain = judged(problem, &lost).is_some_and(|(_, lost)| lost > tolerance)
-                    && errors.judged_by(problem.wishes).iter().all(is_small);
-                done = met || is_vain || stalled >= STALLED;
-            }
-            done = done
+            let mut done = estimate.add((layer, problem), &outcome, tolerance, unseen)
                 || self.is_hopeless(problem, tolerance, (step, first), &outcome)
-                || self.is_broken(step, first, &errors);
+                || self.is_broken(step, first, &estimate.errors);
             if done || step + first == FINEST {
                 let task = Self::task(problem, tolerance, level);
-                match self.settle(layer, task, (&mut outcome, step), &errors) {
+                match self.settle(layer, task, (&mut outcome, step), &estimate.errors) {
                     Ok(Settled::Elsewhere) => {
-                        history.clear();
-                        history.push(outcome.seen());
-                        (errors, of_shear, done) = (Numbers::default(), None, false);
+                        estimate = Estimate::beginning_with(&outcome);
+                        done = false;
                     }
-                    Ok(Settled::Here { shear }) => of_shear = shear.or(of_shear),
-                    Err(refusal) if history.len() >= 3 => (stopped, done) = (Some(refusal), true),
+                    Ok(Settled::Here { shear }) => estimate.of_shear = shear.or(estimate.of_shear),
+                    Err(refusal) if estimate.is_told() => (stopped, done) = (Some(refusal), true),
                     Err(refusal) => return Err(refusal),
                 }
             }
@@ -345,6 +245,7 @@ impl Ladder {
         let Some((outcome, stage)) = last else {
             return Err(stopped.expect("every step was solved or refused"));
         };
+        let Estimate { mut history, errors, of_shear, met, .. } = estimate;
         let how = How::Sequence { count: 0, kernels_proven: false };
         let mut found = Judged { of_shear, stopped, ..Judged::new(outcome, stage, errors, how) };
         if met && found.stopped.is_none() {
@@ -568,30 +469,6 @@ impl Ladder {
     }
 }
 
-/// Whether the shape has details within the contact found that its grid cannot resolve.
-fn has_details(problem: &Problem, outcome: &Outcome, tolerance: f64) -> bool {
-    outcome.numbers.get(Quantity::HalfWidth).is_some_and(|half_width| problem.has_details(half_width, tolerance))
-}
-
-/// The largest error of a number that has to meet the tolerance.
-fn judged(problem: &Problem, errors: &Numbers) -> Option<(Quantity, f64)> {
-    errors.judged_by(problem.wishes).worst()
-}
-
-/// Whether all that has to meet the tolerance does.
-fn meets(problem: &Problem, errors: &Numbers, tolerance: f64) -> bool {
-    judged(problem, errors).is_none_or(|(_, error)| error <= tolerance)
-}
-
-/// How uncertain the pressure is: by its value in the middle, or by all that is known of it where that is not asked for.
-fn doubt(problem: &Problem, errors: &Numbers) -> Option<f64> {
-    if problem.wishes.judges(Quantity::Centre) {
-        return errors.get(Quantity::Centre);
-    }
-    let of_pressure = errors.iter().filter(|(quantity, _)| !quantity.is_of_shear());
-    of_pressure.map(|(_, error)| error).reduce(f64::max)
-}
-
 /// The coarsest level worth solving.
 fn first_level(problem: &Problem, tolerance: f64) -> usize {
     if searches(problem) { 0 } else { left_out(tolerance) }
@@ -612,48 +489,57 @@ fn level(first: usize, step: usize) -> u32 {
     (first + step) as u32
 }
 
-/// Errors, and those that differences between resolutions do not see: what the kernels prove of theirs, what a contact misses of
-/// its load, what a smoothed law makes, and what a stack leaves out at all of them, which follows the tolerance.
-fn with_the_rest(problem: &Problem, layer: &Layer, outcome: &Outcome, tolerance: f64, errors: Numbers) -> Numbers {
-    let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
-    let missed = outcome.size.map_or(0.0, |size| size.missed);
-    let left_out = outcome.lost.map_or(0.0, |lost| lost.max(STACKED * tolerance));
-    let missed = if missed > ROUNDING { missed } else { 0.0 };
-    let of_kernels = layer.kernel_error(half_width).unwrap_or(0.0);
-    errors.plus(of_kernels + missed + left_out).and(&problem.smoothing_errors(&outcome.numbers))
-}
-
 /// Whether so few unknowns stand too far apart to see the layer.
 fn is_unseen(layer: &Layer, outcome: &Outcome, unknowns: usize) -> bool {
     let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
     WIDE * half_width > UNSEEN * layer.length() * unknowns as f64
 }
 
-/// [`STUCK`] of a contact that grew in which everything sticks.
-fn left_by_sticking(outcome: &Outcome) -> f64 {
-    let is_full = outcome.rubbing.as_ref().is_some_and(|rubbing| rubbing.is_full);
-    if is_full && outcome.lost.is_some() { STUCK } else { 0.0 }
+/// What the resolutions solved so far tell of the error.
+#[derive(Default)]
+struct Estimate {
+    history: ArrayVec<Seen, { FINEST + 1 }>,
+    errors: Numbers,
+    /// Of the shear itself, where it is asked for.
+    of_shear: Option<f64>,
+    /// Whether the tolerance is met.
+    met: bool,
+    /// For how many steps in a row the errors have not shrunk any more.
+    stalled: usize,
+}
+
+impl Estimate {
+    /// Before it is one resolution alone.
+    fn beginning_with(outcome: &Outcome) -> Self {
+        Self { history: ArrayVec::from_iter([outcome.seen()]), ..Self::default() }
+    }
+
+    /// Whether the errors are told at all.
+    fn is_told(&self) -> bool {
+        self.history.len() >= 3
+    }
+
+    /// Takes note of a finer resolution; whether it is fine enough, or no finer one would be any better.
+    fn add(&mut self, (layer, problem): (&Layer, &Problem), outcome: &Outcome, tolerance: f64, unseen: bool) -> bool {
+        self.history.push(outcome.seen());
+        let Some(mut estimate) = extrapolated(&self.history, unseen) else { return false };
+        self.of_shear = estimate.take(Quantity::Shear).filter(|_| problem.wishes.profile);
+        let before = judged(problem, &self.errors).map_or(f64::INFINITY, |(_, error)| error);
+        let now = judged(problem, &estimate).map_or(0.0, |(_, error)| error);
+        self.errors = estimate;
+        let all = with_the_rest(problem, layer, outcome, tolerance, estimate);
+        self.met = meets(problem, &all, tolerance) || now <= 2.0 * ROUNDING;
+        self.stalled = if now < ROUNDED && now > 0.5 * before { self.stalled + 1 } else { 0 };
+        // What a stack loses at any resolution, and a law that was smoothed.
+        let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));
+        let is_small = |(quantity, error): (Quantity, f64)| error <= lost.get(quantity).unwrap_or(0.0).max(tolerance);
+        let is_vain = judged(problem, &lost).is_some_and(|(_, lost)| lost > tolerance)
+            && estimate.judged_by(problem.wishes).iter().all(is_small);
+        self.met || is_vain || self.stalled >= STALLED
+    }
 }
 
 /// Whether a stick zone is only bounded, and no finer step finds it.
 fn is_bounded(outcome: &Outcome) -> bool {
     outcome.rubbing.as_ref().is_some_and(|rubbing| matches!(rubbing.verdict, Verdict::TooNarrow | Verdict::TooWide))
-}
-
-/// Errors of a stick zone that is only bounded, not found, however close the bound is; `None` where it is found.
-fn bound_of_stick(outcome: &Outcome) -> Option<Numbers> {
-    let rubbing = outcome.rubbing.as_ref()?;
-    let (ratio, one_minus) = (rubbing.zone.ratio(), rubbing.zone.one_minus_ratio());
-    let (of_ratio, of_gap) = match rubbing.verdict {
-        Verdict::TooNarrow => (1.0, ratio / one_minus),
-        Verdict::TooWide => (one_minus / ratio, 1.0),
-        // There is none beside it.
-        _ if rubbing.is_full => (one_minus / ratio, one_minus / ratio),
-        _ => return None,
-    };
-    let mut errors = Numbers::default();
-    errors.set(Quantity::StickHalfWidth, of_ratio);
-    errors.set(Quantity::StickRatio, of_ratio);
-    errors.set(Quantity::OneMinusRatio, of_gap);
-    Some(errors)
 }

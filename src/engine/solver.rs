@@ -2,11 +2,12 @@
 
 use super::assemble;
 use super::budget::BUDGET;
+use super::judged::Judged;
 use super::layer::Layer;
 use super::loading_curve::{self, Curve, Point};
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
-use super::refine::{Judged, Ladder};
+use super::refine::Ladder;
 use super::solution::{Solution, Status};
 use super::stand_in::{self, Decision, StandIn};
 use super::thin;

@@ -1,10 +1,11 @@
 //! Whether a solved contact may be believed.
 
+use super::judged::{Judged, ROUNDED};
 use super::problem::Problem;
 use super::quantity::Quantity;
-use super::refine::{Judged, ROUNDED};
+use super::rubbing::{Rubbing, Verdict};
 use super::solution::Status;
-use super::stage::{Rubbing, Stage, Verdict};
+use super::stage::Stage;
 
 /// A pressure less certain than this, relative, is no ground for saying that it pulls.
 const UNRESOLVED: f64 = 0.1;

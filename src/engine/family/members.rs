@@ -1,0 +1,218 @@
+//! The members of a family, solved one by one.
+
+use super::rubbed::{Approach, Found, Member};
+use super::{CHECKED, Family, Unfit, during, member};
+use crate::engine::layer::Layer;
+use crate::engine::problem::Problem;
+use crate::engine::rubbing::{Rubbing, Verdict};
+use crate::engine::stage::{Outcome, Task};
+use crate::engine::stick_search::Root;
+use slipzone_api::{Component, Refusal};
+use std::f64::consts::PI;
+
+/// A stick zone farther from the one expected is not near.
+const NEAR: f64 = 0.3;
+/// Error of the members' stick zones over the tolerance.
+const REFINED: f64 = 0.1;
+
+impl Family {
+    /// Solves all members.
+    pub(super) fn solve(
+        &mut self,
+        layer: &mut Layer,
+        task: Task,
+        contact: f64,
+        coarse: Option<&Family>,
+    ) -> Result<(), Unfit> {
+        let half_widths = self.blend.half_widths().to_vec();
+        let mut before: Option<Root> = None;
+        let mut sticks = coarse.is_some_and(Family::sticks);
+        if self.friction.is_some() && coarse.as_ref().is_none_or(|coarse| coarse.rubbed.is_none()) {
+            // The contact itself, by a search of its own: the others follow.
+            let flat = member(task.problem, contact, true);
+            let outcome = self.stage.solve(layer, Task { problem: &flat, ..task }, None, None)?;
+            let found = outcome.rubbing.as_ref().expect("a stick zone, or why there is none");
+            before = found.reported();
+            sticks = found.verdict == Verdict::Sticks;
+            if before.is_none() && !sticks {
+                return Err(Unfit::Friction(contact, Box::new(found.clone())));
+            }
+        }
+        // What a coarser resolution found to hold is not checked again; without one, nothing is known well enough.
+        let (is_first, known) = (coarse.is_none(), coarse.is_some_and(Family::is_checked));
+        let mut found = Found::new(coarse.and_then(Family::moves), !is_first);
+        for (k, b) in half_widths.iter().copied().enumerate() {
+            let flat = member(task.problem, b, self.friction.is_some());
+            let task = Task { problem: &flat, ..task };
+            if self.friction.is_none() {
+                self.stage.press(layer, task, b)?;
+                self.keep_pressure(layer, &flat, b)?;
+                continue;
+            }
+            let asked = !is_first && !known && k % CHECKED == 0;
+            if sticks {
+                let member = match self.stick_member(layer, task, b, asked) {
+                    // At other times slip zones are seen beside the edge, just so: the contact's own is narrower.
+                    Err(Unfit::Friction(_, why)) if why.verdict == Verdict::TooWide => {
+                        return Err(Unfit::Friction(contact, Box::new(why.bounded(contact))));
+                    }
+                    member => member?,
+                };
+                self.keep_pressure(layer, &flat, b)?;
+                found.add(member);
+                continue;
+            }
+            let told = coarse.and_then(|coarse| coarse.root_at(b));
+            let start = told.or_else(|| found.continued(&half_widths[..k], b)).or(before.take());
+            let (member, checked) = match self.solve_member(layer, task, b, (start, asked), &mut found)? {
+                Ok(solved) => solved,
+                Err(why) => return Err(Unfit::Friction(b, why)),
+            };
+            found.checked &= checked || !asked;
+            self.keep_pressure(layer, &flat, b)?;
+            let root = member.root;
+            if !found.add(member) {
+                let turned = "the direction of slip turns while the contact grows".into();
+                return Err(Unfit::Friction(b, Box::new(Rubbing::expected(root, b, false).failing(turned))));
+            }
+        }
+        self.pressure = std::mem::take(&mut self.pressure).blended(&self.blend);
+        self.tilt = std::mem::take(&mut self.tilt).blended(&self.blend);
+        self.depth = self.blend.coefficients(&self.depth, 1);
+        self.rubbed = self.friction.map(|_| found.blended(&self.of_shear));
+        Ok(())
+    }
+
+    /// Keeps what the pressure of the member solved last tells.
+    fn keep_pressure(&mut self, layer: &Layer, flat: &Problem, b: f64) -> Result<(), Refusal> {
+        self.pressure.push(self.stage.normal.unknowns().iter().map(|p| p * b));
+        self.tilted(layer, b)?;
+        let depth = self.stage.normal.depth(layer, flat);
+        self.depth.push(depth.map_or(0.0, |depth| depth / flat.elastic.a0() + b.ln() / PI));
+        Ok(())
+    }
+
+    /// Solves for `W`.
+    fn tilted(&mut self, layer: &Layer, b: f64) -> Result<(), Refusal> {
+        layer.meter().system(self.rule.unknowns(), 1)?;
+        let Self { rule, system, .. } = self;
+        rule.stretch(b);
+        system.solve(|rows, right| {
+            rule.operator_into(layer.kernel(Component::NormalSlope), rows);
+            match rule.row_scale() {
+                Some(scale) => right.iter_mut().zip(scale).for_each(|(right, scale)| *right = -scale),
+                None => right.fill(-1.0),
+            }
+            1
+        })?;
+        self.tilt.push(self.system.column(0).iter().copied());
+        Ok(())
+    }
+
+    /// Solves one member under friction from a guess of its stick zone, and leaves its pressure in the stage: what is found,
+    /// and whether the conditions of friction were found to hold where that is asked; or else what is to be said of it.
+    fn solve_member(
+        &mut self,
+        layer: &mut Layer,
+        task: Task,
+        b: f64,
+        (start, asked): (Option<Root>, bool),
+        found: &mut Found,
+    ) -> Result<Result<(Member, bool), Box<Rubbing>>, Refusal> {
+        if let Some(guess) = start
+            && let Some(member) = self.approach(layer, task, b, guess, found)?
+        {
+            let holds = asked && self.stage.holds(layer, task, guess.lambda, member.root.lambda)?;
+            return Ok(Ok((member, holds)));
+        }
+        let start = start.map(|start| Outcome::of_rubbing(Rubbing::expected(start, b, !asked)));
+        let outcome = self.stage.solve(layer, task, start.as_ref(), None)?;
+        let rubbing = outcome.rubbing.expect("a stick zone, or why there is none");
+        let Some(root) = rubbing.reported() else { return Ok(Err(Box::new(rubbing))) };
+        let member = if let Some(member) = self.approach(layer, task, b, root, found)? {
+            member
+        } else {
+            self.stage.curve(layer, task).at(root.lambda)?;
+            Member { root, lack: Found::lack(&self.stage, b), moves: None, least: None }
+        };
+        Ok(Ok((member, rubbing.is_checked())))
+    }
+
+    /// Solves one member of which all shall stick, and leaves its pressure in the stage; the conditions of that are looked at where
+    /// that is asked.
+    fn stick_member(&mut self, layer: &mut Layer, task: Task, b: f64, asked: bool) -> Result<Member, Unfit> {
+        self.stage.press(layer, task, b)?;
+        let eta = task.problem.friction.expect("friction that sticks");
+        let (lambda, least) = self.stage.stick(layer, task)?;
+        let stuck = || Rubbing::sticking(b, lambda, asked);
+        if least.abs() >= eta {
+            return Err(Unfit::Friction(b, Box::new(stuck().bounded(b))));
+        }
+        if asked && let Some(what) = self.stage.overload(eta) {
+            return Err(Unfit::Friction(b, Box::new(stuck().failing(what))));
+        }
+        let root = Root { lambda, branch: 1.0, slope: f64::NAN, doubt: f64::INFINITY };
+        Ok(Member { root, lack: Found::lack(&self.stage, b), moves: None, least: Some(least) })
+    }
+
+    /// The stick zone of one member from near it.
+    fn approach(
+        &mut self,
+        layer: &mut Layer,
+        task: Task,
+        b: f64,
+        guess: Root,
+        found: &mut Found,
+    ) -> Result<Option<Member>, Refusal> {
+        let stage = &mut self.stage;
+        let approach = Approach { error: REFINED * task.tolerance, widest: stage.curve(layer, task).widest() };
+        found.approach(&approach, b, guess, |from| {
+            let next = stage.follow(layer, task, b, from, NEAR)?;
+            Ok(next.map(|next| (next, Found::lack(stage, b))))
+        })
+    }
+
+    /// Checks the conditions of friction under some of the members up to a half-width; what the first that fails one
+    /// fails.
+    pub(crate) fn check(&mut self, layer: &mut Layer, task: Task, half_width: f64) -> Result<Option<String>, Refusal> {
+        for b in self.looked_at(half_width) {
+            let flat = member(task.problem, b, true);
+            let task = Task { problem: &flat, ..task };
+            if self.sticks() {
+                match self.stick_member(layer, task, b, true) {
+                    Ok(_) => continue,
+                    Err(Unfit::Refused(refusal)) => return Err(refusal),
+                    Err(Unfit::Friction(b, what)) => {
+                        return Ok(what.failure().map(|what| during(task.problem, b, what)));
+                    }
+                }
+            }
+            let start = self.root_at(b).map(|root| Outcome::of_rubbing(Rubbing::expected(root, b, false)));
+            let mut outcome = self.stage.solve(layer, task, start.as_ref(), None)?;
+            self.stage.settle(layer, task, &mut outcome)?;
+            let found = outcome.rubbing.as_ref().expect("a stick zone, or why there is none");
+            match &found.verdict {
+                Verdict::Holds => {}
+                Verdict::Fails(what) => return Ok(Some(during(task.problem, b, what))),
+                _ => return Ok(Some(during(task.problem, b, "no stick zone belongs to this friction coefficient"))),
+            }
+        }
+        if let Some(rubbed) = &mut self.rubbed {
+            rubbed.checked = true;
+        }
+        Ok(None)
+    }
+
+    /// The stick zone of a contact of that half-width, solved for itself: what is told between the members is but its
+    /// beginning.
+    pub(crate) fn rubbing(&mut self, layer: &mut Layer, task: Task, b: f64) -> Result<Option<Rubbing>, Refusal> {
+        let checked = self.is_checked();
+        if self.sticks() {
+            return Ok(self.rubbing_between(b));
+        }
+        let Some(guess) = self.root_at(b) else { return Ok(None) };
+        let flat = member(task.problem, b, true);
+        let root = self.stage.follow(layer, Task { problem: &flat, ..task }, b, guess, REFINED * task.tolerance)?;
+        Ok(Some(Rubbing::expected(root.unwrap_or(guess), b, checked)))
+    }
+}

@@ -1,0 +1,115 @@
+//! What friction makes of a contact at one resolution.
+
+use super::quantity::{Numbers, Quantity, ShearTrace};
+use super::stick_search::{Found, Root};
+use super::stick_zone::StickZone;
+
+/// What friction makes of it.
+#[derive(Clone, Debug)]
+pub(crate) struct Rubbing {
+    pub(crate) zone: StickZone,
+    pub(crate) verdict: Verdict,
+    /// Whether all of the contact sticks in it, but for less than can be told.
+    pub(crate) is_full: bool,
+    pub(super) found: Found,
+    /// Which of the roots is reported.
+    pub(super) chosen: usize,
+    /// Whether the roots come from this resolution's own scan.
+    pub(super) scanned: bool,
+    /// Whether the root reported is known to satisfy the conditions of friction.
+    pub(super) checked: bool,
+    /// The shear over the mean pressure, where a stick zone was found.
+    pub(super) shear: Option<ShearTrace>,
+}
+
+/// Whether a stick zone was found, and whether it holds.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Verdict {
+    /// A root; that both conditions of friction hold is checked when it is settled.
+    Holds,
+    /// Roots, but each fails a condition: what the one reported fails, and where.
+    Fails(String),
+    /// No root; the stick zone is narrower than what was looked for.
+    TooNarrow,
+    /// No root; the slip zone is narrower than what the resolution can tell.
+    TooWide,
+    /// No root, and every slip zone that can be told from none was looked at: everything sticks. The shear is that of the widest
+    /// zone looked at.
+    Sticks,
+    /// No shear arises, whatever the zone: everything sticks without friction.
+    NoShear,
+    /// No root in between: the direction of slip changes along the contact.
+    None,
+}
+
+impl Rubbing {
+    /// A stick zone told by a coarser resolution.
+    pub(crate) fn expected(root: Root, half_width: f64, checked: bool) -> Self {
+        Self {
+            zone: StickZone::from_log(root.lambda, half_width),
+            verdict: Verdict::Holds,
+            is_full: false,
+            found: Found::only(root),
+            chosen: 0,
+            scanned: false,
+            checked,
+            shear: None,
+        }
+    }
+
+    /// Everything sticks, but for less than can be told beside that zone.
+    pub(crate) fn sticking(half_width: f64, lambda: f64, checked: bool) -> Self {
+        let zone = StickZone::from_log(lambda, half_width);
+        let (verdict, is_full) = (Verdict::Sticks, true);
+        Self { zone, verdict, is_full, found: Found::default(), chosen: 0, scanned: false, checked, shear: None }
+    }
+
+    /// The root reported, where there is one that may hold.
+    pub(crate) fn reported(&self) -> Option<Root> {
+        (self.verdict == Verdict::Holds).then(|| self.found.roots[self.chosen])
+    }
+
+    /// `lambda` of the zone whose shear is that of the contact.
+    pub(super) fn solved(&self) -> Option<f64> {
+        if self.is_full { Some(self.zone.log()) } else { self.root() }
+    }
+
+    /// `lambda` of that root.
+    pub(super) fn root(&self) -> Option<f64> {
+        self.reported().map(|root| root.lambda)
+    }
+
+    /// Whether the root reported is known to satisfy the conditions of friction.
+    pub(crate) fn is_checked(&self) -> bool {
+        self.checked
+    }
+
+    /// A stick zone of which no more is told than that it is at least as wide, in a contact of that half-width.
+    pub(crate) fn bounded(self, half_width: f64) -> Self {
+        let zone = StickZone::from_log(self.zone.log(), half_width);
+        Self { zone, verdict: Verdict::TooWide, is_full: false, ..self }
+    }
+
+    /// The condition that it fails.
+    pub(crate) fn failure(&self) -> Option<&str> {
+        if let Verdict::Fails(what) = &self.verdict { Some(what) } else { None }
+    }
+
+    /// The same, found to fail a condition.
+    pub(crate) fn failing(self, what: String) -> Self {
+        Self { verdict: Verdict::Fails(what), ..self }
+    }
+
+    /// The same with what tells its shear from that of other resolutions, see [`Traces`].
+    pub(crate) fn traced(self, shear: ShearTrace) -> Self {
+        Self { shear: Some(shear), ..self }
+    }
+
+    /// Adds the zone to the numbers reported, all of the contact where everything sticks.
+    pub(crate) fn report(&self, numbers: &mut Numbers) {
+        let zone = if self.is_full { self.zone.widened() } else { self.zone };
+        numbers.set(Quantity::StickHalfWidth, zone.half_width);
+        numbers.set(Quantity::StickRatio, zone.ratio());
+        numbers.set(Quantity::OneMinusRatio, zone.one_minus_ratio());
+    }
+}

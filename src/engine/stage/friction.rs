@@ -1,0 +1,379 @@
+//! Friction under a flat punch at one resolution: the stick zone, looked for, followed and checked.
+
+use super::{Outcome, Stage, Task};
+use crate::engine::checks;
+use crate::engine::layer::Layer;
+use crate::engine::linear_strain::RateCurve;
+use crate::engine::problem::Problem;
+use crate::engine::rubbing::{Rubbing, Verdict};
+use crate::engine::sharpen::{apart_from_twin, sharpen};
+use crate::engine::stick_search::{Found, FrictionCurve, Root};
+use crate::engine::stick_zone::StickZone;
+use arrayvec::ArrayVec;
+use slipzone_api::Refusal;
+
+/// Friction below this share of the coefficient at every stick zone is rounding: there is no shear.
+const NO_SHEAR: f64 = 1e-10;
+/// A stick zone whose widths change by less than this from one resolution to the next is known well enough to be
+/// checked, and to have its shear told from the zone solved last.
+const KNOWN: f64 = 1e-4;
+
+impl Stage {
+    /// The curve of friction coefficients over stick zones, and room for the shear.
+    pub(crate) fn curve<'a>(&'a mut self, layer: &'a Layer, task: Task) -> FrictionCurve<'a> {
+        FrictionCurve {
+            layer,
+            normal: &mut self.normal,
+            shear: self.shear.as_mut().expect("room for the shear was made with friction"),
+            beta: task.problem.elastic.beta(),
+            tolerance: task.tolerance,
+        }
+    }
+
+    /// Finds the stick zones: follows those of a coarser resolution, or looks for all.
+    pub(super) fn rub(
+        &mut self,
+        layer: &Layer,
+        task: Task,
+        eta: f64,
+        coarse: Option<&Rubbing>,
+    ) -> Result<Rubbing, Refusal> {
+        let b = self.normal.half_width;
+        if let Some((half_width, friction, rubbing)) = &self.rubbed
+            && self.normal.is_flat
+            && (half_width.to_bits(), friction.to_bits()) == (b.to_bits(), eta.to_bits())
+        {
+            return Ok(rubbing.clone());
+        }
+        let mut rubbing = self.find(layer, task, eta, coarse)?;
+        if let Some(lambda) = rubbing.solved() {
+            self.examine(layer, task, lambda, &mut rubbing, coarse.and_then(Rubbing::root))?;
+        }
+        self.rubbed = Some((b, eta, rubbing.clone()));
+        Ok(rubbing)
+    }
+
+    /// Finds the stick zone in which the strain is `C|x|`: near that of a coarser resolution, or by a search.
+    pub(super) fn rub_linearly(
+        &mut self,
+        layer: &Layer,
+        task: Task,
+        eta: f64,
+        coarse: Option<&Rubbing>,
+    ) -> Result<Rubbing, Refusal> {
+        self.refresh(layer);
+        let b = self.normal.half_width;
+        let known = coarse.and_then(Rubbing::reported);
+        let shear = self.shear.as_mut().expect("room for the shear was made with friction");
+        let mut failure = None;
+        for branch in [1.0, -1.0] {
+            if known.is_some_and(|root| root.branch.to_bits() != f64::to_bits(branch)) {
+                continue;
+            }
+            let (beta, friction) = (task.problem.elastic.beta(), branch * eta);
+            let mut curve = RateCurve { layer, normal: &mut self.normal, shear, beta, friction };
+            for lambda in curve.extrema(known.map(|root| root.lambda))? {
+                curve.at(lambda)?;
+                let root = Root { lambda, branch, slope: f64::NAN, doubt: f64::NAN };
+                let rubbing = Rubbing::expected(root, b, true);
+                let rubbing = rubbing.traced(curve.shear.trace(curve.normal.mean()));
+                let Some((x, load)) = checks::overload(curve.normal, curve.shear, eta) else { return Ok(rubbing) };
+                let what = format!("|q| reaches {load:.3} eta p at x = {x:.4} b inside the stick zone");
+                failure = failure.or(Some(rubbing.failing(what)));
+            }
+        }
+        let nothing = Root { lambda: -FrictionCurve::WIDEST, branch: 1.0, slope: f64::NAN, doubt: f64::NAN };
+        let lost = || Rubbing { verdict: Verdict::None, ..Rubbing::expected(nothing, b, true) };
+        Ok(failure.unwrap_or_else(lost))
+    }
+
+    /// Takes the shear's trace, and checks the conditions of friction as soon as the zone is known: resolutions that
+    /// come after change it by less than the checks tell apart.
+    fn examine(
+        &mut self,
+        layer: &Layer,
+        task: Task,
+        lambda: f64,
+        rubbing: &mut Rubbing,
+        before: Option<f64>,
+    ) -> Result<(), Refusal> {
+        self.curve(layer, task).at_or_near(lambda, KNOWN)?;
+        let shear = self.shear.as_ref().expect("room for the shear was made with friction");
+        rubbing.shear = Some(shear.trace(self.normal.mean()));
+        if let Some(before) = before.filter(|_| !rubbing.checked) {
+            rubbing.checked = self.holds(layer, task, before, lambda)?;
+        }
+        Ok(())
+    }
+
+    /// Whether a stick zone was nearly known before, and both conditions of friction hold in it.
+    pub(crate) fn holds(&mut self, layer: &Layer, task: Task, before: f64, lambda: f64) -> Result<bool, Refusal> {
+        if (before - lambda).abs() >= KNOWN {
+            return Ok(false);
+        }
+        self.curve(layer, task).at_or_near(lambda, KNOWN)?;
+        Ok(self.violation(layer, task.problem).is_none())
+    }
+
+    /// Shows the present pressure to the shear. Under a flat punch both grow with the force.
+    fn refresh(&mut self, layer: &Layer) {
+        let Some(shear) = &mut self.shear else { return };
+        let (half_width, force) = (self.normal.half_width, self.normal.force);
+        match self.shown {
+            Some((before, less)) if self.normal.is_flat && before.to_bits() == half_width.to_bits() => {
+                shear.press(force / less);
+            }
+            _ => shear.under(layer, &mut self.normal),
+        }
+        self.shown = Some((half_width, force));
+    }
+
+    /// [`Self::rub`], from the beginning.
+    fn find(&mut self, layer: &Layer, task: Task, eta: f64, coarse: Option<&Rubbing>) -> Result<Rubbing, Refusal> {
+        if coarse.is_some_and(|coarse| coarse.verdict == Verdict::Sticks)
+            && let (lambda, least) = self.stick(layer, task)?
+            && least.abs() < eta
+        {
+            return Ok(Rubbing::sticking(self.normal.half_width, lambda, false));
+        }
+        self.refresh(layer);
+        let known = coarse.filter(|coarse| !coarse.found.roots.is_empty());
+        match known.map(|coarse| self.followed(layer, task, eta, coarse)).transpose()?.flatten() {
+            Some(rubbing) => Ok(rubbing),
+            None => self.scan(layer, task, eta),
+        }
+    }
+
+    /// The widest stick zone that this resolution can tell from all of the contact, and the friction coefficient that belongs to it, with
+    /// the sign of the shear there: everything sticks with more. Leaves the shear.
+    pub(crate) fn stick(&mut self, layer: &Layer, task: Task) -> Result<(f64, f64), Refusal> {
+        self.refresh(layer);
+        let mut curve = self.curve(layer, task);
+        let widest = curve.widest();
+        Ok((widest, curve.at(widest)?))
+    }
+
+    /// Stick zones known roughly, found at this resolution to the tolerance; `None` where the one reported is lost.
+    fn followed(&mut self, layer: &Layer, task: Task, eta: f64, known: &Rubbing) -> Result<Option<Rubbing>, Refusal> {
+        let mut curve = self.curve(layer, task);
+        let mut found = Found { roots: ArrayVec::new(), ..known.found.clone() };
+        let mut chosen = None;
+        for (i, root) in known.found.roots.iter().enumerate() {
+            if let Some(root) = curve.follow(*root, eta)? {
+                if i == known.chosen {
+                    chosen = Some(found.roots.len());
+                }
+                found.roots.push(root);
+            }
+        }
+        let Some(chosen) = chosen else { return Ok(None) };
+        let zone = StickZone::from_log(found.roots[chosen].lambda, self.normal.half_width);
+        let checked = known.checked;
+        let (verdict, is_full) = (Verdict::Holds, false);
+        Ok(Some(Rubbing { zone, verdict, is_full, found, chosen, scanned: false, checked, shear: None }))
+    }
+
+    /// Looks for all stick zones, and for the first that holds where there are several.
+    fn scan(&mut self, layer: &Layer, task: Task, eta: f64) -> Result<Rubbing, Refusal> {
+        let b = self.normal.half_width;
+        let samples = match self.curve.take() {
+            Some((half_width, samples)) if half_width.to_bits() == b.to_bits() => samples,
+            _ => self.curve(layer, task).sample()?,
+        };
+        let mut curve = self.curve(layer, task);
+        let (found, sees_all) = (curve.roots(eta, &samples)?, curve.sees_all());
+        self.curve = Some((b, samples));
+        let curve = self.curve(layer, task);
+        let (lambda, verdict) = match found.roots.first() {
+            Some(root) => (root.lambda, Verdict::Holds),
+            None if found.largest < NO_SHEAR * eta => (0.0, Verdict::NoShear),
+            None if found.narrower => (-FrictionCurve::WIDEST, Verdict::TooNarrow),
+            None if found.wider && sees_all => (curve.widest(), Verdict::Sticks),
+            None if found.wider => (curve.widest(), Verdict::TooWide),
+            None => (-FrictionCurve::WIDEST, Verdict::None),
+        };
+        let zone = match verdict {
+            Verdict::NoShear => StickZone { half_width: b, slip_width: 0.0 },
+            _ => StickZone::from_log(lambda, b),
+        };
+        let is_full = verdict == Verdict::Sticks;
+        let mut rubbing =
+            Rubbing { zone, verdict, is_full, found, chosen: 0, scanned: true, checked: false, shear: None };
+        if rubbing.found.roots.len() > 1 {
+            self.choose(layer, task, &mut rubbing)?;
+        }
+        Ok(rubbing)
+    }
+
+    /// Chooses the first root that satisfies both conditions of friction, if any does; leaves its shear.
+    fn choose(&mut self, layer: &Layer, task: Task, rubbing: &mut Rubbing) -> Result<(), Refusal> {
+        let b = self.normal.half_width;
+        let mut failure = None;
+        let first = rubbing.chosen;
+        let others = (0..rubbing.found.roots.len()).filter(|i| *i != first);
+        for i in [first].into_iter().chain(others) {
+            let lambda = rubbing.found.roots[i].lambda;
+            self.curve(layer, task).at_or_near(lambda, task.tolerance)?;
+            let known = rubbing.checked && i == first;
+            match if known { None } else { self.violation(layer, task.problem) } {
+                None => {
+                    rubbing.chosen = i;
+                    rubbing.checked = true;
+                    rubbing.zone = StickZone::from_log(lambda, b);
+                    rubbing.verdict = Verdict::Holds;
+                    return Ok(());
+                }
+                Some(what) => failure = failure.or(Some(what)),
+            }
+        }
+        if let Some(what) = failure {
+            rubbing.verdict = Verdict::Fails(what);
+        }
+        Ok(())
+    }
+
+    /// The stick zone under a flat punch from a guess, to within an error; its shear is left in `shear`. `None` where the
+    /// guess was not near.
+    pub(crate) fn follow(
+        &mut self,
+        layer: &mut Layer,
+        task: Task,
+        half_width: f64,
+        guess: Root,
+        error: f64,
+    ) -> Result<Option<Root>, Refusal> {
+        const STEPS: usize = 6;
+        const WIDEST: f64 = 0.3;
+        self.press(layer, task, half_width)?;
+        self.refresh(layer);
+        let target = guess.branch * task.problem.friction.unwrap_or(0.0);
+        let mut curve = self.curve(layer, task);
+        let (widest, Root { mut lambda, mut slope, .. }) = (curve.widest(), guess);
+        let mut value = curve.at(lambda)?;
+        for _ in 0..STEPS {
+            let step = (target - value) / slope;
+            if step.abs() < error {
+                return Ok(Some(Root { lambda: lambda + step, slope, ..guess }));
+            }
+            if step.is_nan() || step.abs() > WIDEST || lambda + step > widest {
+                return Ok(None);
+            }
+            let next = curve.at(lambda + step)?;
+            let measured = (next - value) / step;
+            // Differences of rounding have no slope; one of another sign is no neighbour's.
+            if step.abs() > f64::EPSILON.sqrt() && measured * slope > 0.0 {
+                slope = measured;
+            }
+            (lambda, value) = (lambda + step, next);
+        }
+        Ok(None)
+    }
+
+    /// Leaves the shear of the stick zone reported in `shear`, and checks it. Returns whether another zone than
+    /// before is reported.
+    pub(crate) fn settle(&mut self, layer: &mut Layer, task: Task, outcome: &mut Outcome) -> Result<bool, Refusal> {
+        if let Some(growing) = self.growing.as_mut().filter(|growing| growing.is_solver) {
+            growing.settle(layer, task, outcome)?;
+            return Ok(false);
+        }
+        if task.problem.is_linear {
+            return Ok(false); // each is checked when it is found
+        }
+        let (Some(rubbing), Some(eta)) = (&mut outcome.rubbing, task.problem.friction) else { return Ok(false) };
+        self.refresh(layer);
+        if !rubbing.found.roots.is_empty() {
+            let before = rubbing.zone;
+            self.choose(layer, task, rubbing)?;
+            if rubbing.verdict != Verdict::Holds && !rubbing.scanned {
+                // This resolution may see what the one that was scanned did not.
+                let again = self.scan(layer, task, eta)?;
+                if let Some(again) = self.followed(layer, task, eta, &again)? {
+                    *rubbing = Rubbing { scanned: true, ..again };
+                    self.choose(layer, task, rubbing)?;
+                }
+            }
+            if matches!(rubbing.verdict, Verdict::Fails(_)) {
+                let lambda = rubbing.found.roots[rubbing.chosen].lambda;
+                self.curve(layer, task).at(lambda)?;
+            }
+            let changed = (rubbing.zone.ratio() / before.ratio() - 1.0).abs() > 0.1
+                || (rubbing.zone.one_minus_ratio() / before.one_minus_ratio() - 1.0).abs() > 0.1;
+            rubbing.report(&mut outcome.numbers);
+            return Ok(changed);
+        }
+        let lambda = rubbing.zone.log();
+        if rubbing.verdict == Verdict::Sticks {
+            self.curve(layer, task).at_or_near(lambda, KNOWN)?;
+            if let Some(what) = self.overload(eta) {
+                rubbing.verdict = Verdict::Fails(what);
+            }
+            return Ok(false);
+        }
+        let finite = lambda.clamp(-FrictionCurve::WIDEST, FrictionCurve::WIDEST);
+        let friction = self.curve(layer, task).at(finite)?;
+        let shear = self.shear.as_mut().expect("room for the shear was made with friction");
+        let sliding = eta.copysign(friction);
+        match rubbing.verdict {
+            // The narrowest stick zone looked for wants more friction than there is: all but it slides.
+            Verdict::TooNarrow => shear.rescale(sliding),
+            // The widest one needs less; what slips beyond it slides at the limit all the same.
+            Verdict::TooWide => shear.slide_at(sliding),
+            Verdict::NoShear => {
+                shear.rescale(0.0);
+                shear.relocate(rubbing.zone);
+            }
+            _ => {}
+        }
+        Ok(false)
+    }
+
+    /// Makes the shear under a flat punch as sure all along the stick zone settled as the tolerance asks, where the pressure is known to
+    /// within `of_pressure`, see [`sharpen`]; its error, over its largest value.
+    pub(crate) fn sharpen(
+        &mut self,
+        layer: &Layer,
+        task: Task,
+        outcome: &Outcome,
+        of_pressure: f64,
+    ) -> Result<Option<f64>, Refusal> {
+        let is_solved =
+            |rubbing: &&Rubbing| matches!(rubbing.verdict, Verdict::Holds | Verdict::Sticks | Verdict::Fails(_));
+        let found = outcome.rubbing.as_ref().filter(is_solved).filter(|_| !task.problem.is_linear);
+        let shear = self.shear.as_mut().filter(|shear| shear.is_solved);
+        let Some((shear, found)) = shear.zip(found) else { return Ok(None) };
+        sharpen(shear, layer, &mut self.normal, task.problem.elastic.beta(), found.zone, (of_pressure, task.tolerance))
+    }
+
+    /// By how much the shear under a flat punch differs from that of a twin; `None` where one of them has none.
+    pub(crate) fn shear_apart(&self, twin: &Self) -> Option<f64> {
+        let both = self.shear.as_ref().zip(twin.shear.as_ref());
+        let (own, other) = both.filter(|(own, other)| own.is_solved && other.is_solved)?;
+        Some(apart_from_twin(own, other, &self.normal))
+    }
+
+    /// Where the shear solved last is more than a friction coefficient bears, though everything sticks.
+    pub(crate) fn overload(&mut self, eta: f64) -> Option<String> {
+        let (x, load) = checks::overload(&self.normal, self.shear.as_ref()?, eta)?;
+        self.is_overloaded = true;
+        (!self.of_slices).then(|| format!("where everything sticks |q| reaches {load:.3} eta p at x = {x:.4} b"))
+    }
+
+    /// The condition of friction that the stick zone solved last fails, and where.
+    fn violation(&mut self, layer: &Layer, problem: &Problem) -> Option<String> {
+        let (normal, shear) = (&mut self.normal, self.shear.as_ref()?);
+        let direction = if shear.friction < 0.0 { "outward" } else { "inward" };
+        let ratio = shear.zone.ratio();
+        if let Some((x, load)) = checks::overload(normal, shear, shear.friction.abs()) {
+            self.is_overloaded = true;
+            if !self.of_slices {
+                return Some(format!(
+                    "with {direction} slip and a/b = {ratio:.6}, |q| reaches {load:.3} eta p at x = {x:.4} b inside \
+                     the stick zone"
+                ));
+            }
+        }
+        self.slip_check.wrong_slip(layer, problem, normal, shear).map(|x| {
+            format!("with {direction} slip and a/b = {ratio:.6}, the surface slides the other way at x = {x:.4} b")
+        })
+    }
+}
