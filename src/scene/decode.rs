@@ -2,14 +2,14 @@
 
 use super::SceneError;
 use super::complaint::Complaint;
-use super::document::{Document, clip, dotted, one_of};
+use super::document::{Document, clip, dotted, one_of, written};
 use super::load_keys::LOAD;
 use super::tables::Tables;
 use serde::de::DeserializeOwned;
 use serde_path_to_error::{Path, Segment};
 use slipzone_api::{Family, PluginInfo, plugins};
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeArray, DeTable, DeValue};
 
 /// The version of the format that this program reads.
 const FORMAT: &str = "1";
@@ -191,9 +191,31 @@ pub(crate) fn wrong_type(document: &Document, path: &[&str], expected: &str) -> 
         .error(document.best(path), format!("`{}` has the wrong type", dotted(path)))
         .found(found)
         .expected(expected);
-    match text.and_then(|text| remedy(text.trim(), expected)) {
+    match text.and_then(|text| remedy(text.trim(), expected)).or_else(|| brackets(document, path, expected)) {
         Some(hint) => error.hint(hint),
         None => error,
+    }
+}
+
+/// Which brackets were meant, where a section stands for a list of sections or the other way round.
+fn brackets(document: &Document, path: &[&str], expected: &str) -> Option<String> {
+    let found = document.value(path)?.get_ref();
+    let is_sections = |array: &DeArray| array.iter().all(|value| value.get_ref().is_table()) && !array.is_empty();
+    match (path, found) {
+        ([name], DeValue::Array(array)) if !expected.starts_with("an array") && is_sections(array) => {
+            Some(format!("there is one of it: [{name}] in single brackets"))
+        }
+        // Of all sections these alone may be there several times.
+        ([name @ ("axes" | "plots"), ..], _) if path.len() <= 2 => {
+            Some(format!("each stands in a section of its own: [[{name}]] in double brackets"))
+        }
+        (_, DeValue::Array(_)) => None,
+        ([.., key], _) if expected.starts_with("an array") => {
+            let inside = if found.is_table() { "{ ... }".into() } else { clip(&written(found)) };
+            let is_index = key.parse::<usize>().is_ok();
+            Some(if is_index { format!("in brackets: [{inside}]") } else { format!("in brackets: {key} = [{inside}]") })
+        }
+        _ => None,
     }
 }
 
