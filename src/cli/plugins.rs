@@ -9,13 +9,19 @@ pub(super) fn run(name: Option<&str>, json: bool) -> Result<Outcome, Failure> {
     let mut chosen = slipzone::api::plugins();
     let mut built_in = Vec::new();
     gather_built_in(KEYS, "", &mut built_in);
+    let of_family = |name: &str| {
+        let is_built_in = built_in.iter().any(|built_in| built_in.family() == name);
+        is_built_in || Family::ALL.into_iter().any(|family| family.name() == name)
+    };
+    let is_family = name.is_some_and(of_family);
     if let Some(name) = name {
         let mut known: Vec<_> = chosen.iter().map(|info| info.name).collect();
         known.extend(built_in.iter().map(|built_in| built_in.kind.name));
+        known.sort_unstable();
         known.dedup();
-        // A name may stand in two families.
-        chosen.retain(|info| info.name == name);
-        built_in.retain(|built_in| built_in.kind.name == name);
+        // A name may stand in two families; that of a family is no plugin's.
+        chosen.retain(|info| if is_family { info.family.name() == name } else { info.name == name });
+        built_in.retain(|built_in| if is_family { built_in.family() == name } else { built_in.kind.name == name });
         if chosen.is_empty() && built_in.is_empty() {
             return Err(unknown("plugin", name, &known));
         }
@@ -27,8 +33,8 @@ pub(super) fn run(name: Option<&str>, json: bool) -> Result<Outcome, Failure> {
             let all = serde_json::json!({ "format": 1, "plugins": chosen, "built_in": built_in });
             write!(text, "{all:#}")
         }
-        (false, None) => list(&mut text, &chosen, &built_in),
-        (false, Some(_)) => (chosen.into_iter().try_for_each(|info| describe(&mut text, info)))
+        (false, _) if is_family || name.is_none() => list(&mut text, &chosen, &built_in),
+        (false, _) => (chosen.into_iter().try_for_each(|info| describe(&mut text, info)))
             .and_then(|()| built_in.iter().try_for_each(|built_in| built_in.describe(&mut text))),
     };
     print::result(&text)?;
@@ -95,8 +101,11 @@ fn unknown(what: &str, name: &str, known: &[&str]) -> Failure {
 fn list(text: &mut String, plugins: &[&PluginInfo], built_in: &[BuiltIn]) -> fmt::Result {
     let width = plugins.iter().map(|info| info.name.len()).max().unwrap_or(0);
     for family in Family::ALL {
-        writeln!(text, "{} ({})", family.name(), family.place())?;
-        for info in plugins.iter().filter(|info| info.family == family) {
+        let mut own = plugins.iter().filter(|info| info.family == family).peekable();
+        if own.peek().is_some() {
+            writeln!(text, "{} ({})", family.name(), family.place())?;
+        }
+        for info in own {
             writeln!(text, "  {:width$}  {}", info.name, info.summary)?;
         }
     }

@@ -2,7 +2,7 @@
 
 use super::SceneError;
 use super::complaint::Complaint;
-use super::document::{Document, clip, dotted, one_of, written};
+use super::document::{Document, clip, dotted, is_index, one_of, written};
 use super::load_keys::LOAD;
 use super::tables::Tables;
 use serde::de::DeserializeOwned;
@@ -13,6 +13,9 @@ use toml::de::{DeArray, DeTable, DeValue};
 
 /// The version of the format that this program reads.
 const FORMAT: &str = "1";
+
+/// What to do about friction that is none.
+const FRICTIONLESS: &str = "a contact without friction has no [friction]";
 
 /// Checks `format` before anything else: the rest is read by its rules.
 pub(crate) fn format(document: &Document) -> Result<(), SceneError> {
@@ -96,7 +99,7 @@ fn explain(document: &Document, path: &Path, message: &str) -> SceneError {
             blamed(document, &mut path, message);
             let error = document.not_allowed(&path, expected);
             let is_friction = path == ["friction", "coefficient"];
-            let error = if is_friction { error.hint("a contact without friction has no [friction]") } else { error };
+            let error = if is_friction { error.hint(FRICTIONLESS) } else { error };
             if let Some(found) = found { error.found(found) } else { error }
         }
         Complaint::Other(words) => {
@@ -125,11 +128,18 @@ fn unknown_name(document: &Document, mut path: Vec<&str>, name: &str, known: &[&
         _ => format!("`{}`", dotted(&path)),
     };
     let message = format!("unknown {of} `{}`", clip(name));
-    document
+    let error = document
         .error(document.best(&path), message)
         .found(format!("`{}`", clip(name)))
         .expected(one_of(known))
-        .nearest(name, known)
+        .nearest(name, known);
+    match (path.as_slice(), name.to_lowercase().as_str()) {
+        (["friction", "type"], "none" | "frictionless" | "smooth") => error.hint(FRICTIONLESS),
+        (["friction", "type"], "coulomb") => {
+            error.hint("Coulomb friction is solved for in Goodman's approximation: `goodman`")
+        }
+        _ => error,
+    }
 }
 
 fn missing_key(document: &Document, path: &[&str], key: &str) -> SceneError {
@@ -160,6 +170,11 @@ fn meaning(document: &Document, path: &[&str], key: &str) -> String {
         (_, "poisson") => "`poisson`: Poisson's ratio, a number above -1 and up to 0.5".into(),
         (_, "grading") => format!("`grading`: a table with `type`, {}", names(Family::Grading)),
         ([.., "layers", _], "thickness") => "`thickness`: that of the sublayer (length)".into(),
+        (["plots", _], "file") => "`file`: name of the figure, such as `stick.svg`".into(),
+        (["find"], "field") => "`field`: path of the field that is looked for, such as `friction.coefficient`".into(),
+        (["find"], "from") => "`from`: where the search begins, a number".into(),
+        (["find"], "to") => "`to`: where the search ends, a number".into(),
+        (["find"], "quantity") => "`quantity`: the number of the result that decides, such as `stick.ratio`".into(),
         (["friction"], "type") => "`type = \"goodman\"`".into(),
         (["friction"], "coefficient") => "`coefficient`: Coulomb's coefficient, a number above 0".into(),
         _ => format!("`{key}`"),
@@ -212,7 +227,7 @@ fn brackets(document: &Document, path: &[&str], expected: &str) -> Option<String
         (_, DeValue::Array(_)) => None,
         ([.., key], _) if expected.starts_with("an array") => {
             let inside = if found.is_table() { "{ ... }".into() } else { clip(&written(found)) };
-            let is_index = key.parse::<usize>().is_ok();
+            let is_index = is_index(key);
             Some(if is_index { format!("in brackets: [{inside}]") } else { format!("in brackets: {key} = [{inside}]") })
         }
         _ => None,

@@ -447,8 +447,24 @@ fn placed(document: &Document, path: &[&str], error: &SceneError, of: &str) -> S
     let mut placed = document.error(document.best(path), message);
     placed.found.clone_from(&error.found);
     placed.expected.clone_from(&error.expected);
-    placed.hint.clone_from(&error.hint);
+    placed.hint = error.hint.clone().or_else(|| otherwise(error, of.trim_matches('`')));
     placed
+}
+
+/// What to do about a field that is none, or cannot be changed alone.
+fn otherwise(error: &SceneError, field: &str) -> Option<String> {
+    if let Some((table, "type")) = field.rsplit_once('.') {
+        return Some(format!("other keys go with it: field = \"{table}\", values = [{{ type = ... }}, ...]"));
+    }
+    if error.message.starts_with("a second load") {
+        return Some("change the load as a whole: field = \"load\", values = [{ half_width = 1.0 }, ...]".into());
+    }
+    match Asked::named(field) {
+        _ if !is_of_field(error) => None,
+        Some(_) => Some("that is of the result: [[plots]] show it, [find] looks for a value of it".into()),
+        None if field.contains('.') => None,
+        None => Some("a field is a path from the top of the scene, such as `friction.coefficient`".into()),
+    }
 }
 
 /// The question can be asked of the first scene.

@@ -266,6 +266,23 @@ fn what_is_built_in_is_listed_and_described() {
     }
 }
 
+/// The name of a family lists it, whether plugins or built in.
+#[test]
+fn a_family_is_listed_by_its_name() {
+    let folder = folder();
+    let all = String::from_utf8(run(folder.path(), ["plugins"]).stdout).unwrap();
+    let mut parts = String::new();
+    for family in ["grading", "punch", "flexibility", "kernel", "quadrature", "base", "friction"] {
+        let output = run(folder.path(), ["plugins", family]);
+        assert_eq!(output.status.code(), Some(0), "{family}");
+        let own = String::from_utf8(output.stdout).unwrap();
+        assert!(own.starts_with(&format!("{family} (")), "{own}");
+        parts += &own;
+    }
+    let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(words(&parts), words(&all), "all families, each once");
+}
+
 /// A file that cannot be is no success: it is refused before anything is solved, with what to write in the scene.
 #[test]
 fn files_that_the_scene_leaves_nothing_to_write_in() {
