@@ -247,6 +247,7 @@ Exit codes:
 const PLUGINS: &str = "Examples:
   slipzone plugins
   slipzone plugins cylinder
+  slipzone plugins grading
   slipzone plugins --json
 
 Exit codes:

@@ -99,7 +99,8 @@ fn unknown(what: &str, name: &str, known: &[&str]) -> Failure {
 
 /// All plugins by family, and what is built in.
 fn list(text: &mut String, plugins: &[&PluginInfo], built_in: &[BuiltIn]) -> fmt::Result {
-    let width = plugins.iter().map(|info| info.name.len()).max().unwrap_or(0);
+    let names = plugins.iter().map(|info| info.name).chain(built_in.iter().map(|built_in| built_in.kind.name));
+    let width = names.map(str::len).max().unwrap_or(0);
     for family in Family::ALL {
         let mut own = plugins.iter().filter(|info| info.family == family).peekable();
         if own.peek().is_some() {

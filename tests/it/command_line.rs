@@ -277,6 +277,11 @@ fn a_family_is_listed_by_its_name() {
         assert_eq!(output.status.code(), Some(0), "{family}");
         let own = String::from_utf8(output.stdout).unwrap();
         assert!(own.starts_with(&format!("{family} (")), "{own}");
+        let column =
+            |line: &str| line.trim_start().find("  ").map(|at| line.len() - line.trim_start()[at..].trim_start().len());
+        let mut columns = own.lines().skip(1).map(column);
+        let first = columns.next();
+        assert!(columns.all(|column| Some(column) == first), "one below the other: {own}");
         parts += &own;
     }
     let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
