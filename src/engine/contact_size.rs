@@ -119,7 +119,13 @@ pub(crate) fn press(
     let start = known.map_or_else(|| from * first_size(problem, target, by_force), |size| size.half_width);
     let position = POSITION * tolerance;
     let first_step = if known.is_some() { 0.01 } else { LN_2 };
-    let walk = Walk { start: start.ln(), limit: problem.reach().ln(), step: first_step, smallest: SMALLEST_STEP };
+    let walk = Walk {
+        start: start.ln(),
+        limit: problem.reach().ln(),
+        step: first_step,
+        smallest: SMALLEST_STEP,
+        length: problem.length,
+    };
     let (log_b, slope) = match search(walk, position, &mut excess) {
         Ok(found) => found,
         Err(refusal) => {
@@ -127,7 +133,7 @@ pub(crate) fn press(
             let flaw = problem.first_flaw(widest.get()).filter(|(_, x)| *x > 0.0);
             let Some((flaw, end)) = flaw else { return Err(refusal) };
             let start = walk.start.min(end.ln() - LN_2);
-            let walk = Walk { start, limit: end.ln(), step: LN_2, smallest: SMALLEST_AT_END };
+            let walk = Walk { start, limit: end.ln(), step: LN_2, smallest: SMALLEST_AT_END, ..walk };
             search(walk, position, &mut excess).map_err(|_| ended(&flaw, end * problem.length))?
         }
     };
@@ -178,6 +184,8 @@ struct Walk {
     step: f64,
     /// A step that is not halved any more.
     smallest: f64,
+    /// The user's unit of length over that of the half-width.
+    length: f64,
 }
 
 /// The root from a start that may be far off and below a limit, and the slope there.
@@ -209,7 +217,7 @@ fn search(
 /// Walks from `start` towards the sign change of an increasing function, in growing steps.
 fn bracket(
     excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
-    Walk { start, limit, mut step, smallest }: Walk,
+    Walk { start, limit, mut step, smallest, length }: Walk,
 ) -> Result<(f64, f64), Refusal> {
     let start = start.min(limit);
     let from = excess(start)?;
@@ -218,7 +226,7 @@ fn bracket(
     for _ in 0..MOST_STEPS {
         let next = (here + direction * step).min(limit);
         if next <= here && direction > 0.0 {
-            return Err(outgrown());
+            return Err(outgrown(limit.exp() * length));
         }
         match excess(next) {
             Ok(excess) if excess * direction >= 0.0 => return Ok((here.min(next), here.max(next))),
@@ -267,11 +275,14 @@ fn first_size(problem: &Problem, target: f64, by_force: bool) -> f64 {
     if problem.has_base() { b.min(WIDEST_START) } else { b }
 }
 
-/// The load asks for more of the shape than there is.
-pub(crate) fn outgrown() -> Refusal {
+/// The load asks for more of the shape than there is up to `x`, where it ends.
+pub(crate) fn outgrown(x: f64) -> Refusal {
     Refusal::OutOfReach {
         method: "contact size",
-        why: "under this load the contact would outgrow the punch, whose shape is known no further out".into(),
+        why: format!(
+            "under this load the contact would outgrow the punch, whose shape is known up to x = {} and no further out",
+            short(x)
+        ),
         remedy: "take a smaller load, or give the shape further out",
     }
 }

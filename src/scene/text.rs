@@ -13,10 +13,10 @@ pub fn text(name: &str, bytes: Vec<u8>) -> Result<String, SceneError> {
     text_of("scene", name, bytes)
 }
 
-/// As [`text`], of a file that is to be something else, such as a `study`.
+/// As [`text()`], of a file that is to be something else, such as a `study`.
 ///
 /// # Errors
-/// As [`text`].
+/// As [`text()`].
 pub fn text_of(what: &str, name: &str, bytes: Vec<u8>) -> Result<String, SceneError> {
     if bytes.len() > LARGEST {
         return Err(too_large(what, name));

@@ -245,6 +245,23 @@ fn lines_of_tables_end_in_three_ways() {
     assert!(solved[1..].iter().all(|output| output.stdout == solved[0].stdout));
 }
 
+/// A contact that would be wider than the table: the reason says where that ends.
+#[test]
+fn a_load_too_large_for_the_table() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("profile.csv"), "0 0\n1 0.05\n2 0.2\n3 0.45\n4 0.8\n").unwrap();
+    for (grading, load) in
+        [("base = 8.0", "force = 1e4"), ("base = 8.0", "indentation = 4.0"), ("base = 1.0", "force = 1e4")]
+    {
+        let scene = with_table(load).replace("base = 8.0", grading);
+        let told = told(&feed(folder.path(), &["solve", "-"], scene.as_bytes()));
+        assert!(
+            told.starts_with("exit code: 1") && told.contains("known up to x = 4 and no further out"),
+            "{load}: {told}"
+        );
+    }
+}
+
 #[test]
 fn tables_that_cannot_be_read() {
     let folder = tempfile::tempdir().unwrap();
