@@ -46,7 +46,7 @@ pub(super) enum Command {
     /// List the plugins, or describe one
     #[command(after_help = PLUGINS)]
     Plugins {
-        /// Name of a plugin, as in `type = "..."`
+        /// Name of a plugin, as in `type = "..."`, or of a family, such as `grading`
         name: Option<String>,
         /// Print JSON
         #[arg(long)]
@@ -247,6 +247,7 @@ Exit codes:
 const PLUGINS: &str = "Examples:
   slipzone plugins
   slipzone plugins cylinder
+  slipzone plugins grading
   slipzone plugins --json
 
 Exit codes:

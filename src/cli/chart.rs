@@ -60,6 +60,7 @@ fn folder(out: Option<&Path>, default: &str) -> Result<PathBuf, Failure> {
 }
 
 fn chart_files(charts: &[chart::Chart]) -> Vec<(String, String)> {
+    #[cfg_attr(not(feature = "plot"), allow(unused_mut))]
     let mut files =
         vec![("runs.csv".to_owned(), report::chart_csv(charts)), ("index.html".to_owned(), report::chart_html(charts))];
     #[cfg(feature = "plot")]
@@ -68,6 +69,7 @@ fn chart_files(charts: &[chart::Chart]) -> Vec<(String, String)> {
 }
 
 fn atlas_files(sheets: &[atlas::Sheet]) -> Vec<(String, String)> {
+    #[cfg_attr(not(feature = "plot"), allow(unused_mut))]
     let mut files = vec![
         ("cells.csv".to_owned(), report::atlas_csv(sheets)),
         ("index.html".to_owned(), report::atlas_html(sheets)),

@@ -36,7 +36,7 @@ fn text(path: &Path, what: &str) -> Result<(String, String), Failure> {
     let most = scene::LARGEST;
     let bytes = if is_dash(path) { limited(std::io::stdin().lock(), most) } else { file(path, most) };
     let bytes = bytes.map_err(|error| Failure::System(format!("cannot read the {what} {name}: {error}")))?;
-    let text = scene::text(&name, bytes)?;
+    let text = scene::text_of(what, &name, bytes)?;
     Ok((name.into_owned(), text))
 }
 

@@ -121,6 +121,14 @@ impl Journal {
             let broken = |what: &str| {
                 failed(&format!("line {number} is {what}; mend it, or begin anew with --fresh or another --out"))
             };
+            // What is skipped in a record is not looked at by the decoder.
+            if let Err(error) = std::str::from_utf8(&line) {
+                let byte = line[error.valid_up_to()];
+                return Err(broken(&format!(
+                    "not text in UTF-8 (byte 0x{byte:02X} in column {})",
+                    error.valid_up_to() + 1
+                )));
+            }
             if number == 1 {
                 let head: Head = serde_json::from_slice(&line).map_err(|_| broken("not the head of a journal"))?;
                 if head.journal != KIND || head.format != 1 {

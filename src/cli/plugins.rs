@@ -1,30 +1,85 @@
-//! `slipzone plugins`: what is there.
+//! `slipzone plugins`: what is there, and what a scene can name beside.
 
 use super::{Failure, Outcome, print};
-use slipzone::api::{Family, PluginInfo};
-use slipzone::scene::nearest;
+use slipzone::api::{Family, Kind, Parameter, PluginInfo, Values};
+use slipzone::scene::{KEYS, nearest};
 use std::fmt::{self, Write};
 
 pub(super) fn run(name: Option<&str>, json: bool) -> Result<Outcome, Failure> {
     let mut chosen = slipzone::api::plugins();
+    let mut built_in = Vec::new();
+    gather_built_in(KEYS, "", &mut built_in);
+    let of_family = |name: &str| {
+        let is_built_in = built_in.iter().any(|built_in| built_in.family() == name);
+        is_built_in || Family::ALL.into_iter().any(|family| family.name() == name)
+    };
+    let is_family = name.is_some_and(of_family);
     if let Some(name) = name {
         let mut known: Vec<_> = chosen.iter().map(|info| info.name).collect();
+        known.extend(built_in.iter().map(|built_in| built_in.kind.name));
+        known.sort_unstable();
         known.dedup();
-        // A name may stand in two families.
-        chosen.retain(|info| info.name == name);
-        if chosen.is_empty() {
+        // A name may stand in two families; that of a family is no plugin's.
+        chosen.retain(|info| if is_family { info.family.name() == name } else { info.name == name });
+        built_in.retain(|built_in| if is_family { built_in.family() == name } else { built_in.kind.name == name });
+        if chosen.is_empty() && built_in.is_empty() {
             return Err(unknown("plugin", name, &known));
         }
     }
     let mut text = String::new();
     // Writing to a string does not fail.
     let _ = match (json, name) {
-        (true, _) => write!(text, "{:#}", serde_json::json!({ "format": 1, "plugins": chosen })),
-        (false, None) => list(&mut text, &chosen),
-        (false, Some(_)) => chosen.into_iter().try_for_each(|info| describe(&mut text, info)),
+        (true, _) => {
+            let all = serde_json::json!({ "format": 1, "plugins": chosen, "built_in": built_in });
+            write!(text, "{all:#}")
+        }
+        (false, _) if is_family || name.is_none() => list(&mut text, &chosen, &built_in),
+        (false, _) => (chosen.into_iter().try_for_each(|info| describe(&mut text, info)))
+            .and_then(|()| built_in.iter().try_for_each(|built_in| built_in.describe(&mut text))),
     };
     print::result(&text)?;
     Ok(Outcome::Done)
+}
+
+/// What a scene names by `type` and the program brings along itself: bases and laws of friction.
+#[derive(serde::Serialize)]
+struct BuiltIn {
+    /// Where the scene names it, such as `layer.base`.
+    place: String,
+    #[serde(flatten)]
+    kind: &'static Kind,
+}
+
+/// Those under some keys of a scene.
+fn gather_built_in(keys: &'static [Parameter], path: &str, all: &mut Vec<BuiltIn>) {
+    for key in keys {
+        let place = if path.is_empty() { key.name.to_owned() } else { format!("{path}.{}", key.name) };
+        match key.values {
+            Values::Table(keys) => gather_built_in(keys, &place, all),
+            Values::Choice(kinds) => {
+                all.extend(kinds.iter().map(|kind| BuiltIn { place: place.clone(), kind }));
+            }
+            _ => {}
+        }
+    }
+}
+
+impl BuiltIn {
+    /// What it is one of: the last key of its place.
+    fn family(&self) -> &str {
+        self.place.rsplit('.').next().unwrap_or_default()
+    }
+
+    fn describe(&self, text: &mut String) -> fmt::Result {
+        let Self { place, kind } = self;
+        begin(text, [kind.name, self.family(), place, kind.summary], kind.parameters)?;
+        writeln!(text, "\nexample\n  [{place}]\n  type = \"{}\"", kind.name)?;
+        for key in kind.parameters.iter().filter(|key| key.required) {
+            let sample = if key.values == Values::Positive { 1.0 } else { 0.3 };
+            writeln!(text, "  {} = {sample:?}", key.name)?;
+        }
+        writeln!(text, "\nsource\n  docs/formats.md")
+    }
 }
 
 /// The plugin of a family with that name.
@@ -42,29 +97,49 @@ fn unknown(what: &str, name: &str, known: &[&str]) -> Failure {
     Failure::Usage(format!("unknown {what} `{name}`"), Some(hint))
 }
 
-/// All plugins by family.
-fn list(text: &mut String, plugins: &[&PluginInfo]) -> fmt::Result {
-    let width = plugins.iter().map(|info| info.name.len()).max().unwrap_or(0);
+/// All plugins by family, and what is built in.
+fn list(text: &mut String, plugins: &[&PluginInfo], built_in: &[BuiltIn]) -> fmt::Result {
+    let names = plugins.iter().map(|info| info.name).chain(built_in.iter().map(|built_in| built_in.kind.name));
+    let width = names.map(str::len).max().unwrap_or(0);
     for family in Family::ALL {
-        writeln!(text, "{} ({})", family.name(), family.place())?;
-        for info in plugins.iter().filter(|info| info.family == family) {
+        let mut own = plugins.iter().filter(|info| info.family == family).peekable();
+        if own.peek().is_some() {
+            writeln!(text, "{} ({})", family.name(), family.place())?;
+        }
+        for info in own {
             writeln!(text, "  {:width$}  {}", info.name, info.summary)?;
         }
+    }
+    let mut place = "";
+    for built_in in built_in {
+        if place != built_in.place {
+            place = &built_in.place;
+            writeln!(text, "{} ({place})", built_in.family())?;
+        }
+        writeln!(text, "  {:width$}  {}", built_in.kind.name, built_in.kind.summary)?;
     }
     Ok(())
 }
 
 /// One plugin at length.
 fn describe(text: &mut String, info: &PluginInfo) -> fmt::Result {
+    begin(text, [info.name, info.family.name(), info.family.place(), info.summary], info.parameters)?;
+    writeln!(text, "\nexample\n  [{}]", info.family.place())?;
+    info.example.lines().try_for_each(|line| writeln!(text, "  {line}"))?;
+    writeln!(text, "\nsource\n  {}", info.source)
+}
+
+/// What it is and its keys.
+fn begin(text: &mut String, [name, family, place, summary]: [&str; 4], keys: &[Parameter]) -> fmt::Result {
     if !text.is_empty() {
         writeln!(text)?;
     }
-    writeln!(text, "{} ({}, in {})", info.name, info.family.name(), info.family.place())?;
-    writeln!(text, "  {}\n\nkeys", info.summary)?;
-    if info.parameters.is_empty() {
+    writeln!(text, "{name} ({family}, in {place})")?;
+    writeln!(text, "  {summary}\n\nkeys")?;
+    if keys.is_empty() {
         writeln!(text, "  none")?;
     }
-    for key in info.parameters {
+    for key in keys {
         let samples: Vec<_> = key.samples.iter().map(f64::to_string).collect();
         let samples = if samples.is_empty() { String::new() } else { format!("; such as {}", samples.join(", ")) };
         let required = match (key.required, key.in_place_of) {
@@ -74,7 +149,5 @@ fn describe(text: &mut String, info: &PluginInfo) -> fmt::Result {
         };
         writeln!(text, "  {}: {}{required}{samples}", key.name, key.summary)?;
     }
-    writeln!(text, "\nexample\n  [{}]", info.family.place())?;
-    info.example.lines().try_for_each(|line| writeln!(text, "  {line}"))?;
-    writeln!(text, "\nsource\n  {}", info.source)
+    Ok(())
 }

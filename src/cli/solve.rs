@@ -16,9 +16,9 @@ type Writer = fn(&Solution) -> Option<String>;
 pub(super) fn run(arguments: &Solve) -> Result<Outcome, Failure> {
     let outputs = [
         ("--json", &arguments.json, (|solution| Some(report::json(solution))) as Writer),
-        ("--csv", &arguments.csv, |solution| Some(report::csv(solution))),
+        (CSV, &arguments.csv, |solution| Some(report::csv(solution))),
         #[cfg(feature = "plot")]
-        ("--svg", &arguments.svg, |solution| figure(report::svg(solution))),
+        (SVG, &arguments.svg, |solution| figure(report::svg(solution))),
         (CURVE_CSV, &arguments.curve_csv, |solution| Some(report::curve_csv(solution))),
         #[cfg(feature = "plot")]
         (CURVE_SVG, &arguments.curve_svg, |solution| figure(report::curve_svg(solution))),
@@ -37,11 +37,7 @@ pub(super) fn run(arguments: &Solve) -> Result<Outcome, Failure> {
 
     let (scene, read) = input::scene(&arguments.scene)?;
     output::spared("scene", &read, &named, "give the result a name of its own")?;
-    if let Some((option, ..)) = files.iter().find(|file| [CURVE_CSV, CURVE_SVG].contains(&file.0))
-        && scene.path.is_none()
-    {
-        return Err(no_curve(option, &scene));
-    }
+    files.iter().try_for_each(|(option, ..)| possible(option, &scene))?;
     let targets = files.iter().map(|(_, path, writer)| Ok((Target::new(path)?, *writer)));
     let targets = targets.collect::<Result<Vec<_>, Failure>>()?;
 
@@ -60,9 +56,41 @@ pub(super) fn run(arguments: &Solve) -> Result<Outcome, Failure> {
     Ok(if converged { Outcome::Done } else { Outcome::NotConverged })
 }
 
+/// Options that ask for the tractions.
+const CSV: &str = "--csv";
+const SVG: &str = "--svg";
 /// Options that ask for a loading curve.
 const CURVE_CSV: &str = "--curve-csv";
 const CURVE_SVG: &str = "--curve-svg";
+
+/// Refuses a file for which the scene leaves nothing to write, before anything is solved.
+fn possible(option: &str, scene: &Scene) -> Result<(), Failure> {
+    let needed: &[&str] = match option {
+        CURVE_CSV | CURVE_SVG if scene.path.is_none() => return Err(no_curve(option, scene)),
+        CSV => &["profile"],
+        // The axes of the figure are in half-widths and mean pressures.
+        SVG => &["profile", "load.half_width", "pressure.mean"],
+        _ => &[],
+    };
+    let missing: Vec<_> =
+        needed.iter().filter(|path| !scene.output.asks(path)).map(|path| format!("`{path}`")).collect();
+    if !missing.is_empty() {
+        let missing = missing.join(", ");
+        let message = format!("{option} needs {missing}, which the scene does not ask for");
+        let hint = format!("in [output] of the scene, add {missing} to `quantities`, or leave that key out");
+        return Err(Failure::Usage(message, Some(hint)));
+    }
+    match &scene.output.x {
+        Some(x) if option == SVG && x.iter().all(|point| point.total_cmp(&x[0]).is_eq()) => {
+            let hint = "in [output] of the scene, list more points in `x`, or write `points = 201` in its place".into();
+            Err(Failure::Usage(
+                "--svg draws no curve through one point, and the scene asks for no more".into(),
+                Some(hint),
+            ))
+        }
+        _ => Ok(()),
+    }
+}
 
 /// A curve is asked for that the scene does not have.
 fn no_curve(option: &str, scene: &Scene) -> Failure {

@@ -146,7 +146,10 @@ fn draw<'a>(study: &Study, journal: &Journal, figures: Vec<(Target, &'a Plot)>) 
         }
         match figure {
             Ok(figure) => {
-                drawn.push((target, figure));
+                if let Some(left_out) = figure.left_out {
+                    print::note(&format!("{}: {left_out}", plot.file));
+                }
+                drawn.push((target, figure.svg));
                 names.push(plot.file.as_str());
             }
             Err(error) => print::note(&format!("{} was not drawn: {error}", plot.file)),

@@ -4,13 +4,16 @@ use super::layer::{Layer, Wanted};
 use super::normal::Normal;
 use super::problem::{LoadInLayerUnits, Problem};
 use basin::{RootError, Toms748Root};
-use slipzone_api::Refusal;
+use slipzone_api::{Refusal, short};
+use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, LN_2};
 
 /// Steps of the walk towards a sign change; each is at least a factor of 2 at the coarsest resolution.
 const MOST_STEPS: u32 = 200;
 /// A step this small ends the walk where a contact cannot be solved.
 const SMALLEST_STEP: f64 = 0.1;
+/// The same on the way to where the punch ends: the load may be borne just before.
+const SMALLEST_AT_END: f64 = 1e-3;
 /// First half-width tried on a layer: wider ones cost more, and the walk gets there when it must.
 const WIDEST_START: f64 = 2.0;
 /// Part of that where a base that gives way, too, is pressed in. A stiff layer bends, and sinks farther than its surface yields; a
@@ -88,9 +91,11 @@ pub(crate) fn press(
     };
     let by_force = matches!(problem.load, LoadInLayerUnits::Force(_));
     // ln(reached/target) is nearly linear in ln b for any punch.
+    let widest = Cell::new(0.0_f64);
     let mut excess = |log_b: f64| -> Result<f64, Refusal> {
         // What the logarithm rounds must not leave the shape.
         let half_width = log_b.exp().min(problem.reach());
+        widest.set(half_width.max(widest.get()));
         layer.tabulate(Wanted { half_width: roomy(half_width), ..wanted })?;
         normal.press_smooth(layer, problem, half_width)?;
         let reached = if by_force { Some(normal.force) } else { normal.depth(layer, problem) };
@@ -114,7 +119,24 @@ pub(crate) fn press(
     let start = known.map_or_else(|| from * first_size(problem, target, by_force), |size| size.half_width);
     let position = POSITION * tolerance;
     let first_step = if known.is_some() { 0.01 } else { LN_2 };
-    let (log_b, slope) = search((start.ln(), problem.reach().ln()), first_step, position, &mut excess)?;
+    let walk = Walk {
+        start: start.ln(),
+        limit: problem.reach().ln(),
+        step: first_step,
+        smallest: SMALLEST_STEP,
+        length: problem.length,
+    };
+    let (log_b, slope) = match search(walk, position, &mut excess) {
+        Ok(found) => found,
+        Err(refusal) => {
+            // Beyond a flaw of the punch nothing was worth trying, nor is what came of it worth telling.
+            let flaw = problem.first_flaw(widest.get()).filter(|(_, x)| *x > 0.0);
+            let Some((flaw, end)) = flaw else { return Err(refusal) };
+            let start = walk.start.min(end.ln() - LN_2);
+            let walk = Walk { start, limit: end.ln(), step: LN_2, smallest: SMALLEST_AT_END, ..walk };
+            search(walk, position, &mut excess).map_err(|_| ended(&flaw, end * problem.length))?
+        }
+    };
     let missed = excess(log_b)?.abs();
     let slope = if SLOPES.contains(&slope) { slope } else { f64::NAN };
     Ok(Size { half_width: log_b.exp(), slope, missed, is_guess: false })
@@ -152,14 +174,27 @@ fn roomy(half_width: f64) -> f64 {
     half_width.log2().ceil().exp2().max(half_width)
 }
 
+/// A walk towards a sign change, in `ln b`.
+#[derive(Clone, Copy)]
+struct Walk {
+    start: f64,
+    /// Where it ends.
+    limit: f64,
+    /// The first step.
+    step: f64,
+    /// A step that is not halved any more.
+    smallest: f64,
+    /// The user's unit of length over that of the half-width.
+    length: f64,
+}
+
 /// The root from a start that may be far off and below a limit, and the slope there.
 fn search(
-    (start, limit): (f64, f64),
-    step: f64,
+    walk: Walk,
     position: f64,
     excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
 ) -> Result<(f64, f64), Refusal> {
-    let (lower, upper) = bracket(excess, start.min(limit), limit, step)?;
+    let (lower, upper) = bracket(excess, walk)?;
     let mut last = [(lower, 0.0); 2];
     let position = position.max(4.0 * f64::EPSILON * lower.abs().max(1.0));
     let found = Toms748Root::new(lower, upper).with_absolute_position_tolerance(position).solve(|log_b| {
@@ -182,17 +217,16 @@ fn search(
 /// Walks from `start` towards the sign change of an increasing function, in growing steps.
 fn bracket(
     excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
-    start: f64,
-    limit: f64,
-    mut step: f64,
+    Walk { start, limit, mut step, smallest, length }: Walk,
 ) -> Result<(f64, f64), Refusal> {
+    let start = start.min(limit);
     let from = excess(start)?;
     let direction = if from > 0.0 { -1.0 } else { 1.0 };
     let (mut here, mut growth) = (start, 2.0);
     for _ in 0..MOST_STEPS {
         let next = (here + direction * step).min(limit);
         if next <= here && direction > 0.0 {
-            return Err(outgrown());
+            return Err(outgrown(limit.exp() * length));
         }
         match excess(next) {
             Ok(excess) if excess * direction >= 0.0 => return Ok((here.min(next), here.max(next))),
@@ -200,7 +234,7 @@ fn bracket(
                 here = next;
                 step = (growth * step).min(2.0 * LN_2);
             }
-            Err(refusal) if step < SMALLEST_STEP => return Err(refusal),
+            Err(refusal) if step < smallest => return Err(refusal),
             // Beyond what this resolution can solve; the load may be borne before.
             Err(_) => {
                 step *= 0.5;
@@ -241,12 +275,24 @@ fn first_size(problem: &Problem, target: f64, by_force: bool) -> f64 {
     if problem.has_base() { b.min(WIDEST_START) } else { b }
 }
 
-/// The load asks for more of the shape than there is.
-pub(crate) fn outgrown() -> Refusal {
+/// The load asks for more of the shape than there is up to `x`, where it ends.
+pub(crate) fn outgrown(x: f64) -> Refusal {
     Refusal::OutOfReach {
         method: "contact size",
-        why: "under this load the contact would outgrow the punch, whose shape is known no further out".into(),
+        why: format!(
+            "under this load the contact would outgrow the punch, whose shape is known up to x = {} and no further out",
+            short(x)
+        ),
         remedy: "take a smaller load, or give the shape further out",
+    }
+}
+
+/// The load asks for more of the shape than is sound.
+fn ended(flaw: &str, x: f64) -> Refusal {
+    Refusal::OutOfReach {
+        method: "contact size",
+        why: format!("{flaw} at x = {}, and up to there no contact bears this load", short(x)),
+        remedy: "take a smaller load, or mend the shape",
     }
 }
 

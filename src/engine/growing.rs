@@ -276,7 +276,7 @@ impl Growing {
             let before = widest;
             widest = (widest * ROOM.1 * ROOM.1).min(problem.reach());
             if widest <= before {
-                return Err(contact_size::outgrown());
+                return Err(contact_size::outgrown(widest * problem.length));
             }
             self.family = None;
             self.provide(layer, task, widest, 1.0, None)?;

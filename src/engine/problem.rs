@@ -299,9 +299,17 @@ impl Problem {
         self.shape.natural_length() / self.length
     }
 
+    /// What the first flaw of the punch within a half-width is, and where, in layer units.
+    pub(crate) fn first_flaw(&self, half_width: f64) -> Option<(String, f64)> {
+        let flaw = self.shape.flaw(half_width * self.length)?;
+        Some((flaw.what, flaw.x / self.length))
+    }
+
     /// What keeps a contact as wide as that from being one interval that grew with the load, in words.
     pub(crate) fn flaw(&self, half_width: f64) -> Option<String> {
         let flaw = self.shape.flaw(half_width * self.length)?;
-        Some(format!("{} at x = {:.6}: the contact may break up into several", flaw.what, flaw.x))
+        let is_there = self.shape.height(flaw.x).is_finite() && self.shape.slope(flaw.x).is_finite();
+        let so = if is_there { "the contact may break up into several" } else { "no contact is as wide as that" };
+        Some(format!("{} at x = {:.6}: {so}", flaw.what, flaw.x))
     }
 }

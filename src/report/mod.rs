@@ -28,7 +28,7 @@ pub use curve_csv::curve_csv;
 pub use json::json;
 pub use study_table::{StudyTable, record_line};
 #[cfg(feature = "plot")]
-pub use svg::{FigureError, atlas_svg, chart_svg, curve_svg, layer_svg, study_svg, svg};
+pub use svg::{FigureError, StudyFigure, atlas_svg, chart_svg, curve_svg, layer_svg, study_svg, svg};
 pub use text::text;
 
 #[cfg(test)]

@@ -32,7 +32,7 @@ use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 pub use layer::layer_svg;
 pub use loading::curve_svg;
 use std::sync::Arc;
-pub use study::study_svg;
+pub use study::{StudyFigure, study_svg};
 
 /// Why there is no figure.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -47,7 +47,10 @@ pub enum FigureError {
     #[error("the solution has no contact half-width or no mean pressure")]
     NoScale,
     /// A curve needs two points.
-    #[error("the pressure is known and bounded at {0} point(s) of the profile; a curve takes at least 2")]
+    #[error(
+        "the pressure is known and bounded at {0} point(s) of the profile, and a curve takes at least 2; list more in \
+         `output.x`, or leave it out"
+    )]
     NoProfile(usize),
     /// The scene asks for no loading curve, or no load on it has numbers.
     #[error("the solution has no loading curve")]

@@ -71,6 +71,7 @@ fn in_words(expected: &str) -> String {
         "a sequence" => "an array".into(),
         "a map" => "a table".into(),
         "string only" | "a borrowed string" => "a string".into(),
+        "a boolean" => "`true` or `false`".into(),
         _ if expected.starts_with("struct ") => "a table".into(),
         _ => expected.into(),
     }

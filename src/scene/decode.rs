@@ -2,17 +2,20 @@
 
 use super::SceneError;
 use super::complaint::Complaint;
-use super::document::{Document, clip, dotted, one_of};
+use super::document::{Document, clip, dotted, is_index, one_of, written};
 use super::load_keys::LOAD;
 use super::tables::Tables;
 use serde::de::DeserializeOwned;
 use serde_path_to_error::{Path, Segment};
 use slipzone_api::{Family, PluginInfo, plugins};
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeArray, DeTable, DeValue};
 
 /// The version of the format that this program reads.
 const FORMAT: &str = "1";
+
+/// What to do about friction that is none.
+const FRICTIONLESS: &str = "a contact without friction has no [friction]";
 
 /// Checks `format` before anything else: the rest is read by its rules.
 pub(crate) fn format(document: &Document) -> Result<(), SceneError> {
@@ -96,7 +99,7 @@ fn explain(document: &Document, path: &Path, message: &str) -> SceneError {
             blamed(document, &mut path, message);
             let error = document.not_allowed(&path, expected);
             let is_friction = path == ["friction", "coefficient"];
-            let error = if is_friction { error.hint("a contact without friction has no [friction]") } else { error };
+            let error = if is_friction { error.hint(FRICTIONLESS) } else { error };
             if let Some(found) = found { error.found(found) } else { error }
         }
         Complaint::Other(words) => {
@@ -125,11 +128,18 @@ fn unknown_name(document: &Document, mut path: Vec<&str>, name: &str, known: &[&
         _ => format!("`{}`", dotted(&path)),
     };
     let message = format!("unknown {of} `{}`", clip(name));
-    document
+    let error = document
         .error(document.best(&path), message)
         .found(format!("`{}`", clip(name)))
         .expected(one_of(known))
-        .nearest(name, known)
+        .nearest(name, known);
+    match (path.as_slice(), name.to_lowercase().as_str()) {
+        (["friction", "type"], "none" | "frictionless" | "smooth") => error.hint(FRICTIONLESS),
+        (["friction", "type"], "coulomb") => {
+            error.hint("Coulomb friction is solved for in Goodman's approximation: `goodman`")
+        }
+        _ => error,
+    }
 }
 
 fn missing_key(document: &Document, path: &[&str], key: &str) -> SceneError {
@@ -160,6 +170,11 @@ fn meaning(document: &Document, path: &[&str], key: &str) -> String {
         (_, "poisson") => "`poisson`: Poisson's ratio, a number above -1 and up to 0.5".into(),
         (_, "grading") => format!("`grading`: a table with `type`, {}", names(Family::Grading)),
         ([.., "layers", _], "thickness") => "`thickness`: that of the sublayer (length)".into(),
+        (["plots", _], "file") => "`file`: name of the figure, such as `stick.svg`".into(),
+        (["find"], "field") => "`field`: path of the field that is looked for, such as `friction.coefficient`".into(),
+        (["find"], "from") => "`from`: where the search begins, a number".into(),
+        (["find"], "to") => "`to`: where the search ends, a number".into(),
+        (["find"], "quantity") => "`quantity`: the number of the result that decides, such as `stick.ratio`".into(),
         (["friction"], "type") => "`type = \"goodman\"`".into(),
         (["friction"], "coefficient") => "`coefficient`: Coulomb's coefficient, a number above 0".into(),
         _ => format!("`{key}`"),
@@ -191,9 +206,31 @@ pub(crate) fn wrong_type(document: &Document, path: &[&str], expected: &str) -> 
         .error(document.best(path), format!("`{}` has the wrong type", dotted(path)))
         .found(found)
         .expected(expected);
-    match text.and_then(|text| remedy(text.trim(), expected)) {
+    match text.and_then(|text| remedy(text.trim(), expected)).or_else(|| brackets(document, path, expected)) {
         Some(hint) => error.hint(hint),
         None => error,
+    }
+}
+
+/// Which brackets were meant, where a section stands for a list of sections or the other way round.
+fn brackets(document: &Document, path: &[&str], expected: &str) -> Option<String> {
+    let found = document.value(path)?.get_ref();
+    let is_sections = |array: &DeArray| array.iter().all(|value| value.get_ref().is_table()) && !array.is_empty();
+    match (path, found) {
+        ([name], DeValue::Array(array)) if !expected.starts_with("an array") && is_sections(array) => {
+            Some(format!("there is one of it: [{name}] in single brackets"))
+        }
+        // Of all sections these alone may be there several times.
+        ([name @ ("axes" | "plots"), ..], _) if path.len() <= 2 => {
+            Some(format!("each stands in a section of its own: [[{name}]] in double brackets"))
+        }
+        (_, DeValue::Array(_)) => None,
+        ([.., key], _) if expected.starts_with("an array") => {
+            let inside = if found.is_table() { "{ ... }".into() } else { clip(&written(found)) };
+            let is_index = is_index(key);
+            Some(if is_index { format!("in brackets: [{inside}]") } else { format!("in brackets: {key} = [{inside}]") })
+        }
+        _ => None,
     }
 }
 

@@ -161,7 +161,12 @@ impl<'a> Document<'a> {
 
     /// The name of the table at a path, as it would be written.
     pub(super) fn section(&self, path: &[&str]) -> String {
-        if path.is_empty() { format!("the {}", self.what) } else { format!("[{}]", path.join(".")) }
+        match path {
+            [] => format!("the {}", self.what),
+            // No section is written with a number.
+            _ if path.iter().any(|key| is_index(key)) => format!("`{}`", dotted(path)),
+            _ => format!("[{}]", path.join(".")),
+        }
     }
 
     /// The source of the value at a path, for messages; in words when it is long.
@@ -195,9 +200,13 @@ pub(crate) fn written(value: &DeValue) -> String {
     }
 }
 
+/// Whether a part of a path is a place in an array.
+pub(super) fn is_index(segment: &str) -> bool {
+    !segment.is_empty() && segment.bytes().all(|byte| byte.is_ascii_digit())
+}
+
 /// A path as it would be written, indices in brackets.
 pub(crate) fn dotted(path: &[&str]) -> String {
-    let is_index = |segment: &str| !segment.is_empty() && segment.bytes().all(|byte| byte.is_ascii_digit());
     let written: String = path
         .iter()
         .map(|segment| if is_index(segment) { format!("[{segment}]") } else { format!(".{segment}") })
@@ -227,7 +236,7 @@ fn meant(path: &[&str], key: &str, known: &[&str]) -> Option<String> {
     const OF_STUDIES: [&str; 4] = ["scene", "axes", "plots", "find"];
     const OF_SCENES: [&str; 4] = ["layer", "punch", "load", "friction"];
     /// Symbols and usual names, and the keys that they stand for.
-    const SYMBOLS: [(&[&str], &str); 9] = [
+    const SYMBOLS: [(&[&str], &str); 17] = [
         (&["h"], "thickness"),
         (&["nu"], "poisson"),
         (&["P", "F", "load"], "force"),
@@ -237,6 +246,14 @@ fn meant(path: &[&str], key: &str, known: &[&str]) -> Option<String> {
         (&["R"], "radius"),
         (&["gamma"], "gradient"),
         (&["tol"], "tolerance"),
+        (&["mu1", "mu0"], "surface"),
+        (&["mu3", "muh"], "base"),
+        (&["mu", "G", "shear"], "modulus"),
+        (&["start", "begin", "min"], "from"),
+        (&["stop", "end", "max"], "to"),
+        (&["steps", "num", "n", "points"], "count"),
+        (&["range", "linspace"], "linear"),
+        (&["logspace", "geomspace"], "log"),
     ];
     if path.is_empty() && key == "grading" && known.contains(&"layer") {
         return Some("a grading belongs to the layer: [layer.grading]".into());
@@ -285,6 +302,9 @@ fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneError {
     let is_decimal_comma = comma.is_some_and(|(before, after)| {
         before.ends_with(|c: char| c.is_ascii_digit()) && after.starts_with(|c: char| c.is_ascii_digit())
     });
+    let not_a_value = (what == "not a value").then(|| text.get(span.clone())).flatten().and_then(instead);
+    let is_unclosed = what.contains("inline table") && found != "the end of the file";
+    let is_of_old = what.starts_with("carriage return");
     let is_last = comma.is_some_and(|(_, after)| after.lines().next().is_none_or(|rest| rest.trim().is_empty()));
     let error = SceneError::at(name, text, span, format!("not valid TOML: {what}"))
         .found(found)
@@ -292,6 +312,18 @@ fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneError {
     match (is_decimal_comma, is_last) {
         (true, _) => error.hint("decimals are written with a point, as in 5.0"),
         (_, true) => error.hint("outside of [ ] and { } a line ends without a comma"),
-        _ => error,
+        _ if is_of_old => error.hint("lines end in CR alone here; save the file with ends of LF, or of CR and LF"),
+        _ if is_unclosed => error.hint("is the `}` missing that ends the table before?"),
+        _ => not_a_value.map_or_else(|| error.clone(), |hint| error.clone().hint(hint)),
     }
+}
+
+/// What to write for a text that is no value.
+fn instead(found: &str) -> Option<String> {
+    let (first, rest) = found.trim().split_once(' ').unwrap_or((found.trim(), ""));
+    let is_word = |text: &str| !text.is_empty() && text.chars().all(|c| c.is_alphanumeric() || "-_/^%.*".contains(c));
+    if first.parse::<f64>().is_ok_and(f64::is_finite) {
+        return is_word(rest).then(|| format!("the number alone, {first}; units are named in [units]"));
+    }
+    (is_word(first) && rest.is_empty()).then(|| format!("text stands in quotes: \"{first}\""))
 }

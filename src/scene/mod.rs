@@ -33,7 +33,7 @@ pub use model::Model;
 pub use names::nearest;
 pub use schema::schema;
 pub(crate) use template::{Replacement, Template, plain};
-pub use text::{LARGEST, text, too_large};
+pub use text::{LARGEST, text, text_of, too_large};
 
 use document::Document;
 use serde::{Deserialize, Serialize};
@@ -87,7 +87,7 @@ pub fn parse(name: &str, text: &str) -> Result<Scene, SceneError> {
 pub fn parse_with(name: &str, text: &str, files: &dyn Files) -> Result<Scene, SceneError> {
     crate::link_plugins();
     if text.len() > LARGEST {
-        return Err(too_large(name));
+        return Err(too_large("scene", name));
     }
     checked(&Document::parse(name, text)?, files)
 }
@@ -146,7 +146,7 @@ pub struct Layer {
     #[serde(default)]
     pub plane: Plane,
     /// What the grading's moduli are.
-    #[serde(default, skip_serializing_if = "Moduli::is_shear")]
+    #[serde(default)]
     pub moduli: Moduli,
     /// What the layer stands on.
     #[serde(default, deserialize_with = "tagged::base")]

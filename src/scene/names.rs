@@ -4,7 +4,7 @@
 /// swapped in every three, case and `-` for `_` not counted.
 pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
     // Nobody misspells a name at such length, and the distance takes quadratic time.
-    if name.len() > 64 {
+    if name.len() > 64 || known.contains(&name) {
         return None;
     }
     let plain = |name: &str| name.to_lowercase().replace('-', "_");
@@ -31,6 +31,8 @@ mod tests {
             ("half-width", Some("half_width")),
             ("sphere", None),
             ("", None),
+            // It was right, in the wrong place.
+            ("flat", None),
         ] {
             assert_eq!(nearest(name, &known), near, "{name}");
         }

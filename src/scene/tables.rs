@@ -1,9 +1,14 @@
 //! A deserializer that takes no array for a table.
 //!
 //! The derived code of a structure reads an array as its fields in order: `units = ["mm", "MPa"]` would pass. Here a
-//! structure is a table wherever it stands, also within plugins.
+//! structure is a table wherever it stands, also within plugins. Nor does it take a table for one of a few words, as the
+//! derived code of an enumeration would, and what is wrong in its place it tells in words for people.
 
-use serde::de::{DeserializeSeed, Deserializer, EnumAccess, Error, MapAccess, SeqAccess, Unexpected, Visitor};
+use super::document::one_of;
+use serde::de::{
+    DeserializeSeed, Deserializer, EnumAccess, Error, Expected, IntoDeserializer, MapAccess, SeqAccess, Unexpected,
+    VariantAccess, Visitor,
+};
 use serde::forward_to_deserialize_any;
 use std::fmt;
 
@@ -36,11 +41,11 @@ impl<'de, D: Deserializer<'de>> Deserializer<'de> for Tables<D> {
 
     fn deserialize_enum<V: Visitor<'de>>(
         self,
-        name: &'static str,
+        _name: &'static str,
         variants: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, D::Error> {
-        self.0.deserialize_enum(name, variants, Within { visitor, is_table: false })
+        self.0.deserialize_any(Word { visitor, variants })
     }
 
     fn deserialize_ignored_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, D::Error> {
@@ -113,10 +118,87 @@ impl<'de, V: Visitor<'de>> Visitor<'de> for Within<V> {
     fn visit_map<A: MapAccess<'de>>(self, entries: A) -> Result<V::Value, A::Error> {
         self.visitor.visit_map(Inside(entries))
     }
+}
 
-    fn visit_enum<A: EnumAccess<'de>>(self, variant: A) -> Result<V::Value, A::Error> {
-        // Variants of a scene hold nothing, or are plugins.
-        self.visitor.visit_enum(variant)
+/// One of a few words, or a table of one key that is one of them.
+struct Word<V> {
+    visitor: V,
+    variants: &'static [&'static str],
+}
+
+impl<'de, V: Visitor<'de>> Visitor<'de> for Word<V> {
+    type Value = V::Value;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        Words(self.variants).fmt(f)
+    }
+
+    fn visit_str<E: Error>(self, word: &str) -> Result<V::Value, E> {
+        self.visitor.visit_enum(word.into_deserializer())
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<V::Value, A::Error> {
+        match entries.next_key::<String>()? {
+            Some(key) if self.variants.contains(&key.as_str()) => {
+                self.visitor.visit_enum(Keyed { key, entries, variants: self.variants })
+            }
+            _ => Err(A::Error::invalid_type(Unexpected::Map, &self)),
+        }
+    }
+}
+
+/// The words that may stand somewhere.
+struct Words(&'static [&'static str]);
+
+impl Expected for Words {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&one_of(self.0))
+    }
+}
+
+/// A table whose key has been read.
+struct Keyed<A> {
+    key: String,
+    entries: A,
+    variants: &'static [&'static str],
+}
+
+impl<'de, A: MapAccess<'de>> EnumAccess<'de> for Keyed<A> {
+    type Error = A::Error;
+    type Variant = Self;
+
+    fn variant_seed<T: DeserializeSeed<'de>>(self, seed: T) -> Result<(T::Value, Self), A::Error> {
+        let variant = seed.deserialize(self.key.as_str().into_deserializer())?;
+        Ok((variant, self))
+    }
+}
+
+impl<'de, A: MapAccess<'de>> VariantAccess<'de> for Keyed<A> {
+    type Error = A::Error;
+
+    fn unit_variant(self) -> Result<(), A::Error> {
+        Err(A::Error::invalid_type(Unexpected::Map, &Words(self.variants)))
+    }
+
+    fn newtype_variant_seed<T: DeserializeSeed<'de>>(mut self, seed: T) -> Result<T::Value, A::Error> {
+        let value = self.entries.next_value_seed(Inside(seed))?;
+        match self.entries.next_key::<String>()? {
+            None => Ok(value),
+            Some(_) => Err(A::Error::custom(format!("expected {} alone, found several", one_of(self.variants)))),
+        }
+    }
+
+    // No scene and no study has variants of other kinds.
+    fn tuple_variant<V: Visitor<'de>>(self, _length: usize, _visitor: V) -> Result<V::Value, A::Error> {
+        Err(A::Error::invalid_type(Unexpected::Map, &Words(self.variants)))
+    }
+
+    fn struct_variant<V: Visitor<'de>>(
+        self,
+        _keys: &'static [&'static str],
+        _visitor: V,
+    ) -> Result<V::Value, A::Error> {
+        Err(A::Error::invalid_type(Unexpected::Map, &Words(self.variants)))
     }
 }
 

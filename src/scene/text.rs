@@ -10,11 +10,20 @@ pub const LARGEST: usize = 16 * 1024 * 1024;
 /// # Errors
 /// When the bytes are no text (binary, UTF-16, a byte-order mark, NUL), none at all, or more than [`LARGEST`].
 pub fn text(name: &str, bytes: Vec<u8>) -> Result<String, SceneError> {
+    text_of("scene", name, bytes)
+}
+
+/// As [`text()`], of a file that is to be something else, such as a `study`.
+///
+/// # Errors
+/// As [`text()`].
+pub fn text_of(what: &str, name: &str, bytes: Vec<u8>) -> Result<String, SceneError> {
     if bytes.len() > LARGEST {
-        return Err(too_large(name));
+        return Err(too_large(what, name));
     }
     if bytes.is_empty() {
-        return Err(SceneError::whole(name, "the file is empty").found("0 bytes").expected("a scene in TOML"));
+        let error = SceneError::whole(name, "the file is empty").found("0 bytes");
+        return Err(error.expected(format!("a {what} in TOML")));
     }
     let mark = |kind: &str| {
         Err(SceneError::whole(name, "the file starts with a byte-order mark")
@@ -31,7 +40,7 @@ pub fn text(name: &str, bytes: Vec<u8>) -> Result<String, SceneError> {
         let before = String::from_utf8_lossy(&bytes[..at]);
         SceneError::at(name, &before, before.len()..before.len(), "the file is not text")
             .found(found)
-            .expected("a scene in TOML, in UTF-8")
+            .expected(format!("a {what} in TOML, in UTF-8"))
     };
     if let Some(at) = bytes.iter().position(|&byte| byte == 0) {
         // Text before a NUL may itself be broken; then that is the first error.
@@ -46,9 +55,9 @@ pub fn text(name: &str, bytes: Vec<u8>) -> Result<String, SceneError> {
     })
 }
 
-/// A scene above [`LARGEST`], whether or not it was read.
-pub fn too_large(name: &str) -> SceneError {
-    SceneError::whole(name, "the scene is too large")
+/// A scene, or a study, above [`LARGEST`], whether or not it was read.
+pub fn too_large(what: &str, name: &str) -> SceneError {
+    SceneError::whole(name, format!("the {what} is too large"))
         .found("more than 16 MB")
         .expected("at most 16 MB")
         .hint("keep long tables in a file of their own")

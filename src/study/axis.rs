@@ -121,6 +121,15 @@ impl Column {
         }
     }
 
+    /// The ends of what is drawn at random, which are checked before anything is solved though they may never be drawn, by
+    /// their keys; none of other values.
+    pub(super) fn ends(&self) -> Vec<(&'static str, f64)> {
+        match self.values {
+            Values::Drawn { from, to, .. } => vec![("from", from), ("to", to)],
+            _ => Vec::new(),
+        }
+    }
+
     /// Steps whose values are checked before anything is solved: all that are listed, the ends of a range.
     pub(super) fn checked(&self) -> Vec<u64> {
         match self.values {

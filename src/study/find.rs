@@ -19,6 +19,18 @@ pub struct Find {
 }
 
 impl Find {
+    /// All that decides the answer, on one line.
+    pub(super) fn described(&self) -> String {
+        let Self { field, from, to, quantity, wanted } = self;
+        let wanted = match wanted {
+            Wanted::Target(target) => format!("target = {target:?}"),
+            Wanted::Minimum => "minimum = true".into(),
+            Wanted::Maximum => "maximum = true".into(),
+            Wanted::HalfPlaneWithin(share) => format!("half_plane_within = {share:?}"),
+        };
+        format!("{field} from {from:?} to {to:?}, where {quantity} has {wanted}")
+    }
+
     /// The keys of the field's path.
     pub(super) fn path(&self) -> Vec<String> {
         self.field.split('.').map(str::to_owned).collect()

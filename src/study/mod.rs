@@ -78,7 +78,7 @@ impl Study {
     pub fn parse(name: &str, text: &str, files: &dyn Files) -> Result<Self, SceneError> {
         crate::link_plugins();
         if text.len() > crate::scene::LARGEST {
-            return Err(crate::scene::too_large(name));
+            return Err(crate::scene::too_large("study", name));
         }
         read::study(name, text, files)
     }
@@ -174,7 +174,7 @@ impl Study {
         }
         let _ = writeln!(text, "tractions = {}", self.asks("profile"));
         if let Some(find) = &self.find {
-            let _ = writeln!(text, "find: {find:?}");
+            let _ = writeln!(text, "find: {}", find.described());
         }
         text
     }

@@ -1,7 +1,10 @@
 //! Figures that a study asks for.
 
+use serde::de::value::SeqAccessDeserializer;
+use serde::de::{self, Deserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// A figure of a study: what is drawn over what.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -85,7 +88,7 @@ pub struct Points {
 }
 
 /// One name or several.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum OneOrMore {
     /// One name.
@@ -101,6 +104,31 @@ impl OneOrMore {
             Self::One(name) => std::slice::from_ref(name),
             Self::More(names) => names,
         }
+    }
+}
+
+impl<'de> Deserialize<'de> for OneOrMore {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Names)
+    }
+}
+
+/// Reads [`OneOrMore`]; the derived code would not say what it takes.
+struct Names;
+
+impl<'de> Visitor<'de> for Names {
+    type Value = OneOrMore;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a name in quotes, or an array of names")
+    }
+
+    fn visit_str<E: de::Error>(self, name: &str) -> Result<OneOrMore, E> {
+        Ok(OneOrMore::One(name.into()))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, names: A) -> Result<OneOrMore, A::Error> {
+        Vec::deserialize(SeqAccessDeserializer::new(names)).map(OneOrMore::More)
     }
 }
 

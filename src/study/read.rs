@@ -148,23 +148,17 @@ fn read_axis(document: &Document, path: &[&str; 2], axis: AxisTable) -> Result<A
             Ok(Axis { columns: vec![column], count })
         }
         (None, Some(zip), None) => {
-            let mut columns = Vec::new();
-            let mut steps: Option<u64> = None;
+            let place = [path[0], path[1], "zip"];
+            let (mut columns, mut counts) = (Vec::new(), Vec::new());
             for (index, column) in zip.into_iter().enumerate() {
-                let index = index.to_string();
-                let place = [path[0], path[1], "zip", &index];
-                let (column, count) = stepped(document, &place, column)?;
-                if steps.is_some_and(|steps| steps != count) {
-                    let error = document.error(document.key(&place), "fields zipped together have as many values each");
-                    return Err(error
-                        .found(format!("{count} values of `{}`", column.field))
-                        .expected(format!("{} of them, as many as of the first", steps.unwrap_or_default())));
-                }
-                steps = Some(count);
+                let (column, count) = stepped(document, &[place[0], place[1], place[2], &index.to_string()], column)?;
                 columns.push(column);
+                counts.push(count);
             }
-            let count = steps.ok_or_else(|| empty(document, &[path[0], path[1], "zip"], "`zip` lists no field"))?;
-            Ok(Axis { columns, count })
+            if columns.is_empty() {
+                return Err(empty(document, &place, "`zip` lists no field"));
+            }
+            Ok(Axis { count: as_many_each(document, &place, &columns, &counts)?, columns })
         }
         (None, None, Some(random)) => {
             let place = [path[0], path[1], "random"];
@@ -187,6 +181,18 @@ fn read_axis(document: &Document, path: &[&str; 2], axis: AxisTable) -> Result<A
             .found(document.found(path))
             .expected("`field` with its values, `zip = [{ field = ..., values = ... }, ...]` or `random = { ... }`")),
     }
+}
+
+/// How many values each of the fields zipped together has; the odd one is to blame where they differ.
+fn as_many_each(document: &Document, path: &[&str; 3], columns: &[Column], counts: &[u64]) -> Result<u64, SceneError> {
+    let others = |count: u64| counts.iter().filter(|other| **other == count).count();
+    // Of two that differ the second.
+    let usual = counts.iter().copied().rev().max_by_key(|count| others(*count)).unwrap_or_default();
+    let Some(odd) = counts.iter().position(|count| *count != usual) else { return Ok(usual) };
+    let found: Vec<_> = columns.iter().zip(counts).map(|(c, count)| format!("{count} of `{}`", c.field)).collect();
+    let place = [path[0], path[1], path[2], &odd.to_string()];
+    let error = document.error(document.key(&place), "fields zipped together have as many values each");
+    Err(error.found(found.join(", ")).expected(format!("as many of `{}` as of the others", columns[odd].field)))
 }
 
 /// A field that takes one value after another, and how many.
@@ -349,6 +355,9 @@ fn distinct(document: &Document, axes: &[Axis]) -> Result<(), SceneError> {
 fn check_values(document: &Document, study: &Study, files: &dyn Files) -> Result<(), SceneError> {
     for (a, axis) in study.axes.iter().enumerate() {
         for (c, column) in axis.columns.iter().enumerate() {
+            for (key, end) in column.ends() {
+                check_end(document, study, [a, c], key, end, files)?;
+            }
             for step in column.checked() {
                 let with_others = |of: fn(&Axis) -> u64| {
                     let steps = study.axes.iter().enumerate();
@@ -391,6 +400,30 @@ fn check_values(document: &Document, study: &Study, files: &dyn Files) -> Result
     Ok(())
 }
 
+/// An end of what a field is drawn from makes a scene, with all else as the base has it, or at its first or last values.
+fn check_end(
+    document: &Document,
+    study: &Study,
+    [a, c]: [usize; 2],
+    key: &str,
+    end: f64,
+    files: &dyn Files,
+) -> Result<(), SceneError> {
+    let column = &study.axes[a].columns[c];
+    let value = || Some(Replacement { path: &column.path, value: format!("{end:?}").into() });
+    let Err(error) = study.made(std::iter::empty(), value(), files) else { return Ok(()) };
+    let with_others =
+        |of: fn(&Axis) -> u64| study.made(study.axes.iter().map(|axis| (axis, of(axis))), value(), files).is_ok();
+    if with_others(|_| 0) || with_others(|axis| axis.count - 1) {
+        return Ok(());
+    }
+    let scale = if matches!(column.values, Values::Drawn { by_factors: true, .. }) { "log" } else { "linear" };
+    let (a, c) = (a.to_string(), c.to_string());
+    let rest = if is_of_field(&error) { vec!["field"] } else { vec![scale, key] };
+    let place: Vec<&str> = ["axes", &a, "random", "fields", &c].into_iter().chain(rest).collect();
+    Err(placed(document, &place, &error, &format!("`{}`", column.field)))
+}
+
 /// Whether it is the field that is wrong, and not its value.
 fn is_of_field(error: &SceneError) -> bool {
     let starts = ["unknown key", "unknown section", "the scene has no place"];
@@ -414,8 +447,24 @@ fn placed(document: &Document, path: &[&str], error: &SceneError, of: &str) -> S
     let mut placed = document.error(document.best(path), message);
     placed.found.clone_from(&error.found);
     placed.expected.clone_from(&error.expected);
-    placed.hint.clone_from(&error.hint);
+    placed.hint = error.hint.clone().or_else(|| otherwise(error, of.trim_matches('`')));
     placed
+}
+
+/// What to do about a field that is none, or cannot be changed alone.
+fn otherwise(error: &SceneError, field: &str) -> Option<String> {
+    if let Some((table, "type")) = field.rsplit_once('.') {
+        return Some(format!("other keys go with it: field = \"{table}\", values = [{{ type = ... }}, ...]"));
+    }
+    if error.message.starts_with("a second load") {
+        return Some("change the load as a whole: field = \"load\", values = [{ half_width = 1.0 }, ...]".into());
+    }
+    match Asked::named(field) {
+        _ if !is_of_field(error) => None,
+        Some(_) => Some("that is of the result: [[plots]] show it, [find] looks for a value of it".into()),
+        None if field.contains('.') => None,
+        None => Some("a field is a path from the top of the scene, such as `friction.coefficient`".into()),
+    }
 }
 
 /// The question can be asked of the first scene.

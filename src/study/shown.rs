@@ -163,7 +163,7 @@ impl Study {
                         "the number that the map shows, such as `stick.ratio`",
                     ));
                 };
-                let (x, y) = (self.numbers_along(&["x"], x)?, self.numbers_along(&["y"], y)?);
+                let (x, y) = (self.along_map("x", x)?, self.along_map("y", y)?);
                 if x.axis == y.axis {
                     return Err(PlotFault::new(&["y"], "a map needs two axes", "an axis other than that of `x`"));
                 }
@@ -201,6 +201,20 @@ impl Study {
 
     fn place(&self, path: &[&str], name: &str) -> Result<Place, PlotFault> {
         self.field(name).ok_or_else(|| self.unknown(path, name, &[]))
+    }
+
+    /// A field along a side of a map.
+    fn along_map(&self, key: &str, name: &str) -> Result<Place, PlotFault> {
+        if self.field(name).is_some() {
+            return self.numbers_along(&[key], name);
+        }
+        let fault = self.unknown(&[key], name, &[]);
+        let is_number = numbers().chain(self.find.is_some().then_some(FOUND)).any(|number| number == name);
+        Err(if is_number {
+            fault.hint(format!("a number of the result is what the map shows: z = \"{name}\""))
+        } else {
+            fault
+        })
     }
 
     /// A field whose values are numbers.

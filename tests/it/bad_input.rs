@@ -222,6 +222,46 @@ fn broken_tables_say_what_is_wrong_and_where() {
     }
 }
 
+/// Lines may end as they do anywhere, also as on machines of old; places are counted by them.
+#[test]
+fn lines_of_tables_end_in_three_ways() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("scene.toml"), with_table("half_width = 1.0")).unwrap();
+    let rows = "x, height\n0, 0\n1, 0.05\n\n2, 0.2\n3, 0.45\n4, 0.8\n";
+    let mut solved = Vec::new();
+    for end in ["\n", "\r\n", "\r"] {
+        fs::write(folder.path().join("profile.csv"), rows.replace('\n', end)).unwrap();
+        solved.push(run(folder.path(), ["solve", "scene.toml", "--json", "-"]));
+        assert_eq!(solved.last().unwrap().status.code(), Some(0), "{end:?}: {}", told(solved.last().unwrap()));
+        fs::write(folder.path().join("profile.csv"), rows.replace("0.2", "0.2 mm").replace('\n', end)).unwrap();
+        let wrong = told(&run(folder.path(), ["solve", "scene.toml"]));
+        assert!(wrong.contains("profile.csv:5:4") && wrong.contains("`0.2 mm`"), "{end:?}: {wrong}");
+        let bytes = rows.replace('\n', end).into_bytes();
+        let bytes: Vec<u8> = bytes.into_iter().map(|byte| if byte == b'8' { 0xb5 } else { byte }).collect();
+        fs::write(folder.path().join("profile.csv"), bytes).unwrap();
+        let wrong = told(&run(folder.path(), ["solve", "scene.toml"]));
+        assert!(wrong.contains("profile.csv:7:6") && wrong.contains("0xB5"), "{end:?}: {wrong}");
+    }
+    assert!(solved[1..].iter().all(|output| output.stdout == solved[0].stdout));
+}
+
+/// A contact that would be wider than the table: the reason says where that ends.
+#[test]
+fn a_load_too_large_for_the_table() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("profile.csv"), "0 0\n1 0.05\n2 0.2\n3 0.45\n4 0.8\n").unwrap();
+    for (grading, load) in
+        [("base = 8.0", "force = 1e4"), ("base = 8.0", "indentation = 4.0"), ("base = 1.0", "force = 1e4")]
+    {
+        let scene = with_table(load).replace("base = 8.0", grading);
+        let told = told(&feed(folder.path(), &["solve", "-"], scene.as_bytes()));
+        assert!(
+            told.starts_with("exit code: 1") && told.contains("known up to x = 4 and no further out"),
+            "{load}: {told}"
+        );
+    }
+}
+
 #[test]
 fn tables_that_cannot_be_read() {
     let folder = tempfile::tempdir().unwrap();
@@ -290,6 +330,24 @@ mod formulas {
             let output = solve(folder.path(), "-", Some(with_formula(&text, "force = 1.0").as_bytes()));
             assert_eq!(output.status.code(), Some(2), "{name}: {}", told(&output));
             insta::assert_snapshot!(format!("formula_{name}"), told(&output));
+        }
+    }
+
+    /// A circle ends at its radius: no force widens a contact beyond it. That is what is said, not what came of trying.
+    #[test]
+    fn a_load_that_no_contact_within_the_punch_bears() {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, height, end) in [
+            ("circle", "1 - sqrt(1 - x^2)", "no finite slope at x = 1"),
+            ("pole", "x^2/(1 - x^2)", "no finite height at x = 1"),
+            ("wave", "1 - cos(x)", "not convex at x = 1.570"),
+        ] {
+            for load in ["force = 1e6", "indentation = 900.0"] {
+                let output = feed(folder.path(), &["solve", "-"], with_formula(height, load).as_bytes());
+                let told = told(&output);
+                assert_eq!(output.status.code(), Some(1), "{name}, {load}: {told}");
+                assert!(told.contains(end), "{name}, {load}: {told}");
+            }
         }
     }
 

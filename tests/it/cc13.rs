@@ -375,7 +375,7 @@ fn drawn() -> Vec<(String, String)> {
     let figures = all().iter().flat_map(|(name, study, records)| {
         study.plots.iter().map(move |plot| {
             let svg = slipzone::report::study_svg(study, plot, records.iter().cloned());
-            (plot.file.clone(), svg.unwrap_or_else(|error| panic!("{name}: {error}")))
+            (plot.file.clone(), svg.unwrap_or_else(|error| panic!("{name}: {error}")).svg)
         })
     });
     figures.collect()

@@ -246,6 +246,88 @@ fn plugins_are_listed_and_described() {
     }
 }
 
+/// What a scene names by `type` is found, whether or not a plugin brings it.
+#[test]
+fn what_is_built_in_is_listed_and_described() {
+    let folder = folder();
+    let told = |name: &str| told(&run(folder.path(), ["plugins", name]));
+    insta::assert_snapshot!(told("goodman") + "\n" + &told("half-plane") + "\n" + &told("rigid"));
+    let one = json(&run(folder.path(), ["plugins", "goodman", "--json"]).stdout);
+    assert_eq!(one["plugins"], Value::Array(Vec::new()));
+    assert_eq!((&one["built_in"][0]["place"], &one["built_in"][0]["name"]), (&"friction".into(), &"goodman".into()));
+    // Each example completes a scene.
+    for (name, place) in [("goodman", "friction"), ("half-plane", "layer.base"), ("frictionless", "layer.base")] {
+        let told = told(name);
+        let example =
+            told.split("example\n").nth(1).and_then(|rest| rest.split("\nsource").next()).expect("an example");
+        let scene = GOOD.replace("[friction]\ntype = \"goodman\"\ncoefficient = 0.3\n", "") + example;
+        let check = feed(folder.path(), &["check", "-"], scene.as_bytes());
+        assert!(told.contains(place) && check.status.code() == Some(0), "{name}: {}", crate::run::told(&check));
+    }
+}
+
+/// The name of a family lists it, whether plugins or built in.
+#[test]
+fn a_family_is_listed_by_its_name() {
+    let folder = folder();
+    let all = String::from_utf8(run(folder.path(), ["plugins"]).stdout).unwrap();
+    let mut parts = String::new();
+    for family in ["grading", "punch", "flexibility", "kernel", "quadrature", "base", "friction"] {
+        let output = run(folder.path(), ["plugins", family]);
+        assert_eq!(output.status.code(), Some(0), "{family}");
+        let own = String::from_utf8(output.stdout).unwrap();
+        assert!(own.starts_with(&format!("{family} (")), "{own}");
+        let column =
+            |line: &str| line.trim_start().find("  ").map(|at| line.len() - line.trim_start()[at..].trim_start().len());
+        let mut columns = own.lines().skip(1).map(column);
+        let first = columns.next();
+        assert!(columns.all(|column| Some(column) == first), "one below the other: {own}");
+        parts += &own;
+    }
+    let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(words(&parts), words(&all), "all families, each once");
+}
+
+/// A file that cannot be is no success: it is refused before anything is solved, with what to write in the scene.
+#[test]
+fn files_that_the_scene_leaves_nothing_to_write_in() {
+    let folder = folder();
+    let cases = [
+        ("svg_of_one_point", "--svg", "x = [0.3]"),
+        ("svg_of_one_point_twice", "--svg", "x = [0.3, 0.3]"),
+        ("svg_of_numbers", "--svg", "quantities = [\"edge\"]"),
+        ("svg_of_profile", "--svg", "quantities = [\"profile\", \"load\"]"),
+        ("csv_of_numbers", "--csv", "quantities = [\"edge\", \"load\"]"),
+    ];
+    for (name, option, output) in cases.into_iter().filter(|case| cfg!(feature = "plot") || case.1 != "--svg") {
+        fs::write(folder.path().join("scene.toml"), format!("{GOOD}\n[output]\n{output}\n")).unwrap();
+        let before = files(folder.path());
+        let solved = run(folder.path(), ["solve", "scene.toml", option, "out"]);
+        assert_eq!(files(folder.path()), before, "{name}");
+        insta::assert_snapshot!(format!("nothing_in_{name}"), told(&solved));
+    }
+    let fine: &[_] = if cfg!(feature = "plot") { &["--svg", "--csv"] } else { &["--csv"] };
+    for output in ["x = [0.3, 0.2]", "quantities = [\"profile\", \"load\", \"pressure\"]"] {
+        fs::write(folder.path().join("scene.toml"), format!("{GOOD}\n[output]\n{output}\n")).unwrap();
+        for option in fine {
+            let solved = run(folder.path(), ["solve", "scene.toml", option, "out"]);
+            assert!(solved.status.code() == Some(0) && solved.stderr.is_empty(), "{}", told(&solved));
+            fs::remove_file(folder.path().join("out")).expect("it was written");
+        }
+    }
+}
+
+#[test]
+fn explain_fills_in_every_default() {
+    let output = run(folder().path(), ["explain", "good.toml"]);
+    let told = told(&output);
+    for default in
+        ["plane = \"strain\"", "moduli = \"shear\"", "strain = \"history\"", "tolerance = 0.00000001", "points = 201"]
+    {
+        assert!(told.contains(default), "{default}: {told}");
+    }
+}
+
 /// The set of names: a plugin that is lost, or new, is noticed.
 #[test]
 fn the_plugins_by_name() {

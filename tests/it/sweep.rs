@@ -376,6 +376,77 @@ values = [{ type = "flat", half_width = 1.0 }, { type = "cylinder", radius = 10.
     assert_eq!(records[1]["edge"]["ratio"].as_f64(), Some(0.0), "a smooth one");
 }
 
+/// An end that makes a scene on some of the layers only is tried on these: no length may be 1e9 times another.
+#[test]
+fn ends_of_what_is_drawn_are_tried_with_other_axes() {
+    let study = |thickness: &str| {
+        let axes = format!("[[axes]]\nfield = \"layer.thickness\"\nvalues = [{thickness}]\n[[axes]]\n");
+        let drawn = "{ field = \"punch.half_width\", log = { from = 1.0, to = 1e10 } }";
+        let scene = "format = 1\nscene = \"good.toml\"\n";
+        let random = format!("random = {{ count = 2, seed = 1, fields = [{drawn}] }}\n");
+        Study::parse("study.toml", &format!("{scene}{axes}{random}"), &Beside).map(|_| ())
+    };
+    assert_eq!((study("5.0, 20.0"), study("20.0, 5.0")), (Ok(()), Ok(())));
+    assert_eq!(study("5.0, 6.0").unwrap_err().line, 7, "too thin, all of them");
+}
+
+#[test]
+fn an_empty_study_on_standard_input_is_called_one() {
+    let folder = crate::run::folder();
+    let output = crate::run::feed(folder.path(), &["sweep", "-"], b"");
+    assert_eq!(output.status.code(), Some(2));
+    insta::assert_snapshot!(told(&output));
+}
+
+/// Bytes that are no text: wherever they stand in a record, it is named, and nothing is written.
+#[test]
+fn a_journal_that_is_no_text() {
+    let (folder, ..) = whole(STUDY);
+    let path = folder.path().join("out/journal.jsonl");
+    let mut journal = fs::read(&path).unwrap();
+    let third = journal.split_inclusive(|byte| *byte == b'\n').take(2).map(<[u8]>::len).sum::<usize>();
+    let label = journal[third..].windows(7).position(|bytes| bytes == b"mu1/mu3").unwrap();
+    journal[third + label] = 0xb5;
+    fs::write(&path, journal).unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(3));
+    let told = told(&output);
+    assert!(told.contains("line 3 is not text in UTF-8 (byte 0xB5 in column "), "{told}");
+    assert!(told.contains("--fresh"), "{told}");
+}
+
+/// What differs is told as the study writes it.
+#[test]
+fn a_changed_question_is_told_in_words() {
+    let find = "[find]\nfield = \"layer.thickness\"\nfrom = 2.0\nto = 4.0\nquantity = \"edge.ratio\"\nminimum = true\n";
+    let study = format!("{}{find}", STUDY.replace("count = 20", "count = 2"));
+    let (folder, ..) = whole(&study);
+    fs::write(folder.path().join("study.toml"), study.replace("minimum = true", "target = 0.2")).unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(2));
+    let told = told(&output);
+    for line in [
+        "journal: find: layer.thickness from 2.0 to 4.0, where edge.ratio has minimum = true",
+        "study:   find: layer.thickness from 2.0 to 4.0, where edge.ratio has target = 0.2",
+    ] {
+        assert!(told.contains(line), "{told}");
+    }
+}
+
+/// An axis of equal factors has no place for 0: how many points are lost, and of which curves, is told.
+#[cfg(feature = "plot")]
+#[test]
+fn what_a_figure_has_no_place_for_is_told() {
+    let figure = "[[plots]]\nfile = \"a.svg\"\nx = \"layer.poisson\"\ny = \"edge.ratio\"\nx_scale = \"log\"\n";
+    let axes = "[[axes]]\nfield = \"layer.poisson\"\nvalues = [-0.2, 0.0, 0.2, 0.4]\n";
+    let folder = folder_with(&format!("format = 1\nscene = \"good.toml\"\n{axes}{figure}"));
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(folder.path().join("out/a.svg").exists());
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(stderr, "slipzone: a.svg: 2 points have no place on a log axis, being 0 or less\n");
+}
+
 #[test]
 fn every_broken_study_says_what_is_wrong_and_where() {
     insta::glob!("../data/bad_studies", "*.toml", |path| {

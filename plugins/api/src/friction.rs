@@ -12,7 +12,7 @@ pub enum Friction {
         /// Coulomb's coefficient `eta`.
         coefficient: Positive,
         /// What strain a growing contact leaves in its stick zone.
-        #[serde(default, skip_serializing_if = "FrozenStrain::is_default")]
+        #[serde(default)]
         strain: FrozenStrain,
     },
 }
@@ -33,12 +33,4 @@ pub enum FrozenStrain {
     History,
     /// Taken to be `C|x|`, as Chen and Chen (2013, eq. 63) do: exact for a cylinder on a homogeneous half-plane.
     Linear,
-}
-
-impl FrozenStrain {
-    /// Whether it is what a scene means that says nothing.
-    #[allow(clippy::trivially_copy_pass_by_ref)] // asked for by serde
-    fn is_default(&self) -> bool {
-        *self == Self::default()
-    }
 }

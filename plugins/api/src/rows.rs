@@ -86,7 +86,7 @@ pub fn of_file(
     })?;
     let text = text(name, &bytes, columns)?;
     let mut may_be_heading = true;
-    for (index, line) in text.lines().enumerate() {
+    for (index, line) in lines(text).enumerate() {
         let content = line.split('#').next().unwrap_or_default();
         if content.trim().is_empty() {
             continue;
@@ -145,13 +145,18 @@ fn text<'b>(name: &str, bytes: &'b [u8], columns: &Columns) -> Result<&'b str, F
     }
     std::str::from_utf8(bytes).map_err(|error| {
         let before = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
-        let line = 1 + before.matches('\n').count();
-        let start_of_line = before.rsplit('\n').next().unwrap_or_default();
+        let (number, start_of_line) = lines(&before).enumerate().last().unwrap_or_default();
         let end = start_of_line.len();
         let found = format!("the byte 0x{:02X}, which starts no character of UTF-8", bytes[error.valid_up_to()]);
-        let place = clipped(name, line, start_of_line, end..end);
+        let place = clipped(name, 1 + number, start_of_line, end..end);
         fault("the file is not text").at(place).found(found).expected(format!("rows of {}, in UTF-8", columns.names))
     })
+}
+
+/// The lines of a text, however they end: by LF, by CR and LF, or by CR alone as of old.
+fn lines(text: &str) -> impl Iterator<Item = &str> {
+    let end = if text.contains('\n') { '\n' } else { '\r' };
+    text.split(end).map(|line| line.strip_suffix('\r').unwrap_or(line))
 }
 
 /// How many fields a line has, and the first of them, without the blanks around them.

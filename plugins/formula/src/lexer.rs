@@ -63,6 +63,8 @@ pub(crate) fn tokens(text: &str) -> Result<Vec<(Token<'_>, Range<usize>)>, Fault
                     '\u{b2}' => fault.hint("a power is written with `^`, as in x^2"),
                     '\u{b7}' | '\u{d7}' => fault.hint("a product is written with `*`"),
                     '[' | '{' => fault.hint("brackets are round"),
+                    '|' => fault.hint("the absolute value is written abs(...)"),
+                    '\u{2212}' | '\u{2013}' => fault.hint("minus is the plain `-`"),
                     '=' => fault.hint("only the right-hand side is written"),
                     _ => fault,
                 });

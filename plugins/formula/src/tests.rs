@@ -101,6 +101,8 @@ fn faults_are_located_and_helpful() {
         ("0,5*x", 1..2, "no formula", Some("decimals are written with a point, as in 0.5")),
         ("x**2", 2..3, "no formula", Some("a power is written with `^`, as in x^2")),
         ("x\u{b2}", 1..3, "means nothing", Some("a power is written with `^`, as in x^2")),
+        ("|x|", 0..1, "means nothing", Some("the absolute value is written abs(...)")),
+        ("1 \u{2212} x", 2..5, "means nothing", Some("minus is the plain `-`")),
         ("g = x", 2..3, "means nothing", Some("only the right-hand side is written")),
         ("(x", 2..2, "no formula", None),
         ("x)", 1..2, "no formula", None),

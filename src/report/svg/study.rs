@@ -6,16 +6,19 @@ mod map;
 mod names;
 mod tractions;
 
-use super::FigureError;
 use super::legend::Entry;
 use super::panel::Panel;
 use super::sheet::Sheet;
+use super::{FigureError, literal, wrapped};
 use crate::study::{Plot, PlotKind, Study};
 use gather::Groups;
 use serde_json::Value;
 
 /// Most panels side by side.
 const ABREAST: usize = 2;
+
+/// Characters of a line that tells what is missing, for each panel side by side.
+const ALARM: usize = 68;
 
 /// What a figure is made of.
 struct Drawing {
@@ -28,13 +31,29 @@ struct Drawing {
     scenes: u64,
     /// Those of them without numbers.
     failed: u64,
+    /// What is left out though it has numbers, in words.
+    left_out: Option<String>,
+}
+
+/// A figure of a study.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StudyFigure {
+    /// The figure as SVG (UTF-8).
+    pub svg: String,
+    /// What it does not show of numbers that are there, and why; the figure itself says so, too.
+    pub left_out: Option<String>,
 }
 
 /// A figure of a study as SVG (UTF-8), from the lines of its results in any order. Scenes that did not converge leave gaps,
-/// and a line under the title counts them. The same results always give the same text.
+/// and a line under the title counts them; so it does with numbers that an axis in equal factors has no place for. The same
+/// results always give the same text.
 ///
 /// Of the records only what is drawn is kept: of very many scenes a part, chosen by their numbers.
-pub fn study_svg(study: &Study, plot: &Plot, records: impl IntoIterator<Item = Value>) -> Result<String, FigureError> {
+pub fn study_svg(
+    study: &Study,
+    plot: &Plot,
+    records: impl IntoIterator<Item = Value>,
+) -> Result<StudyFigure, FigureError> {
     let shown = study.shown(plot).map_err(|fault| FigureError::Plot(fault.in_one_line()))?;
     let groups = Groups::new(study, plot, &shown);
     let drawing = match plot.kind {
@@ -42,18 +61,20 @@ pub fn study_svg(study: &Study, plot: &Plot, records: impl IntoIterator<Item = V
         PlotKind::Tractions => tractions::draw(&groups, records),
         PlotKind::Map => map::draw(&groups, records),
     }?;
-    Ok(put_together(study, plot, drawing))
+    let left_out = drawing.left_out.clone();
+    Ok(StudyFigure { svg: put_together(study, plot, drawing), left_out })
 }
 
 /// Title, panels in rows, and the legend under them.
 fn put_together(study: &Study, plot: &Plot, drawing: Drawing) -> String {
     let title = plot.title.as_deref().or(study.title.as_deref()).map(names::with_symbols);
-    let Drawing { panels, abreast, legend, scenes, failed } = drawing;
-    let alarm = format!("{failed} of {scenes} scenes did not converge");
+    let Drawing { panels, abreast, legend, scenes, failed, left_out } = drawing;
+    let failed = (failed > 0).then(|| format!("{failed} of {scenes} scenes did not converge"));
+    let left_out = left_out.map(|text| wrapped(&text, ALARM * abreast, 2)).unwrap_or_default();
     Sheet {
         title: title.unwrap_or_else(|| "Study".into()),
         notes: plot.note.iter().map(|note| names::with_symbols(note)).collect(),
-        alarm: if failed > 0 { vec![alarm] } else { Vec::new() },
+        alarm: failed.into_iter().chain(left_out.iter().map(|line| literal(line))).collect(),
         panels,
         abreast,
         legend,

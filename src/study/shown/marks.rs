@@ -38,6 +38,11 @@ pub(super) fn marks(plot: &Plot) -> Result<(), PlotFault> {
             }
         }
     }
+    if plot.kind == PlotKind::Tractions && plot.y_scale == Scale::Log {
+        let fault =
+            PlotFault::new(&["y_scale"], "tractions end at 0, for which a log axis has no place", "no `y_scale`");
+        return Err(fault.found("`log`"));
+    }
     if plot.kind == PlotKind::Tractions && !plot.points.is_empty() {
         return Err(PlotFault::new(&["points"], "points go with curves only", "no `points` beside tractions"));
     }

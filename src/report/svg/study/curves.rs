@@ -56,27 +56,37 @@ impl Rows {
 pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) -> Result<Drawing, FigureError> {
     let Groups { study, plot, shown, .. } = *groups;
     let x = shown.x.ok_or_else(|| FigureError::Plot("missing key `x`".into()))?;
+    let drawable = |value: &f64, scale: Steps| scale == Steps::Linear || *value > 0.0;
     let mut rows = Rows::default();
+    // Points of each member for which there is no place.
+    let mut without_place = vec![0_u64; groups.members()];
     let (scenes, failed) = groups.each(records, |shot: Shot| {
-        let y = shown.y.iter().map(|y| groups.number(&shot, *y).filter(|_| shot.converged)).collect();
-        rows.add(Row { index: shot.index, panel: shot.panel, member: shot.member, x: groups.number(&shot, x), y });
+        let known = groups.number(&shot, x);
+        let placed = known.filter(|x| drawable(x, plot.x_scale));
+        let mut ys = Vec::new();
+        for y in &shown.y {
+            let y = groups.number(&shot, *y).filter(|_| shot.converged);
+            let fits = y.filter(|y| drawable(y, plot.y_scale));
+            let is_lost = known.is_some() && y.is_some() && (placed.is_none() || fits.is_none());
+            without_place[shot.member] += u64::from(is_lost);
+            ys.push(fits);
+        }
+        rows.add(Row { index: shot.index, panel: shot.panel, member: shot.member, x: placed, y: ys });
         Ok(())
     })?;
+    let left_out = left_out(groups, &without_place);
     let mut rows = rows.kept;
     // Along an axis in the order of its values, otherwise in that of the scenes.
     let along = |row: &Row| if matches!(x, Source::Field(_)) { row.x.unwrap_or(f64::INFINITY) } else { 0.0 };
     rows.sort_by(|one, other| along(one).total_cmp(&along(other)).then(one.index.cmp(&other.index)));
 
-    let drawable = |value: &f64, scale: Steps| scale == Steps::Linear || *value > 0.0;
-    for row in &mut rows {
-        row.x = row.x.filter(|x| drawable(x, plot.x_scale));
-        row.y.iter_mut().for_each(|y| *y = y.filter(|y| drawable(y, plot.y_scale)));
-    }
     let shown_rows = rows.iter().filter(|row| row.y.iter().any(Option::is_some));
     let xs = shown_rows.filter_map(|row| row.x).chain(plot.points.iter().flat_map(|points| points.x.iter().copied()));
     let (x_name, x_unit) = names::of(x, study);
     let x_name = plot.x_label.as_deref().map_or(x_name, names::with_symbols);
-    let nothing = || FigureError::NothingToShow("none converged with the numbers asked for".into());
+    let nothing = || {
+        FigureError::NothingToShow(left_out.as_deref().unwrap_or("none converged with the numbers asked for").into())
+    };
     let x_scale = scale(xs, plot.x_scale, &x_name, &x_unit, false).ok_or_else(nothing)?;
     let mut y_scales = Vec::new();
     for (which, y) in shown.y.iter().enumerate() {
@@ -117,7 +127,17 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
         }
     }
     let abreast = if y_scales.len() > 1 { y_scales.len().min(ABREAST) } else { ABREAST };
-    Ok(Drawing { panels, abreast, legend: legend(groups, few), scenes, failed })
+    Ok(Drawing { panels, abreast, legend: legend(groups, few), scenes, failed, left_out })
+}
+
+/// How many points of which curves have no place in the figure, and why.
+fn left_out(groups: &Groups, without_place: &[u64]) -> Option<String> {
+    let all: u64 = without_place.iter().sum();
+    let of = |(member, count): (usize, &u64)| format!("{count} of {}", groups.member_name(member));
+    let each: Vec<_> = without_place.iter().enumerate().filter(|(_, count)| **count > 0).map(of).collect();
+    let each = if without_place.len() > 1 { format!(" ({})", each.join(", ")) } else { String::new() };
+    let points = if all == 1 { "1 point has" } else { &format!("{all} points have") };
+    (all > 0).then(|| format!("{points} no place on a log axis, being 0 or less{each}"))
 }
 
 /// A member's curve; points alone where nothing says which follow each other.

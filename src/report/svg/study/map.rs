@@ -72,7 +72,7 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
             scale: scale.clone(),
         })),
     });
-    Ok(Drawing { panels: panels.collect(), abreast: ABREAST, legend: Vec::new(), scenes, failed })
+    Ok(Drawing { panels: panels.collect(), abreast: ABREAST, legend: Vec::new(), scenes, failed, left_out: None })
 }
 
 /// Where a number passes through a level, as a path: marching squares between the middles of cells, with straight lines.

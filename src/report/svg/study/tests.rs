@@ -44,7 +44,8 @@ fn records(study: &Study) -> Vec<Value> {
 }
 
 fn figure(study: &Study, records: impl IntoIterator<Item = Value>) -> String {
-    let svg = study_svg(study, &study.plots[0], records).unwrap_or_else(|error| panic!("{error}"));
+    let figure = study_svg(study, &study.plots[0], records).unwrap_or_else(|error| panic!("{error}"));
+    let svg = figure.svg;
     assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
     svg
 }
@@ -117,6 +118,38 @@ fn what_did_not_converge_is_a_gap_and_is_counted() {
         record
     });
     assert!(matches!(study_svg(&study, &study.plots[0], failed), Err(FigureError::NothingToShow(_))));
+}
+
+/// Neither 0 nor what is below has a place on an axis of equal factors: it is counted, curve by curve.
+#[test]
+fn what_a_log_axis_has_no_place_for_is_counted() {
+    let study = study(AXES, &format!("{CURVES}y_scale = 'log'\n"));
+    let of = |records: Vec<Value>| study_svg(&study, &study.plots[0], records).unwrap();
+    assert_eq!(of(records(&study)).left_out, None);
+    let mut all = records(&study);
+    for (index, ratio) in [(0, 0.0), (1, -0.5), (9, 0.0)] {
+        all[index]["stick"]["ratio"] = json!(ratio);
+    }
+    // Without a number it would not be there on any axis.
+    all[10]["stick"]["ratio"] = Value::Null;
+    let figure = of(all.clone());
+    let told = "3 points have no place on a log axis, being 0 or less (2 of µ₁/µ₃ = 1/8, 1 of µ₁/µ₃ = 8)";
+    assert_eq!(figure.left_out.as_deref(), Some(told));
+    let shown = texts(&figure.svg).join(" ");
+    assert!(shown.contains(told), "{shown}");
+    for record in &mut all {
+        record["stick"]["ratio"] = json!(0.0);
+    }
+    let error = study_svg(&study, &study.plots[0], all).unwrap_err();
+    assert!(error.to_string().contains("12 points have no place on a log axis"), "{error}");
+
+    let from_zero = AXES.replace("values = [0.4, 0.1, 0.2, 0.3]", "linear = { from = 0.1, to = 0.4, count = 4 }");
+    let x = "x = 'stick.ratio'\ny = 'load.force'\nx_scale = 'log'\n";
+    let study = super::tests::study(&from_zero, x);
+    let mut all = records(&study);
+    all[4]["stick"]["ratio"] = json!(0.0);
+    let told = study_svg(&study, &study.plots[0], all).unwrap().left_out.unwrap();
+    assert!(told.starts_with("1 point has no place"), "{told}");
 }
 
 #[test]

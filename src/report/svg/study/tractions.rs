@@ -77,7 +77,7 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
             panels.push(Panel { name: groups.panel_name(panel), x: x.clone(), y: y.clone(), curves, ground: None });
         }
     }
-    Ok(Drawing { panels, abreast: ABREAST, legend: curves::legend(groups, false), scenes, failed })
+    Ok(Drawing { panels, abreast: ABREAST, legend: curves::legend(groups, false), scenes, failed, left_out: None })
 }
 
 /// `None` where there are no numbers.
