@@ -17,6 +17,8 @@ use crate::plan::Plan;
 use crate::scene::{Load, LoadKind, Model, Scene};
 use slipzone_api::{Base, Refusal, Station};
 
+/// Where the strain left stands in a result.
+const STRAIN: &str = "profile.strain";
 /// Points at which tractions are told before the budget is looked at again.
 const AT_ONCE: usize = 32;
 /// Indentation over the thickness, and slope of the punch in contact, from which strains are no longer called small.
@@ -38,11 +40,19 @@ pub(super) fn solution(
         |quantity, unit: f64| numbers.get(quantity).filter(|_| wishes.reports(quantity)).map(|value| value * unit);
     let b = numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
     let mut profile = if wishes.profile { profile(scene, layer, problem, stage, b)? } else { Profile::default() };
-    if scene.output.strain {
-        profile.strain = judged.outcome.rubbing.as_ref().and_then(|rubbing| {
-            let relative = profile.x.iter().map(|x| x / (length * b));
-            strain(relative, problem, layer, stage, rubbing.zone)
-        });
+    let mut of_strain = None;
+    if scene.output.strain
+        && let Some(rubbing) = &judged.outcome.rubbing
+    {
+        let relative = profile.x.iter().map(|x| x / (length * b));
+        let scale = strain_scale(problem, numbers);
+        let wanted = scene.solver.tolerance.get() * scale;
+        if let Some((strain, apart)) = strain((relative, wanted), problem, layer, stage, rubbing.zone) {
+            // Where the pressure is unbounded there is none.
+            let told = strain.into_iter().zip(&profile.pressure).map(|(strain, p)| p.and(strain));
+            profile.strain = Some(told.collect());
+            of_strain = strain_error(problem, judged, apart / scale);
+        }
     }
     let rubbing = judged.outcome.rubbing.as_ref().filter(|rubbing| rubbing.verdict == Verdict::Holds);
     let mut plan = plan;
@@ -56,11 +66,14 @@ pub(super) fn solution(
     });
     let told = of_pressure(scene, plan, problem, numbers, &judged.errors, how(judged));
     let mut solution = Solution { status, reason, stick, profile, ..told };
-    if let Some(error) = judged.of_shear {
-        solution.error.each.insert(Quantity::Shear.path().into(), error);
+    let of_shear = judged
+        .of_shear
+        .map(|error| (Quantity::Shear.path(), error, "the shear in the stick zone", "its largest value"));
+    let of_strain = of_strain.map(|error| (STRAIN, error, "the strain left in the stick zone", "A0 eta P/(2b)"));
+    for (path, error, what, scale) in of_shear.into_iter().chain(of_strain) {
+        solution.error.each.insert(path.into(), error);
         if error > SHEAR * scene.solver.tolerance.get() {
-            let what = format!("the shear in the stick zone is known to {error:.0e} of its largest value");
-            solution.assumptions.push(what);
+            solution.assumptions.push(format!("{what} is known to {error:.0e} of {scale}"));
         }
     }
     if let Some(neglected) = solution.plan.coupling_neglected {
@@ -311,24 +324,38 @@ fn tractions(
     })
 }
 
-/// The strain left in the stick zone at points in units of the half-width: the same on either side.
+/// `A0 eta P/(2b)`, which errors of the strain left are relative to.
+fn strain_scale(problem: &Problem, numbers: &Numbers) -> f64 {
+    problem.elastic.a0() * problem.friction.unwrap_or(0.0) * numbers.get(Quantity::Mean).unwrap_or(0.0)
+}
+
+/// How uncertain the strains left are, relative: by what coarser grids change them, and by what the errors of the tractions make of
+/// them.
+fn strain_error(problem: &Problem, judged: &Judged, by_grids: f64) -> Option<f64> {
+    let of_pressure = problem.elastic.beta().abs() / problem.friction? * judged.doubt.unwrap_or(0.0);
+    let error = by_grids + judged.of_shear.unwrap_or(0.0) + of_pressure;
+    error.is_finite().then_some(error)
+}
+
+/// The strain left in the stick zone at points in units of the half-width, the same on either side, and how uncertain it is where
+/// the tractions are exact.
 fn strain(
-    relative: impl Iterator<Item = f64>,
+    (relative, wanted): (impl Iterator<Item = f64>, f64),
     problem: &Problem,
     layer: &Layer,
     stage: &mut Stage,
     zone: StickZone,
-) -> Option<Vec<Option<f64>>> {
+) -> Option<(Vec<Option<f64>>, f64)> {
     let b = zone.contact();
     let at: Vec<f64> = relative.map(|x| x.abs() * b).collect();
     let mut sticking: Vec<f64> = at.iter().copied().filter(|x| *x < zone.half_width).collect();
     // Each distance once, though it comes on both sides.
     sticking.sort_by(f64::total_cmp);
     sticking.dedup_by(|one, other| one.to_bits() == other.to_bits());
-    let strain = stage.strain(layer, problem, &sticking)?;
+    let (strain, apart) = stage.strain(layer, problem, (&sticking, wanted))?;
     let one = |x: f64| {
         let found = sticking.binary_search_by(|other| other.total_cmp(&x)).ok()?;
         strain[found].filter(|strain| strain.is_finite())
     };
-    Some(at.into_iter().map(one).collect())
+    Some((at.into_iter().map(one).collect(), apart))
 }

@@ -3,6 +3,7 @@
 use super::layer::{Layer, Wanted};
 use super::normal::Normal;
 use super::problem::{LoadInLayerUnits, Problem};
+use arrayvec::ArrayVec;
 use basin::{RootError, Toms748Root};
 use slipzone_api::{Refusal, short};
 use std::cell::Cell;
@@ -19,6 +20,10 @@ const WIDEST_START: f64 = 2.0;
 /// Part of that where a base that gives way, too, is pressed in. A stiff layer bends, and sinks farther than its surface yields; a
 /// contact so wide that it would pull may sink as far as the one that the load grew to, and only that is met first on a walk outwards.
 const FAR_BELOW: f64 = 1.0 / 64.0;
+
+/// The longest step of that walk: against a datum above a base that gives way, what a punch sinks may grow, shrink and grow again over
+/// a few times the datum's depth.
+const BENDING_STEP: f64 = 0.5 * LN_2;
 
 /// What a load may miss of the one wanted, over the tolerance; it counts as error.
 const MISSED: f64 = 0.1;
@@ -124,6 +129,7 @@ pub(crate) fn press(
         limit: problem.reach().ln(),
         step: first_step,
         smallest: SMALLEST_STEP,
+        longest: if bends { BENDING_STEP } else { 2.0 * LN_2 },
         length: problem.length,
     };
     let (log_b, slope) = match search(walk, position, &mut excess) {
@@ -182,8 +188,9 @@ struct Walk {
     limit: f64,
     /// The first step.
     step: f64,
-    /// A step that is not halved any more.
+    /// A step that is not halved any more, and one that is not doubled.
     smallest: f64,
+    longest: f64,
     /// The user's unit of length over that of the half-width.
     length: f64,
 }
@@ -217,12 +224,13 @@ fn search(
 /// Walks from `start` towards the sign change of an increasing function, in growing steps.
 fn bracket(
     excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
-    Walk { start, limit, mut step, smallest, length }: Walk,
+    Walk { start, limit, mut step, smallest, longest, length }: Walk,
 ) -> Result<(f64, f64), Refusal> {
     let start = start.min(limit);
     let from = excess(start)?;
     let direction = if from > 0.0 { -1.0 } else { 1.0 };
     let (mut here, mut growth) = (start, 2.0);
+    let mut trail = ArrayVec::<(f64, f64), 2>::from_iter([(start, from)]);
     for _ in 0..MOST_STEPS {
         let next = (here + direction * step).min(limit);
         if next <= here && direction > 0.0 {
@@ -230,9 +238,18 @@ fn bracket(
         }
         match excess(next) {
             Ok(excess) if excess * direction >= 0.0 => return Ok((here.min(next), here.max(next))),
-            Ok(_) => {
+            Ok(excess_there) => {
+                if let Some(top) = top_between(&trail, (next, excess_there)).filter(|_| direction > 0.0)
+                    && excess(top)? >= 0.0
+                {
+                    return Ok((trail[0].0, top));
+                }
+                if trail.is_full() {
+                    trail.remove(0);
+                }
+                trail.push((next, excess_there));
                 here = next;
-                step = (growth * step).min(2.0 * LN_2);
+                step = (growth * step).min(longest);
             }
             Err(refusal) if step < smallest => return Err(refusal),
             // Beyond what this resolution can solve; the load may be borne before.
@@ -243,6 +260,13 @@ fn bracket(
         }
     }
     Err(no_size(format!("no half-width between {:.3e} h and {:.3e} h bears the load", start.exp(), here.exp())))
+}
+
+/// Where the parabola through two places and the next has its top, if the second is the highest of them.
+pub(crate) fn top_between(before: &[(f64, f64)], (x2, e2): (f64, f64)) -> Option<f64> {
+    let [(x0, e0), (x1, e1)] = *before else { return None };
+    let (rise, fall) = ((e1 - e0) / (x1 - x0), (e2 - e1) / (x2 - x1));
+    (rise > 0.0 && fall < 0.0).then(|| f64::midpoint(x0, x1) - 0.5 * rise * (x2 - x0) / (fall - rise))
 }
 
 /// A half-width that the contact on a half-plane is hardly wider than; exact where the scene gives it.

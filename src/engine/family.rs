@@ -9,6 +9,7 @@ mod stacked;
 use super::blend::{Blend, Lanes, Term, add_rows};
 use super::budget::Meter;
 use super::dense::Dense;
+use super::half_plane_depth::HalfPlaneDepth;
 use super::layer::{Layer, Wanted};
 use super::problem::Problem;
 use super::rubbing::Rubbing;
@@ -20,7 +21,6 @@ use super::work::Work;
 use rubbed::{Moves, Rubbed};
 use slipzone_api::double_exponential::Node;
 use slipzone_api::{Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station};
-use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -57,8 +57,9 @@ pub(crate) struct Family {
     tilt: Table,
     /// The same at the nodes of a grid over half of the contact; made when first asked for.
     tilt_over: Option<(Arc<Vec<Node>>, Table)>,
-    /// Depth, `ln(b')/pi` added.
+    /// Depth over `A0`, beyond that on a half-plane.
     depth: Vec<f64>,
+    on_half_plane: HalfPlaneDepth,
     /// What friction makes of it.
     rubbed: Option<Rubbed>,
     /// Rules and room of the flat punch.
@@ -164,6 +165,7 @@ impl Family {
             tilt: Table::default(),
             tilt_over: None,
             depth: Vec::new(),
+            on_half_plane: HalfPlaneDepth::new(task.problem.layer.datum, task.problem.elastic.beta()),
             rubbed: None,
             stage: Box::new(Stage::new(&flat, quadrature.refined(0))?),
             rule,
@@ -235,8 +237,11 @@ impl Family {
         self.stage.normal.size()
     }
 
-    /// The stick zone to be expected under a member. Beyond the widest nothing is told but its own.
+    /// The stick zone to be expected under a member. Beyond the widest nothing is told but its own, below the narrowest nothing.
     fn root_at(&self, b: f64) -> Option<Root> {
+        if b < self.blend.narrowest() {
+            return None;
+        }
         let (within, doubt) = if b > self.widest() { (self.widest(), f64::INFINITY) } else { (b, SLOPE_DOUBT) };
         Some(self.rubbed.as_ref()?.root_at(&self.of_shear, within, doubt))
     }
@@ -275,7 +280,7 @@ impl Family {
 
     /// Depth of a member over `A0`.
     pub(crate) fn depth(&self, b: f64) -> f64 {
-        self.blend.sum(b, &self.depth) - b.ln() / PI
+        self.blend.sum(b, &self.depth) + self.on_half_plane.at(b)
     }
 
     /// `W` of a member at points within it.

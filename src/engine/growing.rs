@@ -12,7 +12,7 @@ use super::quantity::{Numbers, Quantity, ShearTrace, Traces};
 use super::rubbing::{Rubbing, Verdict};
 use super::stack::Stack;
 use super::stage::{Outcome, Task};
-use super::strain::Strain;
+use super::strain::Sampling;
 use super::work::Work;
 use slipzone_api::{Quadrature, Refusal, Station};
 use std::f64::consts::PI;
@@ -36,8 +36,6 @@ const MOST_LENGTHS: f64 = 60.0;
 /// Where what the shear lacks is compared from resolution to resolution, over the half-width of the stick zone: near the middle
 /// it is stacked of the most members.
 const TRACED: [f64; ShearTrace::POINTS] = [0.05, 0.4, 0.85, 1.0];
-/// And where else the shear itself is: what it lacks may be known by chance at one point.
-const NEAR_MIDDLE: [f64; ShearTrace::INNER] = [0.01, 0.025, 0.1];
 /// The stick zone may shrink by rounding, relative.
 const STEADY: f64 = 1e-9;
 
@@ -98,6 +96,10 @@ impl Growing {
             match (problem.load, known) {
                 (LoadInLayerUnits::HalfWidth(half_width), _) => Size::exactly(half_width),
                 (_, Some(size)) => size,
+                // Against a datum a pressure as coarse as this one tells nothing of how deep a kink sinks.
+                (LoadInLayerUnits::Indentation(_), None) if !problem.layer.is_grounded() => {
+                    Size::exactly(contact_size::guess(problem))
+                }
                 (_, None) => match contact_size::press(layer, problem, normal, task.wanted, GUESSED, None) {
                     // A contact hardly wider than the face has no node beyond it.
                     Err(Refusal::OutOfReach { .. }) if problem.face() > 0.0 => Size::exactly(problem.face()),
@@ -349,7 +351,7 @@ impl Growing {
             // What slides is as much as the resolution makes it, and so is what is lacking to it.
             return Ok(rubbing.traced(ShearTrace::new(shear, shear, friction)));
         }
-        let inner = NEAR_MIDDLE.map(|part| self.lack(problem, b, part * zone.half_width) / mean);
+        let inner = ShearTrace::NEAR_MIDDLE.map(|part| self.lack(problem, b, part * zone.half_width) / mean);
         let trace = ShearTrace::new(lack.map(|lack| lack / mean), shear, friction);
         Ok(rubbing.traced(ShearTrace { inner, ..trace }))
     }
@@ -478,10 +480,10 @@ impl Growing {
         layer: &Layer,
         problem: &Problem,
         normal: &Normal,
-        at: &[f64],
-    ) -> Option<Vec<Option<f64>>> {
+        (at, wanted): (&[f64], f64),
+    ) -> Option<(Vec<Option<f64>>, f64)> {
         if self.has_no_shear() {
-            return Some(vec![Some(0.0); at.len()]);
+            return Some((vec![Some(0.0); at.len()], 0.0));
         }
         let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return None };
         let b = self.half_width;
@@ -496,22 +498,26 @@ impl Growing {
         breaks.dedup_by(|next, before| *next - *before < NO_PIECE * b);
         breaks.retain(|end| *end < b * (1.0 - NO_PIECE));
         breaks.push(b);
-        let mut strain = Strain::new(&breaks, zone.crowding(), layer.length(), |at| {
+        // What touched first was not strained yet when it stuck, and a corner has no strain.
+        let is_unstrained = |x: f64| x < never_slipped || x == 0.0 && !problem.is_corner(x);
+        let asked: Vec<f64> = at.iter().copied().filter(|x| !is_unstrained(*x) && !problem.is_corner(*x)).collect();
+        let corners: Vec<f64> = problem.corners().filter(|corner| *corner > 0.0).collect();
+        let (crowding, length) = (zone.crowding(), layer.length());
+        let sampling = Sampling { breaks: &breaks, corners: &corners, crowding, length };
+        let a0 = problem.elastic.a0();
+        let found = sampling.strains(layer, problem.elastic.beta(), (&asked, wanted / a0), |at| {
             let mut pressure = vec![0.0; at.len()];
             self.pressure_into(problem, normal, at, &mut pressure);
             let shear = self.shear(problem, at, &pressure)?;
             Some([pressure, shear])
         })?;
-        let (a0, beta) = (problem.elastic.a0(), problem.elastic.beta());
-        let one = |x: &f64| {
-            let bounded = problem.corners().all(|corner| corner.to_bits() != x.to_bits());
-            // What touched first was not strained yet when it stuck.
-            if *x < never_slipped || *x == 0.0 && bounded {
-                return Some(0.0);
-            }
-            bounded.then(|| a0 * strain.at(layer, beta, *x))
+        let mut strains = found.each.iter().map(|strain| a0 * strain);
+        let one = |x: &f64| match *x {
+            x if is_unstrained(x) => Some(0.0),
+            x if problem.is_corner(x) => None,
+            _ => strains.next(),
         };
-        Some(at.iter().map(one).collect())
+        Some((at.iter().map(one).collect(), a0 * found.apart))
     }
 
     /// Friction coefficient of the shear, negative where the slip is outward; `None` where there is none to tell.

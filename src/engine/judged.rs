@@ -62,12 +62,12 @@ impl Judged {
             self.errors.set(quantity, error.max(CLAIMED_OF_SHEAR * tolerance));
         }
         self.errors = with_the_rest(problem, layer, &self.outcome, tolerance, self.errors);
-        // A bound does not change with the resolution, or does by chance: differences say nothing of its error.
-        if let Some(bound) = bound_of_stick(&self.outcome) {
-            bound.iter().for_each(|(quantity, error)| self.errors.set(quantity, error));
-        }
         for given in problem.given() {
             self.errors.set(given, 0.0);
+        }
+        // A bound does not change with the resolution, or does by chance: differences say nothing of its error.
+        if let Some(bound) = bound_of_stick(&self.outcome, self.errors.get(Quantity::HalfWidth).unwrap_or(0.0)) {
+            bound.iter().for_each(|(quantity, error)| self.errors.set(quantity, error));
         }
         self.doubt = doubt(problem, &self.errors);
         self.of_shear = self.errors.take(Quantity::Shear).filter(|_| problem.wishes.profile);
@@ -143,8 +143,9 @@ pub(super) fn left_by_sticking(outcome: &Outcome) -> f64 {
     if is_full && outcome.lost.is_some() { STUCK } else { 0.0 }
 }
 
-/// Errors of a stick zone that is only bounded, not found, however close the bound is; `None` where it is found.
-fn bound_of_stick(outcome: &Outcome) -> Option<Numbers> {
+/// Errors of a stick zone that is only bounded, not found, however close the bound is, in a contact as uncertain as that; `None` where it
+/// is found.
+fn bound_of_stick(outcome: &Outcome, of_contact: f64) -> Option<Numbers> {
     let rubbing = outcome.rubbing.as_ref()?;
     let (ratio, one_minus) = (rubbing.zone.ratio(), rubbing.zone.one_minus_ratio());
     let (of_ratio, of_gap) = match rubbing.verdict {
@@ -155,7 +156,7 @@ fn bound_of_stick(outcome: &Outcome) -> Option<Numbers> {
         _ => return None,
     };
     let mut errors = Numbers::default();
-    errors.set(Quantity::StickHalfWidth, of_ratio);
+    errors.set(Quantity::StickHalfWidth, of_ratio + of_contact);
     errors.set(Quantity::StickRatio, of_ratio);
     errors.set(Quantity::OneMinusRatio, of_gap);
     Some(errors)

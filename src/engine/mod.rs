@@ -15,6 +15,7 @@ mod error_estimate;
 mod family;
 mod finite;
 mod growing;
+mod half_plane_depth;
 mod half_plane_shear;
 mod judged;
 mod layer;

@@ -20,6 +20,8 @@ const LEAST: f64 = 1e-13;
 const MOST_PIECES: usize = 24;
 /// How much nearer to the middle a piece there is cut, in `ln x`.
 const NEARER: f64 = 2.5;
+/// A place this near to a corner, relative, is on it: rounding of the units of length.
+const CORNER: f64 = 8.0 * f64::EPSILON;
 
 /// What the engine solves.
 pub(crate) struct Problem {
@@ -220,6 +222,11 @@ impl Problem {
     /// Where the pressure is unbounded inside the contact, in layer units.
     pub(crate) fn corners(&self) -> impl Iterator<Item = f64> {
         self.shape.corners().iter().map(|corner| corner / self.length)
+    }
+
+    /// Whether a place is one of these, but for what rounding makes of it.
+    pub(crate) fn is_corner(&self, x: f64) -> bool {
+        self.corners().any(|corner| (x - corner).abs() <= CORNER * corner)
     }
 
     /// [`Self::flaw`] of the contact where the load gives its half-width.

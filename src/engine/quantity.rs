@@ -196,7 +196,7 @@ pub(crate) struct Traces {
 pub(crate) struct ShearTrace {
     /// At [`Traces::AT`] and at the end; of a contact that grew what it lacks to that of full sliding, at points of its own.
     pub(crate) at: [f64; Self::POINTS],
-    /// Of a contact that grew at more points, near the middle.
+    /// At [`Self::NEAR_MIDDLE`], where shears come late there.
     pub(crate) inner: [f64; Self::INNER],
     /// The largest of `at`.
     pub(crate) scale: f64,
@@ -208,6 +208,9 @@ impl ShearTrace {
     /// How many there are.
     pub(crate) const POINTS: usize = Traces::AT.len() + 1;
     pub(crate) const INNER: usize = 3;
+    /// Where else shears are compared, over the half-width of the stick zone, that are stacked, or have a kink of strain in the middle: what
+    /// is lacking there may be known by chance at one point.
+    pub(crate) const NEAR_MIDDLE: [f64; Self::INNER] = [0.01, 0.025, 0.1];
     /// A shear that is less than this share of sliding friction under the mean pressure is none to speak of.
     pub(crate) const LEAST: f64 = 1e-2;
 

@@ -29,12 +29,12 @@ impl Sheet {
         Self { width, coefficients }
     }
 
-    /// Through values at the [`stations`] of some points, one row for each of the blend's functions.
-    pub(super) fn through(points: &Points, rows: &[f64]) -> Self {
-        let width = points.at.len();
+    /// Through values at the stations of some places, one row for each of the blend's functions.
+    pub(super) fn through(places: &Places, rows: &[f64]) -> Self {
+        let width = places.stations.len();
         let mut coefficients = vec![0.0; rows.len()];
         for (row, to) in rows.chunks_exact(width).zip(coefficients.chunks_exact_mut(width)) {
-            points.through_into(row, to);
+            places.through_into(row, to);
         }
         Self { width, coefficients }
     }
@@ -52,9 +52,13 @@ impl Sheet {
     }
 }
 
-/// Places at which a density is told, and where they are in a contact of unit half-width.
+/// Places at which a density is told.
+///
+/// The middle is one of them: what is wrong there is wrong of all members of a stack that are much wider than the point looked at is far
+/// from it, and under a pointed punch these are many.
 pub(super) struct Places {
-    pub(super) points: Arc<Points>,
+    points: Arc<Points>,
+    /// Where they are in a contact of unit half-width, the middle last.
     pub(super) stations: Vec<Station>,
 }
 
@@ -63,21 +67,30 @@ impl Places {
     pub(super) fn of(unknowns: f64) -> Arc<Self> {
         static KNOWN: Shelf<Places> = Shelf::new();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some dozens
-        KNOWN.get((PLACES.0 + PLACES.1 * unknowns) as usize, |count| {
-            let points = Points::get(count);
-            let stations = stations(&points);
-            Self { points, stations }
-        })
+        KNOWN.get((PLACES.0 + PLACES.1 * unknowns) as usize, Self::new)
     }
-}
 
-/// Where places of a contact of unit half-width are.
-fn stations(points: &Points) -> Vec<Station> {
-    let station = |s: &f64| {
-        let w = FRAC_PI_2 * (END * s).sinh();
-        Station { x: w.tanh(), gap: 2.0 / (1.0 + (2.0 * w).exp()) }
-    };
-    points.at.iter().map(station).collect()
+    /// So many, and the middle.
+    fn new(count: usize) -> Self {
+        let points = Points::get(count);
+        let station = |s: &f64| {
+            let w = FRAC_PI_2 * (END * s).sinh();
+            Station { x: w.tanh(), gap: 2.0 / (1.0 + (2.0 * w).exp()) }
+        };
+        let stations = points.at.iter().chain(&[0.0]).map(station).collect();
+        Self { points, stations }
+    }
+
+    /// Writes the series through values at the stations.
+    pub(super) fn through_into(&self, values: &[f64], series: &mut [f64]) {
+        let (middle, values) = values.split_last().expect("a value in the middle");
+        let (last, series) = series.split_last_mut().expect("as many coefficients");
+        self.points.through_into(values, series);
+        // The next polynomial vanishes at all points but the middle; there they are 1 and -1 in turn.
+        let sign = |k: usize| if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+        let told: f64 = series.iter().enumerate().map(|(k, c)| sign(k) * c).sum();
+        *last = sign(series.len()) * (middle - told);
+    }
 }
 
 /// The place of a point in a contact; above 1 so close to its end that it is as good as there.
@@ -149,19 +162,20 @@ mod tests {
     #[test]
     fn what_is_smooth_in_both_comes_back_side_by_side() {
         let blend = Blend::new((0.0, 3.0), 20, &[(1, 1)]).unwrap();
-        let points = Points::get(60);
+        let places = Places::new(60);
         let f = |x: f64, gap: f64, b: f64| gap.sqrt() * (1.0 + 0.3 * x * b + 0.1 * gap * gap.ln()) / (2.0 + b);
         let rows: Vec<f64> = blend
             .half_widths()
             .iter()
-            .flat_map(|b| stations(&points).into_iter().map(|at| f(at.x, at.gap, *b)).collect::<Vec<_>>())
+            .flat_map(|b| places.stations.iter().map(|at| f(at.x, at.gap, *b)).collect::<Vec<_>>())
             .collect();
-        let sheet = Sheet::through(&points, &blend.coefficients(&rows, points.at.len()));
+        let sheet = Sheet::through(&places, &blend.coefficients(&rows, places.stations.len()));
         let gaps: Lanes = std::array::from_fn(|i| 0.5_f64.powi(2 * i32::try_from(i).unwrap()));
         let half_widths: Lanes = std::array::from_fn(|i| 3.0 - 0.18 * i as f64);
         let (mut functions, mut room, mut values) = (Vec::new(), Vec::new(), [0.0; LANES]);
         blend.functions_into(&half_widths, &mut functions);
-        let places = gaps.map(|gap| place(Station { x: 1.0 - gap, gap }));
+        let mut places = gaps.map(|gap| place(Station { x: 1.0 - gap, gap }));
+        assert_eq!(places[0], 0.0, "the middle");
         sheet.values_into(&functions, &places, &mut room, &mut values);
         for i in 0..LANES {
             let exact = f(1.0 - gaps[i], gaps[i], half_widths[i]);

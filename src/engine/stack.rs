@@ -7,10 +7,11 @@
 //! `b*` being the half-width at which the stick zone ended at `x`.
 
 use super::chebyshev::{Points, Series};
-use super::contact_size::Size;
+use super::contact_size::{Size, top_between};
 use super::family::Family;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::ways::{self, Ways};
+use arrayvec::ArrayVec;
 use basin::Toms748Root;
 use slipzone_api::double_exponential::Node;
 use slipzone_api::{Refusal, Station};
@@ -47,6 +48,10 @@ const LONGEST_PIECE: f64 = 2.5;
 const BESIDE: f64 = 1e-3;
 /// Half-widths at which the force is looked at.
 const RISING: usize = 32;
+/// The way in `ln b'` over which a depth is looked at for its first rise to a load's, and in how many steps.
+const CLIMB: (f64, f64) = (9.0, 45.0);
+/// Half-width over the depth of a datum below which a punch hardly feels it.
+const DATUM: f64 = 0.5;
 /// Parts of a piece from which the way to its end is measured.
 const MEASURED_FROM: [f64; 2] = [0.05, 0.5];
 
@@ -310,8 +315,11 @@ impl Stack {
         let a0 = problem.elastic.a0();
         if !problem.layer.is_grounded() {
             let face = self.breaks[0];
-            let slices = self.slices(problem, &self.ways, 0.0, (face, b));
-            return slices.iter().map(|slice| slice.force * a0 * family.depth(slice.half_width)).sum();
+            // Narrow punches and wide ones feel the datum otherwise: from there on in proportion.
+            let turn = problem.layer.datum.map_or(b, |datum| DATUM * datum).clamp(face, b);
+            let parts = [(face, turn), (turn, b)].map(|part| self.slices(problem, &self.ways, 0.0, part));
+            let slices = parts.iter().flatten();
+            return slices.map(|slice| slice.force * a0 * family.depth(slice.half_width)).sum();
         }
         let lifted = self.over_contact(b, &mut |at, out| family.pressure_into(b, at, out), |x| problem.height(x));
         self.force(problem, b) * a0 * family.depth(b) + lifted
@@ -321,9 +329,27 @@ impl Stack {
     pub(crate) fn under(&mut self, problem: &Problem, family: &mut Family, load: LoadInLayerUnits) -> Option<f64> {
         match load {
             LoadInLayerUnits::HalfWidth(half_width) => Some(half_width),
-            LoadInLayerUnits::Force(force) => self.root(|stack, b| stack.force(problem, b) / force - 1.0),
-            LoadInLayerUnits::Indentation(depth) => self.root(|stack, b| stack.depth(problem, family, b) / depth - 1.0),
+            LoadInLayerUnits::Force(force) => {
+                let range = self.range()?;
+                self.root(range, |stack, b| stack.force(problem, b) / force - 1.0)
+            }
+            LoadInLayerUnits::Indentation(depth) => {
+                let mut excess = |stack: &mut Self, b: f64| stack.depth(problem, family, b) / depth - 1.0;
+                let (least, widest) = self.range()?;
+                if problem.layer.is_grounded() {
+                    return self.root((least, widest), excess);
+                }
+                // A datum may sink as fast as the punch does for a while.
+                let end = first_rise((least.ln(), widest.ln()), |log| excess(self, log.exp()));
+                self.root((least, end.exp().min(widest)), excess)
+            }
         }
+    }
+
+    /// Half-widths between which a load is looked for.
+    fn range(&self) -> Option<(f64, f64)> {
+        let (face, widest) = (self.breaks[0], *self.breaks.last()?);
+        Some((if face > 0.0 { face * (1.0 + 1e-12) } else { widest * 1e-9 }, widest))
     }
 
     /// A size to start from, where the stack finds the load at that half-width: with how the load grows there.
@@ -337,10 +363,8 @@ impl Stack {
         Size::about(half_width, slope)
     }
 
-    /// Half-width at which something grows through zero.
-    fn root(&mut self, mut excess: impl FnMut(&mut Self, f64) -> f64) -> Option<f64> {
-        let (face, widest) = (self.breaks[0], *self.breaks.last()?);
-        let least = if face > 0.0 { face * (1.0 + 1e-12) } else { widest * 1e-9 };
+    /// Half-width within a range at which something grows through zero.
+    fn root(&mut self, (least, widest): (f64, f64), mut excess: impl FnMut(&mut Self, f64) -> f64) -> Option<f64> {
         let root = Toms748Root::new(least, widest)
             .with_absolute_position_tolerance(4.0 * f64::EPSILON * widest)
             .solve(|b| Ok::<_, std::convert::Infallible>(excess(self, b)));
@@ -405,7 +429,7 @@ impl Stack {
     /// Pressure at a point of a contact.
     pub(crate) fn pressure(&self, problem: &Problem, family: &mut Family, b: f64, x: f64) -> f64 {
         let x = x.abs();
-        if problem.corners().any(|corner| corner.to_bits() == x.to_bits()) {
+        if problem.is_corner(x) {
             return f64::INFINITY;
         }
         let x = apart(x, b);
@@ -429,11 +453,12 @@ impl Stack {
         if face > 0.0 && beyond(face) >= 0.0 {
             return face;
         }
+        // By the logarithm: close to a tip only parts count.
         let least = face.max(x);
-        Toms748Root::new(least, b)
-            .with_absolute_position_tolerance(f64::EPSILON * b)
-            .solve(|half_width| Ok::<_, std::convert::Infallible>(beyond(half_width)))
-            .map_or(b, |root| root.root())
+        Toms748Root::new(0.0, (b / least).ln())
+            .with_absolute_position_tolerance(f64::EPSILON)
+            .solve(|log: f64| Ok::<_, std::convert::Infallible>(beyond(least * log.exp()) / x))
+            .map_or(b, |root| (least * root.root().exp()).min(b))
     }
 
     /// Where the pressure of a contact is not analytic, its middle and its edge included.
@@ -448,6 +473,30 @@ impl Stack {
         let since = self.stuck_since(family, b, x);
         family.stacked_lack(&self.slices(problem, &self.ways, x, (since, b)), x)
     }
+}
+
+/// A place before which something has grown above zero for the first time, as far as [`CLIMB`] steps and the parabolas through them
+/// tell; the end where it has nowhere.
+fn first_rise((from, to): (f64, f64), mut excess: impl FnMut(f64) -> f64) -> f64 {
+    let from = from.max(to - CLIMB.0);
+    let step = (to - from) / CLIMB.1;
+    let mut trail = ArrayVec::<(f64, f64), 2>::new();
+    let mut at = from;
+    while at < to {
+        let here = excess(at);
+        if here >= 0.0 {
+            return at;
+        }
+        if let Some(top) = top_between(&trail, (at, here)).filter(|top| excess(*top) >= 0.0) {
+            return top;
+        }
+        if trail.is_full() {
+            trail.remove(0);
+        }
+        trail.push((at, here));
+        at += step;
+    }
+    to
 }
 
 /// A node of an integral over the half-width.

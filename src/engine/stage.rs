@@ -212,14 +212,20 @@ impl Stage {
         }
     }
 
-    /// The strain left on the surface at points `x >= 0` of the stick zone; `None` where there is none to tell.
-    pub(crate) fn strain(&mut self, layer: &Layer, problem: &Problem, at: &[f64]) -> Option<Vec<Option<f64>>> {
+    /// The strain left on the surface at points `x >= 0` of the stick zone, to within an error, and how uncertain it is where the
+    /// tractions are exact; `None` where there is none to tell.
+    pub(crate) fn strain(
+        &mut self,
+        layer: &Layer,
+        problem: &Problem,
+        (at, wanted): (&[f64], f64),
+    ) -> Option<(Vec<Option<f64>>, f64)> {
         match self.growing.as_mut().filter(|growing| growing.is_solver) {
-            Some(growing) => growing.strain(layer, problem, &self.normal, at),
+            Some(growing) => growing.strain(layer, problem, &self.normal, (at, wanted)),
             // What sticks to a flat punch has never slipped.
             None => self.shear.as_ref().map(|shear| {
                 let rate = problem.elastic.a0() * shear.strain_rate;
-                at.iter().map(|x| Some(rate * x)).collect()
+                (at.iter().map(|x| Some(rate * x)).collect(), 0.0)
             }),
         }
     }

@@ -267,7 +267,16 @@ impl Shear {
         let mut at = [self.at_edge; ShearTrace::POINTS];
         self.in_stick_into(&Traces::stations(self.zone.half_width), &mut at[..Traces::AT.len()]);
         let at = at.map(|q| q / mean);
-        ShearTrace::new(at, at, self.friction)
+        let mut trace = ShearTrace::new(at, at, self.friction);
+        if self.strain_rate != 0.0 {
+            let a = self.zone.half_width;
+            self.in_stick_into(
+                &ShearTrace::NEAR_MIDDLE.map(|t| Station { x: t * a, gap: (1.0 - t) * a }),
+                &mut trace.inner,
+            );
+            trace.inner = trace.inner.map(|q| q / mean);
+        }
+        trace
     }
 
     /// Solves a zone on grids that are so many steps finer than its own; `false` where there are none.

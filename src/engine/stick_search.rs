@@ -289,6 +289,9 @@ impl FrictionCurve<'_> {
     pub(crate) fn follow(&mut self, root: Root, eta: f64) -> Result<Option<Root>, Refusal> {
         let Root { lambda, branch, slope, doubt } = root;
         let (target, widest) = (branch * eta, self.widest());
+        if !(-WIDEST..=widest).contains(&lambda) {
+            return Ok(None);
+        }
         let wanted = ROOT_SHARE * self.tolerance;
         let start = root::Near { at: lambda, slope, doubt };
         let near = root::polish(start, widest, wanted, |lambda| Ok(self.at(lambda)? - target))?;

@@ -16,13 +16,74 @@ const END: f64 = 2.9;
 /// Nodes on either side, and per length of the kernel.
 ///
 /// Measured with 14, 18, 24, 32: under a cylinder on a half-plane errors of 1e-8 with any of them, which is that of the
-/// tractions; on graded layers, seen under two loads, 2e-5, 3e-6, 1e-7, 1e-8 apart.
+/// tractions; on graded layers, seen under two loads, 2e-5, 3e-6, 1e-7, 1e-8 apart. Under a wedge on a layer twice as thick as the contact is
+/// wide, eight times as soft below, 1e-4 with 32, 3e-7 with 64, 2e-9 with 96.
 const NODES: (f64, f64) = (32.0, 8.0);
-/// Most of them.
+/// Distance to a corner, over its own to the middle, from which positions beside it are told apart: rounding changes the logarithm
+/// there by as much as its neglected companion, the distance times the logarithm.
+const TOLD_APART: f64 = 1e-9;
+/// Share of them that is tried first, and by how much it grows until the strain no longer depends on it; the most of it; at most so
+/// many points at which it is looked at; and what a finer grid must leave of what the one before changed, to be more than rounding.
+const SHARES: (f64, f64, f64) = (0.75, 1.5, 6.0);
+const COMPARED: usize = 12;
+const SHRINKING: f64 = 0.5;
+
+/// Most nodes.
 const MOST_NODES: usize = 1 << 11;
 
+/// Strains over `A0`.
+pub(crate) struct Strains {
+    /// One for each of the points.
+    pub(crate) each: Vec<f64>,
+    /// By how much coarser grids change one of them.
+    pub(crate) apart: f64,
+}
+
+/// Where tractions are not analytic, and how finely they are sampled in between.
+pub(crate) struct Sampling<'a> {
+    /// Ascending from 0 to the half-width.
+    pub(crate) breaks: &'a [f64],
+    /// Those of them at which tractions are unbounded, but for the middle.
+    pub(crate) corners: &'a [f64],
+    /// How much finer than others they must be resolved.
+    pub(crate) crowding: f64,
+    /// Over which length the kernels vary.
+    pub(crate) length: f64,
+}
+
+impl Sampling<'_> {
+    /// The strains at points `0 <= x < b`, by grids as fine as `wanted` asks; `tractions` tells `p` and `q` at points inside the contact.
+    pub(crate) fn strains(
+        &self,
+        layer: &Layer,
+        beta: f64,
+        (at, wanted): (&[f64], f64),
+        mut tractions: impl FnMut(&[Station]) -> Option<[Vec<f64>; 2]>,
+    ) -> Option<Strains> {
+        let compared: Vec<f64> = at.iter().copied().step_by(at.len().div_ceil(COMPARED).max(1)).collect();
+        let (mut share, mut apart) = (SHARES.0, f64::INFINITY);
+        let mut before: Option<Vec<f64>> = None;
+        loop {
+            let mut strain = Strain::new(self, share, &mut tractions)?;
+            let now: Vec<f64> = compared.iter().map(|x| strain.at(layer, beta, *x)).collect();
+            if let Some(before) = before {
+                let moved = before.iter().zip(&now).map(|(before, now)| (before - now).abs()).fold(0.0, f64::max);
+                if moved <= wanted || moved > SHRINKING * apart || share * SHARES.1 > SHARES.2 {
+                    return Some(Strains {
+                        each: at.iter().map(|x| strain.at(layer, beta, *x)).collect(),
+                        apart: moved,
+                    });
+                }
+                apart = moved;
+            }
+            before = Some(now);
+            share *= SHARES.1;
+        }
+    }
+}
+
 /// Sampled tractions, for the strain that belongs to them.
-pub(crate) struct Strain {
+struct Strain {
     half_width: f64,
     pieces: Vec<Piece>,
     /// A grid of unit length.
@@ -61,18 +122,15 @@ struct Traction {
 }
 
 impl Strain {
-    /// Samples the tractions, `tractions` writes `p` and `q` at points inside the contact. The pieces are those between
-    /// the `breaks`, ascending from 0 to the half-width; `crowding` says how much finer than others they must be
-    /// resolved, `length` over which length the kernels vary.
-    pub(crate) fn new(
-        breaks: &[f64],
-        crowding: f64,
-        length: f64,
-        mut tractions: impl FnMut(&[Station]) -> Option<[Vec<f64>; 2]>,
+    /// Samples the tractions with a share of the nodes.
+    fn new(
+        &Sampling { breaks, corners, crowding, length }: &Sampling,
+        share: f64,
+        tractions: &mut impl FnMut(&[Station]) -> Option<[Vec<f64>; 2]>,
     ) -> Option<Self> {
         let half_width = *breaks.last()?;
         let longest = breaks.windows(2).map(|ends| ends[1] - ends[0]).fold(0.0, f64::max);
-        let nodes = (NODES.0 * crowding).max(NODES.1 * longest / length);
+        let nodes = share * (NODES.0 * crowding).max(NODES.1 * longest / length);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
         let grid = double_exponential::nodes_up_to(1.0, (nodes.ceil() as usize).min(MOST_NODES), END);
         let mut pieces = Vec::with_capacity(breaks.len() - 1);
@@ -83,8 +141,17 @@ impl Strain {
                 x: lower + width * node.from_lower,
                 gap: (half_width - upper) + width * node.to_upper,
             };
-            let [p, q] = tractions(&grid.iter().map(at).collect::<Vec<_>>())?;
-            let [p, q] = [p, q].map(|values| Traction::new(values, &grid));
+            let mut sampled = tractions(&grid.iter().map(at).collect::<Vec<_>>())?;
+            for values in &mut sampled {
+                if corners.contains(&lower) {
+                    continue_logarithm(values.iter_mut().zip(grid.iter().map(|node| width * node.from_lower)), lower);
+                }
+                if corners.contains(&upper) {
+                    let inwards = values.iter_mut().zip(grid.iter().map(|node| width * node.to_upper));
+                    continue_logarithm(inwards.rev(), upper);
+                }
+            }
+            let [p, q] = sampled.map(|values| Traction::new(values, &grid));
             pieces.push(Piece { lower, upper, p, q });
         }
         let (sources, distances, kernels) = (Vec::new(), Vec::new(), [Vec::new(), Vec::new()]);
@@ -92,7 +159,7 @@ impl Strain {
     }
 
     /// `u'(x)/A0` at `0 <= x < b`.
-    pub(crate) fn at(&mut self, layer: &Layer, beta: f64, x: f64) -> f64 {
+    fn at(&mut self, layer: &Layer, beta: f64, x: f64) -> f64 {
         let [p, q] = self.see_from(x);
         let count = self.sources.len();
         self.distances.clear();
@@ -163,6 +230,17 @@ impl Strain {
 /// The grid's variable of a point, from its distances to both ends of a unit interval.
 fn variable(from_lower: f64, to_upper: f64) -> f64 {
     ((from_lower / to_upper).ln() / PI).asinh()
+}
+
+/// Values from a corner at `end` inwards, at those distances to it: a constant and a logarithm of the distance, as near to it as
+/// positions are no longer told apart.
+fn continue_logarithm<'a>(values: impl Iterator<Item = (&'a mut f64, f64)>, end: f64) {
+    let (mut near, rest): (Vec<_>, Vec<_>) = values.partition(|(_, distance)| *distance < TOLD_APART * end);
+    let [(one, here), (other, there), ..] = &rest[..] else { return };
+    let factor = (**other - **one) / (there / here).ln();
+    for (value, distance) in &mut near {
+        **value = **one + factor * (*distance / here).ln();
+    }
 }
 
 impl Traction {

@@ -218,3 +218,55 @@ fn everything_sticks_on_layers_as_just_before() {
         }
     }
 }
+
+/// Under a tip the shear is that of the strain it leaves, `beta` times the slope over `A0`, however near: members of all sizes add up
+/// there, and what is wrong in the middle of each with them.
+#[test]
+fn beside_the_tip_of_a_wedge_the_shear_is_constant() {
+    let asked = "[output]\nx = [1e-300, 1e-200, 1e-30, 1e-15, 1e-6, 1e-4]";
+    let text = Sketch::half_plane(0.3).cylinder().rubbing(0.3).loaded("half_width = 1.0").with(asked).text();
+    let text = text.replace("type = \"cylinder\"\nradius = 1.0", "type = \"wedge\"\nslope = 0.1");
+    slipzone::link_plugins();
+    let solution = slipzone::engine::solve(&slipzone::scene::parse("tip.toml", &text).expect("a scene"));
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+    let shear = solution.profile.shear.expect("friction");
+    let exact = 0.1 * (0.4 / 1.4) / 0.7;
+    for (x, q) in solution.profile.x.iter().zip(shear) {
+        let error = q.expect("inside") / exact - 1.0;
+        // At 1e-4 it has begun to fall.
+        assert!(error.abs() < if *x < 1e-5 { 1e-6 } else { 1e-4 }, "{error:e} at {x:e}");
+    }
+}
+
+/// Flat punches narrower than those of a coarser resolution are not guessed from these: a force is borne as the half-width bears it.
+#[test]
+fn a_face_nearly_as_wide_as_the_contact_rubs_under_a_force() {
+    let layer = "thickness = 1.0\npoisson = 0.3\ngrading = { type = \"linear\", surface = 1.0, base = 8.0 }";
+    let at = |load: &str| {
+        let text = Sketch::on(layer).cylinder().rubbing(0.2).loaded(load).text();
+        let text = text
+            .replace("type = \"cylinder\"\nradius = 1.0", "type = \"rounded-flat\"\nhalf_width = 0.9\nradius = 4.0");
+        slipzone::link_plugins();
+        slipzone::engine::solve(&slipzone::scene::parse("face.toml", &text).expect("a scene"))
+    };
+    let by_force = at("force = 0.3");
+    assert_eq!(by_force.status, Status::Converged, "{:?}", by_force.reason);
+    let b = by_force.load.half_width.expect("a contact");
+    let by_width = at(&format!("half_width = {b:?}"));
+    assert_eq!(by_width.status, Status::Converged, "{:?}", by_width.reason);
+    let ratio = |solution: &Solution| solution.stick.as_ref().and_then(|stick| stick.ratio).expect("a stick zone");
+    assert!((by_width.load.force.expect("a force") / 0.3 - 1.0).abs() < 1e-8);
+    assert!((ratio(&by_force) / ratio(&by_width) - 1.0).abs() < 1e-8);
+}
+
+/// A stick zone that is all of the contact is as uncertain as that.
+#[test]
+fn where_everything_sticks_the_zone_is_as_sure_as_the_contact() {
+    let layer = "thickness = 1.0\npoisson = 0.3\ngrading = { type = \"linear\", surface = 1.0, base = 8.0 }";
+    let full =
+        Sketch::on(layer).cylinder().rubbing(50.0).loaded("force = 0.5").with("[solver]\ntolerance = 1e-3").solve();
+    assert_eq!(full.status, Status::Converged, "{:?}", full.reason);
+    let error = |path: &str| full.error.each[path];
+    assert!(error("load.half_width") > 1e-9, "a coarse tolerance");
+    assert!(error("stick.half_width") >= error("load.half_width"), "{:?}", full.error.each);
+}

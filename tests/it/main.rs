@@ -9,6 +9,7 @@ mod chart;
 #[cfg(feature = "cli")]
 mod command_line;
 mod coupled;
+mod datum;
 mod examples;
 mod faults;
 #[cfg(feature = "plot")]

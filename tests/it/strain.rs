@@ -131,3 +131,65 @@ fn nothing_is_left_where_nothing_slipped() {
     let frictionless = Sketch::flat(5.0, 8.0, 0.3).with(ASKED).solve();
     assert_eq!(frictionless.profile.strain, None);
 }
+
+/// The error told holds against a solution that is a hundred times as fine, under round shapes and beyond a corner; at the corner
+/// there is no strain.
+#[test]
+fn it_says_how_sure_it_is() {
+    let cornered = "type = \"formula\"\nheight = \"0.1*x^2 + 0.3*max(abs(x) - 0.4, 0)\"";
+    let cases = [
+        ("type = \"cylinder\"\nradius = 1.0", 5.0, 8.0, 0.3, 1e-7),
+        ("type = \"cylinder\"\nradius = 1.0", 1.0, 0.125, 0.6, 1e-7),
+        ("type = \"wedge\"\nslope = 0.1", 2.0, 8.0, 0.2, 1e-7),
+        (cornered, 5.0, 1.25, 0.568, 1e-5),
+        (cornered, 5.0, 2.0, 0.218, 1e-5),
+    ];
+    slipzone::link_plugins();
+    for (punch, h, ratio, eta, most) in cases {
+        let at = |tolerance: &str| {
+            let text =
+                Sketch::flat(h, ratio, 0.3).cylinder().rubbing(eta).loaded("half_width = 1.0").with(ASKED).text();
+            let text = text.replace("type = \"cylinder\"\nradius = 1.0", punch);
+            let scene = scene::parse("sure.toml", &format!("{text}\n[solver]\ntolerance = {tolerance}\n"));
+            slipzone::engine::solve(&scene.expect("a scene"))
+        };
+        let (coarse, fine) = (at("1e-8"), at("1e-10"));
+        let told = coarse.error.each["profile.strain"];
+        let scale = 0.7 * eta * coarse.pressure.mean.expect("a load");
+        let pairs = strains(&coarse).into_iter().zip(strains(&fine));
+        let error = pairs.map(|((_, c), (_, f))| (c - f).abs() / scale).fold(0.0, f64::max);
+        println!(
+            "{punch}, h {h}, eta {eta}: {error:.1e} for {told:.1e}, shear {:.1e}",
+            coarse.error.each["profile.shear"]
+        );
+        assert!(error < told && told < most, "{punch}, h = {h}: off by {error:.1e}, told {told:.1e}");
+        if punch == cornered {
+            let strain = coarse.profile.strain.as_ref().expect("asked for");
+            let corner = coarse.profile.x.iter().position(|x| (x - 0.4).abs() < 1e-12).expect("a point");
+            assert!(strain[corner].is_none() && strain[corner + 1].is_some() && strain[corner - 1].is_some());
+            let is_said =
+                coarse.assumptions.iter().any(|line| line.contains("the strain left in the stick zone is known to"));
+            assert_eq!(is_said, told > 3e-8, "{:?}", coarse.assumptions);
+        }
+    }
+}
+
+/// Where the strain is taken to have a kink in the middle, the shear comes late beside it.
+#[test]
+fn beside_the_kink_of_a_linear_strain_the_shear_is_as_sure_as_told() {
+    let at = |tolerance: &str| {
+        let asked = format!("[output]\nx = [0.001, 0.01, 0.03, 0.05, 0.1, 0.3]\n[solver]\ntolerance = {tolerance}");
+        let text = Sketch::flat(2.0, 0.25, 0.3).cylinder().rubbing(0.3).loaded("half_width = 0.7").with(&asked).text();
+        let text = text.replace("coefficient =", "strain = \"linear\"\ncoefficient =");
+        slipzone::link_plugins();
+        slipzone::engine::solve(&scene::parse("kink.toml", &text).expect("a scene"))
+    };
+    let (coarse, fine) = (at("1e-6"), at("1e-9"));
+    assert_eq!(coarse.status, Status::Converged, "{:?}", coarse.reason);
+    let [one, other] = [&coarse, &fine].map(|solution| solution.profile.shear.clone().expect("friction"));
+    let largest = 0.3 * coarse.pressure.centre.expect("a pressure");
+    let pairs = one.iter().flatten().zip(other.iter().flatten());
+    let error = pairs.map(|(one, other)| (one - other).abs() / largest).fold(0.0, f64::max);
+    println!("{error:.1e} for {:.1e}", coarse.error.each["profile.shear"]);
+    assert!(error < coarse.error.each["profile.shear"], "{error:e}");
+}

@@ -8,7 +8,6 @@ use crate::engine::rubbing::{Rubbing, Verdict};
 use crate::engine::stage::{Outcome, Task};
 use crate::engine::stick_search::Root;
 use slipzone_api::{Component, Refusal};
-use std::f64::consts::PI;
 
 /// A stick zone farther from the one expected is not near.
 const NEAR: f64 = 0.3;
@@ -88,7 +87,7 @@ impl Family {
         self.pressure.push(self.stage.normal.unknowns().iter().map(|p| p * b));
         self.tilted(layer, b)?;
         let depth = self.stage.normal.depth(layer, flat);
-        self.depth.push(depth.map_or(0.0, |depth| depth / flat.elastic.a0() + b.ln() / PI));
+        self.depth.push(depth.map_or(0.0, |depth| depth / flat.elastic.a0() - self.on_half_plane.at(b)));
         Ok(())
     }
 

@@ -168,7 +168,7 @@ impl Found {
         stage.normal.values_into(&at, &mut p);
         p.iter_mut().zip(&q).for_each(|(p, q)| *p = half_width * (shear.friction * *p - q));
         // What was the shear is room for the series.
-        places.points.through_into(&p, &mut q);
+        places.through_into(&p, &mut q);
         q
     }
 }

@@ -23,7 +23,7 @@ impl Family {
             let lanes = slices.iter().zip(places.iter_mut().zip(&mut factors));
             for (Slice { beyond, force, .. }, (place, factor)) in lanes {
                 // Of `b'`, `sqrt(1 - (x/b')^2)`.
-                let root = (beyond * (2.0 * x + beyond)).sqrt();
+                let root = beyond.sqrt() * (2.0 * x + beyond).sqrt();
                 *place = sheet::place(Station { x, gap: *beyond }).min(1.0);
                 *factor = if root > 0.0 { force / root } else { 0.0 };
             }
@@ -58,7 +58,7 @@ impl Family {
             return;
         }
         let places = Places::of(self.pressure.width as f64);
-        let Places { points, stations } = &*places;
+        let stations = &places.stations;
         let mut rows = Vec::with_capacity(self.blend.functions() * stations.len());
         for row in self.pressure.numbers.chunks_exact(self.pressure.width) {
             let first = rows.len();
@@ -66,7 +66,7 @@ impl Family {
             self.stage.normal.values_of(1.0, row, stations, &mut rows[first..]);
             rows[first..].iter_mut().zip(stations).for_each(|(p, at)| *p *= (at.gap * (2.0 - at.gap)).sqrt());
         }
-        self.pressure_at = Some(Sheet::through(points, &rows));
+        self.pressure_at = Some(Sheet::through(&places, &rows));
     }
 
     /// What the shear of slices lacks to that of full sliding, `eta p - q`, at a point.
