@@ -17,12 +17,13 @@ const SMALLEST_STEP: f64 = 0.1;
 const SMALLEST_AT_END: f64 = 1e-3;
 /// First half-width tried on a layer: wider ones cost more, and the walk gets there when it must.
 const WIDEST_START: f64 = 2.0;
-/// Part of that where a base that gives way, too, is pressed in. A stiff layer bends, and sinks farther than its surface yields; a
-/// contact so wide that it would pull may sink as far as the one that the load grew to, and only that is met first on a walk outwards.
+/// Part of that where a base that gives way, too, is pressed in, or gives way more than the surface. A stiff layer bends, and sinks farther
+/// than its surface yields; a contact so wide that it would pull may sink as far as the one that the load grew to, or bear as much, and
+/// only that is met first on a walk outwards.
 const FAR_BELOW: f64 = 1.0 / 64.0;
 
 /// The longest step of that walk: against a datum above a base that gives way, what a punch sinks may grow, shrink and grow again over
-/// a few times the datum's depth.
+/// a few times the datum's depth, and what it bears on a stiff layer over a few thicknesses.
 const BENDING_STEP: f64 = 0.5 * LN_2;
 
 /// What a load may miss of the one wanted, over the tolerance; it counts as error.
@@ -119,7 +120,7 @@ pub(crate) fn press(
     if let Some(near) = near {
         return Ok(near);
     }
-    let bends = !by_force && problem.has_base() && !problem.is_on_rigid_base();
+    let bends = problem.is_on_soft_base() || !by_force && problem.has_base() && !problem.is_on_rigid_base();
     let from = if bends { FAR_BELOW } else { 1.0 };
     let start = known.map_or_else(|| from * first_size(problem, target, by_force), |size| size.half_width);
     let position = POSITION * tolerance;

@@ -252,6 +252,11 @@ impl Problem {
         self.layer.base != Base::Infinite
     }
 
+    /// Whether the layer stands on something that gives way more than its surface does.
+    pub(crate) fn is_on_soft_base(&self) -> bool {
+        matches!(self.layer.base, Base::HalfPlane { shear, .. } if shear.get() < self.layer.surface_shear)
+    }
+
     /// Whether the layer stands on something that does not give way at all.
     pub(crate) fn is_on_rigid_base(&self) -> bool {
         matches!(self.layer.base, Base::Rigid | Base::Frictionless)

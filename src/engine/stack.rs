@@ -330,20 +330,23 @@ impl Stack {
         match load {
             LoadInLayerUnits::HalfWidth(half_width) => Some(half_width),
             LoadInLayerUnits::Force(force) => {
-                let range = self.range()?;
-                self.root(range, |stack, b| stack.force(problem, b) / force - 1.0)
+                self.first(problem.is_on_soft_base(), |stack, b| stack.force(problem, b) / force - 1.0)
             }
             LoadInLayerUnits::Indentation(depth) => {
-                let mut excess = |stack: &mut Self, b: f64| stack.depth(problem, family, b) / depth - 1.0;
-                let (least, widest) = self.range()?;
-                if problem.layer.is_grounded() {
-                    return self.root((least, widest), excess);
-                }
-                // A datum may sink as fast as the punch does for a while.
-                let end = first_rise((least.ln(), widest.ln()), |log| excess(self, log.exp()));
-                self.root((least, end.exp().min(widest)), excess)
+                self.first(!problem.layer.is_grounded(), |stack, b| stack.depth(problem, family, b) / depth - 1.0)
             }
         }
+    }
+
+    /// The narrowest half-width at which something grows through zero, where it may shrink again: a stiff surface bends, and a
+    /// datum may sink as fast as the punch for a while.
+    fn first(&mut self, shrinks: bool, mut excess: impl FnMut(&mut Self, f64) -> f64) -> Option<f64> {
+        let (least, widest) = self.range()?;
+        if !shrinks {
+            return self.root((least, widest), excess);
+        }
+        let end = first_rise((least.ln(), widest.ln()), |log| excess(self, log.exp()));
+        self.root((least, end.exp().min(widest)), excess)
     }
 
     /// Half-widths between which a load is looked for.

@@ -2,7 +2,8 @@
 
 use crate::sketch::{Sketch, numbers};
 use slipzone::api::Flexibility;
-use slipzone::engine::Status;
+use slipzone::engine::{Status, solve};
+use slipzone::scene::parse;
 use slipzone_flexibilities::Compliance;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -157,5 +158,26 @@ fn a_thousand_sublayers_cost_no_wave_numbers() {
     // Steps of a thousandth about a line, which they meet in their middles: to second order.
     for ((path, many), (_, smooth)) in numbers(&many).into_iter().zip(numbers(&smooth)) {
         assert!((many / smooth - 1.0).abs() < 2e-3, "{path}: {many} against {smooth}");
+    }
+}
+
+/// A stiff layer on a soft base bends: a wedge bears more the wider it touches, then less, then more again where it would pull. The first
+/// contact that bears a force is met, up to just below the most that it bears before it bends.
+#[test]
+fn the_first_contact_that_bears_a_force_is_met() {
+    slipzone::link_plugins();
+    let layer = "format = 1\n[layer]\nthickness = 2.6\npoisson = -0.5\n\
+        grading = { type = \"homogeneous\", modulus = 4.0 }\n\
+        base = { type = \"half-plane\", shear = 0.0233, poisson = 0.25 }\n\
+        [punch]\ntype = \"wedge\"\nslope = 0.015\n[solver]\ntolerance = 1e-7\n[output]\nquantities = [\"load\"]\n[load]\n";
+    let solved = |load: &str| solve(&parse("bending.toml", &format!("{layer}{load}\n")).expect("a scene")).load;
+    let force = |b: f64| solved(&format!("half_width = {b:?}")).force.expect("a force");
+    let widths: Vec<f64> = (0..40).map(|i| 0.4 * 1.04_f64.powi(i)).collect();
+    let forces: Vec<f64> = widths.iter().map(|b| force(*b)).collect();
+    let top = forces.windows(2).position(|pair| pair[1] < pair[0]).expect("it bends");
+    assert!(top > 5, "it rises first: {forces:?}");
+    for k in [top / 2, top - 1] {
+        let found = solved(&format!("force = {:?}", forces[k])).half_width.expect("a contact");
+        assert!((found / widths[k] - 1.0).abs() < 1e-4, "{found} for {} of a top at {}", widths[k], widths[top]);
     }
 }
