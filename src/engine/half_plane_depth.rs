@@ -41,7 +41,7 @@ mod tests {
     fn it_is_the_sum_of_all_forces() {
         let (b, nu): (f64, f64) = (0.7, 0.3);
         let beta = (1.0 - 2.0 * nu) / (2.0 - 2.0 * nu);
-        for d in [0.3, 1.0, 20.0] {
+        for d in [0.3_f64, 1.0, 20.0] {
             let count = 4000;
             let of_force = |i: usize| {
                 let x = b * (PI * (i as f64 + 0.5) / count as f64).cos();
