@@ -26,6 +26,13 @@ const FAR_BELOW: f64 = 1.0 / 64.0;
 /// a few times the datum's depth, and what it bears on a stiff layer over a few thicknesses.
 const BENDING_STEP: f64 = 0.5 * LN_2;
 
+/// Parabolas through a place between two that are lower, and how near to it the next place may be, over the distance of these.
+const CLIMBS: usize = 8;
+const BESIDE_TOP: f64 = 0.02;
+/// Tops lower than this are not climbed, and what cannot be solved counts as that.
+const TOO_LOW: f64 = -0.7;
+const SUNK: f64 = -2.0;
+
 /// What a load may miss of the one wanted, over the tolerance; it counts as error.
 const MISSED: f64 = 0.1;
 /// What it may miss over what it missed at the size of the coarser resolution, whose error is as large as that.
@@ -130,7 +137,7 @@ pub(crate) fn press(
         limit: problem.reach().ln(),
         step: first_step,
         smallest: SMALLEST_STEP,
-        longest: if bends { BENDING_STEP } else { 2.0 * LN_2 },
+        bends,
         length: problem.length,
     };
     let (log_b, slope) = match search(walk, position, &mut excess) {
@@ -189,9 +196,10 @@ struct Walk {
     limit: f64,
     /// The first step.
     step: f64,
-    /// A step that is not halved any more, and one that is not doubled.
+    /// A step that is not halved any more.
     smallest: f64,
-    longest: f64,
+    /// Whether what is looked for may grow, shrink and grow again on the way.
+    bends: bool,
     /// The user's unit of length over that of the half-width.
     length: f64,
 }
@@ -225,11 +233,12 @@ fn search(
 /// Walks from `start` towards the sign change of an increasing function, in growing steps.
 fn bracket(
     excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
-    Walk { start, limit, mut step, smallest, longest, length }: Walk,
+    Walk { start, limit, mut step, smallest, bends, length }: Walk,
 ) -> Result<(f64, f64), Refusal> {
     let start = start.min(limit);
     let from = excess(start)?;
     let direction = if from > 0.0 { -1.0 } else { 1.0 };
+    let longest = if bends { BENDING_STEP } else { 2.0 * LN_2 };
     let (mut here, mut growth) = (start, 2.0);
     let mut trail = ArrayVec::<(f64, f64), 2>::from_iter([(start, from)]);
     for _ in 0..MOST_STEPS {
@@ -240,8 +249,9 @@ fn bracket(
         match excess(next) {
             Ok(excess) if excess * direction >= 0.0 => return Ok((here.min(next), here.max(next))),
             Ok(excess_there) => {
-                if let Some(top) = top_between(&trail, (next, excess_there)).filter(|_| direction > 0.0)
-                    && excess(top)? >= 0.0
+                if bends
+                    && direction > 0.0
+                    && let Some(top) = climb(&trail, (next, excess_there), |at| excess(at).unwrap_or(SUNK))
                 {
                     return Ok((trail[0].0, top));
                 }
@@ -253,8 +263,14 @@ fn bracket(
                 step = (growth * step).min(longest);
             }
             Err(refusal) if step < smallest => return Err(refusal),
-            // Beyond what this resolution can solve; the load may be borne before.
+            // Beyond what this resolution can solve, or what it sinks to is above the datum; the load may be borne before.
             Err(_) => {
+                if bends
+                    && direction > 0.0
+                    && let Some(top) = climb(&trail, (next, SUNK), |at| excess(at).unwrap_or(SUNK))
+                {
+                    return Ok((trail[0].0, top));
+                }
                 step *= 0.5;
                 growth = 1.0;
             }
@@ -263,11 +279,32 @@ fn bracket(
     Err(no_size(format!("no half-width between {:.3e} h and {:.3e} h bears the load", start.exp(), here.exp())))
 }
 
-/// Where the parabola through two places and the next has its top, if the second is the highest of them.
-pub(crate) fn top_between(before: &[(f64, f64)], (x2, e2): (f64, f64)) -> Option<f64> {
-    let [(x0, e0), (x1, e1)] = *before else { return None };
-    let (rise, fall) = ((e1 - e0) / (x1 - x0), (e2 - e1) / (x2 - x1));
-    (rise > 0.0 && fall < 0.0).then(|| f64::midpoint(x0, x1) - 0.5 * rise * (x2 - x0) / (fall - rise))
+/// A place above zero between two places and the next, where the second is the highest of them: by parabolas that close in.
+pub(crate) fn climb(before: &[(f64, f64)], next: (f64, f64), mut excess: impl FnMut(f64) -> f64) -> Option<f64> {
+    let [mut left, mut top] = *before else { return None };
+    let mut right = next;
+    for _ in 0..CLIMBS {
+        let (rise, fall) = ((top.1 - left.1) / (top.0 - left.0), (right.1 - top.1) / (right.0 - top.0));
+        if !(rise > 0.0 && fall < 0.0 && top.1 > TOO_LOW) {
+            return None;
+        }
+        let at = f64::midpoint(left.0, top.0) - 0.5 * rise * (right.0 - left.0) / (fall - rise);
+        // Beside the highest so far, where the parabola ends there.
+        let room = BESIDE_TOP * (right.0 - left.0);
+        let at =
+            if (at - top.0).abs() > room { at } else { top.0 + room.copysign((right.0 - top.0) - (top.0 - left.0)) };
+        let here = (at, excess(at));
+        if here.1 >= 0.0 {
+            return Some(at);
+        }
+        match (here.1 > top.1, at > top.0) {
+            (true, true) => (left, top) = (top, here),
+            (true, false) => (right, top) = (top, here),
+            (false, true) => right = here,
+            (false, false) => left = here,
+        }
+    }
+    None
 }
 
 /// A half-width that the contact on a half-plane is hardly wider than; exact where the scene gives it.

@@ -7,7 +7,7 @@
 //! `b*` being the half-width at which the stick zone ended at `x`.
 
 use super::chebyshev::{Points, Series};
-use super::contact_size::{Size, top_between};
+use super::contact_size::{Size, climb};
 use super::family::Family;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::ways::{self, Ways};
@@ -388,6 +388,17 @@ impl Stack {
                 let rate = piece.force_and_rate(problem, half_width, to_piece + from_lower).1;
                 slices.push(Slice { half_width, beyond, force: weight * rate });
             };
+            // Beside a kink rate and member each have a root, one at the way's beginning and one just before.
+            let apart = if lower > piece.from { lower - piece.from } else { lower - x };
+            if x > 0.0 && piece.from > 0.0 && apart > 0.0 {
+                let end = ((upper - lower) / apart).sqrt().asinh();
+                ways.along(end, LONGEST, |t, weight| {
+                    let from_lower = apart * t.sinh().powi(2);
+                    let member = lower + from_lower;
+                    add(member, (lower - x) + from_lower, from_lower, weight * apart * (2.0 * t).sinh());
+                });
+                continue;
+            }
             if x > 0.0 {
                 nodes_beyond(ways, x, (lower, upper), |at| add(at.member, at.gap, at.from_lower, at.weight));
                 continue;
@@ -490,7 +501,7 @@ fn first_rise((from, to): (f64, f64), mut excess: impl FnMut(f64) -> f64) -> f64
         if here >= 0.0 {
             return at;
         }
-        if let Some(top) = top_between(&trail, (at, here)).filter(|top| excess(*top) >= 0.0) {
+        if let Some(top) = climb(&trail, (at, here), &mut excess) {
             return top;
         }
         if trail.is_full() {

@@ -86,3 +86,19 @@ fn the_first_contact_that_sinks_so_far_is_met() {
         }
     }
 }
+
+/// Close to the greatest depth the contact is met, though one not much wider has risen above its datum.
+#[test]
+fn close_to_the_greatest_depth_the_contact_is_met() {
+    let layer = "layer = { thickness = 2.93, poisson = 0.3, datum = 0.468, base = { type = \"half-plane\", shear = 0.109, poisson = 0.3 }, \
+        grading = { type = \"homogeneous\", modulus = 1.0 } }\npunch = { type = \"power\", coefficient = 0.05, exponent = 8.0 }\n";
+    let depth =
+        |b: f64| solved(&format!("{layer}load = {{ half_width = {b:?} }}\n")).load.indentation.expect("a datum");
+    let depths = [0.85, 0.9, 0.93].map(depth);
+    assert!(depths.is_sorted() && depth(1.2) < 0.0, "{depths:?}");
+    for (b, depth) in [0.85, 0.9, 0.93].into_iter().zip(depths) {
+        let solution = solved(&format!("{layer}load = {{ indentation = {depth:?} }}\n"));
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+        assert!((solution.load.half_width.expect("a contact") / b - 1.0).abs() < 1e-5, "{:?} for {b}", solution.load);
+    }
+}

@@ -145,3 +145,33 @@ fn shears_of_the_field() {
         RoundedFlat { flat: 0.375, radius: 5.0, half_width: b, compliance }.force_rate()
     });
 }
+
+/// `0.1 x^2`, and `0.3 (|x| - 0.4)` beyond 0.4, on a half-plane: the pressure has a logarithm at the corner, on either side of it.
+#[test]
+fn beside_a_corner_the_pressure_follows_the_closed_form() {
+    slipzone::link_plugins();
+    let (a0, b, c) = (0.7, 0.7_f64, 0.4_f64);
+    let exact = |x: f64| {
+        let root = |x: f64| ((b - x) * (b + x)).sqrt();
+        let logarithm = ((root(c) + root(x)) / ((x - c).abs() * (x + c)).sqrt()).ln();
+        0.2 / a0 * root(x) + 0.6 / (std::f64::consts::PI * a0) * logarithm
+    };
+    for (tolerance, most) in [("1e-4", 1e-6), ("1e-6", 1e-8), ("1e-9", 1e-10)] {
+        let distances = [-1e-2, -1e-4, -1e-7, 1e-7, 1e-5, 1e-4, 1e-3, 1e-2, 0.1];
+        let x = distances.map(|distance| (c + distance) / b);
+        let text = format!(
+            "format = 1\nlayer = {{ poisson = 0.3, base = {{ type = \"infinite\" }}, \
+             grading = {{ type = \"homogeneous\", modulus = 1.0 }} }}\n\
+             punch = {{ type = \"formula\", height = \"0.1*x^2 + 0.3*max(abs(x) - 0.4, 0)\" }}\nload = {{ half_width = {b:?} }}\n\
+             solver = {{ tolerance = {tolerance} }}\noutput = {{ x = {x:?} }}\n"
+        );
+        let solution = slipzone::engine::solve(&slipzone::scene::parse("corner.toml", &text).expect("a scene"));
+        let mean = solution.pressure.mean.expect("a load");
+        for (x, p) in solution.profile.x.iter().zip(&solution.profile.pressure) {
+            let error = (p.expect("a pressure") - exact(*x)).abs() / mean;
+            // Closer than 1e-6 positions themselves are rounded.
+            let allowed = if (x - c).abs() < 1e-6 { most + 1e-9 } else { most };
+            assert!(error < allowed, "{error:.1e} at {:.0e} beside the corner, tolerance {tolerance}", x - c);
+        }
+    }
+}
