@@ -316,7 +316,7 @@ impl Stack {
         if !problem.layer.is_grounded() {
             let face = self.breaks[0];
             // Narrow punches and wide ones feel the datum otherwise: from there on in proportion.
-            let turn = problem.layer.datum.map_or(b, |datum| DATUM * datum).clamp(face, b);
+            let turn = problem.layer.datum.map_or(b, |datum| DATUM * datum).max(face).min(b);
             let parts = [(face, turn), (turn, b)].map(|part| self.slices(problem, &self.ways, 0.0, part));
             let slices = parts.iter().flatten();
             return slices.map(|slice| slice.force * a0 * family.depth(slice.half_width)).sum();
