@@ -214,9 +214,10 @@ impl Question<'_> {
                     )
                 }
                 Wanted::Target(target) => format!(
-                    "{quantity} stays between {:.6e} and {:.6e} {range}; wanted is {target:?}",
+                    "{quantity} stays between {:.6e} and {:.6e} at the {} values tried {range}; wanted is {target:?}",
                     target + least,
-                    target + most
+                    target + most,
+                    points.len()
                 ),
                 Wanted::Minimum | Wanted::Maximum => unreachable!("no crossing is looked for"),
             });
