@@ -1,9 +1,9 @@
 //! How wide a growing contact becomes under a load.
 
+use super::climb::Trail;
 use super::layer::{Layer, Wanted};
 use super::normal::Normal;
 use super::problem::{LoadInLayerUnits, Problem};
-use arrayvec::ArrayVec;
 use basin::{RootError, Toms748Root};
 use slipzone_api::{Refusal, short};
 use std::cell::Cell;
@@ -26,11 +26,7 @@ const FAR_BELOW: f64 = 1.0 / 64.0;
 /// a few times the datum's depth, and what it bears on a stiff layer over a few thicknesses.
 const BENDING_STEP: f64 = 0.5 * LN_2;
 
-/// Parabolas through a place between two that are lower, and how near to it the next place may be, over the distance of these.
-const CLIMBS: usize = 8;
-const BESIDE_TOP: f64 = 0.02;
-/// Tops lower than this are not climbed, and what cannot be solved counts as that.
-const TOO_LOW: f64 = -0.7;
+/// What cannot be solved counts as so low, see [`Trail::top`].
 const SUNK: f64 = -2.0;
 
 /// What a load may miss of the one wanted, over the tolerance; it counts as error.
@@ -240,7 +236,9 @@ fn bracket(
     let direction = if from > 0.0 { -1.0 } else { 1.0 };
     let longest = if bends { BENDING_STEP } else { 2.0 * LN_2 };
     let (mut here, mut growth) = (start, 2.0);
-    let mut trail = ArrayVec::<(f64, f64), 2>::from_iter([(start, from)]);
+    let mut trail = Trail::default();
+    trail.pass((start, from));
+    let climbs = bends && direction > 0.0;
     for _ in 0..MOST_STEPS {
         let next = (here + direction * step).min(limit);
         if next <= here && direction > 0.0 {
@@ -249,27 +247,18 @@ fn bracket(
         match excess(next) {
             Ok(excess) if excess * direction >= 0.0 => return Ok((here.min(next), here.max(next))),
             Ok(excess_there) => {
-                if bends
-                    && direction > 0.0
-                    && let Some(top) = climb(&trail, (next, excess_there), |at| excess(at).unwrap_or(SUNK))
-                {
-                    return Ok((trail[0].0, top));
+                if climbs && let Some(top) = trail.top((next, excess_there), |at| excess(at).unwrap_or(SUNK)) {
+                    return Ok(top);
                 }
-                if trail.is_full() {
-                    trail.remove(0);
-                }
-                trail.push((next, excess_there));
+                trail.pass((next, excess_there));
                 here = next;
                 step = (growth * step).min(longest);
             }
             Err(refusal) if step < smallest => return Err(refusal),
             // Beyond what this resolution can solve, or what it sinks to is above the datum; the load may be borne before.
             Err(_) => {
-                if bends
-                    && direction > 0.0
-                    && let Some(top) = climb(&trail, (next, SUNK), |at| excess(at).unwrap_or(SUNK))
-                {
-                    return Ok((trail[0].0, top));
+                if climbs && let Some(top) = trail.top((next, SUNK), |at| excess(at).unwrap_or(SUNK)) {
+                    return Ok(top);
                 }
                 step *= 0.5;
                 growth = 1.0;
@@ -277,34 +266,6 @@ fn bracket(
         }
     }
     Err(no_size(format!("no half-width between {:.3e} h and {:.3e} h bears the load", start.exp(), here.exp())))
-}
-
-/// A place above zero between two places and the next, where the second is the highest of them: by parabolas that close in.
-pub(crate) fn climb(before: &[(f64, f64)], next: (f64, f64), mut excess: impl FnMut(f64) -> f64) -> Option<f64> {
-    let [mut left, mut top] = *before else { return None };
-    let mut right = next;
-    for _ in 0..CLIMBS {
-        let (rise, fall) = ((top.1 - left.1) / (top.0 - left.0), (right.1 - top.1) / (right.0 - top.0));
-        if !(rise > 0.0 && fall < 0.0 && top.1 > TOO_LOW) {
-            return None;
-        }
-        let at = f64::midpoint(left.0, top.0) - 0.5 * rise * (right.0 - left.0) / (fall - rise);
-        // Beside the highest so far, where the parabola ends there.
-        let room = BESIDE_TOP * (right.0 - left.0);
-        let at =
-            if (at - top.0).abs() > room { at } else { top.0 + room.copysign((right.0 - top.0) - (top.0 - left.0)) };
-        let here = (at, excess(at));
-        if here.1 >= 0.0 {
-            return Some(at);
-        }
-        match (here.1 > top.1, at > top.0) {
-            (true, true) => (left, top) = (top, here),
-            (true, false) => (right, top) = (top, here),
-            (false, true) => right = here,
-            (false, false) => left = here,
-        }
-    }
-    None
 }
 
 /// A half-width that the contact on a half-plane is hardly wider than; exact where the scene gives it.

@@ -7,6 +7,7 @@ mod blend;
 mod budget;
 mod chebyshev;
 mod checks;
+mod climb;
 mod contact_size;
 mod coupling;
 mod dense;

@@ -7,11 +7,11 @@
 //! `b*` being the half-width at which the stick zone ended at `x`.
 
 use super::chebyshev::{Points, Series};
-use super::contact_size::{Size, climb};
+use super::climb::Trail;
+use super::contact_size::Size;
 use super::family::Family;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::ways::{self, Ways};
-use arrayvec::ArrayVec;
 use basin::Toms748Root;
 use slipzone_api::double_exponential::Node;
 use slipzone_api::{Refusal, Station};
@@ -179,7 +179,7 @@ impl Stack {
                 let told = height(&fine, x, to);
                 for ways in [&self.ways, &self.crowded_ways] {
                     let mut sum = 0.0;
-                    nodes_beyond(ways, x, (x, to), |node| sum += node.weight * problem.slope(node.member));
+                    nodes_beyond(ways, x, from, (x, to), |node| sum += node.weight * problem.slope(node.member));
                     differs(sum, told);
                 }
             }
@@ -198,8 +198,7 @@ impl Stack {
         loop {
             let points = Points::get(count);
             let (force, tail) = if from > 0.0 {
-                let starts =
-                    from <= self.breaks[0] && !problem.corners().any(|corner| corner.to_bits() == from.to_bits());
+                let starts = from <= self.breaks[0] && !problem.is_corner(from);
                 let at = |s: &f64| {
                     let force = self.force_by_tilt(problem, family, from + (to - from) * s * s);
                     if starts { force / (s * s) } else { force }
@@ -388,19 +387,9 @@ impl Stack {
                 let rate = piece.force_and_rate(problem, half_width, to_piece + from_lower).1;
                 slices.push(Slice { half_width, beyond, force: weight * rate });
             };
-            // Beside a kink rate and member each have a root, one at the way's beginning and one just before.
-            let apart = if lower > piece.from { lower - piece.from } else { lower - x };
-            if x > 0.0 && piece.from > 0.0 && apart > 0.0 {
-                let end = ((upper - lower) / apart).sqrt().asinh();
-                ways.along(end, LONGEST, |t, weight| {
-                    let from_lower = apart * t.sinh().powi(2);
-                    let member = lower + from_lower;
-                    add(member, (lower - x) + from_lower, from_lower, weight * apart * (2.0 * t).sinh());
-                });
-                continue;
-            }
             if x > 0.0 {
-                nodes_beyond(ways, x, (lower, upper), |at| add(at.member, at.gap, at.from_lower, at.weight));
+                let each = |at: Beyond| add(at.member, at.gap, at.from_lower, at.weight);
+                nodes_beyond(ways, x, piece.from, (lower, upper), each);
                 continue;
             }
             let mut start = lower;
@@ -494,20 +483,17 @@ impl Stack {
 fn first_rise((from, to): (f64, f64), mut excess: impl FnMut(f64) -> f64) -> f64 {
     let from = from.max(to - CLIMB.0);
     let step = (to - from) / CLIMB.1;
-    let mut trail = ArrayVec::<(f64, f64), 2>::new();
+    let mut trail = Trail::default();
     let mut at = from;
     while at < to {
         let here = excess(at);
         if here >= 0.0 {
             return at;
         }
-        if let Some(top) = climb(&trail, (at, here), &mut excess) {
+        if let Some((_, top)) = trail.top((at, here), &mut excess) {
             return top;
         }
-        if trail.is_full() {
-            trail.remove(0);
-        }
-        trail.push((at, here));
+        trail.pass((at, here));
         at += step;
     }
     to
@@ -522,9 +508,22 @@ struct Beyond {
     weight: f64,
 }
 
-/// Nodes between two half-widths beyond `x > 0`, by `t` with `b' = x cosh(t)`: what is stacked has its singularity, of the
-/// order `(b' - x)^(-1/2)`, at `t = 0`, and varies with `x/b'`.
-fn nodes_beyond(ways: &Ways, x: f64, (lower, upper): (f64, f64), mut each: impl FnMut(Beyond)) {
+/// Nodes between two half-widths beyond `x > 0`, of a piece that begins `from` there or before.
+///
+/// What is stacked has its singularity, of the order `(b' - x)^(-1/2)`, at `x` or just before, and varies with `x/b'`; beyond a kink the
+/// force grows like `(b' - from)^(-1/2)` besides. The way begins at one of the two or at both: by `t` with `b' = x cosh(t)` where there is no
+/// kink, and with `b' - lower = d sinh(t)^2`, `d` the distance of the other, where there is one.
+fn nodes_beyond(ways: &Ways, x: f64, from: f64, (lower, upper): (f64, f64), mut each: impl FnMut(Beyond)) {
+    let apart = if lower > from { lower - from } else { lower - x };
+    if from > 0.0 && apart > 0.0 {
+        let end = ((upper - lower) / apart).sqrt().asinh();
+        ways.along(end, LONGEST, |t, weight| {
+            let from_lower = apart * t.sinh().powi(2);
+            let (member, gap) = (lower + from_lower, (lower - x) + from_lower);
+            each(Beyond { member, gap, from_lower, weight: weight * apart * (2.0 * t).sinh() });
+        });
+        return;
+    }
     let parameter = |member: f64| 2.0 * ((member - x).max(0.0) / (2.0 * x)).sqrt().asinh();
     let (start, end) = (parameter(lower), parameter(upper));
     ways.along(end - start, LONGEST, |passed, weight| {

@@ -60,19 +60,20 @@ impl Sampling<'_> {
         (at, wanted): (&[f64], f64),
         mut tractions: impl FnMut(&[Station]) -> Option<[Vec<f64>; 2]>,
     ) -> Option<Strains> {
-        let compared: Vec<f64> = at.iter().copied().step_by(at.len().div_ceil(COMPARED).max(1)).collect();
+        // Every so many of them are compared.
+        let every = at.len().div_ceil(COMPARED).max(1);
         let (mut share, mut apart) = (SHARES.0, f64::INFINITY);
         let mut before: Option<Vec<f64>> = None;
         loop {
             let mut strain = Strain::new(self, share, &mut tractions)?;
-            let now: Vec<f64> = compared.iter().map(|x| strain.at(layer, beta, *x)).collect();
+            let now: Vec<f64> = at.iter().step_by(every).map(|x| strain.at(layer, beta, *x)).collect();
             if let Some(before) = before {
                 let moved = before.iter().zip(&now).map(|(before, now)| (before - now).abs()).fold(0.0, f64::max);
                 if moved <= wanted || moved > SHRINKING * apart || share * SHARES.1 > SHARES.2 {
-                    return Some(Strains {
-                        each: at.iter().map(|x| strain.at(layer, beta, *x)).collect(),
-                        apart: moved,
-                    });
+                    let one = |(i, x): (usize, &f64)| {
+                        if i.is_multiple_of(every) { now[i / every] } else { strain.at(layer, beta, *x) }
+                    };
+                    return Some(Strains { each: at.iter().enumerate().map(one).collect(), apart: moved });
                 }
                 apart = moved;
             }
