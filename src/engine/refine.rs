@@ -64,6 +64,27 @@ pub(super) struct FlatPunches {
     pace: Option<(f64, Pace)>,
 }
 
+/// What is to be solved, how, and how well.
+#[derive(Clone, Copy)]
+pub(super) struct Aim<'a> {
+    pub(super) problem: &'a Problem,
+    pub(super) methods: &'a Methods,
+    pub(super) tolerance: f64,
+}
+
+impl<'a> Aim<'a> {
+    fn task(self, level: u32) -> Task<'a> {
+        let wanted = Wanted {
+            half_width: 0.0,
+            frictional: self.problem.friction.is_some(),
+            deep: self.problem.wants_depth(),
+            accuracy: KERNEL_SHARE * self.tolerance,
+            level,
+        };
+        Task { problem: self.problem, wanted, tolerance: self.tolerance }
+    }
+}
+
 /// What the checks of friction leave of a result.
 enum Settled {
     /// The stick zone found, and how sure the shear is in it where it was refined by itself.
@@ -96,20 +117,10 @@ impl Ladder {
     }
 
     /// Solves a problem with the methods given.
-    pub(super) fn refine(
-        &mut self,
-        layer: &mut Layer,
-        problem: &Problem,
-        methods: &Methods,
-        tolerance: f64,
-    ) -> Result<Judged, Refusal> {
-        let is_pinned = methods.kernel.is_pinned() || methods.quadrature.is_pinned();
-        let mut judged = if is_pinned {
-            self.with_twin(layer, problem, methods, tolerance)?
-        } else {
-            self.refined(layer, problem, methods, tolerance)?
-        };
-        judged.conclude(problem, layer, tolerance);
+    pub(super) fn refine(&mut self, layer: &mut Layer, aim: Aim) -> Result<Judged, Refusal> {
+        let is_pinned = aim.methods.kernel.is_pinned() || aim.methods.quadrature.is_pinned();
+        let mut judged = if is_pinned { self.with_twin(layer, aim)? } else { self.refined(layer, aim)? };
+        judged.conclude(aim.problem, layer, aim.tolerance);
         Ok(judged)
     }
 
@@ -118,10 +129,8 @@ impl Ladder {
     pub(super) fn on_the_way(
         &mut self,
         layer: &mut Layer,
-        problem: &Problem,
-        methods: &Methods,
+        aim: Aim,
         judged: &Judged,
-        tolerance: f64,
         loads: &[LoadInLayerUnits],
     ) -> Option<Vec<(Numbers, f64)>> {
         let before = judged.stage.checked_sub(1).filter(|_| judged.how != How::Twin)?;
@@ -129,13 +138,8 @@ impl Ladder {
         let (_, error) = judged.errors.worst()?;
         let mut told = |index: usize| {
             let level = u32::try_from(index).ok()?;
-            self.make(problem, methods, (index, level)).ok()?;
-            self.stages[index].growing.as_mut()?.on_the_way(
-                layer,
-                Self::task(problem, tolerance, level),
-                half_width,
-                loads,
-            )
+            self.make(aim, (index, level)).ok()?;
+            self.stages[index].growing.as_mut()?.on_the_way(layer, aim.task(level), half_width, loads)
         };
         let left = |coarse: &Numbers, fine: &Numbers| error.max(LEFT * fine.change_from(coarse));
         // The flat punches may take a step more than their stack did.
@@ -143,7 +147,7 @@ impl Ladder {
         for index in judged.stage..=(judged.stage + MORE).min(FINEST) {
             let fine = told(index)?;
             let errors: Vec<f64> = coarse.iter().zip(&fine).map(|(coarse, fine)| left(coarse, fine)).collect();
-            if index == judged.stage + MORE || errors.iter().all(|error| *error <= tolerance) {
+            if index == judged.stage + MORE || errors.iter().all(|error| *error <= aim.tolerance) {
                 return Some(fine.into_iter().zip(errors).collect());
             }
             coarse = fine;
@@ -152,24 +156,19 @@ impl Ladder {
     }
 
     /// Solves at the resolution that the scene fixed, and at the next finer one to tell the error.
-    fn with_twin(
-        &mut self,
-        layer: &mut Layer,
-        problem: &Problem,
-        methods: &Methods,
-        tolerance: f64,
-    ) -> Result<Judged, Refusal> {
+    fn with_twin(&mut self, layer: &mut Layer, aim: Aim) -> Result<Judged, Refusal> {
         layer.meter().conclude();
         let level = |is_pinned: bool| if is_pinned { 0 } else { BESIDE_PINNED };
-        let (of_kernel, of_quadrature) = (level(methods.kernel.is_pinned()), level(methods.quadrature.is_pinned()));
+        let (of_kernel, of_quadrature) =
+            (level(aim.methods.kernel.is_pinned()), level(aim.methods.quadrature.is_pinned()));
         let mut solve = |index: usize, coarse: Option<&Outcome>| {
             let step = u32::try_from(index).expect("two steps");
-            self.solve(layer, problem, methods, tolerance, (index, of_kernel + step, of_quadrature + step), coarse)
+            self.solve(layer, aim, (index, of_kernel + step, of_quadrature + step), coarse)
         };
         // The twin first: the tables left are those of the contact reported.
         let twin = solve(1, None)?;
         let mut outcome = solve(0, Some(&twin))?;
-        self.stages[0].settle(layer, Self::task(problem, tolerance, of_kernel), &mut outcome)?;
+        self.stages[0].settle(layer, aim.task(of_kernel), &mut outcome)?;
         let mut errors = judged_by_twin(&outcome.seen(), &twin.seen());
         // The few points of the traces do not see the end of the zone.
         if let Some((traced, apart)) = errors.get(Quantity::Shear).zip(self.stages[0].shear_apart(&self.stages[1])) {
@@ -179,19 +178,13 @@ impl Ladder {
     }
 
     /// Takes finer steps until the estimate meets the tolerance.
-    fn refined(
-        &mut self,
-        layer: &mut Layer,
-        problem: &Problem,
-        methods: &Methods,
-        tolerance: f64,
-    ) -> Result<Judged, Refusal> {
+    fn refined(&mut self, layer: &mut Layer, aim: Aim) -> Result<Judged, Refusal> {
         let mut estimate = Estimate::default();
         let (mut last, mut stopped): (Option<(Outcome, usize)>, _) = (None, None);
-        let first = first_level(problem, tolerance);
+        let first = first_level(aim.problem, aim.tolerance);
         // What a search found on the coarsest level is followed from there to the first that matters.
-        let after_search = Some(left_out(tolerance)).filter(|level| searches(problem) && *level > 1);
-        if let Some(judged) = self.pressed_again(layer, problem, methods, tolerance) {
+        let after_search = Some(left_out(aim.tolerance)).filter(|level| searches(aim.problem) && *level > 1);
+        if let Some(judged) = self.pressed_again(layer, aim) {
             return Ok(judged);
         }
         let mut next = 0;
@@ -201,7 +194,7 @@ impl Ladder {
             }
             let level = level(first, step);
             let coarse = last.as_ref().map(|(outcome, _)| outcome);
-            let mut outcome = match self.solve(layer, problem, methods, tolerance, (step, level, level), coarse) {
+            let mut outcome = match self.solve(layer, aim, (step, level, level), coarse) {
                 Ok(outcome) => outcome,
                 Err(refusal) if estimate.is_told() => {
                     stopped = Some(refusal);
@@ -216,17 +209,17 @@ impl Ladder {
             };
             stopped = None;
             if step == 0
-                && let Some(later) = self.known_from(problem, methods, tolerance, &outcome).or(after_search)
+                && let Some(later) = self.known_from(aim, &outcome).or(after_search)
             {
                 (next, last) = (later, Some((outcome, step)));
                 continue;
             }
             let unseen = is_unseen(layer, &outcome, self.stages[step].unknowns());
-            let mut done = estimate.add((layer, problem), &outcome, tolerance, unseen)
-                || self.is_hopeless(problem, tolerance, (step, first), &outcome)
+            let mut done = estimate.add(layer, aim, &outcome, unseen)
+                || self.is_hopeless(aim, (step, first), &outcome)
                 || self.is_broken(step, first, &estimate.errors);
             if done || step + first == FINEST {
-                let task = Self::task(problem, tolerance, level);
+                let task = aim.task(level);
                 match self.settle(layer, task, (&mut outcome, step), &estimate.errors) {
                     Ok(Settled::Elsewhere) => {
                         estimate = Estimate::beginning_with(&outcome);
@@ -249,13 +242,13 @@ impl Ladder {
         let how = How::Sequence { count: 0, kernels_proven: false };
         let mut found = Judged { of_shear, stopped, ..Judged::new(outcome, stage, errors, how) };
         if met && found.stopped.is_none() {
-            self.refine_for_the_shear(layer, problem, methods, (tolerance, first), &mut found, &mut history);
+            self.refine_for_the_shear(layer, aim, first, &mut found, &mut history);
         }
         layer.meter().conclude();
         let Judged { outcome, stage, errors, of_shear, stopped, .. } = &mut found;
         if stopped.is_some() {
             // Settled by no step: the last one that could be solved is.
-            let task = Self::task(problem, tolerance, level(first, *stage));
+            let task = aim.task(level(first, *stage));
             if let Settled::Here { shear: Some(shear) } = self.settle(layer, task, (outcome, *stage), errors)? {
                 *of_shear = Some(shear);
             }
@@ -264,7 +257,7 @@ impl Ladder {
             // Changed its mind at the last step.
             outcome.numbers.iter().for_each(|(quantity, _)| errors.set(quantity, 1.0));
         }
-        if problem.fixed_half_width().is_none() {
+        if aim.problem.fixed_half_width().is_none() {
             self.remember(layer, *stage, outcome, &history);
         }
         let count = *stage + 1 - next.saturating_sub(1);
@@ -277,25 +270,24 @@ impl Ladder {
     fn refine_for_the_shear(
         &mut self,
         layer: &mut Layer,
-        problem: &Problem,
-        methods: &Methods,
-        (tolerance, first): (f64, usize),
+        aim: Aim,
+        first: usize,
         found: &mut Judged,
         history: &mut ArrayVec<Seen, { FINEST + 1 }>,
     ) {
         for _ in 0..FOR_THE_SHEAR {
             // That everything sticks, coarse resolutions cannot tell: they have no shear to compare with.
             let unknown =
-                problem.wishes.profile && found.outcome.rubbing.as_ref().is_some_and(|rubbing| rubbing.is_full);
+                aim.problem.wishes.profile && found.outcome.rubbing.as_ref().is_some_and(|rubbing| rubbing.is_full);
             let error = found.of_shear.unwrap_or(if unknown { 1.0 } else { 0.0 });
-            if error <= left_by_sticking(&found.outcome).max(SHEAR * tolerance) {
+            if error <= left_by_sticking(&found.outcome).max(SHEAR * aim.tolerance) {
                 return;
             }
             let stage = found.stage + 1;
             let level = level(first, stage);
-            let task = Self::task(problem, tolerance, level);
+            let task = aim.task(level);
             let coarse = Some(&found.outcome);
-            let Ok(mut outcome) = self.solve(layer, problem, methods, tolerance, (stage, level, level), coarse) else {
+            let Ok(mut outcome) = self.solve(layer, aim, (stage, level, level), coarse) else {
                 return;
             };
             let mut seen = history.clone();
@@ -305,8 +297,8 @@ impl Ladder {
             let unseen = is_unseen(layer, &outcome, self.stages[stage].unknowns());
             let Some(mut errors) = extrapolated(&seen, unseen) else { return };
             let told = errors.take(Quantity::Shear);
-            let all = with_the_rest(problem, layer, &outcome, tolerance, errors);
-            if !meets(problem, &all, tolerance) {
+            let all = with_the_rest(aim.problem, layer, &outcome, aim.tolerance, errors);
+            if !meets(aim.problem, &all, aim.tolerance) {
                 // What was found before looked better than it was.
                 found.of_shear = found.of_shear.into_iter().chain(told).reduce(f64::max);
                 return;
@@ -350,49 +342,36 @@ impl Ladder {
     /// A contact no wider than one that was settled, under another load, or a stack of the same flat punches under another punch:
     /// the step that was fine enough then and the one before tell how fine it is now. `None` where it wants finer steps, or is
     /// refused: whether it is, and why, is left to these.
-    fn pressed_again(
-        &mut self,
-        layer: &mut Layer,
-        problem: &Problem,
-        methods: &Methods,
-        tolerance: f64,
-    ) -> Option<Judged> {
+    fn pressed_again(&mut self, layer: &mut Layer, aim: Aim) -> Option<Judged> {
         let (stage, (widest, pace)) = self.settled.zip(self.pace)?;
         let mut solve = |index: usize, coarse: Option<&Outcome>| {
             let level = u32::try_from(index).ok()?;
-            self.make(problem, methods, (index, level)).ok()?;
-            let found =
-                self.stages[index].solve_again(layer, Self::task(problem, tolerance, level), widest, coarse).ok()??;
+            self.make(aim, (index, level)).ok()?;
+            let found = self.stages[index].solve_again(layer, aim.task(level), widest, coarse).ok()??;
             // A wider contact may take finer steps.
             found.numbers.get(Quantity::HalfWidth).is_some_and(|b| b <= widest).then_some(found)
         };
         let coarse = solve(stage.checked_sub(1)?, None)?;
         let mut outcome = solve(stage, Some(&coarse))?;
         let errors = pace.judge(&coarse.seen(), &outcome.seen());
-        let all = with_the_rest(problem, layer, &outcome, tolerance, errors);
-        if !meets(problem, &all, tolerance) {
+        let all = with_the_rest(aim.problem, layer, &outcome, aim.tolerance, errors);
+        if !meets(aim.problem, &all, aim.tolerance) {
             return None;
         }
         layer.meter().conclude();
-        let task = Self::task(problem, tolerance, u32::try_from(stage).ok()?);
+        let task = aim.task(u32::try_from(stage).ok()?);
         self.stages[stage].settle(layer, task, &mut outcome).ok()?;
         Some(Judged::new(outcome, stage, errors, How::Again { kernels_proven: layer.kernel_error(0.0).is_some() }))
     }
 
     /// The first of the last three steps that another contact took on this layer, where the coarsest one finds this one among
     /// the flat punches of all of them: the estimate looks at three, and those before would cost more than they tell.
-    fn known_from(
-        &mut self,
-        problem: &Problem,
-        methods: &Methods,
-        tolerance: f64,
-        coarsest: &Outcome,
-    ) -> Option<usize> {
+    fn known_from(&mut self, aim: Aim, coarsest: &Outcome) -> Option<usize> {
         let settled = self.settled?;
         let later = settled.checked_sub(2)?.min(BOUND_LEVEL);
         let half_width = coarsest.numbers.get(Quantity::HalfWidth)?;
-        self.make(problem, methods, (settled, u32::try_from(settled).ok()?)).ok()?;
-        let task = Self::task(problem, tolerance, 0);
+        self.make(aim, (settled, u32::try_from(settled).ok()?)).ok()?;
+        let task = aim.task(0);
         let serves = |stage: &Stage| stage.growing.as_ref().is_some_and(|growing| growing.serves(task, half_width));
         (later > 1 && self.stages[1..=settled].iter().all(serves)).then_some(later)
     }
@@ -401,30 +380,23 @@ impl Ladder {
     fn solve(
         &mut self,
         layer: &mut Layer,
-        problem: &Problem,
-        methods: &Methods,
-        tolerance: f64,
+        aim: Aim,
         (index, kernel_level, quadrature_level): (usize, u32, u32),
         coarse: Option<&Outcome>,
     ) -> Result<Outcome, Refusal> {
-        self.make(problem, methods, (index, quadrature_level))?;
-        let task = Self::task(problem, tolerance, kernel_level);
+        self.make(aim, (index, quadrature_level))?;
+        let task = aim.task(kernel_level);
         let (before, here) = self.stages.split_at_mut(index);
         let family = before.iter().rev().find_map(|stage| stage.growing.as_ref()?.family.as_ref());
         here[0].solve(layer, task, coarse, family)
     }
 
     /// Makes the stages up to one of that level.
-    fn make(
-        &mut self,
-        problem: &Problem,
-        methods: &Methods,
-        (index, quadrature_level): (usize, u32),
-    ) -> Result<(), Refusal> {
+    fn make(&mut self, aim: Aim, (index, quadrature_level): (usize, u32)) -> Result<(), Refusal> {
         while self.stages.len() <= index {
             let missing = u32::try_from(index - self.stages.len()).expect("a few steps");
-            let quadrature = methods.quadrature.refined(quadrature_level - missing);
-            let mut stage = Stage::new(problem, quadrature)?;
+            let quadrature = aim.methods.quadrature.refined(quadrature_level - missing);
+            let mut stage = Stage::new(aim.problem, quadrature)?;
             if let (Some(growing), Some(family)) = (&mut stage.growing, self.inherited.get_mut(self.stages.len())) {
                 growing.inherit(family.take());
             }
@@ -433,28 +405,11 @@ impl Ladder {
         Ok(())
     }
 
-    fn task(problem: &Problem, tolerance: f64, level: u32) -> Task<'_> {
-        let wanted = Wanted {
-            half_width: 0.0,
-            frictional: problem.friction.is_some(),
-            deep: problem.wants_depth(),
-            accuracy: KERNEL_SHARE * tolerance,
-            level,
-        };
-        Task { problem, wanted, tolerance }
-    }
-
     /// Whether no refinement will help. A pressure that pulls is looked for once: finer steps do not mend it.
-    fn is_hopeless(
-        &mut self,
-        problem: &Problem,
-        tolerance: f64,
-        (step, first): (usize, usize),
-        outcome: &Outcome,
-    ) -> bool {
+    fn is_hopeless(&mut self, aim: Aim, (step, first): (usize, usize), outcome: &Outcome) -> bool {
         step + first >= BOUND_LEVEL && is_bounded(outcome)
-            || step + first == BOUND_LEVEL && self.stages[step].tension(problem, outcome).is_some()
-            || step + first == DETAIL_LEVEL && has_details(problem, outcome, tolerance)
+            || step + first == BOUND_LEVEL && self.stages[step].tension(aim.problem, outcome).is_some()
+            || step + first == DETAIL_LEVEL && has_details(aim.problem, outcome, aim.tolerance)
     }
 
     /// Whether friction cannot be told of a contact as it grew, at this step and at the one before. Where in its growth
@@ -520,7 +475,8 @@ impl Estimate {
     }
 
     /// Takes note of a finer resolution; whether it is fine enough, or no finer one would be any better.
-    fn add(&mut self, (layer, problem): (&Layer, &Problem), outcome: &Outcome, tolerance: f64, unseen: bool) -> bool {
+    fn add(&mut self, layer: &Layer, aim: Aim, outcome: &Outcome, unseen: bool) -> bool {
+        let Aim { problem, tolerance, .. } = aim;
         self.history.push(outcome.seen());
         let Some(mut estimate) = extrapolated(&self.history, unseen) else { return false };
         self.of_shear = estimate.take(Quantity::Shear).filter(|_| problem.wishes.profile);

@@ -7,7 +7,7 @@ use super::layer::Layer;
 use super::loading_curve::{self, Curve, Point};
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
-use super::refine::Ladder;
+use super::refine::{Aim, Ladder};
 use super::solution::{Solution, Status};
 use super::stand_in::{self, Decision, StandIn};
 use super::thin;
@@ -189,7 +189,8 @@ impl Solver {
     /// it is where it does not converge so either.
     fn refined(&mut self, tolerance: f64) -> Result<Judged, Refusal> {
         let Self { chosen, problem, layer, ladder, .. } = self;
-        let found = ladder.refine(layer, problem, &chosen.methods, tolerance)?;
+        let methods = &chosen.methods;
+        let found = ladder.refine(layer, Aim { problem, methods, tolerance })?;
         if !found.misses_details(problem, tolerance) {
             return Ok(found);
         }
@@ -197,7 +198,7 @@ impl Solver {
             layer.meter().resume();
             problem.is_detailed = Some(is_detailed);
             let mut ladder = Ladder::default();
-            let found = ladder.refine(layer, problem, &chosen.methods, tolerance)?;
+            let found = ladder.refine(layer, Aim { problem, methods, tolerance })?;
             Ok::<_, Refusal>((found.worst(problem), found, ladder))
         };
         let error = |solved: &Result<(f64, _, _), Refusal>| solved.as_ref().map_or(f64::INFINITY, |solved| solved.0);
@@ -359,7 +360,7 @@ impl Solver {
         }
         let scaled = |load: &Load| LoadInLayerUnits::new(*load, problem.length, problem.stress);
         let scaled: Vec<_> = loads.iter().map(scaled).collect();
-        let found = ladder.on_the_way(layer, problem, &chosen.methods, judged, tolerance, &scaled)?;
+        let found = ladder.on_the_way(layer, Aim { problem, methods: &chosen.methods, tolerance }, judged, &scaled)?;
         let point = |(load, (numbers, error)): (&Load, (Numbers, f64))| {
             let judgement =
                 if error <= tolerance { (Status::Converged, None) } else { (Status::NotConverged, reason.clone()) };
