@@ -21,8 +21,10 @@ use slipzone_api::{Base, Refusal, Station};
 const STRAIN: &str = "profile.strain";
 /// Points at which tractions are told before the budget is looked at again.
 const AT_ONCE: usize = 32;
-/// Indentation over the thickness, and slope of the punch in contact, from which strains are no longer called small.
-const SMALL: (f64, f64) = (0.1, 0.3);
+/// Indentation over the thickness from which strains are no longer called small.
+const DEEP: f64 = 0.1;
+/// Slope of the punch in contact from which they are not.
+const STEEP: f64 = 0.3;
 
 /// The solution; refused when one of its numbers is not finite.
 pub(super) fn solution(
@@ -170,9 +172,9 @@ fn large_strains(problem: &Problem, numbers: &Numbers) -> Option<String> {
     // Convex: steepest at the edge.
     let grown = numbers.get(Quantity::HalfWidth).filter(|_| problem.fixed_half_width().is_none());
     let (depth, slope) = (depth.unwrap_or(0.0), grown.map_or(0.0, |b| problem.slope(b)));
-    let what = if depth > SMALL.0 {
+    let what = if depth > DEEP {
         format!("the punch sinks in by {depth:.2} of the thickness")
-    } else if slope > SMALL.1 {
+    } else if slope > STEEP {
         format!("the punch has a slope of {slope:.2} at the contact's edge")
     } else {
         return None;
@@ -180,7 +182,7 @@ fn large_strains(problem: &Problem, numbers: &Numbers) -> Option<String> {
     Some(format!("{what}: strains are not small there, and what is neglected with them is of that order"))
 }
 
-/// The solution; refused when one of its numbers is not finite.
+/// A solution as it is, unless one of its numbers is not finite.
 fn finite(solution: Solution) -> Result<Solution, Refusal> {
     match first_not_finite(&solution) {
         None => Ok(solution),

@@ -12,7 +12,7 @@ pub const BUDGET: u64 = 20_000_000_000;
 const READING: u64 = 10;
 /// What the flexibility at one wave number counts as: 1e3 instructions in closed form, 1e4 to 1e5 by panels.
 const WAVE_NUMBER: u64 = 10_000;
-/// What is left for telling of the last resolution when refinement ends, over the whole.
+/// Refinement may take the budget over this; the rest is for telling of the resolution found last.
 const TOLD: u64 = 2;
 
 /// The work on one layer so far, and how far it may go.

@@ -18,12 +18,14 @@ const SHEAR_SAMPLES: usize = 48;
 pub(crate) const MARGIN: f64 = 1e-3;
 /// Nodes on either side of the grids on which the slip is integrated.
 const SLIP_NODES: usize = 8;
-/// Nodes on either side of the grids over which the tractions are, more where the slip zone is narrow
-/// ([`StickZone::crowding`]), and more of them per kernel length.
+/// Nodes on either side of the grids over which the tractions are, times [`StickZone::crowding`]: more where the slip zone
+/// is narrow.
 ///
 /// Measured on 127 random stick zones, in terms of the largest slip: errors of at most 2e-5. Without a thought for the
 /// crowding they reach 40 % where `1 - a/b` is 3e-12.
-const SOURCE_NODES: (f64, f64) = (10.0, 8.0);
+const SOURCE_NODES: f64 = 10.0;
+/// Those nodes per kernel length.
+const SOURCE_NODES_PER_LENGTH: f64 = 8.0;
 /// Most of those nodes.
 const MOST_SOURCE_NODES: usize = 1 << 12;
 
@@ -179,8 +181,8 @@ impl Sources {
     /// A grid of unit length for a part of the contact of that width.
     fn resolve(&mut self, layer: &Layer, zone: StickZone, width: f64) {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
-        let [least, for_kernel] =
-            [SOURCE_NODES.0 * zone.crowding(), SOURCE_NODES.1 * width / layer.length()].map(|count| count as usize);
+        let [least, for_kernel] = [SOURCE_NODES * zone.crowding(), SOURCE_NODES_PER_LENGTH * width / layer.length()]
+            .map(|count| count as usize);
         let nodes = for_kernel.clamp(least, MOST_SOURCE_NODES);
         if self.grid.len() != 2 * nodes + 1 {
             self.grid = ways::grid(nodes);
@@ -239,9 +241,7 @@ mod tests {
         let chosen = plan::choose(&parse("spurious.toml", text).expect("a good scene"));
         let problem = Problem::new(&chosen.scene).expect("a flat punch");
         let mut layer = Layer::new(&problem, &chosen.methods).expect("a bonded layer");
-        layer
-            .tabulate(Wanted { half_width: 2.0, frictional: true, deep: true, accuracy: 1e-8, level: 2 })
-            .expect("kernels");
+        layer.tabulate(2.0, Wanted { frictional: true, deep: true, accuracy: 1e-8, level: 2 }).expect("kernels");
         // 256 nodes resolve the slip zone of the spurious root.
         let quadrature = chosen.methods.quadrature.refined(5);
         let mut normal = Normal::new(quadrature.as_ref(), Edge::Sharp).expect("a rule");

@@ -2,8 +2,9 @@
 
 use arrayvec::ArrayVec;
 
-/// Parabolas through a place between two that are lower, and how near to it the next place may be, over the distance of these.
+/// Parabolas through a place between two that are lower.
 const CLIMBS: usize = 8;
+/// How near to that place the next one may be, over the distance of those two.
 const BESIDE_TOP: f64 = 0.02;
 /// Tops lower than this are not climbed.
 const TOO_LOW: f64 = -0.7;

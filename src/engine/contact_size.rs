@@ -92,7 +92,7 @@ pub(crate) fn press(
 ) -> Result<Size, Refusal> {
     let target = match problem.load {
         LoadInLayerUnits::HalfWidth(half_width) => {
-            layer.tabulate(Wanted { half_width, ..wanted })?;
+            layer.tabulate(half_width, wanted)?;
             normal.press_smooth(layer, problem, half_width)?;
             return Ok(Size::exactly(half_width));
         }
@@ -105,7 +105,7 @@ pub(crate) fn press(
         // What the logarithm rounds must not leave the shape.
         let half_width = log_b.exp().min(problem.reach());
         widest.set(half_width.max(widest.get()));
-        layer.tabulate(Wanted { half_width: roomy(half_width), ..wanted })?;
+        layer.tabulate(roomy(half_width), wanted)?;
         normal.press_smooth(layer, problem, half_width)?;
         let reached = if by_force { Some(normal.force) } else { normal.depth(layer, problem) };
         match reached {

@@ -24,12 +24,15 @@ use std::sync::OnceLock;
 const MEASURED: [(f64, f64); 6] = [(0.1, 0.60), (0.25, 0.66), (0.5, 0.78), (0.75, 1.0), (0.9, 1.36), (0.99, 2.32)];
 /// A share of the friction beyond which the measurements say nothing.
 const MOST: f64 = 0.9;
-/// Refinements of the quadrature for the steps, at least and at most; and kernel lengths in the half-width that the coarsest serves.
-const LEVELS: (f64, f64) = (1.0, 8.0);
+/// Fewest and most refinements of the quadrature for the steps.
+const COARSEST: f64 = 1.0;
+const FINEST: f64 = 8.0;
+/// Kernel lengths in the half-width that the coarsest one serves.
 const SERVED: f64 = 3.0;
-/// Nodes on either side of the middle of the stick zone and of the slip zone, and where those grids end: sums over the shear
-/// see no more of the edge.
-const NODES: (usize, f64) = (10, 3.0);
+/// Nodes on either side of the middle of the stick zone, and of the slip zone.
+const NODES: usize = 10;
+/// Where those grids end: sums over the shear see no more of the edge.
+const END: f64 = 3.0;
 
 /// The relative error of the friction coefficient that belongs to a stick zone; `None` where nothing can be told.
 pub(super) fn neglected(layer: &Layer, problem: &Problem, zone: StickZone, scene: &Scene) -> Option<f64> {
@@ -42,7 +45,7 @@ pub(super) fn neglected(layer: &Layer, problem: &Problem, zone: StickZone, scene
     // A level tells details shorter by sqrt 2.
     let finer = 2.0 * (zone.contact() / (SERVED * layer.length())).log2();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few
-    let level = (LEVELS.0 + finer.max(0.0)).ceil().min(LEVELS.1) as u32;
+    let level = (COARSEST + finer.max(0.0)).ceil().min(FINEST) as u32;
     let quadrature = scene.solver.quadrature.as_ref()?.refined(level);
     let half_plane = Scene { layer: stand_in::half_plane(&scene.layer, &problem.layer), ..scene.clone() };
     let step = |layer: &Layer| first_step(layer, beta, zone, quadrature.clone()).ok();
@@ -100,7 +103,7 @@ fn first_step(layer: &Layer, beta: f64, zone: StickZone, quadrature: Box<dyn Qua
 /// Points of the right half of the contact, and the shear that each stands for.
 fn right_half(zone: StickZone, normal: &Normal, shear: &Shear) -> Vec<(f64, f64)> {
     static GRID: OnceLock<Vec<Node>> = OnceLock::new();
-    let grid = GRID.get_or_init(|| double_exponential::nodes_up_to(1.0, NODES.0, NODES.1));
+    let grid = GRID.get_or_init(|| double_exponential::nodes_up_to(1.0, NODES, END));
     let a = zone.half_width;
     // The gaps of the stick zone's points are to its own end, as its rule wants them.
     let sticking: Vec<Station> =

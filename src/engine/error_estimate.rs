@@ -9,10 +9,11 @@ const NOT_SHRINKING: f64 = 0.5;
 /// Measured on 450 random scenes, a third of them half-planes with friction, at six tolerances from 1e-3 to 1e-11: true
 /// errors of up to 1.4 tolerances (one of 2,700 above one) with 1/32, of up to 2.4 with 1/64, of up to 40 with 1/128.
 const FASTEST: f64 = 1.0 / 32.0;
-/// Nor than this, where the nodes in the middle are farther apart than the kernels are long: resolutions that see nothing of the
-/// layer may agree on it. Under powers on layers of a thirtieth of the half-width numbers were off by eight estimates without.
+/// The same where the nodes in the middle are farther apart than the kernels are long: resolutions that see nothing of the
+/// layer may agree on it. Under powers on layers of a thirtieth of the half-width numbers were off by eight estimates
+/// without.
 const FASTEST_UNSEEN: f64 = 0.25;
-/// Nor faster than this power of the last one. With exponential convergence an error `e` turns into a power of itself
+/// A difference is not taken to shrink faster than by this power of the one before. With exponential convergence an error `e` turns into a power of itself
 /// when the resolution grows by `sqrt 2`: `e^1.41`, or about `e^1.3` where nodes crowd double-exponentially. A small
 /// ratio of two large differences is one of chance.
 const SUPERLINEAR: f64 = 0.3;
@@ -37,7 +38,7 @@ pub(crate) const SAFETY: f64 = 2.0;
 /// No number is claimed to be better than this: rounding of a dense solve of a few hundred unknowns.
 pub(crate) const ROUNDING: f64 = 1e-13;
 
-/// Nor one of the shear than this. The grid over the slip zone is good to 1e-12 of the friction coefficient, which moves a
+/// No number of the shear is claimed to be better than this. The grid over the slip zone is good to 1e-12 of the friction coefficient, which moves a
 /// narrow stick zone up to 8 times as much: of 80,000 half-planes 5 were off by 5e-12 to 8e-12 at the tightest
 /// tolerances.
 pub(crate) const SLIP_ROUNDING: f64 = 3e-12;

@@ -10,7 +10,7 @@ use super::blend::{Blend, Lanes, Term, add_rows};
 use super::budget::Meter;
 use super::dense::Dense;
 use super::half_plane_depth::HalfPlaneDepth;
-use super::layer::{Layer, Wanted};
+use super::layer::Layer;
 use super::problem::Problem;
 use super::rubbing::Rubbing;
 use super::sheet::Sheet;
@@ -24,9 +24,11 @@ use slipzone_api::{Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Stat
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Points: at least, and more per unknown of the pressure; so many times more for each doubling of the widest half-width
-/// beyond the layer's length.
-const POINTS: (f64, f64, f64) = (5.0, 0.6, 0.5);
+/// Members of a family: this many, and more per unknown of the pressure.
+const FEWEST_MEMBERS: f64 = 5.0;
+const MEMBERS_PER_UNKNOWN: f64 = 0.6;
+/// The share by which there are more of them for each doubling of the widest half-width beyond the layer's length.
+const MORE_PER_OCTAVE: f64 = 0.5;
 /// What is not analytic in the half-width where it begins with 0, of the pressure and of the shear.
 ///
 /// Measured on the stick zone of a layer five times as thick as the contact is wide, told by 24 members: 1.4e-5 with the first
@@ -146,13 +148,13 @@ impl Family {
         let flat = member(task.problem, widest, friction);
         let rule = quadrature.rule(&Span::symmetric(1.0, Parity::Odd, Edge::Sharp))?;
         let n = rule.unknowns();
-        layer.tabulate(Wanted { half_width: widest, ..task.wanted })?;
+        layer.tabulate(widest, task.wanted)?;
         // A contact is never narrower than the face.
         let face = task.problem.face().min(0.5 * widest);
         let kernel_lengths = widest / layer.length();
         let octaves = kernel_lengths.max(1.0).log2();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen
-        let count = ((POINTS.0 + POINTS.1 * n as f64) * (1.0 + POINTS.2 * octaves)) as usize;
+        let count = ((FEWEST_MEMBERS + MEMBERS_PER_UNKNOWN * n as f64) * (1.0 + MORE_PER_OCTAVE * octaves)) as usize;
         let mut family = Self {
             friction: flat.friction,
             is_deep: task.problem.wants_depth(),

@@ -17,20 +17,28 @@ use super::work::Work;
 use slipzone_api::{Quadrature, Refusal, Station};
 use std::f64::consts::PI;
 
-/// By how much a family is wider than the contact expected: beside a size known from a coarser resolution, and beside a
-/// guess; and how often it is widened when that was not enough.
-const ROOM: (f64, f64, usize) = (1.02, 1.3, 20);
+/// By how much a family is wider than a contact that a coarser resolution found.
+const ROOM: f64 = 1.02;
+/// By how much it is wider than one that was guessed.
+const ROOM_BESIDE_GUESS: f64 = 1.3;
+/// How often it is widened when that was not enough.
+const WIDENED: usize = 20;
 /// Error of a guess.
 const GUESSED: f64 = 1e-3;
 /// Error of the series over the half-width, over the tolerance.
 const SERIES_SHARE: f64 = 1e-2;
-/// Nodes on either side of the integrals over shape and half-width: at least, per decimal digit of the tolerance, and per
-/// unknown, so that resolutions differ in them, too; and per kernel length in the widest half-width.
+/// Nodes on either side of the integrals over shape and half-width: this many,
+const FEWEST_NODES: f64 = 6.0;
+/// more per decimal digit of the tolerance,
+const NODES_PER_DIGIT: f64 = 1.8;
+/// per unknown, so that resolutions differ in them, too,
+const NODES_PER_UNKNOWN: f64 = 0.125;
+/// and per kernel length in the widest half-width.
 ///
 /// Measured on half-planes at x = 0.03 b: errors of 6e-9, 1e-9 and 3e-11 of the largest traction with 14, 18 and 26. Under a kink on a
 /// layer of a tenth of the half-width, ten times as stiff as what is below: of the pressure there 0.5 and 3e-4 with 17 and 28; with 34 it is as
 /// good as the flat punches.
-const NODES: (f64, f64, f64, f64) = (6.0, 1.8, 0.125, 1.5);
+const NODES_PER_LENGTH: f64 = 1.5;
 /// Lengths from which more of them take no more nodes: a bound of the work. Measured up to some 30.
 const MOST_LENGTHS: f64 = 60.0;
 /// Where what the shear lacks is compared from resolution to resolution, over the half-width of the stick zone: near the middle
@@ -111,12 +119,12 @@ impl Growing {
         };
         let room = match (problem.load, known.is_some() || !self.is_kinked) {
             (LoadInLayerUnits::HalfWidth(_), _) => 1.0,
-            (_, true) => ROOM.0,
-            (_, false) => ROOM.1,
+            (_, true) => ROOM,
+            (_, false) => ROOM_BESIDE_GUESS,
         };
         // Not beyond the end of a circle where that can be helped.
-        let is_whole = room <= ROOM.0 || problem.flaw(room * size.half_width).is_none();
-        let room = if is_whole { room } else { ROOM.0 };
+        let is_whole = room <= ROOM || problem.flaw(room * size.half_width).is_none();
+        let room = if is_whole { room } else { ROOM };
         let room = room.min(problem.reach() / size.half_width).max(1.0);
         self.provide(layer, task, size.half_width, room, coarse_family)?;
         let size = if self.is_kinked { self.widen(layer, task, size)? } else { size };
@@ -252,9 +260,9 @@ impl Growing {
     fn stacked_on(&mut self, task: Task) -> Result<(), Refusal> {
         let Some(family) = &mut self.family else { return Ok(()) };
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen
-        let nodes = (NODES.0 - NODES.1 * task.tolerance.log10()
-            + NODES.2 * family.unknowns() as f64
-            + NODES.3 * family.kernel_lengths().min(MOST_LENGTHS)) as usize;
+        let nodes = (FEWEST_NODES - NODES_PER_DIGIT * task.tolerance.log10()
+            + NODES_PER_UNKNOWN * family.unknowns() as f64
+            + NODES_PER_LENGTH * family.kernel_lengths().min(MOST_LENGTHS)) as usize;
         self.stack = Some(Stack::new(task.problem, family, SERIES_SHARE * task.tolerance, nodes)?);
         Ok(())
     }
@@ -263,7 +271,7 @@ impl Growing {
     fn widen(&mut self, layer: &mut Layer, task: Task, guess: Size) -> Result<Size, Refusal> {
         let problem = task.problem;
         let mut widest = guess.half_width;
-        for _ in 0..ROOM.2 {
+        for _ in 0..WIDENED {
             let (Some(family), Some(stack)) = (&mut self.family, &mut self.stack) else { break };
             if let Some(half_width) = stack.under(problem, family, problem.load) {
                 return Ok(Size::exactly(half_width));
@@ -276,7 +284,7 @@ impl Growing {
                 });
             }
             let before = widest;
-            widest = (widest * ROOM.1 * ROOM.1).min(problem.reach());
+            widest = (widest * ROOM_BESIDE_GUESS.powi(2)).min(problem.reach());
             if widest <= before {
                 return Err(contact_size::outgrown(widest * problem.length));
             }
@@ -528,7 +536,9 @@ impl Growing {
     /// Whether friction cannot be told of the contact as it grew.
     pub(crate) fn is_broken(&self) -> bool {
         // None under a contact of much that width is none under this one.
-        let shears = |at: f64, rubbing: &Rubbing| rubbing.verdict != Verdict::NoShear || ROOM.1 * at < self.half_width;
+        let shears = |at: f64, rubbing: &Rubbing| {
+            rubbing.verdict != Verdict::NoShear || ROOM_BESIDE_GUESS * at < self.half_width
+        };
         self.broken.as_ref().is_some_and(|(at, rubbing)| shears(*at, rubbing))
     }
 

@@ -15,7 +15,7 @@ use super::stick_zone::StickZone;
 use slipzone_api::Station;
 use std::f64::consts::PI;
 
-/// These shears, 1 at the end of the stick zone: everything comes for `Y = Q + k^2 (X - Q)` and for
+/// These shears, 1 at the end of the stick zone. What they do comes in pairs: for `Y = Q + k^2 (X - Q)` and for
 /// `Z = k^2 (Q - X)`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HalfPlaneShear {

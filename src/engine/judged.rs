@@ -74,9 +74,9 @@ impl Judged {
         self.errors = self.errors.judged_by(problem.wishes);
     }
 
-    /// The largest error of a number that has to meet the tolerance.
+    /// Its largest error, see [`worst_judged`].
     pub(super) fn worst(&self, problem: &Problem) -> f64 {
-        judged(problem, &self.errors).map_or(0.0, |(_, error)| error)
+        worst_judged(problem, &self.errors).map_or(0.0, |(_, error)| error)
     }
 
     /// Whether it misses the tolerance because the shape has details that a grid over all of the contact does not resolve.
@@ -102,13 +102,13 @@ pub(super) fn has_details(problem: &Problem, outcome: &Outcome, tolerance: f64) 
 }
 
 /// The largest error of a number that has to meet the tolerance.
-pub(super) fn judged(problem: &Problem, errors: &Numbers) -> Option<(Quantity, f64)> {
+pub(super) fn worst_judged(problem: &Problem, errors: &Numbers) -> Option<(Quantity, f64)> {
     errors.judged_by(problem.wishes).worst()
 }
 
 /// Whether all that has to meet the tolerance does.
 pub(super) fn meets(problem: &Problem, errors: &Numbers, tolerance: f64) -> bool {
-    judged(problem, errors).is_none_or(|(_, error)| error <= tolerance)
+    worst_judged(problem, errors).is_none_or(|(_, error)| error <= tolerance)
 }
 
 /// How uncertain the pressure is: by its value in the middle, or by all that is known of it where that is not asked for.

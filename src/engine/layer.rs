@@ -60,8 +60,6 @@ impl Tables {
 /// What the kernels must serve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Wanted {
-    /// Widest contact.
-    pub(crate) half_width: f64,
     /// Whether shear is asked for.
     pub(crate) frictional: bool,
     /// Whether the depth of the punch is, where the base defines it.
@@ -133,10 +131,10 @@ impl Layer {
         self.described == description(scene)
     }
 
-    /// Makes the kernels serve; tables that do already are kept.
-    pub(crate) fn tabulate(&mut self, wanted: Wanted) -> Result<(), Refusal> {
-        let reach = 2.0 * wanted.half_width;
-        let wanted = Wanted { accuracy: wanted.accuracy / spread(wanted.half_width), ..wanted };
+    /// Makes the kernels serve contacts up to a half-width; tables that do already are kept.
+    pub(crate) fn tabulate(&mut self, half_width: f64, wanted: Wanted) -> Result<(), Refusal> {
+        let reach = 2.0 * half_width;
+        let wanted = Wanted { accuracy: wanted.accuracy / spread(half_width), ..wanted };
         let serves = |tables: &Tables| {
             let precise =
                 if tables.prove() { tables.accuracy <= wanted.accuracy } else { tables.level == wanted.level };
@@ -164,7 +162,7 @@ impl Layer {
         let kernels =
             if self.is_plain() { None } else { Some(tabulate(&*self.response, components, wanted.accuracy)?) };
         let from_datum = self.against_datum.as_deref().filter(|_| wanted.deep);
-        let share = self.shallowness(wanted.half_width);
+        let share = self.shallowness(half_width);
         let accuracy = (wanted.accuracy / share).max(FINEST);
         let depth = from_datum.map(|response| tabulate(response, &ALL[..1], accuracy)).transpose()?;
         let evaluations = kernels.iter().chain(&depth).map(KernelTable::flexibility_evaluations).sum::<usize>();

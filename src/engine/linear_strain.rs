@@ -10,20 +10,25 @@ use super::layer::Layer;
 use super::normal::Normal;
 use super::stick::Shear;
 use super::stick_zone::StickZone;
+use basin::root::{RootError, Toms748Root};
 use slipzone_api::double_exponential;
 use slipzone_api::{Component, Refusal, Station};
 use std::f64::consts::PI;
 
-/// Nodes on either side of the integrals over the carrier, and per length of the kernel.
-const NODES: (f64, f64) = (24.0, 8.0);
-/// `lambda = ln(a/(b - a))` looked at: from, to, and the steps in between.
-const SCAN: (f64, f64, f64) = (-8.0, 10.0, 0.75);
+/// Nodes on either side of the integrals over the carrier: at least, and per length of the kernel.
+const FEWEST_NODES: f64 = 24.0;
+const NODES_PER_LENGTH: f64 = 8.0;
+/// The range of `lambda = ln(a/(b - a))` that is scanned, and the steps taken through it.
+const SCANNED: std::ops::RangeInclusive<f64> = -8.0..=10.0;
+const SCAN_STEP: f64 = 0.75;
 /// Step of the differences that tell `dC/d lambda`. Their error goes with its fourth power: with 0.02 the stick ratio on a
 /// half-plane was off by 1e-8, to the last one of these digits as theory has it. Rounding of `C` is magnified a hundred
 /// times.
 const STEP: f64 = 0.01;
-/// First bracket around the extremum of a coarser resolution, and how often it is doubled.
-const BRACKET: (f64, u32) = (0.01, 6);
+/// Half-width of the first bracket around the extremum of a coarser resolution.
+const BRACKET: f64 = 0.01;
+/// How often a bracket is widened, by a factor of two each time.
+const BRACKETS: u32 = 6;
 /// Position tolerance.
 const POSITION: f64 = 1e-10;
 
@@ -47,7 +52,7 @@ pub(crate) fn equation(layer: &Layer, a: f64, at: &[Station]) -> Vec<f64> {
         return vec![constant; at.len()];
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
-    let grid = double_exponential::nodes(1.0, NODES.0.max(NODES.1 * a / layer.length()).ceil() as usize);
+    let grid = double_exponential::nodes(1.0, FEWEST_NODES.max(NODES_PER_LENGTH * a / layer.length()).ceil() as usize);
     let (mut distances, mut weights, mut kernel) = (Vec::new(), Vec::new(), vec![0.0; 4 * grid.len()]);
     let one = |at: &Station| {
         distances.clear();
@@ -93,8 +98,8 @@ impl RateCurve<'_> {
     /// Where `C` is extremal: near a place known, or anywhere.
     pub(crate) fn extrema(&mut self, known: Option<f64>) -> Result<Vec<f64>, Refusal> {
         if let Some(known) = known {
-            for doubled in 0..BRACKET.1 {
-                let half = BRACKET.0 * f64::from(1 << doubled);
+            for doubled in 0..BRACKETS {
+                let half = BRACKET * f64::from(1 << doubled);
                 let ends = [known - half, known + half];
                 let slopes = [self.slope(ends[0])?, self.slope(ends[1])?];
                 if slopes[0] * slopes[1] <= 0.0 {
@@ -103,36 +108,30 @@ impl RateCurve<'_> {
             }
         }
         let (mut found, mut before) = (Vec::new(), None);
-        let mut lambda = SCAN.0;
-        while lambda <= SCAN.1 {
+        let mut lambda = *SCANNED.start();
+        while SCANNED.contains(&lambda) {
             let slope = self.slope(lambda)?;
             if let Some((at, was)) = before.filter(|(_, was)| slope * was <= 0.0) {
                 found.push(self.between([at, lambda], [was, slope])?);
             }
             before = Some((lambda, slope));
-            lambda += SCAN.2;
+            lambda += SCAN_STEP;
         }
         Ok(found)
     }
 
-    /// The root between two places, by false position (the Illinois rule).
-    fn between(&mut self, mut ends: [f64; 2], mut slopes: [f64; 2]) -> Result<f64, Refusal> {
-        const MOST_STEPS: usize = 60;
-        let mut last = f64::NAN;
-        for _ in 0..MOST_STEPS {
-            let root = (ends[0] * slopes[1] - ends[1] * slopes[0]) / (slopes[1] - slopes[0]);
-            if (root - last).abs() < POSITION || slopes[0].to_bits() == slopes[1].to_bits() {
-                break;
-            }
-            last = root;
-            let slope = self.slope(root)?;
-            if slope * slopes[1] <= 0.0 {
-                (ends[0], slopes[0]) = (ends[1], slopes[1]);
-            } else {
-                slopes[0] *= 0.5;
-            }
-            (ends[1], slopes[1]) = (root, slope);
+    /// The root between two places where the slope has different signs.
+    fn between(&mut self, ends: [f64; 2], slopes: [f64; 2]) -> Result<f64, Refusal> {
+        let known = |lambda: f64| slopes.into_iter().zip(ends).find(|(_, end)| end.to_bits() == lambda.to_bits());
+        let slope = |lambda| known(lambda).map_or_else(|| self.slope(lambda), |(slope, _)| Ok(slope));
+        match Toms748Root::new(ends[0], ends[1]).with_absolute_position_tolerance(POSITION).solve(slope) {
+            Ok(found) => Ok(found.root()),
+            Err(RootError::Evaluation(refusal)) => Err(refusal),
+            Err(other) => Err(Refusal::OutOfReach {
+                method: "engine",
+                why: format!("where the strain's rate C is extremal could not be told: {other}"),
+                remedy: "leave out strain = \"linear\"",
+            }),
         }
-        Ok(last)
     }
 }

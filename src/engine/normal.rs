@@ -10,9 +10,10 @@ use slipzone_api::double_exponential::{self, Node};
 use slipzone_api::{Component, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
 use std::f64::consts::FRAC_2_PI;
 
-/// Nodes on either side of an integral against a datum, and more of them for each unit of its variable: the kernel's
-/// singularities lie `pi/2` off it.
-const DATUM_NODES: (f64, f64) = (24.0, 6.0);
+/// Nodes on either side of an integral against a datum,
+const DATUM_NODES: f64 = 24.0;
+/// and more of them for each unit of its variable: the kernel's singularities lie `pi/2` off it.
+const DATUM_NODES_PER_UNIT: f64 = 6.0;
 
 /// The pressure under one punch, in layer units; solved again for each load, in the same memory.
 pub(crate) struct Normal {
@@ -285,7 +286,7 @@ fn sunk(rule: &mut dyn Rule, half_width: f64, (layer, problem): (&Layer, &Proble
     let length = table.length();
     let end = (half_width / length).asinh();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most some thousand
-    let grid = double_exponential::nodes(end, (DATUM_NODES.0 + DATUM_NODES.1 * end) as usize);
+    let grid = double_exponential::nodes(end, (DATUM_NODES + DATUM_NODES_PER_UNIT * end) as usize);
     let station = |node: &Node| Station {
         x: length * node.from_lower.sinh(),
         gap: 2.0 * length * (0.5 * (end + node.from_lower)).cosh() * (0.5 * node.to_upper).sinh(),

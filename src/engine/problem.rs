@@ -14,9 +14,11 @@ const COUPLED: f64 = 4.0;
 /// at the edges, with as many unknowns as are worth it.
 const SLOPES: usize = 40;
 
-/// Chebyshev points that do so over a piece, the least error asked of them, and the most pieces worth it.
+/// Chebyshev points that do so over a piece.
 const OF_PIECE: usize = 24;
+/// The least error asked of them.
 const LEAST: f64 = 1e-13;
+/// Most pieces worth it.
 const MOST_PIECES: usize = 24;
 /// How much nearer to the middle a piece there is cut, in `ln x`.
 const NEARER: f64 = 2.5;

@@ -208,8 +208,8 @@ impl ShearTrace {
     /// How many there are.
     pub(crate) const POINTS: usize = Traces::AT.len() + 1;
     pub(crate) const INNER: usize = 3;
-    /// Where else shears are compared, over the half-width of the stick zone, that are stacked, or have a kink of strain in the middle: what
-    /// is lacking there may be known by chance at one point.
+    /// Where else, over the half-width of the stick zone, shears are compared that are stacked or have a kink of strain in
+    /// the middle: at one point alone they may agree by chance.
     pub(crate) const NEAR_MIDDLE: [f64; Self::INNER] = [0.01, 0.025, 0.1];
     /// A shear that is less than this share of sliding friction under the mean pressure is none to speak of.
     pub(crate) const LEAST: f64 = 1e-2;

@@ -2,7 +2,7 @@
 
 use super::error_estimate::{Pace, ROUNDING, SAFETY, Seen, extrapolated, judged_by_twin};
 use super::family::Family;
-use super::judged::{How, Judged, ROUNDED, SHEAR, has_details, judged, left_by_sticking, meets, with_the_rest};
+use super::judged::{How, Judged, ROUNDED, SHEAR, has_details, left_by_sticking, meets, with_the_rest, worst_judged};
 use super::layer::{Layer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
@@ -43,7 +43,7 @@ const KERNEL_SHARE: f64 = 0.2;
 /// Steps in a row that have to stop shrinking.
 const STALLED: usize = 3;
 
-/// Every resolution solved so far, finest last used.
+/// The resolutions solved so far, coarsest first.
 #[derive(Default)]
 pub(super) struct Ladder {
     stages: Vec<Stage>,
@@ -75,7 +75,6 @@ pub(super) struct Aim<'a> {
 impl<'a> Aim<'a> {
     fn task(self, level: u32) -> Task<'a> {
         let wanted = Wanted {
-            half_width: 0.0,
             frictional: self.problem.friction.is_some(),
             deep: self.problem.wants_depth(),
             accuracy: KERNEL_SHARE * self.tolerance,
@@ -480,8 +479,8 @@ impl Estimate {
         self.history.push(outcome.seen());
         let Some(mut estimate) = extrapolated(&self.history, unseen) else { return false };
         self.of_shear = estimate.take(Quantity::Shear).filter(|_| problem.wishes.profile);
-        let before = judged(problem, &self.errors).map_or(f64::INFINITY, |(_, error)| error);
-        let now = judged(problem, &estimate).map_or(0.0, |(_, error)| error);
+        let before = worst_judged(problem, &self.errors).map_or(f64::INFINITY, |(_, error)| error);
+        let now = worst_judged(problem, &estimate).map_or(0.0, |(_, error)| error);
         self.errors = estimate;
         let all = with_the_rest(problem, layer, outcome, tolerance, estimate);
         self.met = meets(problem, &all, tolerance) || now <= 2.0 * ROUNDING;
@@ -489,7 +488,7 @@ impl Estimate {
         // What a stack loses at any resolution, and a law that was smoothed.
         let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));
         let is_small = |(quantity, error): (Quantity, f64)| error <= lost.get(quantity).unwrap_or(0.0).max(tolerance);
-        let is_vain = judged(problem, &lost).is_some_and(|(_, lost)| lost > tolerance)
+        let is_vain = worst_judged(problem, &lost).is_some_and(|(_, lost)| lost > tolerance)
             && estimate.judged_by(problem.wishes).iter().all(is_small);
         self.met || is_vain || self.stalled >= STALLED
     }

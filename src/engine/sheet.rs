@@ -11,9 +11,10 @@ use std::sync::Arc;
 /// Where places end in the variable `u` of `x = c tanh((pi/2) sinh u)`: `1.7e-12 c` is left beyond it.
 const END: f64 = 2.9;
 
-/// Places at which a density is told: at least, and more per unknown. A Chebyshev series takes half as many again as a sum of sinc
-/// functions on the same stretch.
-const PLACES: (f64, f64) = (8.0, 1.5);
+/// Places at which a density is told: this many, and more per unknown. A Chebyshev series takes half as many again as a sum
+/// of sinc functions on the same stretch.
+const FEWEST_PLACES: f64 = 8.0;
+const PLACES_PER_UNKNOWN: f64 = 1.5;
 
 /// A function on `(0, c)` for all half-widths of a blend: a sum of products of the blend's functions and of Chebyshev
 /// polynomials in `u`, in which powers and logarithms of the distance to `c` fade double-exponentially.
@@ -67,7 +68,7 @@ impl Places {
     pub(super) fn of(unknowns: f64) -> Arc<Self> {
         static KNOWN: Shelf<Places> = Shelf::new();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some dozens
-        KNOWN.get((PLACES.0 + PLACES.1 * unknowns) as usize, Self::new)
+        KNOWN.get((FEWEST_PLACES + PLACES_PER_UNKNOWN * unknowns) as usize, Self::new)
     }
 
     /// So many, and the middle.

@@ -15,14 +15,19 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 use unit::Unit;
 
-/// Nodes on either side: at least, at most, and beside a third of the unknowns of the stick zone's rule.
+/// Nodes on either side beside a third of the unknowns of the stick zone's rule.
 ///
 /// Measured on layers from 1 to 20 half-widths thick, a/b from 0.1 to 0.9999: with two nodes fewer beside the third the stick
 /// zone of a coarse rule loses a digit, with one more it gains none.
-const NODES: (usize, usize, usize) = (6, 24, 5);
-/// Nodes on either side per kernel length in the slip zone and per unknown of the stick zone's rule, and what
-/// that grows to: the grid's step then tells the kernel as well as the rule tells the density.
-const NODES_PER_LENGTH: (f64, f64) = (0.8, 21.0);
+const NODES_BESIDE: usize = 5;
+/// Fewest and most of those.
+const FEWEST_NODES: usize = 6;
+const MOST_BY_UNKNOWNS: usize = 24;
+/// Nodes on either side per kernel length in the slip zone and per unknown of the stick zone's rule: the grid's step then
+/// tells the kernel as well as the rule tells the density.
+const NODES_PER_LENGTH: f64 = 0.8;
+/// Most nodes per kernel length.
+const MOST_PER_LENGTH: f64 = 21.0;
 /// Most nodes on either side.
 const MOST_NODES: usize = 1 << 14;
 /// Distance of the kernel's nearest singularity, but for that at the origin, in terms of its length.
@@ -68,9 +73,8 @@ impl SlipGrid {
 
     /// Nodes on either side for a slip zone of that width over the kernel's length.
     fn nodes_for(&self, width: f64) -> usize {
-        let (least, most, beside) = NODES;
-        let plain = (beside + self.resolution / 3).clamp(least, most);
-        let per_length = (NODES_PER_LENGTH.0 * self.resolution as f64).min(NODES_PER_LENGTH.1);
+        let plain = (NODES_BESIDE + self.resolution / 3).clamp(FEWEST_NODES, MOST_BY_UNKNOWNS);
+        let per_length = (NODES_PER_LENGTH * self.resolution as f64).min(MOST_PER_LENGTH);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
         let for_kernel = (per_length * width) as usize;
         // In powers of two, so that a search changes grids rarely.
@@ -84,7 +88,7 @@ impl SlipGrid {
 
     fn resize(&mut self, nodes: usize) {
         // The finest grids are for the last digits.
-        (self.count, self.unit) = (nodes, Unit::of(nodes, nodes < NODES.1));
+        (self.count, self.unit) = (nodes, Unit::of(nodes, nodes < MOST_BY_UNKNOWNS));
         let n = self.unit.nodes.len();
         self.stations = vec![Station { x: 0.0, gap: 0.0 }; n + 1];
         self.pressure = vec![0.0; n + 1];

@@ -1,7 +1,7 @@
 //! A growing contact as a stack of flat punches.
 //!
 //! While the load on a convex punch grows, the rate of change inside a contact of half-width `b'` is what a flat punch
-//! of that half-width does (docs/theory.md, "Every punch is a stack of flat punches"). So, with `P(b')` the force that
+//! of that half-width does (docs/theory.md section 4). So, with `P(b')` the force that
 //! the punch bears at each half-width,
 //! `p(x; b) = int_|x|^b p_flat(x; b') dP(b')` and `q(x; b) = eta p(x; b) - int_b*^b (eta p_flat - q_flat)(x; b') dP(b')`,
 //! `b*` being the half-width at which the stick zone ended at `x`.
@@ -17,8 +17,9 @@ use slipzone_api::double_exponential::Node;
 use slipzone_api::{Refusal, Station};
 use std::sync::Arc;
 
-/// Coefficients of the force over a piece: at first, and at most.
-const COEFFICIENTS: (usize, usize) = (12, 384);
+/// Coefficients of the force over a piece that are tried first; twice as many follow.
+const COEFFICIENTS: usize = 12;
+const MOST_COEFFICIENTS: usize = 384;
 /// Power of the variable in which the force over the first piece is a series.
 const POWER: i32 = 2;
 /// The longest way in `t` of `b' = x cosh(t)` that one grid integrates over.
@@ -26,20 +27,23 @@ const LONGEST: f64 = 6.0;
 /// Points closer to the middle than that, over the half-width, are taken to be there: `cosh` has an end.
 const CLOSEST: f64 = 1e-290;
 
-/// Shapes whose slope begins with a lower power of `x` than this press so much on the last bit of their tip that the middle of the
-/// contact feels more of it than a grid in `b'` sees; and where that power is measured, over the length of the first piece, and taken
-/// to hold from there inwards.
+/// Shapes whose slope begins with a lower power of `x` than this press so much on the last bit of their tip that the middle
+/// of the contact feels more of it than a grid in `b'` sees: that bit is told in closed form.
 const POINTED: f64 = 0.5;
 /// A lower power than this is rounding.
 const BLUNT: f64 = 1e-9;
+/// Parts of the first piece between which that power is measured; it is taken to hold from the second inwards.
 const TIP: [f64; 2] = [1e-24, 1e-20];
 
 /// A height below this, beside the others of a shape, is none.
 const FAINTEST: f64 = 1e-290;
 
-/// Error of the integrals over the slope of the shape, over that wanted of the force; the growth of nodes until it is met, and
-/// the most there may be.
-const LOST: (f64, f64, usize) = (1e-2, 1.2, 96);
+/// Error of the integrals over the slope of the shape, over that wanted of the force.
+const LOST: f64 = 1e-2;
+/// Growth of their nodes until it is met.
+const MORE_NODES: f64 = 1.2;
+/// Most of these nodes.
+const MOST_NODES: usize = 96;
 /// What rounding leaves of them.
 const ROUNDING: f64 = 1e-14;
 /// The longest piece that does not begin in the middle, in `ln b'`.
@@ -48,8 +52,10 @@ const LONGEST_PIECE: f64 = 2.5;
 const BESIDE: f64 = 1e-3;
 /// Half-widths at which the force is looked at.
 const RISING: usize = 32;
-/// The way in `ln b'` over which a depth is looked at for its first rise to a load's, and in how many steps.
-const CLIMB: (f64, f64) = (9.0, 45.0);
+/// The way in `ln b'` over which a depth is looked at for its first rise to a load's.
+const CLIMB: f64 = 9.0;
+/// Steps of that way.
+const CLIMB_STEPS: f64 = 45.0;
 /// Half-width over the depth of a datum below which a punch hardly feels it.
 const DATUM: f64 = 0.5;
 /// Parts of a piece from which the way to its end is measured.
@@ -112,9 +118,9 @@ impl Stack {
     /// are enough for the slope of the shape, which is as steep as the force over the half-width.
     pub(crate) fn new(problem: &Problem, family: &mut Family, digits: f64, mut nodes: usize) -> Result<Self, Refusal> {
         let mut stack = Self::empty(problem, family.widest(), digits, nodes);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most LOST.2
-        while stack.lost > (LOST.0 * digits).max(ROUNDING) && nodes < LOST.2 {
-            nodes = (LOST.1 * nodes as f64).ceil() as usize;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most MOST_NODES
+        while stack.lost > (LOST * digits).max(ROUNDING) && nodes < MOST_NODES {
+            nodes = (MORE_NODES * nodes as f64).ceil() as usize;
             stack = Self::empty(problem, family.widest(), digits, nodes);
         }
         for i in 1..stack.breaks.len() {
@@ -194,7 +200,7 @@ impl Stack {
 
     /// The force over a piece, and what its series leaves out.
     fn piece(&mut self, problem: &Problem, family: &mut Family, from: f64, to: f64, digits: f64) -> (Piece, f64) {
-        let mut count = COEFFICIENTS.0;
+        let mut count = COEFFICIENTS;
         loop {
             let points = Points::get(count);
             let (force, tail) = if from > 0.0 {
@@ -229,7 +235,7 @@ impl Stack {
             };
             // A kink at the beginning feels the rate of the force, which a plain series misses by so much more than the force.
             let felt = if matches!(force, Force::Plain(_)) { (count * count) as f64 } else { 1.0 };
-            if tail < (digits / felt).max(ROUNDING) || 2 * count > COEFFICIENTS.1 || tail.is_nan() {
+            if tail < (digits / felt).max(ROUNDING) || 2 * count > MOST_COEFFICIENTS || tail.is_nan() {
                 return (Piece { from, to, force }, tail);
             }
             count *= 2;
@@ -478,11 +484,11 @@ impl Stack {
     }
 }
 
-/// A place before which something has grown above zero for the first time, as far as [`CLIMB`] steps and the parabolas through them
+/// A place before which something has grown above zero for the first time, as far as [`CLIMB_STEPS`] and the parabolas through them
 /// tell; the end where it has nowhere.
 fn first_rise((from, to): (f64, f64), mut excess: impl FnMut(f64) -> f64) -> f64 {
-    let from = from.max(to - CLIMB.0);
-    let step = (to - from) / CLIMB.1;
+    let from = from.max(to - CLIMB);
+    let step = (to - from) / CLIMB_STEPS;
     let mut trail = Trail::default();
     let mut at = from;
     while at < to {

@@ -93,6 +93,11 @@ pub(crate) struct Task<'a> {
     pub(crate) tolerance: f64,
 }
 
+/// What solves a contact that is stacked.
+fn stacking(growing: &mut Option<Box<Growing>>) -> Option<&mut Growing> {
+    growing.as_deref_mut().filter(|growing| growing.is_solver)
+}
+
 impl Stage {
     pub(crate) fn new(problem: &Problem, quadrature: Box<dyn Quadrature>) -> Result<Self, Refusal> {
         let edge = if problem.fixed_half_width().is_some() { Edge::Sharp } else { Edge::Smooth };
@@ -128,11 +133,11 @@ impl Stage {
         family: Option<&Family>,
     ) -> Result<Outcome, Refusal> {
         let problem = task.problem;
-        if let Some(growing) = self.growing.as_mut().filter(|growing| growing.is_solver) {
+        if let Some(growing) = stacking(&mut self.growing) {
             return growing.solve(layer, task, &mut self.normal, coarse, family);
         }
         let size = if let Some(half_width) = problem.fixed_half_width() {
-            layer.tabulate(Wanted { half_width, ..task.wanted })?;
+            layer.tabulate(half_width, task.wanted)?;
             self.normal.press_sharp(layer, problem, half_width)?;
             None
         } else {
@@ -185,7 +190,7 @@ impl Stage {
     ) -> Result<Option<Outcome>, Refusal> {
         let problem = task.problem;
         let known = coarse.and_then(|coarse| coarse.size);
-        if let Some(growing) = self.growing.as_mut().filter(|growing| growing.is_solver) {
+        if let Some(growing) = stacking(&mut self.growing) {
             return growing.solve_again(layer, task, &mut self.normal, known);
         }
         let known = known.or_else(|| self.sized.and_then(|(before, size)| size.under(before, problem.load)));
@@ -198,7 +203,7 @@ impl Stage {
 
     /// Pressure at points strictly inside the contact solved last.
     pub(crate) fn pressure_into(&mut self, problem: &Problem, at: &[Station], out: &mut [f64]) {
-        match self.growing.as_mut().filter(|growing| growing.is_solver) {
+        match stacking(&mut self.growing) {
             Some(growing) => growing.pressure_into(problem, &self.normal, at, out),
             None => self.normal.values_into(at, out),
         }
@@ -206,7 +211,7 @@ impl Stage {
 
     /// Shear at such points, where the pressures are `pressure`; `None` where there is none to tell.
     pub(crate) fn shear(&mut self, problem: &Problem, at: &[Station], pressure: &[f64]) -> Option<Vec<f64>> {
-        match self.growing.as_mut().filter(|growing| growing.is_solver) {
+        match stacking(&mut self.growing) {
             Some(growing) => growing.shear(problem, at, pressure),
             None => self.shear.as_ref().map(|shear| shear.values(at, pressure)),
         }
@@ -220,7 +225,7 @@ impl Stage {
         problem: &Problem,
         (at, wanted): (&[f64], f64),
     ) -> Option<(Vec<Option<f64>>, f64)> {
-        match self.growing.as_mut().filter(|growing| growing.is_solver) {
+        match stacking(&mut self.growing) {
             Some(growing) => growing.strain(layer, problem, &self.normal, (at, wanted)),
             // What sticks to a flat punch has never slipped.
             None => self.shear.as_ref().map(|shear| {
@@ -266,7 +271,7 @@ impl Stage {
 
     /// The pressure under a flat punch.
     pub(crate) fn press(&mut self, layer: &mut Layer, task: Task, half_width: f64) -> Result<(), Refusal> {
-        layer.tabulate(Wanted { half_width, ..task.wanted })?;
+        layer.tabulate(half_width, task.wanted)?;
         self.normal.press_sharp(layer, task.problem, half_width)
     }
 }

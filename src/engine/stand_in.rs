@@ -216,10 +216,11 @@ impl StandIn {
         let rest = if self.model == Model::CorrectedHalfPlane { SECOND_CORRECTION * b.powi(4) } else { 0.0 };
         // A contact of a given depth is as uncertain as the depth is.
         let by_depth = if problem.is_pressed_by_depth() { DEPTH * gradient } else { 0.0 };
-        let of_pressure = BASE.0 * base * b * b + GRADIENT.0 * gradient * b + by_depth + smoothing;
+        let of_pressure = PRESSURE_BY_BASE * base * b * b + PRESSURE_BY_GRADIENT * gradient * b + by_depth + smoothing;
         let beta = problem.elastic.beta().abs();
         // The coupling's kernel has a logarithm, and what it is compared with is beta.
-        let coupled = (BASE.1 * base * b + rest + GRADIENT.1 * gradient * b * (1.0 + (1.0 + b.recip()).ln())) / beta;
+        let coupled =
+            (ZONE_BY_BASE * base * b + rest + ZONE_BY_GRADIENT * gradient * b * (1.0 + (1.0 + b.recip()).ln())) / beta;
         let eta = problem.friction.unwrap_or(beta);
         let mut bound = Numbers::default();
         let kept: Vec<Quantity> = problem.given().collect();
@@ -262,10 +263,12 @@ pub(crate) fn half_plane(layer: &Layer, material: &LayerModel) -> Layer {
     Layer { thickness: None, base: Base::Infinite, datum: None, ..homogeneous(layer, material) }
 }
 
-/// Errors of the pressure's numbers and of the stick zone's, over `b^2` and over `b`, by a base.
-const BASE: (f64, f64) = (3.0, 3.0);
-/// The same by a gradient, over `b` and over `b log b`.
-const GRADIENT: (f64, f64) = (4.0, 2.0);
+/// Errors by a base: of the pressure's numbers over `b^2`, and of the stick zone's over `b`.
+const PRESSURE_BY_BASE: f64 = 3.0;
+const ZONE_BY_BASE: f64 = 3.0;
+/// Errors by a gradient: of the pressure's numbers over `b`, and of the stick zone's over `b log b`.
+const PRESSURE_BY_GRADIENT: f64 = 4.0;
+const ZONE_BY_GRADIENT: f64 = 2.0;
 /// Error of the kernels with their first correction, over `b^4`, as they state it: `int s^3 |M_vv| ds (2 b)^4/6` at most.
 const SECOND_CORRECTION: f64 = 26.0;
 /// What the sums that these are made of are good to: over `b` where they are the coupling's, as it is where they are the depth's.

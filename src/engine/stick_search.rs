@@ -14,14 +14,18 @@ use std::f64::consts::PI;
 const WIDEST: f64 = FrictionCurve::WIDEST;
 /// Where the curve follows its asymptotes, seen from a contact that is narrow beside the layer: the
 /// corrections fall like `exp(2 lambda)` below and `lambda exp(-lambda)` above.
-const ASYMPTOTIC: (f64, f64) = (-4.0, 5.0);
+const ASYMPTOTIC_BELOW: f64 = -4.0;
+const ASYMPTOTIC_ABOVE: f64 = 5.0;
 /// A slope that differs from that of the asymptote by less than this, relative, is on it.
 const ON_ASYMPTOTE: f64 = 0.03;
 /// Half of the bracket around a root that the asymptote predicts.
 const PREDICTED: f64 = 0.25;
-/// Step of the scan where the layer is thinner than the contact is wide, and where it is thicker, so that the curve rises
-/// much as on a half-plane; and of the scan's continuation where the asymptote is late.
-const STEPS: (f64, f64, f64) = (1.0, 1.5, 2.0);
+/// Step of the scan where the layer is thinner than the contact is wide.
+const STEP_ON_THIN: f64 = 1.0;
+/// Step where it is thicker, so that the curve rises much as on a half-plane.
+const STEP: f64 = 1.5;
+/// Step of the scan's continuation where the asymptote is late.
+const STEP_BEYOND: f64 = 2.0;
 /// The curve is trusted where the slip zone is this many times as wide as the finest gap resolved.
 const RESOLVED: f64 = 4.0;
 /// What is left of `eta(lambda) - eta` at a root, over `eta`, is of the order of the root's tolerance;
@@ -36,8 +40,10 @@ const SAME_ROOT: f64 = 1e-6;
 const ROOT_SHARE: f64 = 1e-3;
 /// The scan's own roots are only a start.
 const SCANNED: f64 = 1e-4;
-/// Half of the first bracket around a root that was lost, and how often a bracket is doubled.
-const WIDENED: (f64, u32) = (0.005, 10);
+/// Half of the first bracket around a root that was lost.
+const LOST: f64 = 0.005;
+/// How often a bracket is doubled.
+const DOUBLED: u32 = 10;
 
 /// The friction law at one resolution, as a function of `lambda = ln(a/(b - a))`.
 pub(crate) struct FrictionCurve<'a> {
@@ -125,11 +131,11 @@ impl FrictionCurve<'_> {
     /// Samples the curve up to where it follows its asymptotes.
     pub(crate) fn sample(&mut self) -> Result<Samples, Refusal> {
         let thin = (2.0 * self.normal.half_width / self.layer.length()).max(1.0).ln();
-        let top = (ASYMPTOTIC.1 + thin).min(self.widest());
-        let bottom = (ASYMPTOTIC.0 - thin).max(-WIDEST).min(top - 1.0);
+        let top = (ASYMPTOTIC_ABOVE + thin).min(self.widest());
+        let bottom = (ASYMPTOTIC_BELOW - thin).max(-WIDEST).min(top - 1.0);
         let mut samples = Samples::default();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most a few dozen
-        let count = ((top - bottom) / if thin > 0.0 { STEPS.0 } else { STEPS.1 }).ceil() as usize;
+        let count = ((top - bottom) / if thin > 0.0 { STEP_ON_THIN } else { STEP }).ceil() as usize;
         for k in 0..=count {
             let lambda = bottom + (top - bottom) * k as f64 / count as f64;
             samples.points.push((lambda, self.at(lambda)?));
@@ -141,7 +147,7 @@ impl FrictionCurve<'_> {
             if samples.high || to >= self.widest() {
                 break;
             }
-            let next = (to + STEPS.2).min(self.widest());
+            let next = (to + STEP_BEYOND).min(self.widest());
             samples.points.push((next, self.at(next)?));
         }
         let slope_below = self.slope_below();
@@ -151,7 +157,7 @@ impl FrictionCurve<'_> {
             if samples.low || from <= -WIDEST {
                 break;
             }
-            let next = (from - STEPS.2).max(-WIDEST);
+            let next = (from - STEP_BEYOND).max(-WIDEST);
             samples.points.insert(0, (next, self.at(next)?));
         }
         Ok(samples)
@@ -163,14 +169,14 @@ impl FrictionCurve<'_> {
         let mut found = Found { largest, ..Found::default() };
         for branch in [1.0, -1.0] {
             let target = branch * eta;
-            self.below(target, samples, branch, &mut found)?;
+            self.below(target, samples, &mut found)?;
             for pair in samples.points.windows(2) {
-                self.between((pair[0], pair[1]), target, branch, &mut found)?;
+                self.between((pair[0], pair[1]), target, &mut found)?;
             }
             for triple in samples.points.windows(3) {
-                self.beside_extremum([triple[0], triple[1], triple[2]], target, branch, &mut found)?;
+                self.beside_extremum([triple[0], triple[1], triple[2]], target, &mut found)?;
             }
-            self.above(target, samples, branch, &mut found)?;
+            self.above(target, samples, &mut found)?;
         }
         Ok(found)
     }
@@ -180,7 +186,6 @@ impl FrictionCurve<'_> {
         &mut self,
         ((from, value), (to, next)): ((f64, f64), (f64, f64)),
         target: f64,
-        branch: f64,
         found: &mut Found,
     ) -> Result<(), Refusal> {
         let (below, above) = (value - target, next - target);
@@ -193,8 +198,8 @@ impl FrictionCurve<'_> {
         // Across a pole the sign changes too, and the curve is as steep as the bracket is narrow.
         let tame = |near: &root::Near| near.at >= from && near.slope.abs() * SCANNED < POLE * target.abs();
         if let Some(root::Near { at: lambda, slope, doubt }) = near.filter(tame) {
-            found.add(Root { lambda, branch, slope, doubt });
-        } else if let Some(root) = self.root_between(from, to, target, branch, SCANNED)? {
+            found.add(Root { lambda, branch: target.signum(), slope, doubt });
+        } else if let Some(root) = self.root_between(from, to, target, SCANNED)? {
             found.add(root);
         }
         Ok(())
@@ -206,7 +211,6 @@ impl FrictionCurve<'_> {
         &mut self,
         [(l0, e0), (l1, e1), (l2, e2)]: [(f64, f64); 3],
         target: f64,
-        branch: f64,
         found: &mut Found,
     ) -> Result<(), Refusal> {
         let (f0, f1, f2) = (e0 - target, e1 - target, e2 - target);
@@ -225,13 +229,13 @@ impl FrictionCurve<'_> {
         let mut points = [(l0, e0), (l1, e1), (l2, e2), extra];
         points.sort_by(|one, other| one.0.total_cmp(&other.0));
         for pair in points.windows(2) {
-            self.between((pair[0], pair[1]), target, branch, found)?;
+            self.between((pair[0], pair[1]), target, found)?;
         }
         Ok(())
     }
 
     /// The root that the asymptote predicts below all samples.
-    fn below(&mut self, target: f64, samples: &Samples, branch: f64, found: &mut Found) -> Result<(), Refusal> {
+    fn below(&mut self, target: f64, samples: &Samples, found: &mut Found) -> Result<(), Refusal> {
         let Some(&(lambda, value)) = samples.points.first() else { return Ok(()) };
         // The curve falls towards zero there.
         if value * target <= 0.0 || value.abs() <= target.abs() {
@@ -246,11 +250,11 @@ impl FrictionCurve<'_> {
             found.narrower = true;
             return Ok(());
         }
-        self.near(predicted, f64::NEG_INFINITY, lambda, target, branch, found)
+        self.near(predicted, f64::NEG_INFINITY, lambda, target, found)
     }
 
     /// The root that the asymptote predicts above all samples.
-    fn above(&mut self, target: f64, samples: &Samples, branch: f64, found: &mut Found) -> Result<(), Refusal> {
+    fn above(&mut self, target: f64, samples: &Samples, found: &mut Found) -> Result<(), Refusal> {
         let Some(&(lambda, value)) = samples.points.last() else { return Ok(()) };
         if value >= target || (self.beta <= 0.0 && samples.high) {
             // The curve rises with the slope beta/pi.
@@ -262,20 +266,12 @@ impl FrictionCurve<'_> {
             found.wider |= target > 0.0;
             return Ok(());
         }
-        self.near(predicted, lambda, self.widest(), target, branch, found)
+        self.near(predicted, lambda, self.widest(), target, found)
     }
 
     /// The root near a predicted place, between two limits.
-    fn near(
-        &mut self,
-        predicted: f64,
-        least: f64,
-        most: f64,
-        target: f64,
-        branch: f64,
-        found: &mut Found,
-    ) -> Result<(), Refusal> {
-        if let Some(root) = self.around(predicted, PREDICTED, (least, most), target, branch, SCANNED)? {
+    fn near(&mut self, predicted: f64, least: f64, most: f64, target: f64, found: &mut Found) -> Result<(), Refusal> {
+        if let Some(root) = self.around(predicted, PREDICTED, (least, most), target, SCANNED)? {
             found.add(root);
             return Ok(());
         }
@@ -299,7 +295,7 @@ impl FrictionCurve<'_> {
             return Ok(Some(Root { lambda, branch, slope, doubt }));
         }
         // Far from where it was.
-        self.around(lambda, WIDENED.0, (f64::NEG_INFINITY, widest), target, branch, wanted)
+        self.around(lambda, LOST, (f64::NEG_INFINITY, widest), target, wanted)
     }
 
     /// The root in the first of ever wider brackets around a place, within limits, that holds one.
@@ -309,12 +305,11 @@ impl FrictionCurve<'_> {
         mut half: f64,
         (least, most): (f64, f64),
         target: f64,
-        branch: f64,
         position: f64,
     ) -> Result<Option<Root>, Refusal> {
-        for _ in 0..WIDENED.1 {
+        for _ in 0..DOUBLED {
             let (lower, upper) = ((centre - half).max(least), (centre + half).min(most));
-            if let Some(root) = self.root_between(lower, upper, target, branch, position)? {
+            if let Some(root) = self.root_between(lower, upper, target, position)? {
                 return Ok(Some(root));
             }
             half *= 2.0;
@@ -323,14 +318,7 @@ impl FrictionCurve<'_> {
     }
 
     /// The root of `eta(lambda) = target` in an interval at whose ends the difference has two signs.
-    fn root_between(
-        &mut self,
-        lower: f64,
-        upper: f64,
-        target: f64,
-        branch: f64,
-        position: f64,
-    ) -> Result<Option<Root>, Refusal> {
+    fn root_between(&mut self, lower: f64, upper: f64, target: f64, position: f64) -> Result<Option<Root>, Refusal> {
         if lower >= upper {
             return Ok(None);
         }
@@ -346,7 +334,7 @@ impl FrictionCurve<'_> {
                 let [(l0, f0), (l1, f1)] = last;
                 // Not a number where both are one point; whoever follows the root then brackets it anew.
                 let slope = (f1 - f0) / (l1 - l0);
-                Ok(Some(Root { lambda: root.root(), branch, slope, doubt: f64::INFINITY }))
+                Ok(Some(Root { lambda: root.root(), branch: target.signum(), slope, doubt: f64::INFINITY }))
             }
             Err(RootError::Evaluation(refusal)) => Err(refusal),
             _ => Ok(None),

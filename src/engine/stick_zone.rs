@@ -62,7 +62,7 @@ impl StickZone {
         Station { x: self.half_width + self.slip_width * node.from_lower, gap: self.slip_width * node.to_upper }
     }
 
-    /// How much finer than on a lone interval a shear must be told off which nothing is taken, see [`super::half_plane_shear`].
+    /// By how much finer a grid a shear needs where the half-plane's is not taken off it ([`super::half_plane_shear`]).
     ///
     /// The pressure has a branch point at the contact's edge, `b - a` beyond the end. In the variable
     /// `sinh u = (2/pi) atanh(x/a)` of a double-exponential grid it stands at

@@ -13,19 +13,25 @@ use std::f64::consts::PI;
 /// Where the grids end in `u`: 4e-13 of a piece is left out at either end. Beyond that, a distance to a point that is not
 /// the middle has lost its digits.
 const END: f64 = 2.9;
-/// Nodes on either side, and per length of the kernel.
+/// Nodes on either side.
 ///
 /// Measured with 14, 18, 24, 32: under a cylinder on a half-plane errors of 1e-8 with any of them, which is that of the
 /// tractions; on graded layers, seen under two loads, 2e-5, 3e-6, 1e-7, 1e-8 apart. Under a wedge on a layer twice as thick as the contact is
 /// wide, eight times as soft below, 1e-4 with 32, 3e-7 with 64, 2e-9 with 96.
-const NODES: (f64, f64) = (32.0, 8.0);
+const NODES: f64 = 32.0;
+/// Nodes per length of the kernel.
+const NODES_PER_LENGTH: f64 = 8.0;
 /// Distance to a corner, over its own to the middle, from which positions beside it are told apart: rounding changes the logarithm
 /// there by as much as its neglected companion, the distance times the logarithm.
 const TOLD_APART: f64 = 1e-9;
-/// Share of them that is tried first, and by how much it grows until the strain no longer depends on it; the most of it; at most so
-/// many points at which it is looked at; and what a finer grid must leave of what the one before changed, to be more than rounding.
-const SHARES: (f64, f64, f64) = (0.75, 1.5, 6.0);
+/// Share of those nodes that is tried first.
+const FIRST_SHARE: f64 = 0.75;
+/// By how much the share grows until the strain no longer depends on it.
+const GROWTH: f64 = 1.5;
+const LARGEST_SHARE: f64 = 6.0;
+/// Most points at which the strains of two grids are compared.
 const COMPARED: usize = 12;
+/// What a finer grid must leave of what the one before changed, to be more than rounding.
 const SHRINKING: f64 = 0.5;
 
 /// Most nodes.
@@ -62,14 +68,14 @@ impl Sampling<'_> {
     ) -> Option<Strains> {
         // Every so many of them are compared.
         let every = at.len().div_ceil(COMPARED).max(1);
-        let (mut share, mut apart) = (SHARES.0, f64::INFINITY);
+        let (mut share, mut apart) = (FIRST_SHARE, f64::INFINITY);
         let mut before: Option<Vec<f64>> = None;
         loop {
             let mut strain = Strain::new(self, share, &mut tractions)?;
             let now: Vec<f64> = at.iter().step_by(every).map(|x| strain.at(layer, beta, *x)).collect();
             if let Some(before) = before {
                 let moved = before.iter().zip(&now).map(|(before, now)| (before - now).abs()).fold(0.0, f64::max);
-                if moved <= wanted || moved > SHRINKING * apart || share * SHARES.1 > SHARES.2 {
+                if moved <= wanted || moved > SHRINKING * apart || share * GROWTH > LARGEST_SHARE {
                     let one = |(i, x): (usize, &f64)| {
                         if i.is_multiple_of(every) { now[i / every] } else { strain.at(layer, beta, *x) }
                     };
@@ -78,7 +84,7 @@ impl Sampling<'_> {
                 apart = moved;
             }
             before = Some(now);
-            share *= SHARES.1;
+            share *= GROWTH;
         }
     }
 }
@@ -131,7 +137,7 @@ impl Strain {
     ) -> Option<Self> {
         let half_width = *breaks.last()?;
         let longest = breaks.windows(2).map(|ends| ends[1] - ends[0]).fold(0.0, f64::max);
-        let nodes = share * (NODES.0 * crowding).max(NODES.1 * longest / length);
+        let nodes = share * (NODES * crowding).max(NODES_PER_LENGTH * longest / length);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
         let grid = double_exponential::nodes_up_to(1.0, (nodes.ceil() as usize).min(MOST_NODES), END);
         let mut pieces = Vec::with_capacity(breaks.len() - 1);

@@ -119,7 +119,7 @@ pub(super) fn solve(problem: &Problem, response: &dyn LayerResponse) -> Option<(
 
 /// `int_0^B (g(B) - g(x)) dx = int_0^B x g'(x) dx`, over the fourth root of `x`: smooth for any power of it.
 fn raised(problem: &Problem, wide: f64, rule: &QuadratureRule<f64>) -> f64 {
-    gauss(rule, 0.0, 1.0, |t| {
+    rule.integrate(0.0, 1.0, |t| {
         let x = wide * t.powi(4);
         x * problem.slope(x) * 4.0 * wide * t.powi(3)
     })
@@ -176,28 +176,19 @@ impl Thin {
 /// `lambda`, from `s Fvv/A0`.
 fn shift(scaled: &impl Fn(f64) -> Option<f64>, compliance: f64, nodes: usize) -> Option<f64> {
     let rule = rule(nodes);
-    let mut refused = false;
-    let mut log = |s: f64, divided: f64| {
-        let vv = scaled(s);
-        refused |= vv.is_none();
-        vv.map_or(0.0, |vv| (vv / divided).ln())
-    };
+    // What is refused is NaN, and the sum with it.
+    let log = |s: f64, divided: f64| scaled(s).map_or(f64::NAN, |vv| (vv / divided).ln());
     let (mut sum, mut from, mut to) = (0.0, 0.0, 1.0);
     while to <= LAST {
-        sum += gauss(&rule, from, to, |s| log(s, s * compliance) / (s * s));
+        sum += rule.integrate(from, to, |s| log(s, s * compliance) / (s * s));
         (from, to) = (to, 2.0 * to);
     }
     // Beyond, the logarithm of `1/(s compliance)` in closed form, and the rest over `1/s`.
-    sum += gauss(&rule, 0.0, 1.0, |u| log(from / u, 1.0)) / from;
+    sum += rule.integrate(0.0, 1.0, |u| log(from / u, 1.0)) / from;
     sum -= ((from * compliance).ln() + 1.0) / from;
-    (!refused && sum.is_finite()).then_some(-sum / PI)
+    sum.is_finite().then_some(-sum / PI)
 }
 
 fn rule(nodes: usize) -> QuadratureRule<f64> {
     bilby::GaussLegendre::new(nodes).expect("nodes").rule().clone()
-}
-
-fn gauss(rule: &QuadratureRule<f64>, from: f64, to: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
-    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-    half * rule.nodes.iter().zip(&rule.weights).map(|(x, weight)| weight * f(middle + half * x)).sum::<f64>()
 }

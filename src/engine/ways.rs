@@ -4,8 +4,10 @@ use super::shelf::Shelf;
 use slipzone_api::double_exponential::{self, Node};
 use std::sync::Arc;
 
-/// Sets of nodes, and by how much in `ln b'` each reaches farther than the one before.
-const WAYS: (usize, f64) = (6, 1.5);
+/// Sets of nodes.
+const WAYS: usize = 6;
+/// By how much in `ln b'` each reaches farther than the one before.
+const FARTHER: f64 = 1.5;
 /// Power of the variable of Gauss and Legendre that is the part of the way: square roots at its beginning become powers,
 /// and a logarithm beside one goes with the sixth.
 const GATHERED: i32 = 4;
@@ -18,7 +20,7 @@ static GRIDS: Shelf<Vec<Node>> = Shelf::new();
 type Way = Vec<[f64; 2]>;
 
 /// Nodes for ways of every length, more of them for longer ones.
-pub(super) struct Ways([Arc<Way>; WAYS.0]);
+pub(super) struct Ways([Arc<Way>; WAYS]);
 
 impl Ways {
     /// Where what is integrated begins like a power.
@@ -46,8 +48,8 @@ impl Ways {
 
     /// The nodes for a way so long.
     fn for_length(&self, length: f64) -> &[[f64; 2]] {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most WAYS.0
-        &self.0[((length / WAYS.1) as usize).min(WAYS.0 - 1)]
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most WAYS
+        &self.0[((length / FARTHER) as usize).min(WAYS - 1)]
     }
 }
 

@@ -272,7 +272,7 @@ impl Stage {
     /// Leaves the shear of the stick zone reported in `shear`, and checks it. Returns whether another zone than
     /// before is reported.
     pub(crate) fn settle(&mut self, layer: &mut Layer, task: Task, outcome: &mut Outcome) -> Result<bool, Refusal> {
-        if let Some(growing) = self.growing.as_mut().filter(|growing| growing.is_solver) {
+        if let Some(growing) = super::stacking(&mut self.growing) {
             growing.settle(layer, task, outcome)?;
             return Ok(false);
         }
