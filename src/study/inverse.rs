@@ -238,25 +238,43 @@ impl Question<'_> {
         let around = points.windows(3).min_by(order).ok_or("too little of the range can be solved")?;
         let lower_of = |one: &(f64, f64), other: &(f64, f64)| one.1.total_cmp(&other.1);
         let seen = points.iter().map(|point| (point.at, point.excess));
-        let lowest = seen.clone().min_by(lower_of).map_or(0.0, |(at, _)| at);
+        let lowest = seen.clone().min_by(lower_of).unwrap_or((0.0, f64::INFINITY));
         let step = f64::from(STEPS).recip();
-        let (lower, upper) = ((lowest - step).max(0.0), (lowest + step).min(1.0));
+        let ends = [(lowest.0 - step).max(0.0), (lowest.0 + step).min(1.0)];
+        let ends = ends.map(|end| self.reached(points, lowest, end));
         let highest = points.iter().fold(f64::NEG_INFINITY, |most, point| most.max(point.excess));
+        let [(lower, _), (upper, _)] = ends;
         let valley = Valley { question: self, lower, upper, highest };
         let found = Executor::new(valley, Brent::new(), PointState::new(0.5 * (lower + upper)))
             .max_iter(MOST)
             .run()
             .map_err(|error| error.to_string())?;
-        // A value that falls to the very end of the range has its least there; where nothing can be solved, the search saw
-        // the largest value, and what it found may be none.
+        // A value that falls to the very end of what can be solved has its least there, where Brent's method does not look.
         let inside = (*found.param(), found.cost());
-        let (at, excess) = seen.chain([inside]).min_by(lower_of).unwrap_or(inside);
+        let (at, excess) = seen.chain(ends).chain([inside]).min_by(lower_of).unwrap_or(inside);
         self.is_surrounded(at, excess)?;
         // Between the steps may be some that could not be solved.
         let slope = |one: &Point, other: &Point| (other.excess - one.excess) / (other.at - one.at);
         let half = 0.5 * (around[2].at - around[0].at);
         let bend = (slope(&around[1], &around[2]) - slope(&around[0], &around[1])) / half;
         Ok((at, Moved::ByRoot(bend)))
+    }
+
+    /// How far the number can be told on the way from a place where it can, and what it is there: to a place that was looked
+    /// at, or to within [`BESIDE`] of one where it cannot.
+    fn reached(&self, points: &[Point], from: (f64, f64), to: f64) -> (f64, f64) {
+        if let Some(point) = points.iter().find(|point| (point.at - to).abs() < BESIDE) {
+            return (point.at, point.excess);
+        }
+        let (mut told, mut untold) = (from, to);
+        while (untold - told.0).abs() > BESIDE {
+            let middle = f64::midpoint(told.0, untold);
+            match self.excess(middle) {
+                Ok(excess) => told = (middle, excess),
+                Err(_) => untold = middle,
+            }
+        }
+        told
     }
 
     /// Refuses a least value beside which nothing can be solved: the number may go on falling there.

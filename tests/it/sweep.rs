@@ -735,6 +735,20 @@ fn an_extreme_beside_what_cannot_be_solved_is_none() {
     assert!(reason.contains(" on it could not be told: "), "{reason}");
 }
 
+/// The pressure in the middle of a flat punch falls with the modulus at the base, up to where it lifts off: between two of the
+/// values looked at, so that none beside the lowest of them fails.
+#[test]
+fn an_extreme_where_what_can_be_solved_ends_between_two_steps_is_none() {
+    let scene = "format = 1\nlayer = { thickness = 5.0, poisson = 0.3, \
+        grading = { type = \"exponential\", surface = 1.0, base = 1.0 } }\n\
+        punch = { type = \"flat\", half_width = 1.0 }\nload = { force = 1.0 }\n";
+    let range = "field = \"layer.grading.base\"\nfrom = 0.0001\nto = 1.0\nquantity = \"pressure.centre\"";
+    let least = found(scene, &format!("{range}\nminimum = true"));
+    assert_eq!(least["status"], "refused", "{least}");
+    let reason = least["reason"].as_str().unwrap();
+    assert!(reason.contains("where what can be solved ends: layer.grading.base = "), "{reason}");
+}
+
 #[test]
 fn what_does_not_change_is_no_answer() {
     for wish in ["minimum = true", "maximum = true", "target = 1.0"] {
