@@ -1,6 +1,7 @@
 //! What no single key can show to be wrong.
 
-use super::document::{Document, dotted};
+use super::document::{Document, dotted, one_of};
+use super::keys::STAND_INS;
 use super::{Load, Model, Scene, SceneError};
 use slipzone_api::{Base, Friction, PunchShape, Refusal, short};
 use toml::Spanned;
@@ -257,7 +258,7 @@ fn models(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     let at = |index: usize| index.to_string();
     if let Some(index) = forbidden.iter().position(|model| *model == Model::Full) {
         return Err(document
-            .not_allowed(&["solver", "forbid", &at(index)], "`half-plane` or `homogeneous`")
+            .not_allowed(&["solver", "forbid", &at(index)], one_of(&STAND_INS))
             .hint("the full model is what is left where no other is near enough; `model` forces another"));
     }
     if let Some(index) = (1..forbidden.len()).find(|index| forbidden[..*index].contains(&forbidden[*index])) {

@@ -113,10 +113,17 @@ const SOLVER: &[Parameter] = &[
     Parameter::optional("kernel", "how the kernels are got from it", Values::Plugin(Family::Kernel)),
     Parameter::optional("quadrature", "how the integral equations are discretised", Values::Plugin(Family::Quadrature)),
     Parameter::optional("model", "what stands for the solid, whatever its error", MODELS),
-    Parameter::optional("forbid", "models that are not to stand for it", Values::List(&MODELS, 0, 4)),
+    Parameter::optional(
+        "forbid",
+        "models that are not to stand for it",
+        Values::List(&Values::OneOf(&STAND_INS), 0, STAND_INS.len()),
+    ),
 ];
 
 const MODELS: Values = Values::OneOf(&["full", "half-plane", "corrected-half-plane", "homogeneous", "thin"]);
+
+/// The models that may be forbidden: the full one is what is left.
+pub(super) const STAND_INS: [&str; 4] = ["half-plane", "corrected-half-plane", "homogeneous", "thin"];
 
 const OUTPUT: &[Parameter] = &[
     Parameter::optional(
@@ -143,3 +150,21 @@ const UNITS: &[Parameter] =
 
 /// What goes into reports and figures.
 const LABEL: Values = Values::Line(200);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Model;
+
+    /// A model that is new is described, too, and may be forbidden.
+    #[test]
+    fn the_models_described_are_those_there_are() {
+        let Values::OneOf(described) = MODELS else { panic!("{MODELS:?}") };
+        let sorted = |mut names: Vec<&'static str>| {
+            names.sort_unstable();
+            names
+        };
+        assert_eq!(sorted(described.to_vec()), sorted(Model::ALL.map(Model::name).to_vec()));
+        assert_eq!(sorted([&STAND_INS[..], &[Model::Full.name()]].concat()), sorted(described.to_vec()));
+    }
+}
