@@ -312,21 +312,4 @@ mod tests {
             texts(&figure(RIGID, Some(&depths), Some(&flexibility)));
         }
     }
-
-    /// Writes the figures to look at: `SLIPZONE_FIGURES=folder cargo test layers_to_look_at -- --ignored`.
-    #[test]
-    #[ignore = "for the eye"]
-    fn layers_to_look_at() {
-        let folder = std::path::PathBuf::from(std::env::var("SLIPZONE_FIGURES").expect("a folder"));
-        let substrate = DepthProfile { substrate: Some((5.0, 0.2)), ..coated(4.0) };
-        for (name, layer, depths, flexibility) in [
-            ("layer", RIGID, coated(4.0), bonded(0.0)),
-            ("layer-wide", RIGID, coated(2000.0), bonded(1e3)),
-            ("layer-substrate", HALF_PLANE, substrate, bonded(3.0)),
-            ("layer-decade", RIGID, coated(40.0), bonded(50.0)),
-        ] {
-            let svg = figure(layer, Some(&depths), Some(&flexibility));
-            std::fs::write(folder.join(name).with_extension("svg"), svg).unwrap();
-        }
-    }
 }
