@@ -9,7 +9,7 @@ use crate::report::number::typeset;
 use crate::scene::Scene;
 use crate::scene::{Layer, Load};
 use serde_json::Value;
-use slipzone_api::{Base, Friction, Moduli, Plane, PunchProfile};
+use slipzone_api::{Base, Friction, Moduli, Plane, PunchProfile, clip};
 
 /// Letters for the field's symbols, and how numbers are set.
 pub(super) struct Alphabet {
@@ -170,15 +170,11 @@ fn base(layer: &Layer, labels: &Labels, letters: &Alphabet) -> String {
     }
 }
 
+/// Characters of a text such as a formula that fit into a line.
+const LONGEST: usize = 60;
+
 /// Numbers of a list that fit into a line.
 const FEW: usize = 6;
-
-/// The beginning of a text such as a formula.
-fn clipped(text: &str) -> String {
-    const LONGEST: usize = 60;
-    let short: String = text.chars().take(LONGEST).collect();
-    if short.len() == text.len() { short } else { short + "..." }
-}
 
 /// The punch by its `type` and those of its keys that fit into a line.
 fn punch(punch: &dyn PunchProfile, letters: &Alphabet) -> String {
@@ -200,7 +196,7 @@ fn punch(punch: &dyn PunchProfile, letters: &Alphabet) -> String {
         Value::Number(number) if key.ends_with("_unit") && number.as_f64() == Some(1.0) => None,
         Value::Number(number) => Some(format!("{} = {}", key.replace('_', "-"), letters.number(number.as_f64()?))),
         Value::String(text) if key != "type" => {
-            Some(format!("{} = {}", key.replace('_', "-"), clipped(&one_line(text))))
+            Some(format!("{} = {}", key.replace('_', "-"), clip(&one_line(text), LONGEST)))
         }
         _ => None,
     };

@@ -87,7 +87,7 @@ impl SceneError {
 
     /// Adds "did you mean" when one of the known names is close.
     pub(crate) fn nearest(self, name: &str, known: &[&str]) -> Self {
-        match super::nearest(name, known) {
+        match slipzone_api::nearest(name, known) {
             Some(near) => self.hint(format!("did you mean `{near}`?")),
             None => self,
         }
