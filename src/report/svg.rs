@@ -168,7 +168,7 @@ fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
         .with_title(literal(&title))
         .with_title_size(17)
         .with_title_wrap(52)
-        .with_subtitle(literal(&lines(&scene_parts(solution, &GREEK), SUBTITLE)))
+        .with_subtitle(literal(&lines(&scene_parts(&solution.scene, solution.load.half_width, &GREEK), SUBTITLE)))
         .with_subtitle_size(12)
         .with_subtitle_wrap(SUBTITLE)
         .with_y_label_wrap(24)

@@ -30,7 +30,7 @@ pub fn text(solution: &Solution) -> String {
     if let Some(reason) = &solution.reason {
         pair(&mut page, "reason", &one_line(reason));
     }
-    pair(&mut page, "scene", &scene_parts(solution, &ASCII).join(", "));
+    pair(&mut page, "scene", &scene_parts(&solution.scene, solution.load.half_width, &ASCII).join(", "));
     if solution.status != Status::Refused {
         line(&mut page, "");
         table(&mut page, &rows(solution), &solution.error.each);

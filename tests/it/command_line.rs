@@ -79,7 +79,7 @@ fn a_loading_curve_is_written() {
     let page = String::from_utf8(output.stdout).unwrap();
     assert!(page.contains("path         3 loads, the last of them above: P 0.25 to 1, b 1 to 1, delta "), "{page}");
     let checked = told(&run(folder.path(), ["check", "path.toml"]));
-    assert!(checked.ends_with("force 1, on a path of 3 from 0.25\n"), "{checked}");
+    assert!(checked.ends_with("P = 1, on a path of 3 from 0.25\n"), "{checked}");
 }
 
 /// A half-plane that stiffens with depth is its own base: what `solve` counts depths from, `explain` says.

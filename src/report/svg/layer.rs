@@ -51,7 +51,7 @@ pub fn layer_svg(
     if columns.is_empty() {
         return Err(FigureError::NoLayer);
     }
-    let parts = layer_parts(scene, &GREEK);
+    let parts = layer_parts(scene, None, &GREEK);
     let head = Head::new(scene.title.as_deref(), "Layer", &parts, &[], columns.len());
     let mut figure = Canvas::new(SIZE.0 * columns.len() as f64, head.height + HEIGHT);
     for (index, panel) in columns.iter().enumerate() {

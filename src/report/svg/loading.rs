@@ -46,7 +46,7 @@ pub fn curve_svg(solution: &Solution) -> Result<String, FigureError> {
         return Err(FigureError::NoCurve);
     }
 
-    let parts = constant_parts(solution, &GREEK);
+    let parts = constant_parts(&solution.scene, &GREEK);
     let alarm = alarm(curve.status, curve.note.as_deref());
     let title = solution.scene.title.as_deref();
     let head = Head::new(title, "Loading curve", &parts, &alarm, panels.len());
