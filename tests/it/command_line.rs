@@ -491,6 +491,16 @@ mod unix {
         assert!(!fs::metadata("/dev/null").unwrap().is_file());
     }
 
+    /// Standard output by its name is a pipe here, beside a file that is replaced.
+    #[test]
+    fn a_pipe_takes_a_result() {
+        let folder = folder();
+        let output = run(folder.path(), ["solve", "good.toml", "--csv", "/dev/stdout", "--json", "out.json"]);
+        let told = String::from_utf8(output.stdout).unwrap();
+        assert!(told.contains("x,pressure,shear\n-1.0,"), "{told}");
+        assert!(folder.path().join("out.json").exists());
+    }
+
     #[test]
     fn a_reader_that_goes_away_is_no_failure() {
         let folder = folder();
@@ -509,8 +519,9 @@ mod unix {
         let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
         let output = program(folder.path()).args(["plugins"]).stdout(full).output().unwrap();
         assert_eq!(output.status.code(), Some(3), "{}", told(&output));
-        let output = run(folder.path(), ["solve", "good.toml", "--json", "/dev/full"]);
+        let output = run(folder.path(), ["solve", "good.toml", "--json", "out.json", "--csv", "/dev/full"]);
         assert_eq!(output.status.code(), Some(3), "{}", told(&output));
+        assert!(!folder.path().join("out.json").exists(), "all or nothing");
     }
 
     #[test]
