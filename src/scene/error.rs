@@ -4,7 +4,8 @@ use std::ops::Range;
 
 /// A scene that cannot be used: what was found, where, and what was expected in its place.
 ///
-/// No field but `excerpt` holds characters that a terminal would obey. `Display` gives several lines of plain text; programs with a terminal draw their own from the fields.
+/// No field but `excerpt` holds characters that a terminal would obey. `Display` gives several lines of plain text;
+/// programs with a terminal draw their own from the fields.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}", self.in_words())]
 pub struct SceneError {

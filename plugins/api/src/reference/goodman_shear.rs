@@ -181,7 +181,8 @@ mod tests {
         }
     }
 
-    /// `R_J(0, y, 1, p) = (3/2) int_0^inf dt/((t + p) sqrt(t (t + y) (t + 1)))` by the trapezoidal rule in `ln t`, where the integrand is analytic in a strip of `|Im| < pi`.
+    /// `R_J(0, y, 1, p) = (3/2) int_0^inf dt/((t + p) sqrt(t (t + y) (t + 1)))` by the trapezoidal rule in `ln t`,
+    /// where the integrand is analytic in a strip of `|Im| < pi`.
     #[test]
     fn the_elliptic_integral_is_its_integral() {
         for y in [1e-6, 0.1, 0.5, 0.999, 1.0] {
