@@ -6,7 +6,6 @@ use serde::Serialize;
 use slipzone_api::{Base, Flexibility, KernelStrategy, Quadrature};
 use slipzone_flexibilities::{ClosedForm, Compliance};
 use slipzone_kernels::{Moments, Split};
-
 use slipzone_quadratures::DeSinc;
 
 /// How the numbers were got.
@@ -70,10 +69,10 @@ impl Chosen {
     /// The same with a model in place of the solid: the methods that were left open are those that the model takes.
     pub(crate) fn with(mut self, model: Model, modelled: &Layer, because: String) -> Self {
         if self.is_open {
-            self.methods.flexibility = flexibility_for(modelled).0;
-            self.scene.solver.flexibility = Some(self.methods.flexibility.clone());
-            let reason = flexibility_for(modelled).1;
-            self.plan.flexibility = self.methods.flexibility.typetag_name().into();
+            let (flexibility, reason) = flexibility_for(modelled);
+            self.plan.flexibility = flexibility.typetag_name().into();
+            self.scene.solver.flexibility = Some(flexibility.clone());
+            self.methods.flexibility = flexibility;
             // What was said of the flexibility is said of the model's.
             reason.clone_into(&mut self.plan.reasons[0]);
             if model == Model::CorrectedHalfPlane {

@@ -5,6 +5,7 @@
 
 use super::Failure;
 use serde::de::IgnoredAny;
+use slipzone::api::clip;
 use slipzone::study::{Record, Study};
 use std::collections::{BTreeMap, HashSet};
 use std::fs::{File, OpenOptions, TryLockError};
@@ -198,12 +199,14 @@ fn failed(path: &Path, why: &dyn std::fmt::Display) -> Failure {
 
 /// Refuses to go on with a study that has changed, and shows what did.
 fn same_study(path: &Path, before: &[String], now: &[String]) -> Result<(), Failure> {
+    /// Lines, and characters of each.
     const SHOWN: usize = 12;
+    const LONGEST: usize = 160;
     if before == now {
         return Ok(());
     }
-    let gone = before.iter().filter(|line| !now.contains(line)).map(|line| format!("journal: {}", clip(line)));
-    let come = now.iter().filter(|line| !before.contains(line)).map(|line| format!("study:   {}", clip(line)));
+    let gone = before.iter().filter(|line| !now.contains(line)).map(|line| format!("journal: {}", clip(line, LONGEST)));
+    let come = now.iter().filter(|line| !before.contains(line)).map(|line| format!("study:   {}", clip(line, LONGEST)));
     let mut changed: Vec<String> = gone.chain(come).collect();
     if changed.is_empty() {
         changed.push("the same lines in another order".into());
@@ -220,13 +223,6 @@ fn same_study(path: &Path, before: &[String], now: &[String]) -> Result<(), Fail
             changed.join("\n")
         )),
     ))
-}
-
-/// The beginning of a long line.
-fn clip(line: &str) -> String {
-    const LONGEST: usize = 160;
-    let short: String = line.chars().take(LONGEST).collect();
-    if short.len() == line.len() { short } else { short + "..." }
 }
 
 /// Records in the order of the study, read from a journal that has them nearly in order.

@@ -18,13 +18,6 @@ pub(super) struct Target {
     special: bool,
 }
 
-/// A result that only has to be renamed.
-#[derive(Debug)]
-enum Staged<'a> {
-    File(NamedTempFile, &'a Target),
-    Special(&'a str, &'a Target),
-}
-
 impl Target {
     /// Checks that the file can be written, before any work is done.
     pub(super) fn new(path: &Path) -> Result<Self, Failure> {
@@ -63,16 +56,6 @@ impl Target {
         Ok(file)
     }
 
-    fn stage<'a>(&'a self, text: &'a str) -> std::io::Result<Staged<'a>> {
-        if self.special {
-            return Ok(Staged::Special(text, self));
-        }
-        let mut file = self.temporary()?;
-        file.write_all(text.as_bytes())?;
-        file.as_file().sync_all()?;
-        Ok(Staged::File(file, self))
-    }
-
     /// A file to be written bit by bit, which replaces the target only when it is kept.
     pub(super) fn begin(&self) -> Result<Pending<'_>, Failure> {
         let file = if self.special {
@@ -81,6 +64,13 @@ impl Target {
             Writing::File(self.temporary().map_err(|error| self.failed(&error))?)
         };
         Ok(Pending { file: BufWriter::new(file), target: self })
+    }
+
+    /// A file that holds this text.
+    fn finished(&self, text: &str) -> Result<Finished<'_>, Failure> {
+        let mut file = self.begin()?;
+        file.write(text.as_bytes())?;
+        file.finished()
     }
 
     fn failed(&self, error: &dyn std::fmt::Display) -> Failure {
@@ -146,25 +136,12 @@ impl Finished<'_> {
     }
 }
 
-/// Writes all files: none is touched before each of them is ready.
+/// Writes all files: none is touched before each of them is ready. What goes to devices cannot wait and goes last.
 pub(super) fn write(files: &[(Target, String)]) -> Result<(), Failure> {
-    let mut staged = Vec::new();
-    for (target, text) in files {
-        staged.push(target.stage(text).map_err(|error| target.failed(&error))?);
-    }
-    for file in staged {
-        match file {
-            Staged::File(file, target) => {
-                file.persist(&target.real).map_err(|error| target.failed(&error.error))?;
-            }
-            Staged::Special(text, target) => {
-                let mut device =
-                    fs::OpenOptions::new().write(true).open(&target.real).map_err(|e| target.failed(&e))?;
-                device.write_all(text.as_bytes()).map_err(|error| target.failed(&error))?;
-            }
-        }
-    }
-    Ok(())
+    let mut files: Vec<_> = files.iter().collect();
+    files.sort_by_key(|(target, _)| target.special);
+    let ready = files.into_iter().map(|(target, text)| target.finished(text)).collect::<Result<Vec<_>, _>>()?;
+    ready.into_iter().try_for_each(Finished::keep)
 }
 
 /// Refuses a file that is there already; a folder is left to [`Target::new`].
@@ -177,12 +154,12 @@ pub(super) fn absent(path: &Path) -> Result<(), Failure> {
 
 /// Writes a file that must not be there yet, not even since it was looked for.
 pub(super) fn create(target: &Target, text: &str) -> Result<(), Failure> {
-    match target.stage(text).map_err(|error| target.failed(&error))? {
-        Staged::File(file, target) => match file.persist_noclobber(&target.real) {
-            Err(error) if error.error.kind() == ErrorKind::AlreadyExists => Err(exists(&target.shown)),
-            written => written.map(drop).map_err(|error| target.failed(&error.error)),
-        },
-        Staged::Special(_, target) => Err(exists(&target.shown)),
+    // A device is there, and must not be written to before that is said.
+    let finished = if target.special { None } else { Some(target.finished(text)?) };
+    let Some(Finished { file: Writing::File(file), .. }) = finished else { return Err(exists(&target.shown)) };
+    match file.persist_noclobber(&target.real) {
+        Err(error) if error.error.kind() == ErrorKind::AlreadyExists => Err(exists(&target.shown)),
+        written => written.map(drop).map_err(|error| target.failed(&error.error)),
     }
 }
 

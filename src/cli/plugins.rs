@@ -1,8 +1,9 @@
 //! `slipzone plugins`: what is there, and what a scene can name beside.
 
+use super::named::unknown;
 use super::{Failure, Outcome, print};
 use slipzone::api::{Family, Kind, Parameter, PluginInfo, Values};
-use slipzone::scene::{KEYS, nearest};
+use slipzone::scene::KEYS;
 use std::fmt::{self, Write};
 
 pub(super) fn run(name: Option<&str>, json: bool) -> Result<Outcome, Failure> {
@@ -87,14 +88,6 @@ pub(super) fn named(family: Family, name: &str) -> Result<&'static PluginInfo, F
     let own = slipzone::api::plugins().into_iter().filter(|info| info.family == family);
     let known: Vec<_> = own.map(|info| info.name).collect();
     slipzone::api::find(family, name).ok_or_else(|| unknown(family.name(), name, &known))
-}
-
-fn unknown(what: &str, name: &str, known: &[&str]) -> Failure {
-    let hint = match nearest(name, known) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!("known are {}", known.join(", ")),
-    };
-    Failure::Usage(format!("unknown {what} `{name}`"), Some(hint))
 }
 
 /// All plugins by family, and what is built in.

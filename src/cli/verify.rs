@@ -2,16 +2,18 @@
 
 use super::args::Verify;
 use super::named::named;
-use super::{Failure, Outcome, print};
-use slipzone::verify::{self, Check, GROUPS, Measure, Progress, Report, Value};
+use super::{Failure, Outcome, print, progress};
+use slipzone::verify::{self, Check, GROUPS, Measure, Report, Value};
 use std::fmt::{self, Write};
-use std::io::{IsTerminal, Write as _};
 
 pub(super) fn run(arguments: &Verify) -> Result<Outcome, Failure> {
     let groups = named("group of checks", &arguments.groups, GROUPS, |group| group.name)?;
-    let line = Line::new();
-    let report = verify::run(&groups, &|progress| line.show(progress));
-    line.clear();
+    let bar = progress::bar(1, "cases");
+    let report = verify::run(&groups, &|progress| {
+        bar.set_length(progress.all as u64);
+        bar.inc(1);
+    });
+    bar.finish_and_clear();
     let mut text = String::new();
     // Writing to a string does not fail.
     let _ = if arguments.json {
@@ -28,30 +30,6 @@ pub(super) fn run(arguments: &Verify) -> Result<Outcome, Failure> {
 /// How the run ends.
 fn outcome(report: &Report) -> Outcome {
     if report.passed { Outcome::Done } else { Outcome::ChecksFailed }
-}
-
-/// How far it has come, on one line of standard error where that is a terminal.
-struct Line {
-    is_shown: bool,
-}
-
-impl Line {
-    fn new() -> Self {
-        Self { is_shown: std::io::stderr().is_terminal() }
-    }
-
-    fn show(&self, Progress { done, all }: Progress) {
-        if self.is_shown {
-            // Nobody is left to be told when standard error itself is closed.
-            let _ = write!(std::io::stderr(), "\r{done} of {all} cases");
-        }
-    }
-
-    fn clear(&self) {
-        if self.is_shown {
-            let _ = write!(std::io::stderr(), "\r\x1b[K");
-        }
-    }
 }
 
 /// Every check or the failed ones, then the groups in numbers, then the verdict.

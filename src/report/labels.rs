@@ -12,6 +12,8 @@ pub(super) struct Labels {
     pub(super) force: String,
     /// Of stress times the square root of length.
     pub(super) intensity: String,
+    /// Of one over a length.
+    pub(super) per_length: String,
 }
 
 impl Labels {
@@ -25,7 +27,8 @@ impl Labels {
             ("Pa", "m") => ("N/m".into(), "Pa m^1/2".into()),
             _ => (format!("{stress} {length}"), format!("{stress} {length}^1/2")),
         };
-        Self { length, stress, force, intensity }
+        let per_length = if length.is_empty() { String::new() } else { format!("1/{length}") };
+        Self { length, stress, force, intensity, per_length }
     }
 }
 

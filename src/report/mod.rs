@@ -26,6 +26,7 @@ pub use chart_html::chart_html;
 pub use csv::csv;
 pub use curve_csv::curve_csv;
 pub use json::json;
+pub use scene_line::scene_line;
 pub use study_table::{StudyTable, record_line};
 #[cfg(feature = "plot")]
 pub use svg::{FigureError, StudyFigure, atlas_svg, chart_svg, curve_svg, layer_svg, study_svg, svg};

@@ -1,15 +1,13 @@
 //! The scene in one line.
 
-use crate::engine::{DepthProfile, Solution};
+use crate::engine::DepthProfile;
 use crate::report::labels::{Labels, one_line, with_unit};
 use crate::report::number::short;
 #[cfg(feature = "plot")]
 use crate::report::number::typeset;
-#[cfg(feature = "plot")]
-use crate::scene::Scene;
-use crate::scene::{Layer, Load};
+use crate::scene::{Layer, Load, Scene};
 use serde_json::Value;
-use slipzone_api::{Base, Friction, Moduli, Plane, PunchProfile};
+use slipzone_api::{Base, Friction, Moduli, Plane, PunchProfile, clip};
 
 /// Letters for the field's symbols, and how numbers are set.
 pub(super) struct Alphabet {
@@ -47,10 +45,16 @@ impl Alphabet {
     }
 }
 
-/// The scene's parts, widest meaning first: geometry, material, base, punch, friction, load.
-pub(super) fn scene_parts(solution: &Solution, letters: &Alphabet) -> Vec<String> {
-    let (scene, labels) = (&solution.scene, Labels::new(&solution.units));
-    let mut parts = parts_but_load(solution, solution.load.half_width, letters);
+/// A scene in one line of plain text, before it is solved.
+pub fn scene_line(scene: &Scene) -> String {
+    scene_parts(scene, None, &ASCII).join(", ")
+}
+
+/// The scene's parts, widest meaning first: geometry, material, base, punch, friction, load; the thickness in units of a
+/// half-width where there is one.
+pub(super) fn scene_parts(scene: &Scene, half_width: Option<f64>, letters: &Alphabet) -> Vec<String> {
+    let labels = Labels::new(&scene.units);
+    let mut parts = parts_but_load(scene, half_width, letters);
     let (symbol, value, unit) = match &scene.load {
         Load::Force(v) => ("P", v, &labels.force),
         Load::HalfWidth(v) => ("b", v, &labels.length),
@@ -62,28 +66,23 @@ pub(super) fn scene_parts(solution: &Solution, letters: &Alphabet) -> Vec<String
 
 /// The same parts but those that change on the way to the load.
 #[cfg(feature = "plot")]
-pub(super) fn constant_parts(solution: &Solution, letters: &Alphabet) -> Vec<String> {
-    let fixed = solution.scene.punch.shape().ok().and_then(|shape| shape.fixed_half_width());
-    parts_but_load(solution, fixed, letters)
+pub(super) fn constant_parts(scene: &Scene, letters: &Alphabet) -> Vec<String> {
+    let fixed = scene.punch.shape().ok().and_then(|shape| shape.fixed_half_width());
+    parts_but_load(scene, fixed, letters)
 }
 
 /// What the scene's solid is: thickness, material and base.
-#[cfg(feature = "plot")]
-pub(super) fn layer_parts(scene: &Scene, letters: &Alphabet) -> Vec<String> {
+pub(super) fn layer_parts(scene: &Scene, half_width: Option<f64>, letters: &Alphabet) -> Vec<String> {
     let labels = Labels::new(&scene.units);
-    let mut parts = layer(&scene.layer, None, &labels, letters);
+    let mut parts = layer(&scene.layer, half_width, &labels, letters);
     parts.push(poisson(&scene.layer, letters));
     parts.push(plane(scene.layer.plane).into());
     parts.push(base(&scene.layer, &labels, letters));
     parts
 }
 
-fn parts_but_load(solution: &Solution, half_width: Option<f64>, letters: &Alphabet) -> Vec<String> {
-    let (scene, labels) = (&solution.scene, Labels::new(&solution.units));
-    let mut parts = layer(&scene.layer, half_width, &labels, letters);
-    parts.push(poisson(&scene.layer, letters));
-    parts.push(plane(scene.layer.plane).into());
-    parts.push(base(&scene.layer, &labels, letters));
+fn parts_but_load(scene: &Scene, half_width: Option<f64>, letters: &Alphabet) -> Vec<String> {
+    let mut parts = layer_parts(scene, half_width, letters);
     parts.push(punch(&*scene.punch, letters));
     parts.push(match &scene.friction {
         None => "frictionless".into(),
@@ -170,15 +169,11 @@ fn base(layer: &Layer, labels: &Labels, letters: &Alphabet) -> String {
     }
 }
 
+/// Characters of a text such as a formula that fit into a line.
+const LONGEST: usize = 60;
+
 /// Numbers of a list that fit into a line.
 const FEW: usize = 6;
-
-/// The beginning of a text such as a formula.
-fn clipped(text: &str) -> String {
-    const LONGEST: usize = 60;
-    let short: String = text.chars().take(LONGEST).collect();
-    if short.len() == text.len() { short } else { short + "..." }
-}
 
 /// The punch by its `type` and those of its keys that fit into a line.
 fn punch(punch: &dyn PunchProfile, letters: &Alphabet) -> String {
@@ -200,7 +195,7 @@ fn punch(punch: &dyn PunchProfile, letters: &Alphabet) -> String {
         Value::Number(number) if key.ends_with("_unit") && number.as_f64() == Some(1.0) => None,
         Value::Number(number) => Some(format!("{} = {}", key.replace('_', "-"), letters.number(number.as_f64()?))),
         Value::String(text) if key != "type" => {
-            Some(format!("{} = {}", key.replace('_', "-"), clipped(&one_line(text))))
+            Some(format!("{} = {}", key.replace('_', "-"), clip(&one_line(text), LONGEST)))
         }
         _ => None,
     };
@@ -211,17 +206,19 @@ fn punch(punch: &dyn PunchProfile, letters: &Alphabet) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::Solution;
     use crate::report::samples;
 
     #[test]
     fn one_line_says_it_all() {
+        let line = |solution: &Solution| scene_parts(&solution.scene, solution.load.half_width, &ASCII).join(", ");
         assert_eq!(
-            scene_parts(&samples::flat_with_friction(), &ASCII).join(", "),
+            line(&samples::flat_with_friction()),
             "h/b = 5, exponential, mu1 = 1 MPa, mu1/mu3 = 1/8, nu = 0.3, plane strain, bonded to a rigid base, \
              flat punch (half-width = 1), eta = 0.3, P = 1 N/mm"
         );
         assert_eq!(
-            scene_parts(&samples::cylinder_without_friction(), &ASCII).join(", "),
+            line(&samples::cylinder_without_friction()),
             "homogeneous, mu = 1, nu = 0.3, plane strain, half-plane, cylinder punch (radius = 10), frictionless, b = 1"
         );
     }

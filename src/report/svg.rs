@@ -168,7 +168,7 @@ fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
         .with_title(literal(&title))
         .with_title_size(17)
         .with_title_wrap(52)
-        .with_subtitle(literal(&lines(&scene_parts(solution, &GREEK), SUBTITLE)))
+        .with_subtitle(literal(&lines(&scene_parts(&solution.scene, solution.load.half_width, &GREEK), SUBTITLE)))
         .with_subtitle_size(12)
         .with_subtitle_wrap(SUBTITLE)
         .with_y_label_wrap(24)
@@ -550,31 +550,5 @@ mod tests {
         assert_eq!(svg(&solution), Err(FigureError::NoScale));
         solution.profile.x[0] = f64::NAN;
         assert_eq!(svg(&solution), Err(FigureError::NotFinite("`profile.x[0]` is NaN".into())));
-    }
-
-    /// Writes the figures to look at: `SLIPZONE_FIGURES=folder cargo test figures_to_look_at -- --ignored`.
-    #[test]
-    #[ignore = "for the eye"]
-    fn figures_to_look_at() {
-        let folder = std::path::PathBuf::from(std::env::var("SLIPZONE_FIGURES").expect("a folder"));
-        let mut alarm = samples::flat(0.1, 1.0, Slip::Inward, 201);
-        alarm.status = Status::AssumptionViolated;
-        alarm.reason = Some("the shear exceeds the friction limit in the stick zone at x = 0.0312, by 1.7".into());
-        let mut long = samples::flat(0.5, 0.3, Slip::Inward, 201);
-        long.scene.title =
-            Some("A title of the kind that does not end before everything has been said about it".into());
-        for (name, solution) in [
-            ("long", long),
-            ("flat", samples::flat_with_friction()),
-            ("cylinder", samples::cylinder_without_friction()),
-            ("alarm", alarm),
-            ("outward", samples::flat(0.2815, 0.1, Slip::Outward, 201)),
-            ("narrow-stick", samples::flat(0.02, 0.3, Slip::Inward, 201)),
-            ("wide-stick", samples::flat(0.985, 0.6, Slip::Inward, 201)),
-            ("full-stick", samples::flat(1.0 - 2.1e-5, 0.9, Slip::Inward, 201)),
-            ("sparse", samples::flat(0.5, 0.3, Slip::Outward, 11)),
-        ] {
-            std::fs::write(folder.join(name).with_extension("svg"), svg(&solution).unwrap()).unwrap();
-        }
     }
 }

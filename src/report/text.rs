@@ -5,7 +5,6 @@ use crate::report::labels::{Labels, one_line, with_unit};
 use crate::report::number::{digits, short, significant};
 use crate::report::scene_line::{ASCII, scene_parts};
 use crate::scene::Asked;
-use slipzone_api::Base;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -31,7 +30,7 @@ pub fn text(solution: &Solution) -> String {
     if let Some(reason) = &solution.reason {
         pair(&mut page, "reason", &one_line(reason));
     }
-    pair(&mut page, "scene", &scene_parts(solution, &ASCII).join(", "));
+    pair(&mut page, "scene", &scene_parts(&solution.scene, solution.load.half_width, &ASCII).join(", "));
     if solution.status != Status::Refused {
         line(&mut page, "");
         table(&mut page, &rows(solution), &solution.error.each);
@@ -78,14 +77,11 @@ struct Row {
 }
 
 fn rows(solution: &Solution) -> Vec<Row> {
-    let Labels { length, stress, force, intensity } = Labels::new(&solution.units);
+    let Labels { length, stress, force, intensity, per_length } = Labels::new(&solution.units);
     let none = String::new;
     let row = |path, name, symbol, value, absent, unit| Row { name, symbol, value, absent, unit, path };
     let (load, pressure, edge) = (&solution.load, &solution.pressure, &solution.edge);
-    let depth = match solution.scene.layer.base {
-        Base::Infinite | Base::HalfPlane { .. } => "undefined on a half-plane",
-        Base::Rigid | Base::Frictionless => "not computed",
-    };
+    let depth = if solution.scene.layer.has_depths() { "not computed" } else { "undefined on a half-plane" };
     let mut rows = vec![
         row("load.half_width", "contact half-width", "b", load.half_width, "not computed", length.clone()),
         row("load.indentation", "indentation", "delta", load.indentation, depth, length.clone()),
@@ -102,6 +98,10 @@ fn rows(solution: &Solution) -> Vec<Row> {
             row("stick.ratio", "stick ratio", "a/b", stick.ratio, "not found", none()),
             row("stick.one_minus_ratio", "slip share", "1 - a/b", stick.one_minus_ratio, "not found", none()),
         ]);
+        // Only a strain that is taken to be linear has one.
+        if stick.strain_rate.is_some() {
+            rows.push(row("stick.strain_rate", "strain rate", "C", stick.strain_rate, "", per_length));
+        }
     } else {
         let absent = if solution.scene.friction.is_none() { "none: frictionless" } else { "not computed" };
         rows.push(row("stick", "stick zone", "", None, absent, none()));
@@ -270,6 +270,25 @@ assumptions  plane strain
         assert_eq!(value("contact half-width"), "1.00000", "six digits of a number without an estimate");
         assert!(page.contains("none: frictionless"));
         assert!(!page.contains("MPa"), "a scene without labels has no units");
+    }
+
+    #[test]
+    fn a_linear_strain_has_its_rate() {
+        let mut solution = samples::flat_with_friction();
+        assert!(!text(&solution).contains("strain rate"), "no other strain has one");
+        solution.stick.as_mut().expect("friction").strain_rate = Some(-0.125);
+        solution.error.each.insert("stick.strain_rate".into(), 2e-4);
+        let page = text(&solution);
+        let row = page.lines().find(|row| row.starts_with("strain rate")).expect("a row");
+        assert_eq!(row.split_whitespace().collect::<Vec<_>>(), ["strain", "rate", "C", "-0.1250", "1/mm", "2e-4"]);
+    }
+
+    /// A datum says from where the indentation is counted: then its absence has another reason than the base.
+    #[test]
+    fn an_indentation_over_a_datum_is_not_undefined() {
+        let mut solution = samples::cylinder_without_friction();
+        solution.scene.layer.datum = Some(slipzone_api::Positive::new(10.0).expect("a depth"));
+        assert!(!text(&solution).contains("undefined on a half-plane"));
     }
 
     #[test]

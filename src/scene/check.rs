@@ -1,6 +1,7 @@
 //! What no single key can show to be wrong.
 
-use super::document::{Document, dotted};
+use super::document::{Document, dotted, one_of};
+use super::keys::{ABSCISSAE, LISTED, LONGEST_LABEL, MOST_FRICTION, POINTS, STAND_INS, TOLERANCES};
 use super::{Load, Model, Scene, SceneError};
 use slipzone_api::{Base, Friction, PunchShape, Refusal, short};
 use toml::Spanned;
@@ -17,7 +18,6 @@ pub(super) fn all(document: &Document, scene: &Scene) -> Result<(), SceneError> 
 
 /// Text that goes into reports and figures.
 fn labels(document: &Document, scene: &Scene) -> Result<(), SceneError> {
-    const LONGEST: usize = 200;
     let labels: [(&[&str], &Option<String>); 3] = [
         (&["title"], &scene.title),
         (&["units", "length"], &scene.units.length),
@@ -26,9 +26,9 @@ fn labels(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     for (path, label) in labels {
         let Some(label) = label else { continue };
         let length = label.chars().count();
-        if length > LONGEST {
+        if length > LONGEST_LABEL {
             let error = document.error(document.key(path), format!("`{}` is too long", path.join(".")));
-            return Err(error.found(format!("{length} characters")).expected(format!("at most {LONGEST}")));
+            return Err(error.found(format!("{length} characters")).expected(format!("at most {LONGEST_LABEL}")));
         }
         if let Some(control) = label.chars().find(|c| c.is_control()) {
             let error = document.error(document.key(path), format!("`{}` holds a control character", path.join(".")));
@@ -235,19 +235,22 @@ fn without_height(shape: &dyn PunchShape, half_width: f64) -> Option<f64> {
 
 fn friction(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     match scene.friction {
-        Some(Friction::Goodman { coefficient, .. }) if coefficient.get() > 1e3 => Err(document
-            .not_allowed(&["friction", "coefficient"], "a number above 0 and up to 1000")
+        Some(Friction::Goodman { coefficient, .. }) if coefficient.get() > MOST_FRICTION => Err(document
+            .not_allowed(&["friction", "coefficient"], format!("a number above 0 and up to {MOST_FRICTION}"))
             .hint("common coefficients lie between 0.05 and 1.5")),
         _ => Ok(()),
     }
 }
 
 fn tolerance(document: &Document, scene: &Scene) -> Result<(), SceneError> {
-    if (1e-14..=0.5).contains(&scene.solver.tolerance.get()) {
+    if TOLERANCES.contains(&scene.solver.tolerance.get()) {
         return Ok(());
     }
     Err(document
-        .not_allowed(&["solver", "tolerance"], "a number between 1e-14 and 0.5")
+        .not_allowed(
+            &["solver", "tolerance"],
+            format!("a number between {:?} and {:?}", TOLERANCES.start(), TOLERANCES.end()),
+        )
         .hint("it is relative: 1e-6 asks for six digits"))
 }
 
@@ -257,7 +260,7 @@ fn models(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     let at = |index: usize| index.to_string();
     if let Some(index) = forbidden.iter().position(|model| *model == Model::Full) {
         return Err(document
-            .not_allowed(&["solver", "forbid", &at(index)], "`half-plane` or `homogeneous`")
+            .not_allowed(&["solver", "forbid", &at(index)], one_of(&STAND_INS))
             .hint("the full model is what is left where no other is near enough; `model` forces another"));
     }
     if let Some(index) = (1..forbidden.len()).find(|index| forbidden[..*index].contains(&forbidden[*index])) {
@@ -272,18 +275,21 @@ fn models(document: &Document, scene: &Scene) -> Result<(), SceneError> {
 
 fn output(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     let points = document.value(&["output", "points"]);
-    if points.is_some() && !(2..=1_000_000).contains(&scene.output.points) {
-        return Err(document.not_allowed(&["output", "points"], "an integer from 2 to 1000000"));
+    if points.is_some() && !POINTS.contains(&scene.output.points) {
+        return Err(document
+            .not_allowed(&["output", "points"], format!("an integer from {} to {}", POINTS.start(), POINTS.end())));
     }
     let Some(x) = &scene.output.x else { return Ok(()) };
-    if x.is_empty() || x.len() > 1_000_000 {
-        return Err(document.not_allowed(&["output", "x"], "from 1 to 1000000 numbers from -1 to 1"));
+    let (from, to) = (ABSCISSAE.start(), ABSCISSAE.end());
+    if !LISTED.contains(&x.len()) {
+        let expected = format!("from {} to {} numbers from {from} to {to}", LISTED.start(), LISTED.end());
+        return Err(document.not_allowed(&["output", "x"], expected));
     }
     // Written so that NaN is outside.
-    match x.iter().position(|x| !(-1.0..=1.0).contains(x)) {
+    match x.iter().position(|x| !ABSCISSAE.contains(x)) {
         None => Ok(()),
         Some(index) => Err(document
-            .not_allowed(&["output", "x", &index.to_string()], "a number from -1 to 1")
+            .not_allowed(&["output", "x", &index.to_string()], format!("a number from {from} to {to}"))
             .hint("`x` is in units of the contact's half-width")),
     }
 }

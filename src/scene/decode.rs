@@ -2,14 +2,17 @@
 
 use super::SceneError;
 use super::complaint::Complaint;
-use super::document::{Document, clip, dotted, is_index, one_of, written};
+use super::document::{Document, SHOWN, dotted, is_index, one_of, written};
 use super::load_keys::LOAD;
 use super::tables::Tables;
 use serde::de::DeserializeOwned;
 use serde_path_to_error::{Path, Segment};
-use slipzone_api::{Family, PluginInfo, plugins};
+use slipzone_api::{Family, PluginInfo, clip, plugins};
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
+
+/// Characters of a list of keys that are there: it is only help.
+const LONGEST_LIST: usize = 200;
 
 /// The version of the format that this program reads.
 const FORMAT: &str = "1";
@@ -23,7 +26,7 @@ pub(crate) fn format(document: &Document) -> Result<(), SceneError> {
     match document.value(&["format"]).map(Spanned::get_ref) {
         Some(DeValue::Integer(version)) if version.to_string() == FORMAT => Ok(()),
         Some(DeValue::Integer(version)) => Err(document
-            .error(document.best(&["format"]), format!("format {} is not known", clip(&version.to_string())))
+            .error(document.best(&["format"]), format!("format {} is not known", clip(&version.to_string(), SHOWN)))
             .found(document.found(&["format"]))
             .expected(expected)),
         Some(_) => Err(wrong_type(document, &["format"], expected)),
@@ -127,10 +130,10 @@ fn unknown_name(document: &Document, mut path: Vec<&str>, name: &str, known: &[&
         }
         _ => format!("`{}`", dotted(&path)),
     };
-    let message = format!("unknown {of} `{}`", clip(name));
+    let message = format!("unknown {of} `{}`", clip(name, SHOWN));
     let error = document
         .error(document.best(&path), message)
-        .found(format!("`{}`", clip(name)))
+        .found(format!("`{}`", clip(name, SHOWN)))
         .expected(one_of(known))
         .nearest(name, known);
     match (path.as_slice(), name.to_lowercase().as_str()) {
@@ -152,7 +155,7 @@ fn missing_key(document: &Document, path: &[&str], key: &str) -> SceneError {
     let present: Vec<_> =
         document.table(path).into_iter().flat_map(DeTable::keys).map(|key| format!("`{}`", key.get_ref())).collect();
     let found = if present.is_empty() { "no key".into() } else { format!("only {}", present.join(", ")) };
-    let error = document.error(document.key(path), what).found(clip_list(&found));
+    let error = document.error(document.key(path), what).found(clip(&found, LONGEST_LIST));
     error.expected(meaning(document, path, key))
 }
 
@@ -187,13 +190,6 @@ fn names(family: Family) -> String {
     one_of(&names)
 }
 
-/// A list of present keys is only help: it need not be long.
-fn clip_list(list: &str) -> String {
-    const LONGEST: usize = 200;
-    let short: String = list.chars().take(LONGEST).collect();
-    if short.len() == list.len() { short } else { short + "..." }
-}
-
 pub(crate) fn wrong_type(document: &Document, path: &[&str], expected: &str) -> SceneError {
     let found = document.found(path);
     let found = match document.value(path).map(Spanned::get_ref) {
@@ -226,7 +222,7 @@ fn brackets(document: &Document, path: &[&str], expected: &str) -> Option<String
         }
         (_, DeValue::Array(_)) => None,
         ([.., key], _) if expected.starts_with("an array") => {
-            let inside = if found.is_table() { "{ ... }".into() } else { clip(&written(found)) };
+            let inside = if found.is_table() { "{ ... }".into() } else { clip(&written(found), SHOWN) };
             let is_index = is_index(key);
             Some(if is_index { format!("in brackets: [{inside}]") } else { format!("in brackets: {key} = [{inside}]") })
         }

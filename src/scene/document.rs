@@ -1,10 +1,13 @@
 //! The text of a scene as a tree that knows where everything stands.
 
 use super::SceneError;
-use slipzone_api::{Fault, Place};
+use slipzone_api::{Fault, Place, clip};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+
+/// Characters of a value that a message shows, at most.
+pub(super) const SHOWN: usize = 40;
 
 /// A scene's or a study's text, parsed but not yet understood.
 pub(crate) struct Document<'a> {
@@ -152,7 +155,8 @@ impl<'a> Document<'a> {
         } else {
             format!("unknown key `{key}` in {}", self.section(path))
         };
-        let error = self.error(self.key(&full), message).found(format!("`{}`", clip(key))).expected(one_of(known));
+        let error =
+            self.error(self.key(&full), message).found(format!("`{}`", clip(key, SHOWN))).expected(one_of(known));
         match meant(path, key, known) {
             Some(hint) => error.hint(hint),
             None => error.nearest(key, known),
@@ -179,8 +183,8 @@ impl<'a> Document<'a> {
                 DeValue::Array(array) if array.is_empty() => "an empty array".into(),
                 DeValue::Array(_) => "an array".into(),
                 plain => match self.text.get(value.span()) {
-                    Some(source) if !source.is_empty() => format!("`{}`", clip(source)),
-                    _ => format!("`{}`", clip(&written(plain))),
+                    Some(source) if !source.is_empty() => format!("`{}`", clip(source, SHOWN)),
+                    _ => format!("`{}`", clip(&written(plain), SHOWN)),
                 },
             },
         }
@@ -222,13 +226,6 @@ pub(crate) fn one_of(names: &[&str]) -> String {
         [only] => only.clone(),
         _ => format!("one of {}", quoted.join(", ")),
     }
-}
-
-/// The beginning of a text, on one line.
-pub(super) fn clip(text: &str) -> String {
-    const LONGEST: usize = 40;
-    let line: String = text.chars().take_while(|&c| c != '\n').take(LONGEST).collect();
-    if line.len() == text.len() { line } else { line + "..." }
 }
 
 /// What a key means that another file, another place or a formula calls so; `known` are those of its table.
@@ -290,7 +287,7 @@ fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneError {
     };
     let span = error.span().unwrap_or(text.len()..text.len());
     let found = match text.get(span.clone()) {
-        Some(found) if !found.is_empty() => format!("`{}`", clip(found).escape_debug()),
+        Some(found) if !found.is_empty() => format!("`{}`", clip(found, SHOWN).escape_debug()),
         _ if span.start >= text.trim_end().len() => "the end of the file".into(),
         _ => match text.get(span.start..).and_then(|rest| rest.chars().next()) {
             Some('\n' | '\r') | None => "the end of the line".into(),

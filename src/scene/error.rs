@@ -4,7 +4,8 @@ use std::ops::Range;
 
 /// A scene that cannot be used: what was found, where, and what was expected in its place.
 ///
-/// No field but `excerpt` holds characters that a terminal would obey. `Display` gives several lines of plain text; programs with a terminal draw their own from the fields.
+/// No field but `excerpt` holds characters that a terminal would obey. `Display` gives several lines of plain text;
+/// programs with a terminal draw their own from the fields.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}", self.in_words())]
 pub struct SceneError {
@@ -87,7 +88,7 @@ impl SceneError {
 
     /// Adds "did you mean" when one of the known names is close.
     pub(crate) fn nearest(self, name: &str, known: &[&str]) -> Self {
-        match super::nearest(name, known) {
+        match slipzone_api::nearest(name, known) {
             Some(near) => self.hint(format!("did you mean `{near}`?")),
             None => self,
         }

@@ -1,7 +1,26 @@
 //! The keys of a scene, described: what editors and new scenes are told. A new key is one line here.
 
-use super::Asked;
+use super::{Asked, LoadPath};
 use slipzone_api::{Family, Kind, Parameter, Values};
+use std::ops::RangeInclusive;
+
+/// Coulomb's coefficient, at most.
+pub(super) const MOST_FRICTION: f64 = 1e3;
+
+/// What may be asked of the solver.
+pub(super) const TOLERANCES: RangeInclusive<f64> = 1e-14..=0.5;
+
+/// How many samples a profile has.
+pub(super) const POINTS: RangeInclusive<usize> = 2..=1_000_000;
+
+/// How many samples may be listed.
+pub(super) const LISTED: RangeInclusive<usize> = 1..=1_000_000;
+
+/// Where they may be, in half-widths.
+pub(super) const ABSCISSAE: RangeInclusive<f64> = -1.0..=1.0;
+
+/// Characters of a label.
+pub(super) const LONGEST_LABEL: usize = 200;
 
 /// Every key of a scene, in the order in which scenes are written. What a plugin may hold is in the registry.
 pub const KEYS: &[Parameter] = &[
@@ -62,7 +81,7 @@ const FRICTIONS: &[Kind] = &[Kind {
         Parameter::required(
             "coefficient",
             "Coulomb's coefficient (no unit), above 0 and up to 1000",
-            Values::UpTo(1e3),
+            Values::UpTo(MOST_FRICTION),
         ),
         Parameter::optional(
             "strain",
@@ -87,7 +106,7 @@ const LOAD: &[Parameter] = &[
         .in_place_of("force"),
 ];
 
-const LOADS: Values = Values::List(&Values::Positive, 1, 100_000);
+const LOADS: Values = Values::List(&Values::Positive, *LoadPath::LISTED.start(), *LoadPath::LISTED.end());
 
 const PATH: &[Parameter] = &[
     Parameter::required("force", "forces, each above the one before it (stress times length)", LOADS),
@@ -96,38 +115,53 @@ const PATH: &[Parameter] = &[
         .in_place_of("force"),
 ];
 
+/// As many as one of these.
+#[allow(clippy::needless_pass_by_value)] // a constant is a value
+const fn whole(range: RangeInclusive<usize>) -> Values {
+    Values::Whole(*range.start() as u64, *range.end() as u64)
+}
+
 const UNTIL: &[Parameter] = &[
     Parameter::required("force", "the last force (stress times length)", Values::Positive),
     Parameter::optional("half_width", "the last half-width (length)", Values::Positive).in_place_of("force"),
     Parameter::optional("indentation", "the last indentation (length)", Values::Positive).in_place_of("force"),
-    Parameter::optional("points", "how many loads (default 60)", Values::Whole(2, 100_000)),
+    Parameter::optional("points", "how many loads (default 60)", whole(LoadPath::POINTS)),
 ];
 
 const SOLVER: &[Parameter] = &[
     Parameter::optional(
         "tolerance",
         "relative error wanted of each number (default 1e-8)",
-        Values::Between(1e-14, 0.5),
+        Values::Between(*TOLERANCES.start(), *TOLERANCES.end()),
     ),
     Parameter::optional("flexibility", "how the layer's flexibility is got", Values::Plugin(Family::Flexibility)),
     Parameter::optional("kernel", "how the kernels are got from it", Values::Plugin(Family::Kernel)),
     Parameter::optional("quadrature", "how the integral equations are discretised", Values::Plugin(Family::Quadrature)),
     Parameter::optional("model", "what stands for the solid, whatever its error", MODELS),
-    Parameter::optional("forbid", "models that are not to stand for it", Values::List(&MODELS, 0, 4)),
+    Parameter::optional(
+        "forbid",
+        "models that are not to stand for it",
+        Values::List(&Values::OneOf(&STAND_INS), 0, STAND_INS.len()),
+    ),
 ];
 
 const MODELS: Values = Values::OneOf(&["full", "half-plane", "corrected-half-plane", "homogeneous", "thin"]);
+
+/// The models that may be forbidden: the full one is what is left.
+pub(super) const STAND_INS: [&str; 4] = ["half-plane", "corrected-half-plane", "homogeneous", "thin"];
+
+const ABSCISSA: Values = Values::Between(*ABSCISSAE.start(), *ABSCISSAE.end());
 
 const OUTPUT: &[Parameter] = &[
     Parameter::optional(
         "points",
         "samples of pressure and shear, equally spaced over the contact (default 201)",
-        Values::Whole(2, 1_000_000),
+        whole(POINTS),
     ),
     Parameter::optional(
         "x",
         "the samples themselves, in units of the contact's half-width",
-        Values::List(&Values::Between(-1.0, 1.0), 1, 1_000_000),
+        Values::List(&ABSCISSA, *LISTED.start(), *LISTED.end()),
     )
     .in_place_of("points"),
     Parameter::optional("strain", "the strain left in the stick zone, too (default false)", Values::Flag),
@@ -142,4 +176,22 @@ const UNITS: &[Parameter] =
     &[Parameter::optional("length", "unit of length", LABEL), Parameter::optional("stress", "unit of stress", LABEL)];
 
 /// What goes into reports and figures.
-const LABEL: Values = Values::Line(200);
+const LABEL: Values = Values::Line(LONGEST_LABEL);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Model;
+
+    /// A model that is new is described, too, and may be forbidden.
+    #[test]
+    fn the_models_described_are_those_there_are() {
+        let Values::OneOf(described) = MODELS else { panic!("{MODELS:?}") };
+        let sorted = |mut names: Vec<&'static str>| {
+            names.sort_unstable();
+            names
+        };
+        assert_eq!(sorted(described.to_vec()), sorted(Model::ALL.map(Model::name).to_vec()));
+        assert_eq!(sorted([&STAND_INS[..], &[Model::Full.name()]].concat()), sorted(described.to_vec()));
+    }
+}

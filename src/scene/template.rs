@@ -1,8 +1,10 @@
 //! A scene of which some values are replaced: what the scenes of a study have in common.
 
-use super::document::Document;
+use super::document::{Document, SHOWN, written};
 use super::{Scene, SceneError, checked};
-use slipzone_api::Files;
+use serde::Deserialize;
+use serde::de::IntoDeserializer;
+use slipzone_api::{Files, clip};
 use std::borrow::Cow;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -37,7 +39,7 @@ impl Template {
         // Places are not needed any more: replaced values have none in this text.
         let mut whole = toml::Table::new();
         for (key, value) in part.tree().get_ref() {
-            whole.insert(key.get_ref().to_string(), plain(value.get_ref()));
+            whole.insert(key.get_ref().to_string(), plain(document, value)?);
         }
         Ok((Self { name: part.name().into(), text: whole.to_string() }, scene))
     }
@@ -97,20 +99,12 @@ fn key(name: &str) -> Spanned<Cow<'static, str>> {
     Spanned::new(0..0, Cow::Owned(name.to_owned()))
 }
 
-/// A value without its place.
-pub(crate) fn plain(value: &DeValue) -> toml::Value {
-    match value {
-        DeValue::Table(table) => {
-            toml::Value::Table(table.iter().map(|(k, v)| (k.get_ref().to_string(), plain(v.get_ref()))).collect())
-        }
-        DeValue::Array(array) => toml::Value::Array(array.iter().map(|value| plain(value.get_ref())).collect()),
-        DeValue::Boolean(boolean) => toml::Value::Boolean(*boolean),
-        DeValue::Datetime(datetime) => toml::Value::Datetime(*datetime),
-        DeValue::String(string) => toml::Value::String(string.to_string()),
-        DeValue::Integer(integer) => match i64::from_str_radix(integer.as_str(), integer.radix()) {
-            Ok(integer) => toml::Value::Integer(integer),
-            Err(_) => toml::Value::Float(f64::NAN),
-        },
-        DeValue::Float(float) => toml::Value::Float(float.as_str().parse().unwrap_or(f64::NAN)),
-    }
+/// A value without its place; an integer that 64 bits do not hold is refused.
+pub(crate) fn plain(document: &Document, value: &Spanned<DeValue>) -> Result<toml::Value, SceneError> {
+    toml::Value::deserialize(value.clone().into_deserializer()).map_err(|error| {
+        let error = document.error(error.span().unwrap_or(value.span()), "an integer beyond 64 bits");
+        error
+            .found(format!("`{}`", clip(&written(value.get_ref()), SHOWN)))
+            .expected("a number with a decimal point, or one nearer to 0")
+    })
 }

@@ -273,7 +273,7 @@ fn listed(document: &Document, path: &[&str], names: Option<&[String]>) -> Resul
         return Err(error.found(format!("{} names", names.len())).expected(format!("{} of them", values.len())));
     }
     let one = |(index, value): (usize, &toml::Spanned<DeValue>)| {
-        let value = plain(value.get_ref());
+        let value = plain(document, value)?;
         let shown = match (names, &value) {
             (Some(names), _) => Cell::Text(names[index].clone()),
             (None, toml::Value::Integer(integer)) => Cell::Number(*integer as f64),
@@ -284,9 +284,9 @@ fn listed(document: &Document, path: &[&str], names: Option<&[String]>) -> Resul
             }
             (None, other) => Cell::Text(other.to_string()),
         };
-        (value.to_string(), shown)
+        Ok((value.to_string(), shown))
     };
-    Ok(values.iter().enumerate().map(one).collect())
+    values.iter().enumerate().map(one).collect()
 }
 
 /// Steps from one number to another.

@@ -7,9 +7,10 @@ mod only;
 use super::axis::{Axis, Values};
 use super::plot::{OneOrMore, Plot, PlotKind};
 use super::{Cell, Study};
-use crate::scene::{Asked, nearest};
+use crate::scene::Asked;
 pub(crate) use fault::PlotFault;
 use marks::{file_name, marks};
+use slipzone_api::nearest;
 
 /// The largest of the errors, which a figure may show like the numbers.
 const ERROR: &str = "error.estimate";

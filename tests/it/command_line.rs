@@ -79,7 +79,7 @@ fn a_loading_curve_is_written() {
     let page = String::from_utf8(output.stdout).unwrap();
     assert!(page.contains("path         3 loads, the last of them above: P 0.25 to 1, b 1 to 1, delta "), "{page}");
     let checked = told(&run(folder.path(), ["check", "path.toml"]));
-    assert!(checked.ends_with("force 1, on a path of 3 from 0.25\n"), "{checked}");
+    assert!(checked.ends_with("P = 1, on a path of 3 from 0.25\n"), "{checked}");
 }
 
 /// A half-plane that stiffens with depth is its own base: what `solve` counts depths from, `explain` says.
@@ -491,6 +491,16 @@ mod unix {
         assert!(!fs::metadata("/dev/null").unwrap().is_file());
     }
 
+    /// Standard output by its name is a pipe here, beside a file that is replaced.
+    #[test]
+    fn a_pipe_takes_a_result() {
+        let folder = folder();
+        let output = run(folder.path(), ["solve", "good.toml", "--csv", "/dev/stdout", "--json", "out.json"]);
+        let told = String::from_utf8(output.stdout).unwrap();
+        assert!(told.contains("x,pressure,shear\n-1.0,"), "{told}");
+        assert!(folder.path().join("out.json").exists());
+    }
+
     #[test]
     fn a_reader_that_goes_away_is_no_failure() {
         let folder = folder();
@@ -509,8 +519,9 @@ mod unix {
         let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
         let output = program(folder.path()).args(["plugins"]).stdout(full).output().unwrap();
         assert_eq!(output.status.code(), Some(3), "{}", told(&output));
-        let output = run(folder.path(), ["solve", "good.toml", "--json", "/dev/full"]);
+        let output = run(folder.path(), ["solve", "good.toml", "--json", "out.json", "--csv", "/dev/full"]);
         assert_eq!(output.status.code(), Some(3), "{}", told(&output));
+        assert!(!folder.path().join("out.json").exists(), "all or nothing");
     }
 
     #[test]

@@ -15,8 +15,8 @@ fn half_plane(nu: f64, datum: f64) -> String {
     )
 }
 
-/// `2 s/pi [b asinh(d/b) + beta d asinh(b/d)]` under a wedge of slope `s` on a half-plane: flat punches in closed form, stacked at the
-/// rate `dP/db = 2 s/A0`.
+/// `2 s/pi [b asinh(d/b) + beta d asinh(b/d)]` under a wedge of slope `s` on a half-plane: flat punches in closed form,
+/// stacked at the rate `dP/db = 2 s/A0`.
 fn depth_of_wedge(nu: f64, datum: f64, b: f64) -> f64 {
     let beta = (1.0 - 2.0 * nu) / (2.0 - 2.0 * nu);
     0.2 / std::f64::consts::PI * (b * (datum / b).asinh() + beta * datum * (b / datum).asinh())

@@ -129,8 +129,8 @@ fn a_pole_of_the_friction_curve_is_no_stick_zone() {
 }
 
 /// Everything sticks where friction is far above what that takes. On a half-plane without the shear's effect on the pressure
-/// `q = beta p(x)/pi ln((b + x)/(b - x))` under a flat punch, the odd density whose Hilbert transform is `-beta p`; a growing contact
-/// is a stack of such.
+/// `q = beta p(x)/pi ln((b + x)/(b - x))` under a flat punch, the odd density whose Hilbert transform is `-beta p`; a
+/// growing contact is a stack of such.
 #[test]
 fn everything_sticks_as_in_closed_form() {
     let beta = 2.0 / 7.0;
@@ -168,9 +168,9 @@ fn everything_sticks_as_in_closed_form() {
     }
 }
 
-/// Under a stiff layer on a soft half-plane each slice presses little in the middle: what was pressed there before bears the shear. Some loads
-/// were said to break the conditions of friction, others, larger ones with the same history, were not; or another of two stick zones was
-/// told.
+/// Under a stiff layer on a soft half-plane each slice presses little in the middle: what was pressed there before
+/// bears the shear. Some loads were said to break the conditions of friction, others, larger ones with the same
+/// history, were not; or another of two stick zones was told.
 #[test]
 fn friction_bears_what_grew_and_not_each_slice_of_it() {
     let stiff = "thickness = 1.0\npoisson = 0.3\nbase = { type = \"half-plane\", shear = 0.161, poisson = 0.3 }\n\
@@ -194,8 +194,8 @@ fn friction_bears_what_grew_and_not_each_slice_of_it() {
     assert!(soft.reason.as_ref().is_some_and(|reason| reason.contains("eta p")), "{:?}", soft.reason);
 }
 
-/// On a thin layer the friction that full stick takes varies as the contact grows: the shear is that just before it, where slip zones are
-/// 1e-11 of the contact, to the root of their width.
+/// On a thin layer the friction that full stick takes varies as the contact grows: the shear is that just before it,
+/// where slip zones are 1e-11 of the contact, to the root of their width.
 #[test]
 fn everything_sticks_on_layers_as_just_before() {
     for layer in [Sketch::flat(0.5, 1.0, 0.3), Sketch::flat(1.0, 0.25, 0.2)] {
@@ -219,8 +219,8 @@ fn everything_sticks_on_layers_as_just_before() {
     }
 }
 
-/// Under a tip the shear is that of the strain it leaves, `beta` times the slope over `A0`, however near: members of all sizes add up
-/// there, and what is wrong in the middle of each with them.
+/// Under a tip the shear is that of the strain it leaves, `beta` times the slope over `A0`, however near: members of
+/// all sizes add up there, and what is wrong in the middle of each with them.
 #[test]
 fn beside_the_tip_of_a_wedge_the_shear_is_constant() {
     let asked = "[output]\nx = [1e-300, 1e-200, 1e-30, 1e-15, 1e-6, 1e-4]";
@@ -238,7 +238,8 @@ fn beside_the_tip_of_a_wedge_the_shear_is_constant() {
     }
 }
 
-/// Flat punches narrower than those of a coarser resolution are not guessed from these: a force is borne as the half-width bears it.
+/// Flat punches narrower than those of a coarser resolution are not guessed from these: a force is borne as the
+/// half-width bears it.
 #[test]
 fn a_face_nearly_as_wide_as_the_contact_rubs_under_a_force() {
     let layer = "thickness = 1.0\npoisson = 0.3\ngrading = { type = \"linear\", surface = 1.0, base = 8.0 }";

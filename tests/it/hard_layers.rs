@@ -161,8 +161,8 @@ fn a_thousand_sublayers_cost_no_wave_numbers() {
     }
 }
 
-/// A stiff layer on a soft base bends: a wedge bears more the wider it touches, then less, then more again where it would pull. The first
-/// contact that bears a force is met, up to just below the most that it bears before it bends.
+/// A stiff layer on a soft base bends: a wedge bears more the wider it touches, then less, then more again where it
+/// would pull. The first contact that bears a force is met, up to just below the most that it bears before it bends.
 #[test]
 fn the_first_contact_that_bears_a_force_is_met() {
     slipzone::link_plugins();

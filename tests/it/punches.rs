@@ -146,7 +146,8 @@ fn shears_of_the_field() {
     });
 }
 
-/// `0.1 x^2`, and `0.3 (|x| - 0.4)` beyond 0.4, on a half-plane: the pressure has a logarithm at the corner, on either side of it.
+/// `0.1 x^2`, and `0.3 (|x| - 0.4)` beyond 0.4, on a half-plane: the pressure has a logarithm at the corner, on either
+/// side of it.
 #[test]
 fn beside_a_corner_the_pressure_follows_the_closed_form() {
     slipzone::link_plugins();

@@ -368,9 +368,9 @@ fn neither_steep_shapes_nor_near_datums_are_surer_than_they_are() {
     }
 }
 
-/// A stacked shape that turns within a short stretch: the force as a series of 96 coefficients missed 5e-5 at every resolution, which
-/// no difference between two of them showed. Without friction and at one half-width, forces and depths under a wedge and under
-/// the smooth rest, which is not stacked, add up to those under both.
+/// A stacked shape that turns within a short stretch: the force as a series of 96 coefficients missed 5e-5 at every
+/// resolution, which no difference between two of them showed. Without friction and at one half-width, forces and
+/// depths under a wedge and under the smooth rest, which is not stacked, add up to those under both.
 #[test]
 fn what_the_series_of_a_force_misses_is_told() {
     let solved = |height: &str, tolerance: &str| {
@@ -526,8 +526,8 @@ fn stick_zones_are_not_surer_than_a_few_resolutions_can_tell() {
     }
 }
 
-/// The force over a wedge's flanks was one series from the round tip to the edge, a thousand times as wide: what it left out at the tip
-/// put the pressure there off by 2.8e-3 at any tolerance down to 1e-3, with 1e-5 claimed.
+/// The force over a wedge's flanks was one series from the round tip to the edge, a thousand times as wide: what it
+/// left out at the tip put the pressure there off by 2.8e-3 at any tolerance down to 1e-3, with 1e-5 claimed.
 #[test]
 fn a_tip_is_told_however_narrow_it_is() {
     let layer =
@@ -682,8 +682,9 @@ fn written(layer: &str, punch: &str, load: &str, rest: &str) -> Solution {
     solve(&slipzone::scene::parse(punch, &text).unwrap_or_else(|why| panic!("{why}")))
 }
 
-/// Beside a kink over a hard layer that is thin the force seemed to grow like a root, because the integrals that give it took no note of
-/// how thin: half of the pressure was missing at the kink at 1e-4, and the middle off by 19 of its estimates at 1e-8.
+/// Beside a kink over a hard layer that is thin the force seemed to grow like a root, because the integrals that give
+/// it took no note of how thin: half of the pressure was missing at the kink at 1e-4, and the middle off by 19 of its
+/// estimates at 1e-8.
 #[test]
 fn a_kink_over_a_thin_layer_is_told() {
     let layer = "poisson = 0.3, grading = { type = \"stack\", layers = [\
@@ -701,8 +702,8 @@ fn a_kink_over_a_thin_layer_is_told() {
     }
 }
 
-/// The coarsest resolution found too narrow a contact; what the next one expected of the stick zones beyond it was that of a polynomial
-/// far from its points, and the scene was refused.
+/// The coarsest resolution found too narrow a contact; what the next one expected of the stick zones beyond it was that
+/// of a polynomial far from its points, and the scene was refused.
 #[test]
 fn a_contact_wider_than_it_looked_at_first_has_its_stick_zone() {
     let layer = |thickness: f64, law: &str, nu: f64| {
@@ -730,7 +731,8 @@ fn a_contact_wider_than_it_looked_at_first_has_its_stick_zone() {
     }
 }
 
-/// A shape that is hollow farther out, one that ends, and a hard layer whose wide contacts pull: the size searched for was that far out.
+/// A shape that is hollow farther out, one that ends, and a hard layer whose wide contacts pull: the size searched for
+/// was that far out.
 #[test]
 fn a_size_is_looked_for_where_the_shape_rises() {
     let layer = "thickness = 5.0, poisson = 0.3, grading = { type = \"homogeneous\", modulus = 1.0 }";

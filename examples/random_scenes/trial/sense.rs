@@ -212,9 +212,6 @@ fn settle_solver(dice: &mut Dice, solver: &mut Table) {
     {
         method.retain(|key, _| key == "type");
     }
-    if let Some(Value::Array(models)) = solver.get_mut("forbid") {
-        models.retain(|model| model.as_str() != Some("full"));
-    }
     let finest = if dice.chance(0.2) { 1e-10 } else { 1e-6 };
     solver.insert("tolerance".into(), dice.log(finest, 1e-2).into());
 }

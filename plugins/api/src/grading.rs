@@ -109,8 +109,8 @@ pub trait ModulusLaw: Debug + Send + Sync {
         &[]
     }
 
-    /// Depths, ascending, beside which the law, smooth there, may vary over lengths far shorter than elsewhere: a thin film, a skin. Nothing
-    /// is between two of them that a few dozen samples would miss.
+    /// Depths, ascending, beside which the law, smooth there, may vary over lengths far shorter than elsewhere: a thin
+    /// film, a skin. Nothing is between two of them that a few dozen samples would miss.
     fn details(&self) -> &[f64] {
         &[]
     }

@@ -32,6 +32,7 @@ pub mod taylor;
 #[cfg(feature = "testkit")]
 pub mod testkit;
 mod values;
+mod words;
 
 pub use elastic::{Base, Elastic, Moduli, Plane};
 pub use files::{Fault, Files, LARGEST_FILE, NoFiles, Place};
@@ -46,6 +47,7 @@ pub use quadrature::{Edge, Parity, Quadrature, Rule, Span, Station};
 pub use refusal::Refusal;
 pub use registry::{Family, Parameter, PluginInfo, find, plugins};
 pub use values::{Kind, Values};
+pub use words::{clip, nearest};
 
 #[doc(hidden)]
 pub use inventory;

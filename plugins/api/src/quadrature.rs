@@ -107,8 +107,9 @@ pub trait Rule: Send + Sync {
     /// `rows` are of one length, which may be more than the unknowns: what follows these in a row is left alone.
     fn operator_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]);
 
-    /// `(1/pi) int f(r) k(x - r) dr` of two densities that are known and finite at the ends, with the parity of the rule's own, at
-    /// each collocation point; times its [`Self::row_scale`]. `rows` are what [`Self::operator_into`] wrote for that kernel.
+    /// `(1/pi) int f(r) k(x - r) dr` of two densities that are known and finite at the ends, with the parity of the
+    /// rule's own, at each collocation point; times its [`Self::row_scale`]. `rows` are what [`Self::operator_into`]
+    /// wrote for that kernel.
     fn applied_into(
         &mut self,
         kernel: (&dyn KernelTable, Component),

@@ -1,6 +1,6 @@
 //! The rows of a table, from a scene or from a file.
 
-use crate::{Fault, Files, LARGEST_FILE, Place};
+use crate::{Fault, Files, LARGEST_FILE, Place, clip};
 use std::ops::{Range, RangeInclusive};
 
 /// What stands in the columns of a table.
@@ -110,7 +110,7 @@ pub fn of_file(
             *cell = number.ok_or_else(|| {
                 let found = &content[span.clone()];
                 let fault = Fault::new(&["file"], "not a number").at(at(span.clone()));
-                let fault = fault.found(format!("`{}`", clip(found))).expected("a number such as 0.5");
+                let fault = fault.found(format!("`{}`", clip(found, 40))).expected("a number such as 0.5");
                 if found.contains(',') { fault.hint("decimals are written with a point") } else { fault }
             })?;
         }
@@ -200,11 +200,4 @@ fn clipped(name: &str, line: usize, text: &str, span: Range<usize>) -> Place {
         end -= 1;
     }
     Place::File { name: name.into(), line, text: text[..end].into(), span: span.start.min(end)..span.end.min(end) }
-}
-
-/// The beginning of a text.
-fn clip(text: &str) -> String {
-    const MOST: usize = 40;
-    let short: String = text.chars().take(MOST).collect();
-    if short.len() == text.len() { short } else { short + "..." }
 }

@@ -2,8 +2,11 @@
 
 mod contracts;
 mod forbidden;
+mod rules;
 #[cfg(test)]
 mod tests;
+
+pub use rules::solve;
 
 use crate::{Family, Flexibility, Grading, KernelStrategy, PluginInfo, PunchProfile, Quadrature, plugins};
 
@@ -23,8 +26,9 @@ pub fn check_crate(krate: &str) {
 ///
 /// Its name is unique in its family and equals the tag; its example parses, survives writing and reading
 /// back, and refuses an unknown key; the documented keys are those that exist, required where they say so,
-/// each sample value is accepted, and what [`crate::Values`] rules out is refused. A grading or a punch must also keep its contract: a finite and
-/// positive modulus, an even height whose derivative is the slope.
+/// each sample value is accepted, and what [`crate::Values`] rules out is refused. A grading, a punch or a quadrature must
+/// also keep its contract: a finite and positive modulus; an even height whose derivative is the slope; as many equations
+/// as the unknowns want, and a flat punch on a half-plane to rounding.
 pub fn check_plugin(info: &PluginInfo) -> Result<(), String> {
     let twins = plugins().iter().filter(|other| (other.family, other.name) == (info.family, info.name)).count();
     ensure(twins == 1, || format!("{twins} plugins of this family have this name"))?;
@@ -139,7 +143,7 @@ impl Parsed {
             }
             Family::Quadrature => {
                 let (config, written) = round_trip!(dyn Quadrature);
-                (config.typetag_name(), written, Ok(()))
+                (config.typetag_name(), written, rules::quadrature(&*config))
             }
         };
         Ok(Self { tag: tag.to_owned(), written, contract })

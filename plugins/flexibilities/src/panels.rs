@@ -64,15 +64,16 @@ pub(crate) struct Panels {
     pub(crate) first_break: f64,
 }
 
-/// A law's own rounding may be larger than a panel's errors: coefficients below this that halving the panel leaves above a part of
-/// what they were are taken for it. Those of a smooth law fall by far more, those of a jump are larger.
+/// A law's own rounding may be larger than a panel's errors: coefficients below this that halving the panel leaves
+/// above a part of what they were are taken for it. Those of a smooth law fall by far more, those of a jump are larger.
 const NOISE: (f64, f64) = (1e-12, 0.3);
 
 /// What of the rounding of a depth, over the thickness of a panel there, is taken for noise.
 const NOISE_OF_DEPTH: f64 = 8.0;
 
-/// The last of the constants, `beta/mu`, is a difference that vanishes where a solid is incompressible: its own rounding is that of
-/// Poisson's ratio, relative to the first, `1/mu`. It is measured by this part of that at least when it is taken for noise.
+/// The last of the constants, `beta/mu`, is a difference that vanishes where a solid is incompressible: its own
+/// rounding is that of Poisson's ratio, relative to the first, `1/mu`. It is measured by this part of that at least
+/// when it is taken for noise.
 const FAINT: f64 = 1e-3;
 
 /// Coefficients that must be small at the end of a series.
@@ -128,8 +129,8 @@ impl Panels {
             let fit = Fit::of(layer, law, (start, width), self.precision)?;
             let (top, wide) = (stretch.in_whole(start), width * thickness);
             let is_thinnest = wide <= THINNEST || width <= THINNEST;
-            // A depth is rounded, too, and a law that varies over the panel with it; so thin a panel hardly matters, unless it is very soft
-            // or very stiff.
+            // A depth is rounded, too, and a law that varies over the panel with it; so thin a panel hardly matters,
+            // unless it is very soft or very stiff.
             let rounding = NOISE_OF_DEPTH * f64::EPSILON * (start + width) / width;
             let weight = wide * fit.extremes.1.max(fit.extremes.0.recip());
             let is_rounding = fit.error < rounding && fit.error * weight < NOISE.0;

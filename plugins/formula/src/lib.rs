@@ -147,9 +147,10 @@ impl Formula {
         singular::points(&self.tape, scale, most)
     }
 
-    /// Where on `[0, length]` the formula, analytic there, may vary over a short length: the step of a hyperbolic tangent, the peak of an
-    /// exponential or of an inverse, the beginning of either at an end. Place and width of each, in no order; the width is no number
-    /// where nothing varies. A place too many does no harm; what the arguments of its functions do between a thousand samples is missed.
+    /// Where on `[0, length]` the formula, analytic there, may vary over a short length: the step of a hyperbolic
+    /// tangent, the peak of an exponential or of an inverse, the beginning of either at an end. Place and width of
+    /// each, in no order; the width is no number where nothing varies. A place too many does no harm; what the
+    /// arguments of its functions do between a thousand samples is missed.
     pub fn narrow_places(&self, length: f64) -> Vec<(f64, f64)> {
         narrow::places(&self.tape, length)
     }

@@ -3,7 +3,7 @@
 use crate::FUNCTIONS;
 use crate::lexer::{Token, belongs_to_name, fault, tokens};
 use crate::tape::{Function, STACK, Step, Tape};
-use slipzone_api::Fault;
+use slipzone_api::{Fault, clip, nearest};
 use std::collections::BTreeMap;
 use std::f64::consts::{E, PI};
 use std::ops::Range;
@@ -13,6 +13,9 @@ pub const LONGEST: usize = 2000;
 
 /// The deepest nesting of brackets, signs and powers.
 pub const DEEPEST: usize = 50;
+
+/// Characters of a name that a message shows, at most.
+const SHOWN: usize = 40;
 
 /// Names that stand for a number.
 const CONSTANTS: [(&str, f64); 2] = [("pi", PI), ("e", E)];
@@ -51,7 +54,7 @@ pub(crate) fn parse(
 
 /// A parameter that occurs in none of the texts.
 pub(crate) fn idle(name: &str, texts: &[(&str, &str)]) -> Fault {
-    let found: Vec<_> = texts.iter().map(|(_, text)| format!("`{}`", clip(text))).collect();
+    let found: Vec<_> = texts.iter().map(|(_, text)| format!("`{}`", clip(text, SHOWN))).collect();
     let formula = if texts.len() > 1 { "formulas" } else { "formula" };
     let name_it = if texts.len() > 1 { "name" } else { "names" };
     Fault::new(&["parameters", name], format!("the parameter `{name}` does not occur in the {formula}"))
@@ -65,7 +68,8 @@ fn check(variable: &str, parameters: &BTreeMap<String, f64>) -> Result<(), Fault
         let path = ["parameters", name.as_str()];
         let is_name = name.starts_with(|c: char| c.is_alphabetic() || c == '_') && name.chars().all(belongs_to_name);
         if !is_name {
-            let fault = Fault::new(&path, "not a name that a formula can use").found(format!("`{}`", clip(name)));
+            let fault =
+                Fault::new(&path, "not a name that a formula can use").found(format!("`{}`", clip(name, SHOWN)));
             return Err(fault.expected("letters, digits and `_`, a letter first"));
         }
         let is_function = FUNCTIONS.iter().any(|(function, _)| function == name);
@@ -168,7 +172,7 @@ impl<'t> Parser<'t> {
                 if self.tape.steps().last() == Some(&Step::Number(0.0)) {
                     let end = self.tokens[self.next - 1].1.end;
                     return Err(fault(at.start..end, "division by zero")
-                        .found(format!("`{}`, which is 0", clip(&self.text[divisor..end])))
+                        .found(format!("`{}`, which is 0", clip(&self.text[divisor..end], SHOWN)))
                         .expected("a divisor other than 0"));
                 }
                 self.tape.push(Step::Divide);
@@ -305,33 +309,13 @@ impl<'t> Parser<'t> {
         };
         let what = if is_called { "function" } else { "name" };
         let list: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
-        let fault = fault(span, format!("unknown {what} `{}` in the formula", clip(name)))
-            .found(format!("`{}`", clip(name)))
+        let fault = fault(span, format!("unknown {what} `{}` in the formula", clip(name, SHOWN)))
+            .found(format!("`{}`", clip(name, SHOWN)))
             .expected(format!("one of {}", list.join(", ")));
         match nearest(name, &names) {
             Some(near) => fault.hint(format!("did you mean `{near}`?")),
             None if is_called => fault,
-            None => fault.hint(format!("give it a value: parameters = {{ {} = 1.0 }}", clip(name))),
+            None => fault.hint(format!("give it a value: parameters = {{ {} = 1.0 }}", clip(name, SHOWN))),
         }
     }
-}
-
-/// The known name that was probably meant.
-fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
-    let (plain, allowed) = (name.to_lowercase(), (1 + name.chars().count()) / 3);
-    let distance = |other: &str| strsim::damerau_levenshtein(&plain, &other.to_lowercase());
-    // Nobody misspells a name at such length, and the distance takes quadratic time.
-    let known = known.iter().filter(|_| name.len() <= 64);
-    known
-        .map(|other| (distance(other), *other))
-        .filter(|(distance, _)| *distance <= allowed)
-        .min()
-        .map(|(_, near)| near)
-}
-
-/// The beginning of a text.
-fn clip(text: &str) -> String {
-    const MOST: usize = 40;
-    let short: String = text.chars().take(MOST).collect();
-    if short.len() == text.len() { short } else { short + "..." }
 }

@@ -9,7 +9,8 @@ const MOST: usize = 1000;
 const GROWTH: f64 = 4.0;
 const LAST: f64 = 0.1;
 
-/// Cuts beside narrow places of which width and depth are given over the thickness, ever farther from each; ascending, inside the layer.
+/// Cuts beside narrow places of which width and depth are given over the thickness, ever farther from each; ascending,
+/// inside the layer.
 pub(crate) fn beside(places: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
     let mut cuts = Vec::new();
     for (depth, width) in places.filter(|(_, width)| *width < NARROW && *width > NARROWEST).take(MOST) {

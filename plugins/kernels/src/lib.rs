@@ -2,6 +2,8 @@
 
 mod even_table;
 mod moments;
+#[cfg(test)]
+mod rational;
 mod split;
 mod truncated;
 mod wave_numbers;

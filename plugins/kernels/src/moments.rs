@@ -13,9 +13,10 @@ use slipzone_api::{
 /// k_vv = m_1 t,    k_uu = m_1 t,    k_uv = m_0 - m_2 t^2/2,    G/A0 = -log|t| + g - m_1 t^2/2,
 /// ```
 ///
-/// each with its own `M`, and `g = ln 2d + int (M_vv + exp(-2 s d))/s ds`. What is left out is at most `int s^3 |M| ds t^3/6`, and
-/// `int s^4 |M_uv| ds t^4/24` of the coupling: that is the error stated. A contact far narrower than its layer is thick takes
-/// a dozen wave numbers this way, two where a millionth is asked for, and one multiplication at each distance.
+/// each with its own `M`, and `g = ln 2d + int (M_vv + exp(-2 s d))/s ds`. What is left out is at most
+/// `int s^3 |M| ds t^3/6`, and `int s^4 |M_uv| ds t^4/24` of the coupling: that is the error stated. A contact far
+/// narrower than its layer is thick takes a dozen wave numbers this way, two where a millionth is asked for, and one
+/// multiplication at each distance.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Moments {}
@@ -25,8 +26,8 @@ slipzone_api::register!(Kernel, "moments", "half-plane's kernels and the first c
     parameters: [],
     source: "docs/planner.md");
 
-/// Gauss's nodes on `(0, 4)` and from there on, over the depth, and what sums over them are good to: measured below for either base
-/// and any contraction.
+/// Gauss's nodes on `(0, 4)` and from there on, over the depth, and what sums over them are good to: measured below for
+/// either base and any contraction.
 struct Sums {
     nodes: [(usize, f64); 2],
     error: f64,

@@ -20,7 +20,8 @@ const NUMBERS: &str = "[output]\nquantities = [\"load\", \"edge\", \"stick\"]\n"
 /// A number of which a judge claims no less an error than this is not judged.
 const CREDIBLE: f64 = 1e-4;
 
-/// Work that a cell may take: a twentieth of what a scene may, half a second or so. Beyond it a method is refused, with that reason.
+/// Work that a cell may take: a twentieth of what a scene may, half a second or so. Beyond it a method is refused, with
+/// that reason.
 const ENOUGH: u64 = BUDGET / 20;
 
 /// A way to solve: its name, its quadrature, its lines of `[solver]`.

@@ -98,7 +98,7 @@ fn surface(text: &mut String, model: &LayerModel) -> Result {
 fn base(text: &mut String, scene: &Scene) -> Result {
     let (what, moves) = match scene.layer.base {
         Base::Rigid => ("bonded to a rigid base", false),
-        Base::Frictionless => ("on a rigid base without friction", false),
+        Base::Frictionless => ("on a frictionless rigid base", false),
         Base::HalfPlane { .. } => ("bonded to an elastic half-plane", true),
         Base::Infinite => ("none, the solid goes on for ever", true),
     };

@@ -51,7 +51,7 @@ pub fn layer_svg(
     if columns.is_empty() {
         return Err(FigureError::NoLayer);
     }
-    let parts = layer_parts(scene, &GREEK);
+    let parts = layer_parts(scene, None, &GREEK);
     let head = Head::new(scene.title.as_deref(), "Layer", &parts, &[], columns.len());
     let mut figure = Canvas::new(SIZE.0 * columns.len() as f64, head.height + HEIGHT);
     for (index, panel) in columns.iter().enumerate() {
@@ -310,23 +310,6 @@ mod tests {
             flexibility.flexibilities[5].uu = odd;
             flexibility.flexibilities[6].uv = -odd;
             texts(&figure(RIGID, Some(&depths), Some(&flexibility)));
-        }
-    }
-
-    /// Writes the figures to look at: `SLIPZONE_FIGURES=folder cargo test layers_to_look_at -- --ignored`.
-    #[test]
-    #[ignore = "for the eye"]
-    fn layers_to_look_at() {
-        let folder = std::path::PathBuf::from(std::env::var("SLIPZONE_FIGURES").expect("a folder"));
-        let substrate = DepthProfile { substrate: Some((5.0, 0.2)), ..coated(4.0) };
-        for (name, layer, depths, flexibility) in [
-            ("layer", RIGID, coated(4.0), bonded(0.0)),
-            ("layer-wide", RIGID, coated(2000.0), bonded(1e3)),
-            ("layer-substrate", HALF_PLANE, substrate, bonded(3.0)),
-            ("layer-decade", RIGID, coated(40.0), bonded(50.0)),
-        ] {
-            let svg = figure(layer, Some(&depths), Some(&flexibility));
-            std::fs::write(folder.join(name).with_extension("svg"), svg).unwrap();
         }
     }
 }

@@ -46,7 +46,7 @@ pub fn curve_svg(solution: &Solution) -> Result<String, FigureError> {
         return Err(FigureError::NoCurve);
     }
 
-    let parts = constant_parts(solution, &GREEK);
+    let parts = constant_parts(&solution.scene, &GREEK);
     let alarm = alarm(curve.status, curve.note.as_deref());
     let title = solution.scene.title.as_deref();
     let head = Head::new(title, "Loading curve", &parts, &alarm, panels.len());
@@ -244,22 +244,5 @@ mod tests {
         assert_eq!(curve_svg(&solution), Err(FigureError::NoCurve));
         solution.path.as_mut().expect("a curve").force[0] = Some(f64::NAN);
         assert_eq!(curve_svg(&solution), Err(FigureError::NotFinite("`path.force[0]` is NaN".into())));
-    }
-
-    /// Writes the figures to look at: `SLIPZONE_FIGURES=folder cargo test loading_curves_to_look_at -- --ignored`.
-    #[test]
-    #[ignore = "for the eye"]
-    fn loading_curves_to_look_at() {
-        let folder = std::path::PathBuf::from(std::env::var("SLIPZONE_FIGURES").expect("a folder"));
-        let mut failed = samples::loading_curve();
-        let curve = failed.path.as_mut().expect("a curve");
-        curve.half_width[20..30].fill(None);
-        (curve.status, curve.note) =
-            (Status::Refused, Some("10 of 60 loads have no numbers, the first at force = 0.35: out of reach".into()));
-        let mut long = samples::loading_curve();
-        long.scene.title = Some("A title that does not end before all has been said, ".repeat(4));
-        for (name, solution) in [("curve", samples::loading_curve()), ("curve-failed", failed), ("curve-long", long)] {
-            std::fs::write(folder.join(name).with_extension("svg"), curve_svg(&solution).unwrap()).unwrap();
-        }
     }
 }

@@ -12,8 +12,8 @@
 //! slips until the stick zone, `a = k b'` whatever the profile, reaches it at `b* = |x|/k`, and sticks from then on.
 
 use super::adaptive::pieces;
-use super::carlson::third_kind;
 use super::partial_slip::{Stick, mean, stick};
+use spec_math::misc::elliprj;
 use std::f64::consts::PI;
 
 /// What the shear depends on beside the pressure.
@@ -82,8 +82,9 @@ impl Goodman {
         let slip = zone.one_minus_ratio * (1.0 + zone.ratio);
         let apart = inside + slip * b * b;
         // Pi(n, k) = K(k) + (n/3) R_J(0, 1 - k^2, 1, 1 - n), DLMF 19.25.14.
-        let first = PI / (2.0 * mean(zone.ratio)) + slip * b * b / (3.0 * apart) * third_kind(k2, inside / apart);
-        let second = third_kind(slip, apart / (b * b)) / 3.0;
+        let first =
+            PI / (2.0 * mean(zone.ratio)) + slip * b * b / (3.0 * apart) * elliprj(0.0, k2, 1.0, inside / apart);
+        let second = elliprj(0.0, slip, 1.0, apart / (b * b)) / 3.0;
         2.0 * x * inside.sqrt() / (PI * PI * b) * (self.eta * first / apart - self.beta * second / (b * b))
     }
 }
@@ -94,6 +95,7 @@ mod tests {
     use crate::reference::cylinder::Cylinder;
     use crate::reference::surface::cauchy;
     use crate::reference::{flat_punch, rounded_flat::RoundedFlat, wedge::Wedge};
+    use std::f64::consts::FRAC_PI_2;
 
     const CASES: [Goodman; 3] = [
         Goodman { eta: 0.2374, beta: 2.0 / 7.0 },
@@ -176,6 +178,32 @@ mod tests {
         for (x, other) in [(0.25, 0.208_289_75), (0.5, 0.295_069_63), (0.75, 0.283_473_41)] {
             let q = law.grown(|b| Cylinder { half_width: b, ..unit }.force_rate(), &[], 1.0, x);
             assert!((q / other - 1.0).abs() < 2.0 / 2000.0, "q = {q} against {other} at x = {x}");
+        }
+    }
+
+    /// `R_J(0, y, 1, p) = (3/2) int_0^inf dt/((t + p) sqrt(t (t + y) (t + 1)))` by the trapezoidal rule in `ln t`,
+    /// where the integrand is analytic in a strip of `|Im| < pi`.
+    #[test]
+    fn the_elliptic_integral_is_its_integral() {
+        for y in [1e-6, 0.1, 0.5, 0.999, 1.0] {
+            for p in [1e-12, 1e-3, 0.3, 0.5, 1.0] {
+                let f = |t: f64| t / ((t + p) * (t * (t + y) * (t + 1.0)).sqrt());
+                let direct: f64 = (-400..=400).map(|j| 1.5 * 0.25 * f((0.25 * f64::from(j)).exp())).sum();
+                let got = elliprj(0.0, y, 1.0, p);
+                // Some hundreds of terms; what is cut off is of the order exp(-50)/p at worst.
+                assert!((got / direct - 1.0).abs() < 1e-14, "y = {y}, p = {p}: {got} against {direct}");
+            }
+        }
+    }
+
+    /// `R_J(0, 1, 1, p) = 3 pi/(2 (1 + sqrt p) sqrt p)`, DLMF 19.20.8.
+    #[test]
+    fn the_elliptic_integral_is_elementary_on_a_circle() {
+        for decade in 0..=250 {
+            let p = 10.0_f64.powi(-decade);
+            let exact = 3.0 * FRAC_PI_2 / ((1.0 + p.sqrt()) * p.sqrt());
+            let got = elliprj(0.0, 1.0, 1.0, p);
+            assert!((got / exact - 1.0).abs() < 4e-15, "p = {p:e}: {got:e} against {exact:e}");
         }
     }
 }

@@ -4,7 +4,6 @@
 
 pub mod abel;
 mod adaptive;
-mod carlson;
 pub mod cylinder;
 pub mod flat_punch;
 pub mod goodman_shear;

@@ -1,51 +1,10 @@
-//! A made-up layer with `s F/A0 = s/(1 + s)`, whose kernels are the auxiliary functions of Si and Ci.
+//! Against kernels in closed form.
 
 use super::*;
-use slipzone_api::{Elastic, Plane, Poisson};
-use std::sync::atomic::{AtomicUsize, Ordering};
-
-/// `M = -1/(1 + s)` in the odd kernels, `+1/(1 + s)` in the coupling; the tail never ends.
-#[derive(Default)]
-struct Rational {
-    tail_known: bool,
-    asked: AtomicUsize,
-}
-
-impl LayerResponse for Rational {
-    fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
-        self.asked.fetch_add(1, Ordering::Relaxed);
-        let f = s / (1.0 + s);
-        Ok(SurfaceFlexibility { vv: f, uu: f, uv: 1.0 - f - self.elastic().beta() })
-    }
-
-    fn elastic(&self) -> Elastic {
-        Elastic::new(Plane::Strain, Poisson::new(0.3).expect("in range"))
-    }
-
-    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
-        vec![SurfaceFlexibility { vv: -1.0, uu: -1.0, uv: 1.0 }; if self.tail_known { terms.min(1) } else { 0 }]
-    }
-
-    fn depth(&self) -> Option<f64> {
-        Some(1.0)
-    }
-}
+use crate::rational::{Rational, exact};
+use std::sync::atomic::Ordering;
 
 const ALL: [Component; 4] = [Component::NormalSlope, Component::ShearStrain, Component::Coupling, Component::Depth];
-
-/// `int_0^inf sin(st)/(1 + s) ds` and `int_0^inf cos(st)/(1 + s) ds`, `t > 0`.
-fn auxiliary(t: f64) -> (f64, f64) {
-    let (si, ci) = sici(t);
-    (ci * t.sin() + (FRAC_PI_2 - si) * t.cos(), (FRAC_PI_2 - si) * t.sin() - ci * t.cos())
-}
-
-fn exact(component: Component, t: f64) -> f64 {
-    let (f, g) = auxiliary(t.abs());
-    match component {
-        Component::NormalSlope | Component::ShearStrain => -f * t.signum(),
-        Component::Coupling | Component::Depth => g,
-    }
-}
 
 fn table(response: &dyn LayerResponse, level: u32, components: &[Component]) -> Box<dyn KernelTable> {
     let request = KernelRequest { reach: 2.0, components, accuracy: 1e-10 };
@@ -61,7 +20,7 @@ fn error(response: &dyn LayerResponse, level: u32, component: Component) -> f64 
 
 #[test]
 fn converges_to_second_order_in_the_cutoff() {
-    let response = Rational { tail_known: true, ..Rational::default() };
+    let response = Rational::knowing(1);
     for component in ALL {
         let errors: Vec<f64> = (1..5).map(|level| error(&response, level, component)).collect();
         // What is left of the tail is 1/s^2, and 1/s^3 for the depth, which has one more 1/s.
@@ -84,7 +43,7 @@ fn without_the_leading_term_it_converges_to_first_order() {
 
 #[test]
 fn the_parts_are_the_jump_and_the_logarithm() {
-    let response = Rational { tail_known: true, ..Rational::default() };
+    let response = Rational::knowing(1);
     let table = table(&response, 0, &ALL);
     let at_origin = |component| table.parts(component, 0.0);
     // k_vv(0+) = -f(0+) = -pi/2; g(t) = -log t - euler + ..., and an odd smooth part vanishes at 0.
@@ -105,7 +64,7 @@ fn the_parts_are_the_jump_and_the_logarithm() {
 
 #[test]
 fn evaluates_the_flexibility_once_for_all_kernels() {
-    let response = Rational { tail_known: true, ..Rational::default() };
+    let response = Rational::knowing(1);
     let counted = table(&response, 0, &ALL).flexibility_evaluations();
     assert_eq!(response.asked.load(Ordering::Relaxed), counted);
     assert!(counted <= 17 * 14, "{counted} wave numbers for a cut-off of 40");
@@ -113,7 +72,7 @@ fn evaluates_the_flexibility_once_for_all_kernels() {
 
 #[test]
 fn refuses_a_contact_too_wide_for_its_layer() {
-    let response = Rational { tail_known: true, ..Rational::default() };
+    let response = Rational::knowing(1);
     let request = KernelRequest { reach: 1e6, components: &[Component::NormalSlope], accuracy: 1e-10 };
     let refusal = Truncated::default().tabulate(&response, &request).err().expect("a refusal");
     assert!(refusal.to_string().contains("more work than it is worth"), "{refusal}");

@@ -5,6 +5,7 @@ mod integrals;
 mod values;
 
 use super::*;
+use slipzone_api::testkit::solve;
 use slipzone_api::{Component, KernelTable, Parts, PartsMut, Station};
 use sums::dot;
 
@@ -54,28 +55,6 @@ fn nodes(parity: Parity, edge: Edge, n: usize) -> Vec<(f64, f64)> {
     let odd = parity == Parity::Odd;
     let grid = resolution::grid(Resolution { n, u_max: reach(n, edge) }, odd, edge);
     grid.nodes[grid.first..].iter().map(|u| (u.x, u.sech)).collect()
-}
-
-/// Gaussian elimination with row pivoting.
-fn solve(matrix: &[f64], right: &[f64]) -> Vec<f64> {
-    let n = right.len();
-    let mut rows: Vec<Vec<f64>> = matrix.chunks(n).zip(right).map(|(row, b)| [row, &[*b]].concat()).collect();
-    for k in 0..n {
-        let pivot = (k..n).max_by(|a, b| rows[*a][k].abs().total_cmp(&rows[*b][k].abs())).expect("a row");
-        rows.swap(k, pivot);
-        let (done, below) = rows.split_at_mut(k + 1);
-        for row in below {
-            let factor = row[k] / done[k][k];
-            for (entry, top) in row[k..].iter_mut().zip(&done[k][k..]) {
-                *entry -= factor * top;
-            }
-        }
-    }
-    let mut x = vec![0.0; n];
-    for k in (0..n).rev() {
-        x[k] = (rows[k][n] - dot(&rows[k][k + 1..n], &x[k + 1..])) / rows[k][k];
-    }
-    x
 }
 
 /// The unknowns under a flat punch pressed on by a unit force.

@@ -2,7 +2,6 @@
 
 use super::*;
 use slipzone_api::PartsMut;
-use slipzone_api::reference::flat_punch;
 
 /// A kernel `smooth(t) + sign(t) sign_part + log|t| log_part`.
 struct Made {
@@ -72,37 +71,6 @@ fn cauchy_integrals_of_chebyshev_polynomials_are_exact() {
         for (got, at) in apply(&operator(rule.as_mut(), None), &values).iter().zip(rule.collocation()) {
             assert_close(*got, (f64::from(k + 1) * (at.x / c).acos()).cos(), 1e-12, "U_k");
         }
-    }
-}
-
-#[test]
-fn equations_and_unknowns_are_counted_as_the_contract_says() {
-    for (parity, edge, excess) in
-        [(Parity::Even, Edge::Sharp, -1), (Parity::Even, Edge::Smooth, 0), (Parity::Odd, Edge::Continued, 1)]
-    {
-        let rule = rule(1.0, parity, edge, 12);
-        let count = |n: usize| i32::try_from(n).expect("a small count");
-        assert_eq!(count(rule.collocation().len()) - count(rule.unknowns()), excess, "{parity:?} {edge:?}");
-        assert!(rule.collocation().windows(2).all(|s| s[0].x < s[1].x && s[0].gap > s[1].gap));
-        let exact = |s: &Station| (s.x + s.gap - 1.0).abs() < 1e-15;
-        assert!(rule.collocation().iter().all(exact), "x and gap add up to the half-width");
-    }
-}
-
-#[test]
-fn flat_punch_on_a_half_plane() {
-    let (c, n) = (3.0, 16);
-    let mut rule = rule(c, Parity::Even, Edge::Sharp, n);
-    // F = 1/(pi c) is the flat punch under unit force.
-    let unknowns = vec![1.0 / (PI * c); rule.unknowns()];
-    assert!(apply(&operator(rule.as_mut(), None), &unknowns).iter().all(|v| v.abs() < 1e-14));
-    let mut row = vec![0.0; rule.unknowns()];
-    rule.resultant_into(&mut row);
-    assert_close(apply(&row, &unknowns)[0], 1.0, 1e-14, "resultant");
-    assert_close(rule.edge_factor(&unknowns), flat_punch::EDGE_RATIO, 1e-14, "edge factor");
-    for gap in [1.0, 1e-3, 1e-12] {
-        let p = rule.value(&unknowns, Station { x: c - gap, gap });
-        assert_close(p / flat_punch::pressure(1.0, c, gap), 1.0, 1e-13, "pressure by its gap");
     }
 }
 

@@ -7,6 +7,7 @@ mod solved;
 
 use super::mesh::Mesh;
 use super::*;
+use slipzone_api::testkit::solve;
 use slipzone_api::{Component, KernelTable, Parts, PartsMut, Station};
 use std::f64::consts::PI;
 
@@ -45,30 +46,6 @@ fn value(rule: &dyn Rule, unknowns: &[f64], at: Station) -> f64 {
 #[track_caller]
 fn assert_close(got: f64, expected: f64, tolerance: f64, what: &str) {
     assert!((got - expected).abs() <= tolerance, "{what}: {got:e} instead of {expected:e}");
-}
-
-/// Gaussian elimination with partial pivoting; `a` is square, row by row.
-fn solve(mut a: Vec<f64>, mut b: Vec<f64>) -> Vec<f64> {
-    let n = b.len();
-    for k in 0..n {
-        let pivot = (k..n).max_by(|i, j| a[i * n + k].abs().total_cmp(&a[j * n + k].abs())).expect("rows left");
-        for j in 0..n {
-            a.swap(k * n + j, pivot * n + j);
-        }
-        b.swap(k, pivot);
-        for i in k + 1..n {
-            let factor = a[i * n + k] / a[k * n + k];
-            for j in k..n {
-                a[i * n + j] -= factor * a[k * n + j];
-            }
-            b[i] -= factor * b[k];
-        }
-    }
-    for k in (0..n).rev() {
-        let known: f64 = (k + 1..n).map(|j| a[k * n + j] * b[j]).sum();
-        b[k] = (b[k] - known) / a[k * n + k];
-    }
-    b
 }
 
 /// A kernel of three parts, by functions of the distance and its own length.

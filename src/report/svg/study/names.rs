@@ -6,8 +6,7 @@ use crate::study::{Cell, Column, Place, Source, Study};
 
 /// A number of the result: name and unit.
 fn number(path: &str, labels: &Labels) -> (&'static str, String) {
-    let (length, stress, force, intensity) = (&labels.length, &labels.stress, &labels.force, &labels.intensity);
-    let per_length = if length.is_empty() { String::new() } else { format!("1/{length}") };
+    let Labels { length, stress, force, intensity, per_length } = labels;
     let (name, unit) = match path {
         "stick.ratio" => ("stick zone a/b", ""),
         "stick.one_minus_ratio" => ("slip zone 1 − a/b", ""),

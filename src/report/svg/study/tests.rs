@@ -284,36 +284,3 @@ fn odd_numbers_still_fit_a_figure() {
     all[2]["stick"]["ratio"] = json!(null);
     texts(&figure(&log, all));
 }
-
-/// Writes the figures to look at: `SLIPZONE_FIGURES=folder cargo test studies_to_look_at -- --ignored`.
-#[test]
-#[ignore = "for the eye"]
-fn studies_to_look_at() {
-    let folder = std::path::PathBuf::from(std::env::var("SLIPZONE_FIGURES").expect("a folder"));
-    let twelve = "[[axes]]\nfield = 'layer.thickness'\nlog = { from = 1.0, to = 30.0, count = 12 }\n\
-                  [[axes]]\nfield = 'friction.coefficient'\nlog = { from = 0.01, to = 1.0, count = 40 }\n";
-    let cloud = "[[axes]]\nrandom = { count = 500, seed = 1, fields = [\
-                 { field = 'friction.coefficient', linear = { from = 0.1, to = 0.5 } }, \
-                 { field = 'layer.thickness', log = { from = 1.0, to = 10.0 } }] }\n";
-    let long = "title = 'A title of the kind that does not end before everything has been said about the study'\n";
-    for (name, axes, plot) in [
-        ("twelve", twelve, format!("{CURVES}x_scale = 'log'\ny_scale = 'log'\n")),
-        ("cloud", cloud, CURVES.into()),
-        ("long", AXES, format!("{CURVES}{long}lines = [{{ y = 0.4, label = 'a' }}, {{ y = 0.5, label = 'b' }}]\n")),
-        ("map-failed", GRID, MAP.into()),
-        (
-            "tractions",
-            AXES,
-            "kind = 'tractions'\nover = 'one'\nonly = { 'friction.coefficient' = [0.1, 0.3] }\n".into(),
-        ),
-    ] {
-        let study = study(axes, &plot);
-        let mut all = records(&study);
-        if name.ends_with("failed") {
-            for index in [3, 4, 17] {
-                all[index]["status"] = json!("not-converged");
-            }
-        }
-        std::fs::write(folder.join(name).with_extension("svg"), figure(&study, all)).expect("a file");
-    }
-}

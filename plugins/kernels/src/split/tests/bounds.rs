@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::Truncated;
+use crate::rational::{Rational, exact};
 use proptest::prelude::*;
-use spec_math::cephes64::sici;
 
 /// `mu = (1 + slope y)^2`: its series in `1/s` diverges.
 #[derive(Debug)]
@@ -21,42 +21,6 @@ impl ModulusLaw for Quadratic {
     }
 }
 
-/// `s F/A0 = s/(1 + s)` in every entry: `M = -1/(1 + s)`, in the coupling `+1/(1 + s)`.
-struct Rational {
-    terms: usize,
-}
-
-impl LayerResponse for Rational {
-    fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
-        let f = s / (1.0 + s);
-        Ok(SurfaceFlexibility { vv: f, uu: f, uv: 1.0 - f - self.elastic().beta() })
-    }
-
-    fn elastic(&self) -> Elastic {
-        Elastic::new(Plane::Strain, Poisson::new(0.3).expect("in range"))
-    }
-
-    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
-        let term = |k: usize| if k.is_multiple_of(2) { -1.0 } else { 1.0 };
-        (0..terms.min(self.terms)).map(|k| SurfaceFlexibility { vv: term(k), uu: term(k), uv: -term(k) }).collect()
-    }
-
-    fn depth(&self) -> Option<f64> {
-        Some(1.0)
-    }
-}
-
-/// `-int sin(st)/(1 + s) ds` or `int cos(st)/(1 + s) ds`: the auxiliary functions of Si and Ci.
-fn exact(component: Component, t: f64) -> f64 {
-    let (si, ci) = sici(t.abs());
-    let (sin, cos) = t.abs().sin_cos();
-    if component.is_odd() {
-        -t.signum() * (ci * sin + (FRAC_PI_2 - si) * cos)
-    } else {
-        (FRAC_PI_2 - si) * sin - ci * cos
-    }
-}
-
 /// Largest difference, in the terms in which accuracy is asked for.
 fn distance(component: Component, reach: f64, a: &[f64], b: &[f64]) -> f64 {
     let scale = if component == Component::Depth { 1.0 } else { reach };
@@ -65,7 +29,7 @@ fn distance(component: Component, reach: f64, a: &[f64], b: &[f64]) -> f64 {
 
 #[test]
 fn kernels_of_a_rational_response_are_si_and_ci() {
-    let response = Rational { terms: usize::MAX };
+    let response = Rational::knowing(usize::MAX);
     for (reach, accuracy) in [(0.01, 1e-10), (0.4, 1e-4), (0.4, 1e-12), (2.0, 1e-10), (8.0, 1e-8), (40.0, 1e-10)] {
         let table = table(&response, reach, &ALL, accuracy);
         let bound = bound(&*table);
@@ -84,7 +48,7 @@ fn kernels_of_a_rational_response_are_si_and_ci() {
 fn a_series_that_is_short_or_unknown_widens_the_bound_and_never_breaks_it() {
     for terms in [0, 1, 2, 5] {
         let (reach, accuracy) = (0.4, 1e-10);
-        let table = table(&Rational { terms }, reach, &ALL, accuracy);
+        let table = table(&Rational::knowing(terms), reach, &ALL, accuracy);
         let bound = bound(&*table);
         let t = distances(reach);
         for component in ALL {

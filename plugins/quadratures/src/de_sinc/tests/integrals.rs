@@ -74,23 +74,6 @@ fn jump_and_logarithm_are_integrated_exactly() {
 }
 
 #[test]
-fn equations_and_unknowns_are_counted_as_the_contract_says() {
-    for (parity, edge, excess) in
-        [(Parity::Even, Edge::Sharp, -1), (Parity::Even, Edge::Smooth, 0), (Parity::Odd, Edge::Continued, 1)]
-    {
-        let rule = rule(1.0, parity, edge, 12);
-        let condition = rule.edge_condition();
-        assert!(condition.is_none_or(|row| row.len() == rule.unknowns()));
-        let equations = rule.collocation().len() + usize::from(condition.is_some());
-        let count = |n: usize| i32::try_from(n).expect("a small count");
-        assert_eq!(count(equations) - count(rule.unknowns()), excess, "{parity:?} {edge:?}");
-        assert_eq!(rule.row_scale().map(<[f64]>::len), Some(rule.collocation().len()));
-        assert!(rule.collocation().windows(2).all(|s| s[0].x <= s[1].x && s[0].gap > s[1].gap));
-        assert!(rule.collocation().iter().all(|s| (s.x + s.gap - 1.0).abs() < 1e-15), "x and gap add up");
-    }
-}
-
-#[test]
 fn a_rule_stretched_is_a_fresh_rule() {
     let kernel = graded(0.2);
     for (parity, edge) in [(Parity::Even, Edge::Smooth), (Parity::Odd, Edge::Continued)] {

@@ -1,23 +1,7 @@
 //! Densities between and beyond the nodes.
 
 use super::*;
-use slipzone_api::reference::flat_punch as punch;
 use std::f64::consts::PI;
-
-#[test]
-fn flat_punch_on_a_half_plane() {
-    let c = 3.0;
-    for n in [6, 16, 40] {
-        let mut rule = rule(c, Parity::Even, Edge::Sharp, n);
-        let unknowns = flat_punch(rule.as_mut(), None);
-        // The rule is exact for F = const: only rounding is left at any n.
-        assert_close(rule.edge_factor(&unknowns), punch::EDGE_RATIO, 1e-14, "edge factor");
-        for gap in [3.0, 1.0, 1e-3, 1e-12, 1e-14, 1e-100] {
-            let exact = punch::pressure(1.0, c, gap);
-            assert_close(value(rule.as_ref(), &unknowns, c - gap, gap) / exact, 1.0, 1e-13, "pressure by its gap");
-        }
-    }
-}
 
 #[test]
 fn nothing_is_lost_beyond_the_last_node() {

@@ -68,7 +68,7 @@ fn pressure(layer: &Layer, nodes: usize, panels: usize) -> (Box<dyn Rule>, Vec<f
     matrix.extend_from_slice(&right);
     right.fill(0.0);
     *right.last_mut().expect("one at least") = 1.0;
-    let unknowns = solve(matrix, right);
+    let unknowns = solve(&matrix, &right);
     (rule, unknowns)
 }
 
@@ -106,7 +106,7 @@ fn friction(layer: &Layer, a: f64) -> f64 {
         let p_here = value(outer.as_ref(), &p, in_contact[i]);
         right.push(scale * (by_pressure[i] - layer.elastic.beta() * p_here));
     }
-    *solve(matrix, right).last().expect("eta")
+    *solve(&matrix, &right).last().expect("eta")
 }
 
 /// Twelve digits (eleven on the thin layer) are known of the edge factor and of `p(0)`.

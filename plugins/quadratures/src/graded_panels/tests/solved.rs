@@ -21,7 +21,7 @@ fn stick_friction(one_minus: f64, nodes: usize, panels: usize) -> f64 {
         matrix.push(-scale * (2.0 * (s + outer.sqrt()).ln() - inner.ln()) / (PI * PI * s));
         right.push(-scale / (PI * s));
     }
-    *solve(matrix, right).last().expect("eta")
+    *solve(&matrix, &right).last().expect("eta")
 }
 
 #[test]
@@ -45,8 +45,8 @@ fn a_parabola_on_a_half_plane_to_its_edge() {
     let c = 2.0;
     let mut rule = rule(c, Parity::Even, Edge::Smooth, 16, 6);
     let matrix = operator(rule.as_mut(), None);
-    let right = rule.collocation().iter().map(|at| at.x / c).collect();
-    let unknowns = solve(matrix, right);
+    let right: Vec<f64> = rule.collocation().iter().map(|at| at.x / c).collect();
+    let unknowns = solve(&matrix, &right);
     let mut row = vec![0.0; rule.unknowns()];
     rule.resultant_into(&mut row);
     assert_close(apply(&row, &unknowns)[0], 0.5 * PI * c, 1e-13, "resultant");
@@ -85,7 +85,7 @@ fn flat_punch(kernel: &Made, nodes: usize, panels: usize) -> [f64; 4] {
     matrix.extend_from_slice(&row);
     let mut right = vec![0.0; rule.unknowns()];
     *right.last_mut().expect("one at least") = 1.0;
-    let unknowns = solve(matrix, right);
+    let unknowns = solve(&matrix, &right);
     let pressure = |gap: f64| value(rule.as_ref(), &unknowns, Station { x: 1.0 - gap, gap });
     [rule.edge_factor(&unknowns), pressure(1.0), pressure(0.3), pressure(1e-6)]
 }

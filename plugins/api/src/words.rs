@@ -1,4 +1,10 @@
-//! Names that were nearly right.
+//! Words in messages: the beginning of a text, and names that were nearly right.
+
+/// The beginning of a text, on one line and of at most so many characters.
+pub fn clip(text: &str, most: usize) -> String {
+    let short: String = text.chars().take_while(|&c| c != '\n').take(most).collect();
+    if short.len() == text.len() { short } else { short + "..." }
+}
 
 /// The known name that was probably meant, if any is close enough: a letter missing, doubled, wrong or
 /// swapped in every three, case and `-` for `_` not counted.
@@ -8,7 +14,11 @@ pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
         return None;
     }
     let plain = |name: &str| name.to_lowercase().replace('-', "_");
-    let allowed = 1 + name.chars().count() / 4;
+    // A single letter is a name of its own, but for its case.
+    let allowed = match name.chars().count() {
+        0 | 1 => 0,
+        count => 1 + count / 4,
+    };
     known
         .iter()
         .map(|candidate| (strsim::damerau_levenshtein(&plain(name), &plain(candidate)), *candidate))
@@ -19,11 +29,19 @@ pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
 
 #[cfg(test)]
 mod tests {
-    use super::nearest;
+    use super::{clip, nearest};
+
+    #[test]
+    fn long_texts_are_cut_between_characters() {
+        assert_eq!(
+            ["h = \u{b5}m", "h = \u{b5}mm", "h\n"].map(|text| clip(text, 6)),
+            ["h = \u{b5}m", "h = \u{b5}m...", "h..."]
+        );
+    }
 
     #[test]
     fn slips_are_recognised_and_strangers_are_not() {
-        let known = ["cylinder", "flat", "half_width"];
+        let known = ["cylinder", "flat", "half_width", "pi", "R"];
         for (name, near) in [
             ("cylindre", Some("cylinder")),
             ("Flat", Some("flat")),
@@ -31,6 +49,8 @@ mod tests {
             ("half-width", Some("half_width")),
             ("sphere", None),
             ("", None),
+            ("p", None),
+            ("r", Some("R")),
             // It was right, in the wrong place.
             ("flat", None),
         ] {
