@@ -67,6 +67,11 @@ impl Series {
         (first + x * b1 - b2, 2.0 * (b1 + x * d1 - d2))
     }
 
+    /// Its number of coefficients.
+    pub(crate) fn len(&self) -> usize {
+        self.0.len()
+    }
+
     /// How much of the largest coefficient the last few are: what the series misses is about as much.
     pub(crate) fn tail(&self) -> f64 {
         let size = |c: &[f64]| c.iter().fold(0.0_f64, |most, c| most.max(c.abs()));

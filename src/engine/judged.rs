@@ -133,8 +133,21 @@ pub(super) fn with_the_rest(
     let missed = outcome.size.map_or(0.0, |size| size.missed);
     let left_out = outcome.lost.map_or(0.0, |lost| lost.max(STACKED * tolerance));
     let missed = if missed > ROUNDING { missed } else { 0.0 };
-    let of_kernels = layer.kernel_error(half_width).unwrap_or(0.0);
-    errors.plus(of_kernels + missed + left_out).and(&problem.smoothing_errors(&outcome.numbers))
+    let rest = layer.kernel_error(half_width).unwrap_or(0.0) + missed + left_out;
+    let mut errors = errors.plus(rest).and(&problem.smoothing_errors(&outcome.numbers));
+    // These are beside the mean.
+    if let Some(centre) = errors.get(Quantity::Centre) {
+        errors.set(Quantity::Centre, centre + rest * (1.0 / share_in_middle(outcome) - 1.0));
+    }
+    errors
+}
+
+/// The pressure in the middle over the mean, where it is the smaller: what moves all of the pressure moves it by so much more.
+pub(super) fn share_in_middle(outcome: &Outcome) -> f64 {
+    let numbers = &outcome.numbers;
+    let share =
+        numbers.get(Quantity::Centre).zip(numbers.get(Quantity::Mean)).map_or(1.0, |(centre, mean)| centre / mean);
+    share.abs().clamp(f64::MIN_POSITIVE, 1.0)
 }
 
 /// [`STUCK`] of a contact that grew in which everything sticks.

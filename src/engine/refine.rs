@@ -2,7 +2,9 @@
 
 use super::error_estimate::{Pace, ROUNDING, SAFETY, Seen, extrapolated, judged_by_twin};
 use super::family::Family;
-use super::judged::{How, Judged, ROUNDED, SHEAR, has_details, left_by_sticking, meets, with_the_rest, worst_judged};
+use super::judged::{
+    How, Judged, ROUNDED, SHEAR, has_details, left_by_sticking, meets, share_in_middle, with_the_rest, worst_judged,
+};
 use super::layer::{Layer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
@@ -40,6 +42,10 @@ const MORE: usize = 1;
 const FOR_THE_SHEAR: usize = 2;
 /// Share of the tolerance that the kernels may use up.
 const KERNEL_SHARE: f64 = 0.2;
+/// A pressure in the middle below this share of the mean, or of what it was thought to be, wants kernels finer by as much.
+const FAINT: f64 = 0.25;
+/// No kernels are asked to be finer for that.
+const FINEST_KERNELS: f64 = 1e-14;
 /// Steps in a row that have to stop shrinking.
 const STALLED: usize = 3;
 
@@ -53,6 +59,8 @@ pub(super) struct Ladder {
     settled: Option<usize>,
     /// How fast it was reached, and by how wide a contact.
     pace: Option<(f64, Pace)>,
+    /// The least pressure in the middle seen, over the mean, where it is faint.
+    least_share: Option<f64>,
 }
 
 /// What one punch leaves behind for another on the same layer: the flat punches of each resolution, the step that was fine
@@ -72,18 +80,6 @@ pub(super) struct Aim<'a> {
     pub(super) tolerance: f64,
 }
 
-impl<'a> Aim<'a> {
-    fn task(self, level: u32) -> Task<'a> {
-        let wanted = Wanted {
-            frictional: self.problem.friction.is_some(),
-            deep: self.problem.wants_depth(),
-            accuracy: KERNEL_SHARE * self.tolerance,
-            level,
-        };
-        Task { problem: self.problem, wanted, tolerance: self.tolerance }
-    }
-}
-
 /// What the checks of friction leave of a result.
 enum Settled {
     /// The stick zone found, and how sure the shear is in it where it was refined by itself.
@@ -96,7 +92,7 @@ impl Ladder {
     /// A ladder for another punch on a layer whose flat punches are known.
     pub(super) fn inheriting(FlatPunches { families, settled, pace }: FlatPunches) -> Self {
         let pace = pace.map(|(half_width, pace)| (half_width, pace.of_another_punch()));
-        Self { stages: Vec::new(), inherited: families, settled, pace }
+        Self { inherited: families, settled, pace, ..Self::default() }
     }
 
     /// The flat punches that it leaves behind.
@@ -138,7 +134,8 @@ impl Ladder {
         let mut told = |index: usize| {
             let level = u32::try_from(index).ok()?;
             self.make(aim, (index, level)).ok()?;
-            self.stages[index].growing.as_mut()?.on_the_way(layer, aim.task(level), half_width, loads)
+            let task = self.task(aim, level);
+            self.stages[index].growing.as_mut()?.on_the_way(layer, task, half_width, loads)
         };
         let left = |coarse: &Numbers, fine: &Numbers| error.max(LEFT * fine.change_from(coarse));
         // The flat punches may take a step more than their stack did.
@@ -167,7 +164,8 @@ impl Ladder {
         // The twin first: the tables left are those of the contact reported.
         let twin = solve(1, None)?;
         let mut outcome = solve(0, Some(&twin))?;
-        self.stages[0].settle(layer, aim.task(of_kernel), &mut outcome)?;
+        let task = self.task(aim, of_kernel);
+        self.stages[0].settle(layer, task, &mut outcome)?;
         let mut errors = judged_by_twin(&outcome.seen(), &twin.seen());
         // The few points of the traces do not see the end of the zone.
         if let Some((traced, apart)) = errors.get(Quantity::Shear).zip(self.stages[0].shear_apart(&self.stages[1])) {
@@ -218,7 +216,7 @@ impl Ladder {
                 || self.is_hopeless(aim, (step, first), &outcome)
                 || self.is_broken(step, first, &estimate.errors);
             if done || step + first == FINEST {
-                let task = aim.task(level);
+                let task = self.task(aim, level);
                 match self.settle(layer, task, (&mut outcome, step), &estimate.errors) {
                     Ok(Settled::Elsewhere) => {
                         estimate = Estimate::beginning_with(&outcome);
@@ -247,7 +245,7 @@ impl Ladder {
         let Judged { outcome, stage, errors, of_shear, stopped, .. } = &mut found;
         if stopped.is_some() {
             // Settled by no step: the last one that could be solved is.
-            let task = aim.task(level(first, *stage));
+            let task = self.task(aim, level(first, *stage));
             if let Settled::Here { shear: Some(shear) } = self.settle(layer, task, (outcome, *stage), errors)? {
                 *of_shear = Some(shear);
             }
@@ -284,7 +282,7 @@ impl Ladder {
             }
             let stage = found.stage + 1;
             let level = level(first, stage);
-            let task = aim.task(level);
+            let task = self.task(aim, level);
             let coarse = Some(&found.outcome);
             let Ok(mut outcome) = self.solve(layer, aim, (stage, level, level), coarse) else {
                 return;
@@ -346,7 +344,8 @@ impl Ladder {
         let mut solve = |index: usize, coarse: Option<&Outcome>| {
             let level = u32::try_from(index).ok()?;
             self.make(aim, (index, level)).ok()?;
-            let found = self.stages[index].solve_again(layer, aim.task(level), widest, coarse).ok()??;
+            let task = self.task(aim, level);
+            let found = self.stages[index].solve_again(layer, task, widest, coarse).ok()??;
             // A wider contact may take finer steps.
             found.numbers.get(Quantity::HalfWidth).is_some_and(|b| b <= widest).then_some(found)
         };
@@ -358,7 +357,7 @@ impl Ladder {
             return None;
         }
         layer.meter().conclude();
-        let task = aim.task(u32::try_from(stage).ok()?);
+        let task = self.task(aim, u32::try_from(stage).ok()?);
         self.stages[stage].settle(layer, task, &mut outcome).ok()?;
         Some(Judged::new(outcome, stage, errors, How::Again { kernels_proven: layer.kernel_error(0.0).is_some() }))
     }
@@ -370,9 +369,30 @@ impl Ladder {
         let later = settled.checked_sub(2)?.min(BOUND_LEVEL);
         let half_width = coarsest.numbers.get(Quantity::HalfWidth)?;
         self.make(aim, (settled, u32::try_from(settled).ok()?)).ok()?;
-        let task = aim.task(0);
+        let task = self.task(aim, 0);
         let serves = |stage: &Stage| stage.growing.as_ref().is_some_and(|growing| growing.serves(task, half_width));
         (later > 1 && self.stages[1..=settled].iter().all(serves)).then_some(later)
+    }
+
+    /// What a stage needs to know.
+    fn task<'a>(&self, aim: Aim<'a>, level: u32) -> Task<'a> {
+        let Aim { problem, tolerance, .. } = aim;
+        let accuracy = KERNEL_SHARE * tolerance;
+        let wanted = Wanted {
+            frictional: problem.friction.is_some(),
+            deep: problem.wants_depth(),
+            accuracy: accuracy.min((accuracy * self.least_share.unwrap_or(1.0)).max(FINEST_KERNELS)),
+            level,
+        };
+        Task { problem, wanted, tolerance }
+    }
+
+    /// Takes note of a pressure that is faint in the middle, which wants finer kernels.
+    fn note(&mut self, outcome: &Outcome) {
+        let share = share_in_middle(outcome);
+        if share < FAINT * self.least_share.unwrap_or(1.0) {
+            self.least_share = Some(share);
+        }
     }
 
     /// Solves on one stage, made when first asked for.
@@ -384,10 +404,12 @@ impl Ladder {
         coarse: Option<&Outcome>,
     ) -> Result<Outcome, Refusal> {
         self.make(aim, (index, quadrature_level))?;
-        let task = aim.task(kernel_level);
+        let task = self.task(aim, kernel_level);
         let (before, here) = self.stages.split_at_mut(index);
         let family = before.iter().rev().find_map(|stage| stage.growing.as_ref()?.family.as_ref());
-        here[0].solve(layer, task, coarse, family)
+        let outcome = here[0].solve(layer, task, coarse, family)?;
+        self.note(&outcome);
+        Ok(outcome)
     }
 
     /// Makes the stages up to one of that level.

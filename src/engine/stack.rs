@@ -109,8 +109,10 @@ enum Force {
     /// From the end of a face, without a corner: `s^2` times a series in `s = ((b' - from)/(to - from))^(1/2)`. There is no
     /// force at first, and it begins to grow at no rate: what the series misses of that is felt all over the face's end.
     FromFace(Series),
-    /// From anywhere else: a series in `s`.
-    Plain(Series),
+    /// From anywhere else: a series in `s`. Only beyond a corner its slope there is more than what the series misses; what it feigns
+    /// elsewhere is taken off as far as its points do not reach: a rate that goes with `1/s` would be felt at the kink itself,
+    /// where the pressure of what is stacked does so, too.
+    Plain { series: Series, feigned: f64 },
 }
 
 impl Stack {
@@ -212,7 +214,8 @@ impl Stack {
                 let values: Vec<f64> = points.at.iter().map(at).collect();
                 let series = points.through(&values);
                 let tail = series.tail();
-                (if starts { Force::FromFace(series) } else { Force::Plain(series) }, tail)
+                let feigned = if problem.is_corner(from) { 0.0 } else { series.value_and_slope(0.0).1 };
+                (if starts { Force::FromFace(series) } else { Force::Plain { series, feigned } }, tail)
             } else {
                 let (mut rhos, mut kappas) = (Vec::with_capacity(count), Vec::with_capacity(count));
                 for s in &points.at {
@@ -234,7 +237,7 @@ impl Stack {
                 (Force::OfHeight { rho, kappa }, tail)
             };
             // A kink at the beginning feels the rate of the force, which a plain series misses by so much more than the force.
-            let felt = if matches!(force, Force::Plain(_)) { (count * count) as f64 } else { 1.0 };
+            let felt = if matches!(force, Force::Plain { .. }) { (count * count) as f64 } else { 1.0 };
             if tail < (digits / felt).max(ROUNDING) || 2 * count > MOST_COEFFICIENTS || tail.is_nan() {
                 return (Piece { from, to, force }, tail);
             }
@@ -569,9 +572,11 @@ impl Piece {
                 let (share, rise) = series.value_and_slope(s);
                 (s * s * share, (share + 0.5 * s * rise) / width)
             }
-            Force::Plain(series) => {
+            Force::Plain { series, feigned } => {
                 let (force, slope) = series.value_and_slope(s);
-                (force, slope / (2.0 * s * width))
+                // As far as the first of the points, as they crowd.
+                let unseen = (-s * (series.len() as f64).powi(2)).exp();
+                (force, (slope - feigned * unseen) / (2.0 * s * width))
             }
         }
     }
