@@ -6,7 +6,7 @@ use crate::singular::bisect;
 use crate::tape::{Function, Step, Tape};
 use std::ops::Range;
 
-/// Samples of each argument: it is no narrower than what is made of it, but far broader as a rule.
+/// Samples of each argument: it is no narrower than what is made of it, but far broader as a rule. A straight line wants its ends.
 const SAMPLES: i32 = 1024;
 /// Over which parts of the length a slope's change is looked at: of a parabola, and of a kink.
 const BESIDE: [f64; 2] = [1e-3, 1e-9];
@@ -26,9 +26,24 @@ enum Kind {
 pub(crate) fn places(tape: &Tape, length: f64) -> Vec<(f64, f64)> {
     let mut found = Vec::new();
     for (range, kind) in arguments(tape) {
-        look(|x| tape.part(range.clone(), x), kind, length, &mut found);
+        let samples = if is_straight(tape, range.clone()) { 1 } else { SAMPLES };
+        look(|x| tape.part(range.clone(), x), kind, (length, samples), &mut found);
     }
     found
+}
+
+/// Whether a part is a straight line by how it is written: sums, and products and quotients with the variable in one factor only.
+fn is_straight(tape: &Tape, range: Range<usize>) -> bool {
+    let varies = |part: Range<usize>| tape.steps()[part].contains(&Step::Variable);
+    range.into_iter().all(|end| match tape.steps()[end] {
+        Step::Number(_) | Step::Variable | Step::Negate | Step::Add | Step::Subtract => true,
+        Step::Multiply => {
+            let (first, second) = tape.operands(end);
+            !(varies(first) && varies(second))
+        }
+        Step::Divide => !varies(tape.operands(end).1),
+        Step::Power | Step::Min | Step::Max | Step::Of(_) => false,
+    })
 }
 
 /// The arguments of functions that may vary fast.
@@ -49,7 +64,7 @@ fn arguments(tape: &Tape) -> Vec<(Range<usize>, Kind)> {
 }
 
 /// Adds where an argument passes through zero, turns around or begins, and over which length.
-fn look(u: impl Fn(f64) -> Dual, kind: Kind, length: f64, found: &mut Vec<(f64, f64)>) {
+fn look(u: impl Fn(f64) -> Dual, kind: Kind, (length, samples): (f64, i32), found: &mut Vec<(f64, f64)>) {
     let scale = |value: f64| if kind == Kind::Scaled { value.abs() } else { 1.0 };
     let steep = |x: f64| {
         let Dual { value, slope } = u(x);
@@ -57,8 +72,8 @@ fn look(u: impl Fn(f64) -> Dual, kind: Kind, length: f64, found: &mut Vec<(f64, 
     };
     found.extend([0.0, length].map(steep));
     let mut before = (0.0, u(0.0));
-    for i in 1..=SAMPLES {
-        let x = length * f64::from(i) / f64::from(SAMPLES);
+    for i in 1..=samples {
+        let x = length * f64::from(i) / f64::from(samples);
         let (then, now) = (before.1, u(x));
         if kind == Kind::Step && (then.value < 0.0) != (now.value < 0.0) {
             found.push(steep(bisect(before.0, x, |x| u(x).value)));
