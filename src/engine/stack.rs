@@ -527,20 +527,27 @@ fn nodes_beyond(ways: &Ways, x: f64, from: f64, (lower, upper): (f64, f64), mut 
     if from > 0.0 && apart > 0.0 {
         let end = ((upper - lower) / apart).sqrt().asinh();
         ways.along(end, LONGEST, |t, weight| {
-            let from_lower = apart * t.sinh().powi(2);
+            let root = t.sinh();
+            let from_lower = apart * root * root;
             let (member, gap) = (lower + from_lower, (lower - x) + from_lower);
-            each(Beyond { member, gap, from_lower, weight: weight * apart * (2.0 * t).sinh() });
+            each(Beyond { member, gap, from_lower, weight: weight * apart * twice(root) });
         });
         return;
     }
     let parameter = |member: f64| 2.0 * ((member - x).max(0.0) / (2.0 * x)).sqrt().asinh();
     let (start, end) = (parameter(lower), parameter(upper));
     ways.along(end - start, LONGEST, |passed, weight| {
-        let t = start + passed;
-        let from_lower = 2.0 * x * (start + 0.5 * passed).sinh() * (0.5 * passed).sinh();
-        let gap = 2.0 * x * (0.5 * t).sinh().powi(2);
-        each(Beyond { member: lower + from_lower, gap, from_lower, weight: weight * x * t.sinh() });
+        let root = (0.5 * (start + passed)).sinh();
+        let gap = 2.0 * x * root * root;
+        let from_lower =
+            if start == 0.0 { gap } else { 2.0 * x * (start + 0.5 * passed).sinh() * (0.5 * passed).sinh() };
+        each(Beyond { member: lower + from_lower, gap, from_lower, weight: weight * x * twice(root) });
     });
+}
+
+/// `sinh(2 t)` of `sinh(t)`.
+fn twice(root: f64) -> f64 {
+    2.0 * root * (1.0 + root * root).sqrt()
 }
 
 /// The power of `x` that the slope of a shape begins with, where it is so low that a grid in `b'` is too coarse for the tip. A corner
