@@ -220,9 +220,8 @@ impl Stack {
                 let (mut rhos, mut kappas) = (Vec::with_capacity(count), Vec::with_capacity(count));
                 for s in &points.at {
                     let b = to * s.powi(POWER);
-                    let force = self.force_by_tilt(problem, family, b);
+                    let (force, mean) = self.force_and_mean_slope(problem, family, b);
                     let slope = problem.slope(b);
-                    let mean: f64 = self.grid.iter().map(|x| x.weight * problem.slope(b * x.from_lower)).sum();
                     // Slopes too small for a number with all its digits: as if they went on as they are farther out.
                     let (rho, kappa) = if b * mean < FAINTEST {
                         (*rhos.last().unwrap_or(&0.0), *kappas.last().unwrap_or(&1.0))
@@ -285,15 +284,24 @@ impl Stack {
 
     /// The force at a half-width, by reciprocity with the tilted flat punch.
     fn force_by_tilt(&mut self, problem: &Problem, family: &mut Family, b: f64) -> f64 {
-        let a0 = problem.elastic.a0();
         if self.breaks[0] > 0.0 || self.breaks[1] < b {
-            return self.over_contact(b, &mut |at, out| family.tilt_into(b, at, out), |x| problem.slope(x)) / a0;
+            let tilt = &mut |at: &[Station], out: &mut [f64]| family.tilt_into(b, at, out);
+            return self.over_contact(b, tilt, |x| problem.slope(x)) / problem.elastic.a0();
         }
-        // The same nodes of every contact.
-        let values = &mut self.room.values;
-        family.tilt_over(b, &self.grid, values);
-        let terms = self.grid.iter().zip(values);
-        2.0 * b * terms.map(|(node, tilt)| node.weight * *tilt * problem.slope(b * node.from_lower)).sum::<f64>() / a0
+        self.force_and_mean_slope(problem, family, b).0
+    }
+
+    /// The same at a half-width within which the shape is analytic, and the mean of the slope there: the nodes of every contact are the
+    /// same parts of it.
+    fn force_and_mean_slope(&mut self, problem: &Problem, family: &mut Family, b: f64) -> (f64, f64) {
+        family.tilt_over(b, &self.grid, &mut self.room.values);
+        let (mut force, mut mean) = (0.0, 0.0);
+        for (node, tilt) in self.grid.iter().zip(&self.room.values) {
+            let share = node.weight * problem.slope(b * node.from_lower);
+            force += share * tilt;
+            mean += share;
+        }
+        (2.0 * b * force / problem.elastic.a0(), mean)
     }
 
     /// Where the shape is not analytic, up to the widest contact.

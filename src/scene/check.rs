@@ -209,6 +209,11 @@ fn load(document: &Document, scene: &Scene) -> Result<(), SceneError> {
         Load::HalfWidth(b) if b.get() > reach => Err(document
             .not_allowed(&place, format!("at most {reach}, where the punch's table ends"))
             .hint("give the table rows further out, or a smaller load")),
+        Load::HalfWidth(b) if smallest <= face && b.get() > face => Err(document
+            .not_allowed(&place, format!("loads above {face} from the first on, the half-width of the punch's flat face"))
+            .hint(format!(
+                "the first of the loads on the way is {smallest}; to begin at another list them: `path = {{ half_width = [...] }}`"
+            ))),
         Load::HalfWidth(_) if smallest <= face => Err(document
             .not_allowed(&place, format!("above {face}, the half-width of the punch's flat face"))
             .hint("the contact is as wide as the face before there is any load")),
