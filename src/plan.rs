@@ -3,8 +3,9 @@
 use crate::engine::friction_needed;
 use crate::scene::{Layer, LoadKind, Model, Scene};
 use serde::Serialize;
-use slipzone_api::{Base, Flexibility, KernelStrategy, Quadrature};
+use slipzone_api::{Base, Flexibility, KernelStrategy, LayerModel, Poisson, Positive, Quadrature};
 use slipzone_flexibilities::{ClosedForm, Compliance};
+use slipzone_gradings::Homogeneous;
 use slipzone_kernels::{Moments, Split};
 use slipzone_quadratures::DeSinc;
 
@@ -176,4 +177,19 @@ pub(crate) fn has_closed_form(layer: &Layer) -> bool {
 /// Whether a kernel strategy serves any contact: moments serve narrow ones alone, and are the planner's.
 pub(crate) fn serves_any_contact(kernel: &str) -> bool {
     kernel != Moments {}.typetag_name()
+}
+
+/// A layer on its base, of its surface's material throughout.
+pub(crate) fn homogeneous(layer: &Layer, material: &LayerModel) -> Layer {
+    let nu = material.law.poisson(0.0).unwrap_or(material.solid.poisson.get());
+    let modulus = material.surface_shear / material.solid.moduli.shear(1.0, nu);
+    let (Ok(modulus), Ok(poisson)) = (Positive::new(modulus), Poisson::new(nu)) else {
+        unreachable!("the constants of a solid were checked")
+    };
+    Layer { poisson, grading: Box::new(Homogeneous { modulus }), ..layer.clone() }
+}
+
+/// The half-plane of a layer's surface material.
+pub(crate) fn half_plane(layer: &Layer, material: &LayerModel) -> Layer {
+    Layer { thickness: None, base: Base::Infinite, datum: None, ..homogeneous(layer, material) }
 }

@@ -11,9 +11,9 @@
 use super::layer::Layer;
 use super::normal::Normal;
 use super::problem::Problem;
-use super::stand_in;
 use super::stick::Shear;
 use super::stick_zone::StickZone;
+use crate::plan;
 use crate::scene::Scene;
 use slipzone_api::double_exponential::{self, Node};
 use slipzone_api::{Component, Edge, Quadrature, Refusal, Station};
@@ -47,7 +47,7 @@ pub(super) fn neglected(layer: &Layer, problem: &Problem, zone: StickZone, scene
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few
     let level = (COARSEST + finer.max(0.0)).ceil().min(FINEST) as u32;
     let quadrature = scene.solver.quadrature.as_ref()?.refined(level);
-    let half_plane = Scene { layer: stand_in::half_plane(&scene.layer, &problem.layer), ..scene.clone() };
+    let half_plane = Scene { layer: plan::half_plane(&scene.layer, &problem.layer), ..scene.clone() };
     let step = |layer: &Layer| first_step(layer, beta, zone, quadrature.clone()).ok();
     // On an incompressible half-plane there is no shear.
     let plain = if beta == 0.0 { 0.0 } else { step(&Layer::of(&half_plane).ok()?)? };

@@ -60,7 +60,6 @@ pub use solution::{
     EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Program, Slip, Solution, Status, StickReport,
 };
 pub use solver::Solver;
-pub(crate) use stand_in::half_plane;
 
 use crate::plan;
 use crate::scene::Scene;

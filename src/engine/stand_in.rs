@@ -5,10 +5,9 @@
 use super::contact_size;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
-use crate::plan::{has_closed_form, serves_any_contact};
-use crate::scene::{Layer, Model, Scene};
-use slipzone_api::{Base, LayerModel, Poisson, Positive};
-use slipzone_gradings::Homogeneous;
+use crate::plan::{half_plane, has_closed_form, homogeneous, serves_any_contact};
+use crate::scene::{Model, Scene};
+use slipzone_api::{Base, LayerModel};
 
 /// Share of the tolerance that a model may use up; the rest is the numerical error's.
 pub(super) const SHARE: f64 = 0.5;
@@ -246,21 +245,6 @@ impl StandIn {
 fn left_out(problem: &Problem, b: f64) -> f64 {
     let sums = if problem.wants_depth() || problem.is_pressed_by_depth() { 0.5 } else { b };
     SECOND_CORRECTION * b.powi(4) + MOMENTS * sums
-}
-
-/// A layer on its base, of its surface's material throughout.
-fn homogeneous(layer: &Layer, material: &LayerModel) -> Layer {
-    let nu = material.law.poisson(0.0).unwrap_or(material.solid.poisson.get());
-    let modulus = material.surface_shear / material.solid.moduli.shear(1.0, nu);
-    let (Ok(modulus), Ok(poisson)) = (Positive::new(modulus), Poisson::new(nu)) else {
-        unreachable!("the constants of a solid were checked")
-    };
-    Layer { poisson, grading: Box::new(Homogeneous { modulus }), ..layer.clone() }
-}
-
-/// The half-plane of a layer's surface material.
-pub(crate) fn half_plane(layer: &Layer, material: &LayerModel) -> Layer {
-    Layer { thickness: None, base: Base::Infinite, datum: None, ..homogeneous(layer, material) }
 }
 
 /// Errors by a base: of the pressure's numbers over `b^2`, and of the stick zone's over `b`.

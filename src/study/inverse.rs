@@ -6,7 +6,8 @@
 use super::Study;
 use super::find::{Find, Wanted};
 use super::record::{Found, Record};
-use crate::engine::{self, Plan, Solution, Status, solve};
+use crate::engine::{Plan, Solution, Status, solve};
+use crate::plan;
 use crate::scene::{Asked, Load, Replacement, Scene};
 use basin::{
     BoxBounds, Brent, ConstraintDescription, ConstraintSet, Constraints, CostFunction, Executor, PointState,
@@ -365,7 +366,7 @@ fn half_plane(scene: &Scene) -> Result<Scene, String> {
         return Err("an indentation is undefined on a half-plane: prescribe the force or the half-width".into());
     }
     let model = scene.layer.model().map_err(|refusal| refusal.to_string())?;
-    Ok(Scene { layer: engine::half_plane(&scene.layer, &model), ..scene.clone() })
+    Ok(Scene { layer: plan::half_plane(&scene.layer, &model), ..scene.clone() })
 }
 
 /// A stretch of the range in which the least value lies.
