@@ -10,16 +10,18 @@ use super::layer::Layer;
 use super::normal::Normal;
 use super::stick::Shear;
 use super::stick_zone::StickZone;
-use basin::root::{RootError, Toms748Root};
+use basin::{RootError, Toms748Root};
 use slipzone_api::double_exponential;
 use slipzone_api::{Component, Refusal, Station};
 use std::f64::consts::PI;
 
-/// Nodes on either side of the integrals over the carrier: at least, and per length of the kernel.
+/// Fewest nodes on either side of the integrals over the carrier.
 const FEWEST_NODES: f64 = 24.0;
+/// Those nodes per length of the kernel.
 const NODES_PER_LENGTH: f64 = 8.0;
-/// The range of `lambda = ln(a/(b - a))` that is scanned, and the steps taken through it.
+/// The range of `lambda = ln(a/(b - a))` that is scanned.
 const SCANNED: std::ops::RangeInclusive<f64> = -8.0..=10.0;
+/// The steps taken through it.
 const SCAN_STEP: f64 = 0.75;
 /// Step of the differences that tell `dC/d lambda`. Their error goes with its fourth power: with 0.02 the stick ratio on a
 /// half-plane was off by 1e-8, to the last one of these digits as theory has it. Rounding of `C` is magnified a hundred

@@ -19,6 +19,7 @@ use std::sync::Arc;
 
 /// Coefficients of the force over a piece that are tried first; twice as many follow.
 const COEFFICIENTS: usize = 12;
+/// Most of them.
 const MOST_COEFFICIENTS: usize = 384;
 /// Power of the variable in which the force over the first piece is a series.
 const POWER: i32 = 2;
@@ -111,7 +112,8 @@ enum Force {
     FromFace(Series),
     /// From anywhere else: a series in `s`. Only beyond a corner its slope there is more than what the series misses; what it feigns
     /// elsewhere is taken off as far as its points do not reach: a rate that goes with `1/s` would be felt at the kink itself,
-    /// where the pressure of what is stacked does so, too.
+    /// where the pressure of what is stacked does so, too. (A series for the growth over `s^2`, as from a face, would be of
+    /// rounding: here there is a force already.)
     Plain { series: Series, feigned: f64 },
 }
 
