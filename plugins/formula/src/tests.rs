@@ -260,3 +260,33 @@ fn formulas_share_their_parameters() {
     assert_eq!((fault.path, fault.message.as_str()), (vec!["parameters".into(), "a".into()], "the name `a` is taken"));
     assert_eq!(parse("a*x", "x +", &[]).unwrap_err().path, ["two"]);
 }
+
+/// A film is where the argument of an exponential turns around: of a parabola once, of a quartic three times. A step is where that
+/// of a hyperbolic tangent passes through zero, which a straight one does once and another as often as it likes.
+#[test]
+fn narrow_places_are_found_wherever_an_argument_turns_or_passes_through_zero() {
+    for (text, places) in [
+        ("exp(-((x - 0.3)/0.001)^2)", &[0.3][..]),
+        ("exp(-((x - 0.3)*(x - 0.7)/0.001)^2)", &[0.3, 0.5, 0.7]),
+        ("tanh((x - 0.3)/0.001)", &[0.3]),
+        ("tanh(2*(0.3 - x)/0.001 + 1)", &[0.3005]),
+        ("tanh((x - 0.3)*(x - 0.7)/0.001)", &[0.3, 0.5, 0.7]),
+        ("1/(0.001 + (x - 0.3)*(x - 0.3))", &[0.3]),
+        ("exp(-x/0.001)", &[]),
+    ] {
+        let mut inside: Vec<f64> = parse(text)
+            .unwrap()
+            .narrow_places(1.0)
+            .into_iter()
+            .map(|(x, _)| x)
+            .filter(|x| *x > 0.0 && *x < 1.0)
+            .collect();
+        inside.sort_by(f64::total_cmp);
+        // Two functions may take the same argument.
+        inside.dedup_by(|one, other| (*one - *other).abs() < 1e-6);
+        assert_eq!(inside.len(), places.len(), "{text}: {inside:?}");
+        for (found, place) in inside.iter().zip(places) {
+            assert!((found - place).abs() < 1e-6, "{text}: {inside:?}");
+        }
+    }
+}
