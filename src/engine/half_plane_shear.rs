@@ -12,7 +12,9 @@
 //! left has no detail of the size of the slip zone, and on a half-plane it is nothing.
 
 use super::stick_zone::StickZone;
+use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Station;
+use slipzone_api::elementary::{LANES, angle};
 use std::f64::consts::PI;
 
 /// These shears, 1 at the end of the stick zone. What they do comes in pairs: for `Y = Q + k^2 (X - Q)` and for
@@ -45,18 +47,28 @@ impl HalfPlaneShear {
     }
 
     /// In the slip zone, a point of the contact.
+    #[inline(always)]
     pub(super) fn slipping(&self, at: Station) -> [f64; 2] {
         let p = self.pressure(at);
         let beyond = self.zone.slip_width - at.gap;
         self.parts(p, p * beyond / self.zone.half_width)
     }
 
-    /// In the stick zone; the gap is to its end.
-    pub(super) fn sticking(&self, at: Station) -> [f64; 2] {
-        let (a, x) = (self.zone.half_width, at.x.abs());
-        let share = self.means.share((at.gap * (a + x)).sqrt() / x);
-        let p = self.pressure(self.zone.in_contact(at)).copysign(at.x);
-        self.parts(p * share, p * (x / a - share))
+    /// In the stick zone; the gaps are to its end.
+    pub(super) fn sticking_into(&self, at: &[Station], out: &mut [[f64; 2]]) {
+        Arch::new().dispatch(Sticking { shear: self, at, out });
+    }
+
+    /// [`Self::sticking_into`], a few points side by side.
+    #[inline(always)]
+    fn sticking_in_lanes(&self, at: &[Station; LANES]) -> [[f64; 2]; LANES] {
+        let a = self.zone.half_width;
+        let cotangents = at.map(|at| (at.gap * (a + at.x.abs())).sqrt() / at.x.abs());
+        let shares = self.means.shares(cotangents);
+        std::array::from_fn(|i| {
+            let p = self.pressure(self.zone.in_contact(at[i])).copysign(at[i].x);
+            self.parts(p * shares[i], p * (at[i].x.abs() / a - shares[i]))
+        })
     }
 
     /// `(1/pi) PV int_-b^b q(r)/(x - r) dr` at a point of the stick zone.
@@ -66,11 +78,13 @@ impl HalfPlaneShear {
     }
 
     /// The half-plane's pressure at a point of the contact.
+    #[inline(always)]
     fn pressure(&self, at: Station) -> f64 {
         self.at_end / (at.gap * (self.zone.contact() + at.x.abs())).sqrt()
     }
 
     /// From `Q` and from `X - Q`.
+    #[inline(always)]
     fn parts(&self, own: f64, more: f64) -> [f64; 2] {
         let more = self.share * more;
         [own + more, -more]
@@ -116,19 +130,47 @@ impl Means {
         self.last / self.power()
     }
 
-    /// `F(phi, k)/K(k)` from `cot phi`, `0 < phi <= pi/2`.
-    fn share(&self, cotangent: f64) -> f64 {
-        let (mut y, mut turns) = (cotangent, 0.0);
+    /// `F(phi, k)/K(k)` from `cot phi`, `0 < phi <= pi/2`, side by side.
+    #[inline(always)]
+    fn shares(&self, cotangents: [f64; LANES]) -> [f64; LANES] {
+        let (mut y, mut turns) = (cotangents, [0.0; LANES]);
         for product in &self.products[..self.steps] {
-            turns = 2.0 * turns + if y < 0.0 { 1.0 } else { 0.0 };
-            y -= product / y;
+            for (y, turns) in y.iter_mut().zip(&mut turns) {
+                *turns = 2.0 * *turns + if *y < 0.0 { 1.0 } else { 0.0 };
+                *y -= product / *y;
+            }
         }
-        (self.last.atan2(y) + PI * turns) / (0.5 * PI * self.power())
+        let scale = 1.0 / (0.5 * PI * self.power());
+        std::array::from_fn(|i| (angle(y[i], self.last) + PI * turns[i]) * scale)
     }
 
     #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap)] // a few steps
     fn power(&self) -> f64 {
         2.0_f64.powi(self.steps as i32)
+    }
+}
+
+/// Shears at points of a stick zone, a few of them at a time.
+struct Sticking<'a> {
+    shear: &'a HalfPlaneShear,
+    at: &'a [Station],
+    out: &'a mut [[f64; 2]],
+}
+
+impl WithSimd for Sticking<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { shear, at, out } = self;
+        let ((few, rest), (out, out_rest)) = (at.as_chunks(), out.as_chunks_mut());
+        for (at, out) in few.iter().zip(out) {
+            *out = shear.sticking_in_lanes(at);
+        }
+        if let Some(last) = rest.last() {
+            let at = std::array::from_fn(|i| *rest.get(i).unwrap_or(last));
+            out_rest.copy_from_slice(&shear.sticking_in_lanes(&at)[..rest.len()]);
+        }
     }
 }
 
@@ -141,6 +183,12 @@ mod tests {
 
     fn zones() -> impl Iterator<Item = StickZone> {
         [-25.0, -6.0, -1.0, 0.0, 2.0, 9.0, 25.0].into_iter().map(|lambda| StickZone::from_log(lambda, 1.0))
+    }
+
+    fn sticking(shear: &HalfPlaneShear, at: Station) -> [f64; 2] {
+        let mut out = [[0.0; 2]];
+        shear.sticking_into(&[at], &mut out);
+        out[0]
     }
 
     fn at(zone: StickZone, part: f64) -> Station {
@@ -158,7 +206,7 @@ mod tests {
             let scale = law.eta / (PI * shear.at_end);
             for part in [0.9, 0.5, 0.1] {
                 let exact = law.flat(1.0, 1.0, at(zone, part).x) / scale;
-                let got: f64 = shear.sticking(at(zone, part)).iter().sum();
+                let got: f64 = sticking(&shear, at(zone, part)).iter().sum();
                 assert!((got / exact - 1.0).abs() < 1e-11, "{got} for {exact} at {part} of {zone:?}");
             }
         }
@@ -170,11 +218,11 @@ mod tests {
             let shear = HalfPlaneShear::new(zone);
             let end = shear.slipping(Station { x: zone.half_width, gap: zone.slip_width });
             assert!((end[0] - 1.0).abs() < 1e-14 && end[1].abs() < 1e-14, "{end:?} at the end of {zone:?}");
-            let inside = shear.sticking(at(zone, 0.0));
+            let inside = sticking(&shear, at(zone, 0.0));
             assert!((inside[0] - 1.0).abs() < 1e-14 && inside[1].abs() < 1e-14, "{inside:?} at the end of {zone:?}");
             let [here, there] = [1.0, -1.0].map(|sign| {
                 let Station { x, gap } = at(zone, 0.4);
-                shear.sticking(Station { x: sign * x, gap })
+                sticking(&shear, Station { x: sign * x, gap })
             });
             assert_eq!(here.map(f64::to_bits), there.map(|q| (-q).to_bits()), "odd");
         }
@@ -186,7 +234,7 @@ mod tests {
         let grid = double_exponential::nodes(1.0, 200);
         for zone in zones().filter(|zone| zone.slip_width > 1e-4 && zone.half_width > 1e-3) {
             let (shear, a, x) = (HalfPlaneShear::new(zone), zone.half_width, 0.6 * zone.half_width);
-            let own = shear.sticking(at(zone, 0.4));
+            let own = sticking(&shear, at(zone, 0.4));
             let mut sums = own.map(|own| own * ((1.0 + x) / (1.0 - x)).ln());
             let mut add = |r: f64, q: [f64; 2], apart: f64, weight: f64| {
                 let terms = q.iter().zip(own).map(|(q, own)| weight * (q * r.signum() - own) / apart);
@@ -202,7 +250,7 @@ mod tests {
                 for (length, side) in [(a - x, 1.0), (a + x, -1.0)] {
                     let (r, gap) = (x + side * length * node.from_lower, length * node.to_upper);
                     let gap = if r < 0.0 { gap } else { a - r };
-                    let q = shear.sticking(Station { x: r.abs(), gap });
+                    let q = sticking(&shear, Station { x: r.abs(), gap });
                     add(r, q, -side * length * node.from_lower, length * node.weight);
                 }
             }

@@ -321,7 +321,8 @@ impl Ladder {
         (outcome, stage): (&mut Outcome, usize),
         errors: &Numbers,
     ) -> Result<Settled, Refusal> {
-        let stage = &mut self.stages[stage];
+        let (coarser, here) = self.stages.split_at_mut(stage);
+        let stage = &mut here[0];
         if stage.settle(layer, task, outcome)? {
             return Ok(Settled::Elsewhere);
         }
@@ -332,7 +333,7 @@ impl Ladder {
         let is_of_pressure = |quantity: Quantity| !quantity.is_of_shear() && quantity != Quantity::Indentation;
         let known = errors.judged_by(wishes);
         let of_pressure = known.iter().filter(|(quantity, _)| is_of_pressure(*quantity)).map(|(_, error)| error);
-        let shear = stage.sharpen(layer, task, outcome, of_pressure.fold(0.0, f64::max))?;
+        let shear = stage.sharpen(layer, task, outcome, of_pressure.fold(0.0, f64::max), coarser.last())?;
         Ok(Settled::Here { shear })
     }
 

@@ -4,7 +4,7 @@
 //! for, the tangential equation is solved on finer grids in the zone found, and nothing else is (docs/theory.md, "Error
 //! estimate").
 
-use super::error_estimate::{SLIP_ROUNDING, apart, of_traces};
+use super::error_estimate::{SAFETY, SLIP_ROUNDING, apart, of_traces};
 use super::layer::Layer;
 use super::normal::Normal;
 use super::quantity::ShearTrace;
@@ -24,10 +24,11 @@ const MOST_STEPS: u32 = 6;
 
 /// Solves the shear of a zone on finer grids until it is known to the tolerance, from that of one near it that was solved last, and
 /// leaves the last of them; its error where the relative error of the pressure is `of_pressure`. `None` where there is no finer grid.
+/// Where that of a coarser resolution shows that it is known already, nothing is solved.
 ///
 /// It is relative to the largest shear; what is nearer than [`StickZone::NEAR`] to the contact's edge is left out of both.
 pub(crate) fn sharpen(
-    shear: &mut Shear,
+    (shear, coarser): (&mut Shear, Option<&Shear>),
     layer: &Layer,
     normal: &mut Normal,
     beta: f64,
@@ -44,6 +45,12 @@ pub(crate) fn sharpen(
     }
     let enough = (SHARE * tolerance).max(SLIP_ROUNDING);
     let mut earlier = 1.0;
+    if let Some(coarser) = coarser {
+        // Their grids over the slip zone are nearly the same: the finer may be no better than their difference.
+        let late = apart(&before, &sampled(coarser, &points), largest);
+        let along = (SAFETY * late).max(SLIP_ROUNDING);
+        shear.along = shear.along.or((along <= enough).then_some(along));
+    }
     for step in 1..=MOST_STEPS {
         if shear.along.is_some_and(|along| along <= enough) || !shear.refine(layer, normal, beta, (zone, step))? {
             break;

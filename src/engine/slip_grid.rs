@@ -42,10 +42,9 @@ thread_local! {
 }
 
 /// A double-exponential grid over the slip zone `(a, b)`, of unit length.
+#[derive(Default)]
 pub(crate) struct SlipGrid {
-    resolution: usize,
     unit: Arc<Unit>,
-    pressure_at_stick_edge: f64,
     /// The nodes, and the end of the stick zone.
     stations: Vec<Station>,
     /// `p` there.
@@ -55,53 +54,29 @@ pub(crate) struct SlipGrid {
     count: usize,
 }
 
+/// Nodes on either side of the middle beside a stick zone whose rule has that many unknowns, for a slip zone of that width over
+/// the kernel's length.
+fn nodes_for(unknowns: usize, width: f64) -> usize {
+    let plain = (NODES_BESIDE + unknowns / 3).clamp(FEWEST_NODES, MOST_BY_UNKNOWNS);
+    let per_length = (NODES_PER_LENGTH * unknowns as f64).min(MOST_PER_LENGTH);
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
+    let for_kernel = (per_length * width) as usize;
+    // In powers of two, so that a search changes grids rarely.
+    if for_kernel <= plain { plain } else { for_kernel.min(MOST_NODES).next_power_of_two() }
+}
+
 impl SlipGrid {
-    /// A grid as fine as a rule of that many unknowns.
-    pub(crate) fn new(unknowns: usize) -> Self {
-        let mut empty = Self {
-            resolution: unknowns,
-            unit: Arc::default(),
-            pressure_at_stick_edge: 0.0,
-            stations: Vec::new(),
-            pressure: Vec::new(),
-            nodes: Nodes::default(),
-            count: 0,
-        };
-        empty.resize(empty.nodes_for(0.0));
-        empty
-    }
-
-    /// Nodes on either side for a slip zone of that width over the kernel's length.
-    fn nodes_for(&self, width: f64) -> usize {
-        let plain = (NODES_BESIDE + self.resolution / 3).clamp(FEWEST_NODES, MOST_BY_UNKNOWNS);
-        let per_length = (NODES_PER_LENGTH * self.resolution as f64).min(MOST_PER_LENGTH);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
-        let for_kernel = (per_length * width) as usize;
-        // In powers of two, so that a search changes grids rarely.
-        if for_kernel <= plain { plain } else { for_kernel.min(MOST_NODES).next_power_of_two() }
-    }
-
-    /// As fine as a rule of that many unknowns from now on.
-    pub(crate) fn resolve(&mut self, unknowns: usize) {
-        self.resolution = unknowns;
-    }
-
     fn resize(&mut self, nodes: usize) {
         // The finest grids are for the last digits.
         (self.count, self.unit) = (nodes, Unit::of(nodes, nodes < MOST_BY_UNKNOWNS));
         let n = self.unit.nodes.len();
-        self.stations = vec![Station { x: 0.0, gap: 0.0 }; n + 1];
-        self.pressure = vec![0.0; n + 1];
-        let (filled, nodes) = (n.next_multiple_of(LANES), &mut self.nodes);
-        let Nodes { beyond, r, cauchy, beside, kernel, far, far_kernel } = nodes;
-        for row in [beyond, r, cauchy, beside, kernel, far, far_kernel] {
-            *row = vec![0.0; filled];
+        self.stations.resize(n + 1, Station { x: 0.0, gap: 0.0 });
+        self.pressure.resize(n + 1, 0.0);
+        let Nodes { beyond, r, cauchy, beside, kernel, .. } = &mut self.nodes;
+        for row in [beyond, r, cauchy, beside, kernel] {
+            row.clear();
+            row.resize(n.next_multiple_of(LANES), 0.0);
         }
-    }
-
-    /// `p(a)` of the zone last seen.
-    pub(crate) fn pressure_at_stick_edge(&self) -> f64 {
-        self.pressure_at_stick_edge
     }
 
     /// What is known of the tangential equation at each station of the stick zone, but for what the kernel makes of the half-plane's shear
@@ -110,21 +85,21 @@ impl SlipGrid {
     /// The first is `(1/pi) int p(r) sign(r) [1/(x - r) + k_uu(x - r)] dr` over the slip zones, with `(1/pi) int p(a) Y(r)/(x - r) dr` over
     /// the stick zone; the second `(1/pi) int Z(r)/(x - r) dr` over the latter; `Y` and `Z` are those of [`HalfPlaneShear`]. Beside the
     /// stick zone's edge the Cauchy kernel is steep; what it makes of `Y` and `Z` in all of the contact is known, and what is
-    /// left of `p` once they are taken off vanishes at that edge.
+    /// left of `p` once they are taken off vanishes at that edge. The stations are those of a rule of so many unknowns; returns `p(a)`.
     pub(crate) fn potential_into(
         &mut self,
         layer: &Layer,
         normal: &Normal,
         known: HalfPlaneShear,
-        at: &[Station],
+        (unknowns, at): (usize, &[Station]),
         out: &mut [[f64; 2]],
-    ) {
+    ) -> f64 {
         let zone = known.zone;
-        let nodes = self.nodes_for(zone.slip_width / layer.length());
+        let nodes = nodes_for(unknowns, zone.slip_width / layer.length());
         if nodes != self.count {
             self.resize(nodes);
         }
-        self.see(normal, known);
+        let at_end = self.see(normal, known);
         self.see_from_afar(zone, layer.length());
 
         let per_station = self.nodes.distances();
@@ -144,12 +119,13 @@ impl SlipGrid {
         ROOM.set([all_distances, all_kernel]);
         for (out, at) in out.iter_mut().zip(at) {
             let [by_friction, beside] = known.strain(*at);
-            *out = [out[0] / PI + self.pressure_at_stick_edge * by_friction, out[1] / PI + beside];
+            *out = [out[0] / PI + at_end * by_friction, out[1] / PI + beside];
         }
+        at_end
     }
 
-    /// The nodes of a zone and the pressure there.
-    fn see(&mut self, normal: &Normal, known: HalfPlaneShear) {
+    /// The nodes of a zone and the pressure there; returns that at the end of the stick zone.
+    fn see(&mut self, normal: &Normal, known: HalfPlaneShear) -> f64 {
         let zone = known.zone;
         let (a, width) = (zone.half_width, zone.slip_width);
         let (edge, inside) = self.stations.split_last_mut().expect("the end of the stick zone");
@@ -158,23 +134,12 @@ impl SlipGrid {
             *station = zone.in_slip(node);
         }
         normal.values_into(&self.stations, &mut self.pressure);
-        let (edge, inside) = self.pressure.split_last().expect("that at the end of the stick zone");
-        self.pressure_at_stick_edge = *edge;
-        for (k, ((node, p), at)) in self.unit.nodes.iter().zip(inside).zip(&self.stations).enumerate() {
-            let (beyond, weight) = (width * node.from_lower, width * node.weight);
-            let r = a + beyond;
-            self.nodes.beyond[k] = beyond;
-            self.nodes.r[k] = r;
-            // 1/(x - r) - 1/(x + r) = -2 r/((r - x) (r + x)), with r - x from distances to the stick zone's edge.
-            let [proportional, beside] = known.slipping(*at);
-            self.nodes.cauchy[k] = -2.0 * r * weight * (p - edge * proportional);
-            self.nodes.beside[k] = 2.0 * r * weight * beside;
-            // k(x - r) = -k(r - x).
-            self.nodes.kernel[k] = -weight * p;
-        }
+        let (at_end, inside) = self.pressure.split_last().expect("that at the end of the stick zone");
+        self.nodes.weigh(&self.unit.nodes, inside, *at_end, known);
         // What fills the nodes up stands anywhere within the reach and weighs nothing.
         self.nodes.r[self.unit.nodes.len()..].fill(a);
         self.nodes.beyond[self.unit.nodes.len()..].fill(0.0);
+        *at_end
     }
 
     /// Where the kernel is asked for on the other side of the contact, and what multiplies it there.

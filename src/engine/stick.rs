@@ -11,6 +11,10 @@ use super::slip_grid::SlipGrid;
 use super::stick_zone::StickZone;
 use super::work::Work;
 use slipzone_api::{Component, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
+use std::cell::Cell;
+
+/// Points at which what is known of the shear is told at a time.
+const KNOWN: usize = 64;
 
 /// The shear at one resolution, in layer units; solved again for each stick zone, in the same memory.
 pub(crate) struct Shear {
@@ -36,38 +40,48 @@ pub(crate) struct Shear {
     used: usize,
     /// The unknowns of that zone.
     unknowns: Vec<f64>,
-    slip: SlipGrid,
     /// The coupling's potential under the pressure, sampled.
     coupling: Vec<f64>,
+}
+
+thread_local! {
+    /// The room of this thread, unless it is in use: each zone of each resolution fills it anew.
+    static ROOM: Cell<Option<Box<Room>>> = const { Cell::new(None) };
+}
+
+/// What the tangential equation in one stick zone is made of, a row for each collocation point.
+#[derive(Default)]
+struct Room {
+    slip: SlipGrid,
+    /// The points, seen from the contact's edge.
+    stations: Vec<Station>,
+    coupled: Vec<f64>,
+    pressure: Vec<f64>,
+    by_slip: Vec<[f64; 2]>,
+    /// What the kernel makes of both shears of the half-plane, [`HalfPlaneShear`].
+    applied: Vec<[f64; 2]>,
+}
+
+impl Room {
+    /// Lends the room of this thread.
+    fn lend<T>(work: impl FnOnce(&mut Self) -> T) -> T {
+        let mut room = ROOM.take().unwrap_or_default();
+        let done = work(&mut room);
+        ROOM.set(Some(room));
+        done
+    }
 }
 
 /// The stick zone at one resolution.
 struct StickGrid {
     rule: Box<dyn Rule>,
     system: Dense,
-    /// What the kernel makes of both shears of the half-plane, [`HalfPlaneShear`].
-    applied: Vec<[f64; 2]>,
-    /// The collocation points, seen from the contact's edge.
-    stations: Vec<Station>,
-    coupled: Vec<f64>,
-    pressure: Vec<f64>,
-    by_slip: Vec<[f64; 2]>,
 }
 
 impl StickGrid {
     fn new(quadrature: &dyn Quadrature) -> Result<Self, Refusal> {
         let rule = quadrature.rule(&Span::symmetric(1.0, Parity::Odd, Edge::Continued))?;
-        let (n, points) = (rule.unknowns(), rule.collocation().len());
-        let room = vec![0.0; points];
-        Ok(Self {
-            system: Dense::new(n + 1, 1),
-            applied: vec![[0.0; 2]; points],
-            stations: rule.collocation().to_vec(),
-            coupled: room.clone(),
-            pressure: room.clone(),
-            by_slip: vec![[0.0; 2]; points],
-            rule,
-        })
+        Ok(Self { system: Dense::new(rule.unknowns() + 1, 1), rule })
     }
 }
 
@@ -75,7 +89,6 @@ impl Shear {
     /// Room for the shear of zones that a rule of `quadrature` resolves.
     pub(crate) fn new(quadrature: Box<dyn Quadrature>) -> Result<Self, Refusal> {
         let coarsest = StickGrid::new(quadrature.as_ref())?;
-        let slip = SlipGrid::new(coarsest.rule.unknowns());
         Ok(Self {
             zone: StickZone::default(),
             friction: 0.0,
@@ -89,7 +102,6 @@ impl Shear {
             own: 0.0,
             used: 0,
             unknowns: Vec::new(),
-            slip,
             coupling: Vec::new(),
         })
     }
@@ -134,11 +146,30 @@ impl Shear {
         beta: f64,
         zone: StickZone,
     ) -> Result<f64, Refusal> {
-        let p_edge = self.see(steps, layer, normal, zone)?;
-        let friction = self.balance(layer, beta, p_edge, |_, _, by_slip| [by_slip, 0.0])?;
+        let (p_edge, friction) = Room::lend(|room| {
+            let p_edge = self.see(steps, layer, normal, zone, room)?;
+            Ok((p_edge, self.balance(layer, beta, p_edge, room, |_, _, by_slip| [by_slip, 0.0])?))
+        })?;
         (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, friction, friction * p_edge, true);
         self.strain_rate = 0.0;
         Ok(friction)
+    }
+
+    /// Takes the shear of one stick zone on a half-plane, under its own pressure, and returns the friction coefficient that belongs to it:
+    /// there is nothing to solve.
+    pub(crate) fn know(&mut self, normal: &Normal, beta: f64, zone: StickZone) -> f64 {
+        let p_edge = normal.at(Station { x: zone.half_width, gap: zone.slip_width });
+        self.known = HalfPlaneShear::new(zone);
+        let friction = self.known.friction(beta);
+        self.used = 0;
+        let rule = &mut self.grids[0].rule;
+        rule.stretch(zone.half_width);
+        self.unknowns.clear();
+        self.unknowns.resize(rule.unknowns(), 0.0);
+        self.own = p_edge * friction;
+        (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, friction, self.own, true);
+        (self.along, self.strain_rate) = (None, 0.0);
+        friction
     }
 
     /// Solves the tangential equation for one stick zone in which the strain is `C|x|`, with `C/A0` as one more unknown,
@@ -153,33 +184,45 @@ impl Shear {
         friction: f64,
         zone: StickZone,
     ) -> Result<f64, Refusal> {
-        let p_edge = self.see(0, layer, normal, zone)?;
-        let strained = linear_strain::equation(layer, zone.half_width, self.grids[self.used].rule.collocation());
-        let beside = |i: usize, scale: f64, by_slip: f64| [scale * strained[i], friction * by_slip];
-        self.strain_rate = self.balance(layer, beta, p_edge, beside)?;
+        let (p_edge, strain_rate) = Room::lend(|room| {
+            let p_edge = self.see(0, layer, normal, zone, room)?;
+            let strained = linear_strain::equation(layer, zone.half_width, self.grids[self.used].rule.collocation());
+            let beside = |i: usize, scale: f64, by_slip: f64| [scale * strained[i], friction * by_slip];
+            Ok((p_edge, self.balance(layer, beta, p_edge, room, beside)?))
+        })?;
+        self.strain_rate = strain_rate;
         (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, friction, friction * p_edge, true);
         Ok(self.strain_rate)
     }
 
     /// Fills in the terms of the tangential equation in one stick zone; returns `p(a)`.
-    fn see(&mut self, used: usize, layer: &Layer, normal: &mut Normal, zone: StickZone) -> Result<f64, Refusal> {
-        let grid = &mut self.grids[used];
+    fn see(
+        &mut self,
+        used: usize,
+        layer: &Layer,
+        normal: &mut Normal,
+        zone: StickZone,
+        room: &mut Room,
+    ) -> Result<f64, Refusal> {
+        let StickGrid { rule, .. } = &mut self.grids[used];
         // Refused, the zone solved last stays as it is.
-        layer.meter().system(grid.rule.unknowns() + 1, 1)?;
+        layer.meter().system(rule.unknowns() + 1, 1)?;
         (self.used, self.is_solved, self.along) = (used, false, None);
         let known = HalfPlaneShear::new(zone);
         self.known = known;
-        let rule = &mut grid.rule;
         rule.stretch(zone.half_width);
 
-        for (station, own) in grid.stations.iter_mut().zip(rule.collocation()) {
-            *station = zone.in_contact(*own);
+        let Room { slip, stations, coupled, pressure, by_slip, .. } = room;
+        let at = rule.collocation();
+        stations.clear();
+        stations.extend(at.iter().map(|own| zone.in_contact(*own)));
+        for out in [&mut *coupled, &mut *pressure] {
+            out.resize(at.len(), 0.0);
         }
-        normal.potential_into(layer, Component::Coupling, &self.coupling, &grid.stations, &mut grid.coupled);
-        normal.values_into(&grid.stations, &mut grid.pressure);
-        self.slip.resolve(rule.unknowns());
-        self.slip.potential_into(layer, normal, known, rule.collocation(), &mut grid.by_slip);
-        Ok(self.slip.pressure_at_stick_edge())
+        by_slip.resize(at.len(), [0.0; 2]);
+        normal.potential_into(layer, Component::Coupling, &self.coupling, stations, coupled);
+        normal.values_into(stations, pressure);
+        Ok(slip.potential_into(layer, normal, known, (rule.unknowns(), at), by_slip))
     }
 
     /// Solves the tangential equation with one more unknown beside the shear's, and returns that. From the point's number,
@@ -190,9 +233,11 @@ impl Shear {
         layer: &Layer,
         beta: f64,
         p_edge: f64,
+        room: &mut Room,
         beside: impl Fn(usize, f64, f64) -> [f64; 2],
     ) -> Result<f64, Refusal> {
-        let StickGrid { rule, system, applied, coupled, pressure, by_slip, .. } = &mut self.grids[self.used];
+        let StickGrid { rule, system } = &mut self.grids[self.used];
+        let Room { coupled, pressure, by_slip, applied, .. } = room;
         let known = self.known;
         let own = p_edge * known.friction(beta);
         self.own = own;
@@ -201,8 +246,10 @@ impl Shear {
             let of_points = &mut rows[..by_slip.len() * (n + 1)];
             let kernel = layer.kernel(Component::ShearStrain);
             rule.operator_into(kernel, of_points);
+            applied.clear();
+            applied.resize(by_slip.len(), [0.0; 2]);
             if let Some(kernel) = kernel {
-                rule.applied_into(kernel, of_points, &|at| known.sticking(at), applied);
+                rule.applied_into(kernel, of_points, &|at, out| known.sticking_into(at, out), applied);
             }
             let scale = rule.row_scale();
             for (i, by_slip) in by_slip.iter().enumerate() {
@@ -251,9 +298,13 @@ impl Shear {
     /// Shear traction at points of the stick zone; their gaps are to its edge.
     pub(crate) fn in_stick_into(&self, at: &[Station], out: &mut [f64]) {
         self.grids[self.used].rule.values_into(&self.unknowns, at, out);
-        for (out, at) in out.iter_mut().zip(at) {
-            let [proportional, beside] = self.known.sticking(*at);
-            *out += self.at_edge * proportional + self.own * beside;
+        let mut known = [[0.0; 2]; KNOWN];
+        for (at, out) in at.chunks(KNOWN).zip(out.chunks_mut(KNOWN)) {
+            let known = &mut known[..at.len()];
+            self.known.sticking_into(at, known);
+            for (out, [proportional, beside]) in out.iter_mut().zip(known) {
+                *out += self.at_edge * *proportional + self.own * *beside;
+            }
         }
         if self.strain_rate != 0.0 {
             for (out, at) in out.iter_mut().zip(at) {

@@ -3,6 +3,8 @@
 //! A logarithm of the standard library is a call for each number. These have the same value in a loop and on
 //! their own: nothing in them depends on what the machine has.
 
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+
 /// Euler's constant.
 pub const EULER_GAMMA: f64 = 0.577_215_664_901_532_9;
 
@@ -45,6 +47,23 @@ const SINE: [f64; 11] = [
     5.392_664_662_608_129e-10,
 ];
 
+/// Of `1 - atan(u)/u` in powers of `u^2`, for `|u| <= 7/16` (FDLIBM, `s_atan.c`).
+const ARC_TANGENT: [f64; 11] = [
+    0.333_333_333_333_329_3,
+    -0.199_999_999_998_764_83,
+    0.142_857_142_725_034_66,
+    -0.111_111_104_054_623_56,
+    0.090_908_871_334_365_07,
+    -0.076_918_762_050_448_3,
+    0.066_610_731_373_875_31,
+    -0.058_335_701_337_905_735,
+    0.049_768_779_946_159_324,
+    -0.036_531_572_744_216_916,
+    0.016_285_820_115_365_782,
+];
+/// `cot(pi/8)`; `tan(pi/8)` is less by 2.
+const STEEP: f64 = 2.414_213_562_373_095;
+
 /// `ln x` for `x > 0` and finite, to one unit in the last place; a subnormal number counts as the least normal one.
 #[inline(always)]
 pub fn ln(x: f64) -> f64 {
@@ -82,10 +101,47 @@ pub fn sin_pi(d: f64) -> f64 {
     d * sum
 }
 
+/// The angle between the axis and the direction to `(x, y)`, `y > 0`, from 0 to `pi`, to two units in the last place; `x` may be
+/// infinite.
+#[inline(always)]
+pub fn angle(x: f64, y: f64) -> f64 {
+    let size = x.abs();
+    let (is_low, is_high) = (size > STEEP * y, size < (STEEP - 2.0) * y);
+    // Less what is taken off it, the rest is within `pi/8`.
+    let over = if is_low {
+        y
+    } else if is_high {
+        -size
+    } else {
+        y - size
+    };
+    let under = if is_low {
+        size
+    } else if is_high {
+        y
+    } else {
+        y + size
+    };
+    let off = if is_low {
+        0.0
+    } else if is_high {
+        FRAC_PI_2
+    } else {
+        FRAC_PI_4
+    };
+    let u = over / under;
+    let z = u * u;
+    let w = z * z;
+    let [a, b, c, d, e, f, g, h, i, j, k] = ARC_TANGENT;
+    let even = z * (a + w * (c + w * (e + w * (g + w * (i + w * k)))));
+    let odd = w * (b + w * (d + w * (f + w * (h + w * j))));
+    let angle = off + (u - u * (even + odd));
+    if x < 0.0 { PI - angle } else { angle }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f64::consts::PI;
 
     /// Distance in units of the last place.
     fn units(got: f64, expected: f64) -> f64 {
@@ -116,6 +172,16 @@ mod tests {
             let d = 0.5 * f64::from(i) / 1000.0;
             for d in [d, -d, d * 1e-5, d * 1e-300] {
                 assert!(units(sin_pi(d), (PI * d).sin()) <= 3.0, "{d}: {} for {}", sin_pi(d), (PI * d).sin());
+            }
+        }
+    }
+
+    #[test]
+    fn angles_have_all_their_digits() {
+        for x in numbers().flat_map(|x| [x, -x]).chain([0.0, f64::INFINITY]) {
+            for y in [1.0, 0.3, 7.0] {
+                let (got, exact) = (angle(x, y), y.atan2(x));
+                assert!(units(got, exact) <= 2.0, "({x:e}, {y}): {got} for {exact}");
             }
         }
     }

@@ -43,7 +43,7 @@ pub use kernel::{Component, KernelRequest, KernelStrategy, KernelTable, Parts, P
 pub use layer_model::{LayerModel, Material, Solid};
 pub use number::{Finite, NotAllowed, Poisson, Positive, short};
 pub use punch::{FlatFace, Flaw, PunchProfile, PunchShape};
-pub use quadrature::{Edge, Parity, Quadrature, Rule, Span, Station};
+pub use quadrature::{Densities, Edge, Parity, Quadrature, Rule, Span, Station};
 pub use refusal::Refusal;
 pub use registry::{Family, Parameter, PluginInfo, find, plugins};
 pub use values::{Kind, Values};

@@ -67,6 +67,9 @@ pub trait Quadrature: dyn_clone::DynClone + Debug + Send + Sync {
 }
 dyn_clone::clone_trait_object!(Quadrature);
 
+/// Writes two densities at points strictly inside an interval.
+pub type Densities<'a> = dyn Fn(&[Station], &mut [[f64; 2]]) + 'a;
+
 /// Run-time half: one density on one interval.
 ///
 /// The operator is `(1/pi) PV int f(r)/(x - r) dr + (1/pi) int f(r) k(x - r) dr`. Its kernel comes in
@@ -114,7 +117,7 @@ pub trait Rule: Send + Sync {
         &mut self,
         kernel: (&dyn KernelTable, Component),
         rows: &[f64],
-        densities: &dyn Fn(Station) -> [f64; 2],
+        densities: &Densities,
         out: &mut [[f64; 2]],
     );
 

@@ -4,7 +4,9 @@ mod grid;
 
 use grid::{Grid, Kind};
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Component, Edge, KernelTable, Parity, Parts, PartsVec, Quadrature, Refusal, Rule, Span, Station};
+use slipzone_api::{
+    Component, Densities, Edge, KernelTable, Parity, Parts, PartsVec, Quadrature, Refusal, Rule, Span, Station,
+};
 use std::f64::consts::PI;
 
 /// Gauss-Chebyshev nodes and staggered collocation points (CC13 eqs. 55-60, 64-67).
@@ -221,17 +223,20 @@ impl Rule for ChebyshevRule {
         &mut self,
         kernel: (&dyn KernelTable, Component),
         _: &[f64],
-        densities: &dyn Fn(Station) -> [f64; 2],
+        densities: &Densities,
         out: &mut [[f64; 2]],
     ) {
         assert_eq!(out.len(), self.stations.len(), "one value per collocation point");
         let half_width = self.half_width;
         let weights = self.grid.plain_weights();
-        let given = weights.iter().zip(&self.grid.t).zip(&self.grid.angle).map(|((weight, t), angle)| {
-            let at = Station { x: half_width * t, gap: 2.0 * half_width * (0.5 * angle).sin().powi(2) };
-            densities(at).map(|density| weight * density)
-        });
-        let given: Vec<[f64; 2]> = given.collect();
+        let node = |(t, angle): (&f64, &f64)| Station {
+            x: half_width * t,
+            gap: 2.0 * half_width * (0.5 * angle).sin().powi(2),
+        };
+        let at: Vec<Station> = self.grid.t.iter().zip(&self.grid.angle).map(node).collect();
+        let mut given = vec![[0.0; 2]; at.len()];
+        densities(&at, &mut given);
+        given.iter_mut().zip(weights).for_each(|(given, weight)| *given = given.map(|density| weight * density));
         let mut scratch = self.scratch();
         for (out, station) in out.iter_mut().zip(&self.stations) {
             self.folded_kernel(kernel, station.x, Parts::value, &mut scratch);

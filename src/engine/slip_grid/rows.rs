@@ -1,7 +1,10 @@
 //! Sums over the nodes of the slip zone, a row of them for each station.
 
+use crate::engine::half_plane_shear::HalfPlaneShear;
+use crate::engine::stick_zone::StickZone;
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Station;
+use slipzone_api::double_exponential::Node;
 use slipzone_api::elementary::LANES;
 
 /// What of the nodes a row depends on; filled up to a multiple of [`LANES`].
@@ -24,6 +27,11 @@ pub(super) struct Nodes {
 }
 
 impl Nodes {
+    /// Fills in what belongs to the nodes of a unit grid, from the pressure there and at the end of the stick zone.
+    pub(super) fn weigh(&mut self, grid: &[Node], pressure: &[f64], at_end: f64, known: HalfPlaneShear) {
+        Arch::new().dispatch(Weigh { nodes: self, grid, pressure, at_end, known });
+    }
+
     /// Distances in a row.
     pub(super) fn distances(&self) -> usize {
         self.r.len() + self.far.len()
@@ -38,6 +46,37 @@ impl Nodes {
     /// Writes both sums over the nodes for each of the stations, from those distances and the kernel there.
     pub(super) fn sums_into(&self, at: &[Station], distances: &[f64], kernel: &[f64], out: &mut [[f64; 2]]) {
         Arch::new().dispatch(Sums { nodes: self, at, distances, kernel, out });
+    }
+}
+
+struct Weigh<'a> {
+    nodes: &'a mut Nodes,
+    grid: &'a [Node],
+    pressure: &'a [f64],
+    at_end: f64,
+    known: HalfPlaneShear,
+}
+
+impl WithSimd for Weigh<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { nodes, grid, pressure, at_end, known } = self;
+        let Nodes { beyond, r, cauchy, beside, kernel, .. } = nodes;
+        let StickZone { half_width: a, slip_width: width } = known.zone;
+        let rows = beyond.iter_mut().zip(r).zip(cauchy).zip(beside).zip(kernel);
+        for (((((beyond, r), cauchy), beside), kernel), (node, p)) in rows.zip(grid.iter().zip(pressure)) {
+            let weight = width * node.weight;
+            *beyond = width * node.from_lower;
+            *r = a + *beyond;
+            // 1/(x - r) - 1/(x + r) = -2 r/((r - x) (r + x)), with r - x from distances to the stick zone's edge.
+            let [proportional, more] = known.slipping(Station { x: *r, gap: width * node.to_upper });
+            *cauchy = -2.0 * *r * weight * (p - at_end * proportional);
+            *beside = 2.0 * *r * weight * more;
+            // k(x - r) = -k(r - x).
+            *kernel = -weight * p;
+        }
     }
 }
 

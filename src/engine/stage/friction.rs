@@ -328,20 +328,23 @@ impl Stage {
     }
 
     /// Makes the shear under a flat punch as sure all along the stick zone settled as the tolerance asks, where the pressure is known to
-    /// within `of_pressure`, see [`sharpen`]; its error, over its largest value.
+    /// within `of_pressure`, see [`sharpen`]; its error, over its largest value. `coarser` is the resolution before.
     pub(crate) fn sharpen(
         &mut self,
         layer: &Layer,
         task: Task,
         outcome: &Outcome,
         of_pressure: f64,
+        coarser: Option<&Self>,
     ) -> Result<Option<f64>, Refusal> {
         let is_solved =
             |rubbing: &&Rubbing| matches!(rubbing.verdict, Verdict::Holds | Verdict::Sticks | Verdict::Fails(_));
         let found = outcome.rubbing.as_ref().filter(is_solved).filter(|_| !task.problem.is_linear);
         let shear = self.shear.as_mut().filter(|shear| shear.is_solved);
         let Some((shear, found)) = shear.zip(found) else { return Ok(None) };
-        sharpen(shear, layer, &mut self.normal, task.problem.elastic.beta(), found.zone, (of_pressure, task.tolerance))
+        let coarser = coarser.and_then(|stage| stage.shear.as_ref()).filter(|shear| shear.is_solved);
+        let (beta, wanted) = (task.problem.elastic.beta(), (of_pressure, task.tolerance));
+        sharpen((shear, coarser), layer, &mut self.normal, beta, found.zone, wanted)
     }
 
     /// By how much the shear under a flat punch differs from that of a twin; `None` where one of them has none.

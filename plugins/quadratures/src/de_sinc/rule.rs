@@ -7,9 +7,9 @@ use super::potential::Potential;
 use super::resolution::{Resolution, fine_grid};
 use super::series::alternating;
 use super::shape::Shape;
-use super::sums::dot;
+use super::sums::{dot, dots};
 use pulp::Arch;
-use slipzone_api::{Component, Edge, KernelTable, Rule, Station};
+use slipzone_api::{Component, Densities, Edge, KernelTable, Rule, Station};
 use std::f64::consts::PI;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -29,16 +29,20 @@ pub(super) struct DeSincRule {
 }
 
 /// Room for the kernel part.
+#[derive(Default)]
 struct Scratch {
     /// Kernel against a fine node and its mirror image, product weights included.
     folded: Vec<f64>,
     /// Density times step at the fine nodes.
     spread: Vec<f64>,
+    /// Where densities are given, and these.
+    nodes: Vec<Station>,
+    given: Vec<[f64; 2]>,
 }
 
 impl DeSincRule {
     pub(super) fn new(half_width: f64, resolution: Resolution, grid: Arc<Grid>) -> Self {
-        let scratch = Scratch { folded: Vec::new(), spread: Vec::new() };
+        let scratch = Scratch::default();
         let mut rule =
             Self { half_width, resolution, grid, fine: None, stations: Vec::new(), scratch, room: Mutex::default() };
         rule.stations = vec![Station { x: 0.0, gap: 0.0 }; rule.grid.staggered.len()];
@@ -129,22 +133,25 @@ impl Rule for DeSincRule {
         &mut self,
         _: (&dyn KernelTable, Component),
         rows: &[f64],
-        densities: &dyn Fn(Station) -> [f64; 2],
+        densities: &Densities,
         out: &mut [[f64; 2]],
     ) {
         let (n, length) = (self.unknowns(), rows.len() / self.stations.len());
-        let given = &mut self.scratch.spread;
-        given.clear();
-        given.resize(2 * n, 0.0);
-        let (one, other) = given.split_at_mut(n);
-        for ((one, other), u) in one.iter_mut().zip(&mut *other).zip(&self.grid.nodes[self.grid.first..]) {
-            let at = Station { x: self.half_width * u.x, gap: self.half_width * u.gap };
-            [*one, *other] = densities(at).map(|density| u.sech * density);
+        let Scratch { spread, nodes, given, .. } = &mut self.scratch;
+        let inner = &self.grid.nodes[self.grid.first..][..n];
+        nodes.clear();
+        nodes.extend(inner.iter().map(|u| Station { x: self.half_width * u.x, gap: self.half_width * u.gap }));
+        given.resize(n, [0.0; 2]);
+        densities(nodes, given);
+        spread.clear();
+        for part in 0..2 {
+            spread.extend(inner.iter().zip(&*given).map(|(u, given)| u.sech * given[part]));
         }
+        let (one, other) = spread.split_at(n);
         // What the operator is beside its Cauchy part.
         let rows = rows.chunks_exact(length).zip(self.grid.cauchy.chunks_exact(n));
         for (out, (row, cauchy)) in out.iter_mut().zip(rows) {
-            *out = [&*one, &*other].map(|given| dot(&row[..n], given) - dot(cauchy, given));
+            *out = dots((&row[..n], cauchy), [one, other]);
         }
     }
 
@@ -173,7 +180,7 @@ impl Rule for DeSincRule {
         assert_eq!(unknowns.len(), self.unknowns(), "one number per unknown");
         let fine = self.fine(kernel.0.length());
         let scene = Scene { whole: true, ..self.scene(&fine, kernel) };
-        let Scratch { folded, spread } = &mut self.scratch;
+        let Scratch { folded, spread, .. } = &mut self.scratch;
         fine.spread(&self.grid, unknowns, spread);
         let (end, count) = (self.stations.len(), spread.len());
         samples.clear();
@@ -196,7 +203,7 @@ impl Rule for DeSincRule {
         }
         let fine = self.fine(table.length());
         let scene = self.scene(&fine, (table, component));
-        let Scratch { folded, spread } = &mut self.scratch;
+        let Scratch { folded, spread, .. } = &mut self.scratch;
         fine.spread(&self.grid, unknowns, spread);
         scene.fold_centre(folded);
         2.0 * self.half_width / PI * dot(folded, spread)

@@ -11,6 +11,38 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     Arch::new().dispatch(Dot(&a[..count], &b[..count]))
 }
 
+/// Sums of the products of a difference `a - b` with each of two others, all of one length.
+pub(super) fn dots((a, b): (&[f64], &[f64]), others: [&[f64]; 2]) -> [f64; 2] {
+    Arch::new().dispatch(Dots { a, b, others })
+}
+
+struct Dots<'a> {
+    a: &'a [f64],
+    b: &'a [f64],
+    others: [&'a [f64]; 2],
+}
+
+impl WithSimd for Dots<'_> {
+    type Output = [f64; 2];
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> [f64; 2] {
+        let Self { a, b, others: [c, d] } = self;
+        let ((a, a_rest), (b, b_rest)) = (S::as_simd_f64s(a), S::as_simd_f64s(b));
+        let ((c, c_rest), (d, d_rest)) = (S::as_simd_f64s(c), S::as_simd_f64s(d));
+        let mut sums = [simd.splat_f64s(0.0); 2];
+        for (((a, b), c), d) in a.iter().zip(b).zip(c).zip(d) {
+            let apart = simd.sub_f64s(*a, *b);
+            sums = [simd.mul_add_e_f64s(apart, *c, sums[0]), simd.mul_add_e_f64s(apart, *d, sums[1])];
+        }
+        let mut sums = sums.map(|sum| simd.reduce_sum_f64s(sum));
+        for (((a, b), c), d) in a_rest.iter().zip(b_rest).zip(c_rest).zip(d_rest) {
+            sums = [sums[0] + (a - b) * c, sums[1] + (a - b) * d];
+        }
+        sums
+    }
+}
+
 /// The sum over slices of one length.
 struct Dot<'a>(&'a [f64], &'a [f64]);
 
@@ -51,6 +83,15 @@ mod tests {
             assert!((dot(&longer, &a) - exact).abs() < 1e-9, "whole numbers: {count}");
             let one_by_one = Dot(&a, &longer[..count]).with_simd(Scalar::new());
             assert!((one_by_one - exact).abs() < 1e-9, "without vectors: {count}");
+
+            let twice: Vec<f64> = a.iter().map(|a| 2.0 * a).collect();
+            let less: f64 = a.iter().map(|a| a * a).sum();
+            let (longer, others) = (&longer[..count], [&a[..], &twice]);
+            let alone = Dots { a: longer, b: &a, others }.with_simd(Scalar::new());
+            for got in [dots((longer, &a), others), alone] {
+                assert!((got[0] - exact + less).abs() < 1e-9, "a difference: {count}");
+                assert!((got[1] - 2.0 * (exact - less)).abs() < 1e-9, "times another: {count}");
+            }
         }
     }
 }

@@ -96,7 +96,10 @@ fn the_kernel_is_applied_to_what_is_finite_at_the_ends() {
     // With k(t) = t^3, int_-c^c r (x - r)^3 dr = -2 c^3 x^2 - 2 c^5/5.
     let cubic = Made { smooth: |t| t * t * t, sign: 0.0, log: 0.0 };
     let mut applied = vec![[0.0; 2]; rule.collocation().len()];
-    rule.applied_into((&cubic, Component::ShearStrain), &[], &|at| [at.x, -2.0 * at.x], &mut applied);
+    let line = |at: &[Station], out: &mut [[f64; 2]]| {
+        out.iter_mut().zip(at).for_each(|(out, at)| *out = [at.x, -2.0 * at.x]);
+    };
+    rule.applied_into((&cubic, Component::ShearStrain), &[], &line, &mut applied);
     for ([one, other], at) in applied.iter().zip(rule.collocation()) {
         let exact = -2.0 * c.powi(3) * (at.x * at.x + 0.2 * c * c) / PI;
         assert_close(*one, exact, 1e-11, "one density");

@@ -2,7 +2,7 @@
 
 use super::layout::{Basis, Layout};
 use super::regular::Regular;
-use slipzone_api::{Component, Edge, KernelTable, Parity, Rule, Station};
+use slipzone_api::{Component, Densities, Edge, KernelTable, Parity, Rule, Station};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -82,17 +82,18 @@ impl Rule for PanelRule {
         &mut self,
         _: (&dyn KernelTable, Component),
         rows: &[f64],
-        densities: &dyn Fn(Station) -> [f64; 2],
+        densities: &Densities,
         out: &mut [[f64; 2]],
     ) {
         let (n, length) = (self.unknowns(), rows.len() / self.stations.len());
         let first = self.basis().first();
-        let given = |node: usize| {
-            let angle = self.layout.mesh.node(node);
-            let sine = if self.basis().edge == Edge::Smooth { 1.0 } else { angle.sin() };
-            densities(station(angle, self.half_width)).map(|density| sine * density)
-        };
-        let given: Vec<[f64; 2]> = (first..first + n).map(given).collect();
+        let angles: Vec<f64> = (first..first + n).map(|node| self.layout.mesh.node(node)).collect();
+        let at: Vec<Station> = angles.iter().map(|angle| station(*angle, self.half_width)).collect();
+        let mut given = vec![[0.0; 2]; n];
+        densities(&at, &mut given);
+        if self.basis().edge != Edge::Smooth {
+            given.iter_mut().zip(angles).for_each(|(given, angle)| *given = given.map(|density| angle.sin() * density));
+        }
         // What the operator is beside its Cauchy part.
         let rows = rows.chunks_exact(length).zip(self.layout.cauchy.chunks_exact(n));
         for (out, (row, cauchy)) in out.iter_mut().zip(rows) {

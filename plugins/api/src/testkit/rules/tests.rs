@@ -1,7 +1,7 @@
 //! The contract is checked by breaking a rule: every fault that it claims to find is committed here once.
 
 use super::quadrature;
-use crate::{Component, Edge, KernelTable, Parity, Quadrature, Refusal, Rule, Span, Station};
+use crate::{Component, Densities, Edge, KernelTable, Parity, Quadrature, Refusal, Rule, Span, Station};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
@@ -88,13 +88,7 @@ impl Rule for FaultyRule {
         }
     }
 
-    fn applied_into(
-        &mut self,
-        _: (&dyn KernelTable, Component),
-        _: &[f64],
-        _: &dyn Fn(Station) -> [f64; 2],
-        _: &mut [[f64; 2]],
-    ) {
+    fn applied_into(&mut self, _: (&dyn KernelTable, Component), _: &[f64], _: &Densities, _: &mut [[f64; 2]]) {
         unreachable!()
     }
 

@@ -155,7 +155,10 @@ fn the_kernel_is_applied_to_what_is_finite_at_the_ends() {
     let kernel = (&cubic as &dyn KernelTable, Component::ShearStrain);
     let rows = operator(rule.as_mut(), Some(kernel));
     let mut applied = vec![[0.0; 2]; rule.collocation().len()];
-    rule.applied_into(kernel, &rows, &|at| [at.x, -2.0 * at.x], &mut applied);
+    let line = |at: &[Station], out: &mut [[f64; 2]]| {
+        out.iter_mut().zip(at).for_each(|(out, at)| *out = [at.x, -2.0 * at.x]);
+    };
+    rule.applied_into(kernel, &rows, &line, &mut applied);
     for (([one, other], at), scale) in applied.iter().zip(rule.collocation()).zip(rule.row_scale().expect("scaled")) {
         let exact = -2.0 * c.powi(3) * (at.x * at.x + 0.2 * c * c) / PI;
         assert_close(one / scale, exact, 1e-9, "one density");
