@@ -1,6 +1,8 @@
 //! What the model takes for granted, checked on the solution.
 
+use super::climb::{NEARLY, highest};
 use super::layer::Layer;
+use super::lookout::Lookout;
 use super::normal::Normal;
 use super::problem::Problem;
 use super::stick::Shear;
@@ -9,11 +11,15 @@ use super::ways;
 use slipzone_api::double_exponential::Node;
 use slipzone_api::{Component, Station};
 use std::f64::consts::PI;
-use std::sync::{Arc, LazyLock};
+use std::sync::Arc;
 
-/// Points at which the pressure is checked, and the shear.
-const PRESSURE_SAMPLES: usize = 32;
-const SHEAR_SAMPLES: usize = 48;
+/// How near to its end a contact or a stick zone is looked at, over its half-width and over the layer's length.
+const BESIDE_END: f64 = 1e-3;
+const SEEN: f64 = 0.2;
+/// A pressure pulls where it is negative by more than this share of the mean: it may round to less than nothing.
+const PULLS: f64 = 1e-9;
+/// A low pressure below this share of the mean may be negative between the points at which it is looked at.
+const FAINT: f64 = 0.25;
 /// Relative excess that rounding and discretisation may cause.
 pub(crate) const MARGIN: f64 = 1e-3;
 /// Nodes on either side of the grids on which the slip is integrated.
@@ -29,46 +35,58 @@ const SOURCE_NODES_PER_LENGTH: f64 = 8.0;
 /// Most of those nodes.
 const MOST_SOURCE_NODES: usize = 1 << 12;
 
-static AT_PRESSURE: LazyLock<[Station; PRESSURE_SAMPLES]> = LazyLock::new(samples);
-static AT_SHEAR: LazyLock<[Station; SHEAR_SAMPLES]> = LazyLock::new(samples);
-
-/// Points of `[0, 1)` in cosine spacing: what happens beside an edge is as narrow as its field.
-fn samples<const SAMPLES: usize>() -> [Station; SAMPLES] {
-    std::array::from_fn(|i| {
-        let angle = 0.5 * PI * i as f64 / SAMPLES as f64;
-        Station { x: angle.sin(), gap: 2.0 * (0.25 * PI - 0.5 * angle).sin().powi(2) }
-    })
-}
-
-/// Such points of `[0, half_width)`.
-fn stretched<const SAMPLES: usize>(samples: &[Station; SAMPLES], half_width: f64) -> [Station; SAMPLES] {
-    samples.map(|at| Station { x: half_width * at.x, gap: half_width * at.gap })
-}
-
-/// Where the pressure pulls: `(x/b, p/mean)` of its lowest point, if it is negative anywhere; from the half-width, the mean
-/// pressure and the pressures at points inside.
-pub(crate) fn tension(b: f64, mean: f64, pressure_into: impl FnOnce(&[Station], &mut [f64])) -> Option<(f64, f64)> {
-    let at = stretched(&AT_PRESSURE, b);
-    let mut pressure = [0.0; PRESSURE_SAMPLES];
-    pressure_into(&at, &mut pressure);
-    let lowest = at
-        .iter()
-        .zip(pressure)
-        .map(|(station, p)| (station.x / b, p / mean))
-        .min_by(|one, other| one.1.total_cmp(&other.1))?;
-    (lowest.1 < -1e-9).then_some(lowest)
+/// Where the pressure pulls: `(x/b, p/mean)` of its lowest point, if it is negative anywhere; from points of a contact of half-width
+/// `b`, the mean pressure, and the layer's length, in whose reach of the edge numbers are small beside their
+/// errors.
+pub(crate) fn tension(
+    lookout: &mut Lookout,
+    (b, mean, length): (f64, f64, f64),
+    mut pressure_into: impl FnMut(&[Station], &mut [f64]),
+) -> Option<(f64, f64)> {
+    let Lookout { at, values: pulls, .. } = lookout;
+    let at = inside(at, b, length);
+    pulls.resize(at.len(), 0.0);
+    pressure_into(at, pulls);
+    for p in &mut *pulls {
+        *p = -*p / mean;
+    }
+    let one = |at: Station| {
+        let mut pressure = [0.0];
+        pressure_into(&[at], &mut pressure);
+        -pressure[0] / mean
+    };
+    let (at, pull) = highest(at, pulls, -FAINT, one)?;
+    (pull > PULLS).then_some((at.x / b, -pull))
 }
 
 /// Where friction of a coefficient cannot hold: `(x/b, |q|/(eta p))` of the worst point of the stick zone, if above 1.
-pub(crate) fn overload(normal: &Normal, shear: &Shear, eta: f64) -> Option<(f64, f64)> {
-    let at = stretched(&AT_SHEAR, shear.zone.half_width);
-    let (mut q, mut p) = ([0.0; SHEAR_SAMPLES], [0.0; SHEAR_SAMPLES]);
-    shear.in_stick_into(&at, &mut q);
-    normal.values_into(&at.map(|station| shear.zone.in_contact(station)), &mut p);
-    let load = |i: usize| (at[i].x / normal.half_width, q[i].abs() / (eta * p[i]));
-    // q = 0 in the middle, whatever the limit.
-    let worst = (1..SHEAR_SAMPLES).map(load).max_by(|one, other| one.1.total_cmp(&other.1))?;
-    (worst.1 > 1.0 + MARGIN).then_some(worst)
+pub(crate) fn overload(layer: &Layer, normal: &Normal, shear: &Shear, eta: f64) -> Option<(f64, f64)> {
+    let zone = shear.zone;
+    let (at, load) = Lookout::lend(|lookout| {
+        shear.look(lookout);
+        let Lookout { at, values: q, seen, beside: p } = lookout;
+        let at = inside(at, zone.half_width, layer.length());
+        seen.clear();
+        seen.extend(at.iter().map(|at| zone.in_contact(*at)));
+        q.resize(at.len(), 0.0);
+        p.resize(at.len(), 0.0);
+        shear.in_stick_into(at, q);
+        normal.values_into(seen, p);
+        q.iter_mut().zip(p).for_each(|(q, p)| *q = q.abs() / (eta * *p));
+        let one = |at: Station| {
+            let mut q = [0.0];
+            shear.in_stick_into(&[at], &mut q);
+            q[0].abs() / (eta * normal.at(zone.in_contact(at)))
+        };
+        highest(at, q, NEARLY, one)
+    })?;
+    (load > 1.0 + MARGIN).then_some((at.x / normal.half_width, load))
+}
+
+/// Points that are not nearer to the end at a half-width than what happens beside it is wide.
+fn inside(at: &[Station], half_width: f64, length: f64) -> &[Station] {
+    let nearest = (BESIDE_END * half_width).min(SEEN * length);
+    &at[..at.partition_point(|at| at.gap > nearest)]
 }
 
 /// Room for checking the direction of slip, kept from zone to zone.
@@ -246,7 +264,10 @@ mod tests {
         let quadrature = chosen.methods.quadrature.refined(5);
         let mut normal = Normal::new(quadrature.as_ref(), Edge::Sharp).expect("a rule");
         normal.press_sharp(&layer, &problem, 2.0).expect("a pressure");
-        assert!(tension(2.0, normal.mean(), |at, out| normal.values_into(at, out)).is_none());
+        let sizes = (2.0, normal.mean(), layer.length());
+        let mut lookout = Lookout::default();
+        normal.look(&mut lookout);
+        assert!(tension(&mut lookout, sizes, |at, out| normal.values_into(at, out)).is_none());
         let mut shear = Shear::new(quadrature).expect("a rule");
         shear.under(&layer, &mut normal);
 
@@ -258,7 +279,7 @@ mod tests {
             assert!((friction + 0.1).abs() < 5e-3, "a root of eta(a) = -0.1: {friction}");
             let mut check = SlipCheck::default();
             let wrong = check.wrong_slip(curve.layer, &problem, curve.normal, curve.shear);
-            (overload(curve.normal, curve.shear, 0.1), wrong, check.strain)
+            (overload(curve.layer, curve.normal, curve.shear, 0.1), wrong, check.strain)
         };
         let (overloaded, ..) = solve(1.6e-4);
         let (x, load) = overloaded.expect("friction cannot hold");

@@ -1,13 +1,18 @@
 //! Tops between the steps of a walk.
 
 use arrayvec::ArrayVec;
+use slipzone_api::Station;
 
 /// Parabolas through a place between two that are lower.
-const CLIMBS: usize = 8;
+const CLIMBS: usize = 10;
 /// How near to that place the next one may be, over the distance of those two.
 const BESIDE_TOP: f64 = 0.02;
-/// Tops lower than this are not climbed.
+/// Tops lower than this are not climbed on the way to zero.
 const TOO_LOW: f64 = -0.7;
+/// A climb ends where the parabola rises no higher than this beside the top.
+const LEVEL: f64 = 1e-13;
+/// Share of the highest value that a top among samples reaches if it may be the highest between them.
+pub(super) const NEARLY: f64 = 0.75;
 
 /// The last two places of a walk below zero, and how high each is.
 #[derive(Default)]
@@ -22,34 +27,67 @@ impl Trail {
         self.0.push(next);
     }
 
-    /// A place above zero between the last two and the next, where the second of them is the highest, and the first of them: by parabolas
-    /// that close in.
-    pub(super) fn top(&self, next: (f64, f64), mut excess: impl FnMut(f64) -> f64) -> Option<(f64, f64)> {
-        let [mut left, mut top] = self.0[..] else { return None };
-        let (below, mut right) = (left.0, next);
-        for _ in 0..CLIMBS {
-            let (rise, fall) = ((top.1 - left.1) / (top.0 - left.0), (right.1 - top.1) / (right.0 - top.0));
-            if !(rise > 0.0 && fall < 0.0 && top.1 > TOO_LOW) {
-                return None;
-            }
-            let at = f64::midpoint(left.0, top.0) - 0.5 * rise * (right.0 - left.0) / (fall - rise);
-            // Beside the highest so far, where the parabola ends there.
-            let room = BESIDE_TOP * (right.0 - left.0);
-            let wider = (right.0 - top.0) - (top.0 - left.0);
-            let at = if (at - top.0).abs() > room { at } else { top.0 + room.copysign(wider) };
-            let here = (at, excess(at));
-            if here.1 >= 0.0 {
-                return Some((below, at));
-            }
-            match (here.1 > top.1, at > top.0) {
-                (true, true) => (left, top) = (top, here),
-                (true, false) => (right, top) = (top, here),
-                (false, true) => right = here,
-                (false, false) => left = here,
-            }
-        }
-        None
+    /// A place above zero between the last two and the next, where the second of them is the highest, and the first of them.
+    pub(super) fn top(&self, next: (f64, f64), excess: impl FnMut(f64) -> f64) -> Option<(f64, f64)> {
+        let [left, top] = self.0[..] else { return None };
+        let (at, height) = climb([left, top, next], excess, |height, _| height >= 0.0 || height <= TOO_LOW);
+        (height >= 0.0).then_some((left.0, at))
     }
+}
+
+/// The highest place among three and what parabolas find that close in, as soon as it is high enough, by its height and what the next
+/// parabola would add.
+fn climb(
+    [mut left, mut top, mut right]: [(f64, f64); 3],
+    mut height: impl FnMut(f64) -> f64,
+    is_enough: impl Fn(f64, f64) -> bool,
+) -> (f64, f64) {
+    for _ in 0..CLIMBS {
+        let (rise, fall) = ((top.1 - left.1) / (top.0 - left.0), (right.1 - top.1) / (right.0 - top.0));
+        let bend = (rise - fall) / (right.0 - left.0);
+        let at = f64::midpoint(left.0, top.0) + 0.5 * rise / bend;
+        if !(rise >= 0.0 && fall <= 0.0 && bend > 0.0) || is_enough(top.1, bend * (at - top.0).powi(2)) {
+            break;
+        }
+        // Beside the highest so far, where the parabola ends there.
+        let room = BESIDE_TOP * (right.0 - left.0);
+        let wider = (right.0 - top.0) - (top.0 - left.0);
+        let at = if (at - top.0).abs() > room { at } else { top.0 + room.copysign(wider) };
+        let here = (at, height(at));
+        match (here.1 > top.1, at > top.0) {
+            (true, true) => (left, top) = (top, here),
+            (true, false) => (right, top) = (top, here),
+            (false, true) => right = here,
+            (false, false) => left = here,
+        }
+    }
+    top
+}
+
+/// The highest value, and where, of a function on half of a contact: among its values at ascending stations, and at tops between
+/// them where these are no lower than `least`.
+pub(super) fn highest(
+    at: &[Station],
+    values: &[f64],
+    least: f64,
+    mut value: impl FnMut(Station) -> f64,
+) -> Option<(Station, f64)> {
+    let mut best = at.iter().copied().zip(values.iter().copied()).max_by(|one, other| one.1.total_cmp(&other.1))?;
+    for (at, values) in at.windows(3).zip(values.windows(3)) {
+        if !(values[1] >= least && values[1] >= values[0] && values[1] >= values[2]) {
+            continue;
+        }
+        let middle = at[1];
+        // From the nearer of both ends, so that no digit of a gap is lost.
+        let from = |at: &Station| if middle.gap < middle.x { middle.gap - at.gap } else { at.x - middle.x };
+        let beside = |step: f64| Station { x: middle.x + step, gap: middle.gap - step };
+        let three = [(from(&at[0]), values[0]), (0.0, values[1]), (from(&at[2]), values[2])];
+        let (step, height) = climb(three, |step| value(beside(step)), |height, more| more <= LEVEL * height.abs());
+        if height > best.1 {
+            best = (beside(step), height);
+        }
+    }
+    Some(best)
 }
 
 #[cfg(test)]

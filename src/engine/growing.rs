@@ -5,8 +5,8 @@ use super::checks::MARGIN;
 use super::contact_size::{self, Size};
 use super::family::{Family, Unfit, during};
 use super::layer::Layer;
+use super::lookout::Lookout;
 use super::normal::Normal;
-use super::peak::peak;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity, ShearTrace, Traces};
 use super::rubbing::{Rubbing, Verdict};
@@ -307,7 +307,11 @@ impl Growing {
             numbers.set(Quantity::Centre, stack.pressure(problem, family, b, 0.0));
         }
         if problem.wishes.reports(Quantity::Peak) && corners.is_empty() {
-            numbers.set(Quantity::Peak, peak(b, |at, out| stack.pressure_into(problem, family, b, at, out)));
+            let peak = Lookout::lend(|lookout| {
+                lookout.between(&stack.pressure_ends(b), b);
+                lookout.peak(|at, out| stack.pressure_into(problem, family, b, at, out))
+            });
+            numbers.set(Quantity::Peak, peak);
         }
         numbers
     }
@@ -440,6 +444,14 @@ impl Growing {
         }
         let (Some(family), Some(stack)) = (&mut self.family, &self.stack) else { unreachable!("provided before") };
         stack.pressure_into(problem, family, self.half_width, at, out);
+    }
+
+    /// Where the pressure is looked at for what happens between the points reported.
+    pub(crate) fn look(&self, normal: &Normal, lookout: &mut Lookout) {
+        match &self.stack {
+            Some(stack) if self.is_kinked => lookout.between(&stack.pressure_ends(self.half_width), self.half_width),
+            _ => normal.look(lookout),
+        }
     }
 
     /// Whether the pressure pulls nowhere, because none of the slices does that it is a stack of.

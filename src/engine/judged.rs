@@ -79,9 +79,12 @@ impl Judged {
         worst_judged(problem, &self.errors).map_or(0.0, |(_, error)| error)
     }
 
-    /// Whether it misses the tolerance because the shape has details that a grid over all of the contact does not resolve.
-    pub(super) fn misses_details(&self, problem: &Problem, tolerance: f64) -> bool {
-        self.how != How::Twin && self.worst(problem) > tolerance && has_details(problem, &self.outcome, tolerance)
+    /// Whether it misses the tolerance, or agrees with coarser ones on what none of so many unknowns sees, because the shape has details
+    /// that a grid over all of the contact does not resolve.
+    pub(super) fn misses_details(&self, problem: &Problem, tolerance: f64, unknowns: usize) -> bool {
+        self.how != How::Twin
+            && (self.worst(problem) > tolerance || hides_details(problem, &self.outcome, tolerance, unknowns))
+            && has_details(problem, &self.outcome, tolerance)
     }
 }
 
@@ -99,6 +102,12 @@ pub(super) enum How {
 /// Whether the shape has details within the contact found that its grid cannot resolve.
 pub(super) fn has_details(problem: &Problem, outcome: &Outcome, tolerance: f64) -> bool {
     outcome.numbers.get(Quantity::HalfWidth).is_some_and(|half_width| problem.has_details(half_width, tolerance))
+}
+
+/// Whether a grid of so many unknowns may have missed some, and every coarser one.
+pub(super) fn hides_details(problem: &Problem, outcome: &Outcome, tolerance: f64, unknowns: usize) -> bool {
+    let half_width = outcome.numbers.get(Quantity::HalfWidth);
+    half_width.is_some_and(|half_width| problem.hides_details(half_width, tolerance, unknowns))
 }
 
 /// The largest error of a number that has to meet the tolerance.

@@ -22,14 +22,15 @@ mod judged;
 mod layer;
 mod linear_strain;
 mod loading_curve;
+mod lookout;
 mod normal;
-mod peak;
 mod portrait;
 mod problem;
 mod quantity;
 mod refine;
 mod root;
 mod rubbing;
+
 mod sharpen;
 mod sheet;
 mod shelf;

@@ -2,7 +2,7 @@
 
 use super::dense::Dense;
 use super::layer::Layer;
-use super::peak::peak;
+use super::lookout::Lookout;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
 use super::work::Work;
@@ -160,6 +160,11 @@ impl Normal {
         self.rule.collocation()
     }
 
+    /// Where the pressure is looked at for what happens between the points reported.
+    pub(crate) fn look(&self, lookout: &mut Lookout) {
+        lookout.at_collocation(self.half_width, self.rule.collocation());
+    }
+
     /// Pressure at points strictly inside the contact.
     pub(crate) fn values_into(&self, at: &[Station], out: &mut [f64]) {
         self.rule.values_into(&self.unknowns, at, out);
@@ -221,7 +226,11 @@ impl Normal {
             numbers.set(Quantity::Indentation, depth);
         }
         if problem.wishes.reports(Quantity::Peak) && !self.is_sharp() {
-            numbers.set(Quantity::Peak, peak(b, |at, out| self.values_into(at, out)));
+            let peak = Lookout::lend(|lookout| {
+                self.look(lookout);
+                lookout.peak(|at, out| self.values_into(at, out))
+            });
+            numbers.set(Quantity::Peak, peak);
         }
         numbers
     }

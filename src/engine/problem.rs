@@ -1,6 +1,6 @@
 //! A scene in the layer's own units: lengths in the thickness, stresses in the surface modulus.
 
-use super::chebyshev::Points;
+use super::chebyshev::{Points, Series};
 use super::quantity::{Numbers, Quantity, Wishes, friction_needed};
 use crate::scene::{Load, Scene};
 use slipzone_api::{Base, Elastic, Friction, FrozenStrain, LayerModel, PunchShape, Refusal};
@@ -13,6 +13,11 @@ const COUPLED: f64 = 4.0;
 /// Chebyshev points all over the contact that tell whether a slope is smooth. What they do not resolve no grid does whose nodes crowd
 /// at the edges, with as many unknowns as are worth it.
 const SLOPES: usize = 40;
+
+/// Chebyshev points that tell what a grid of an unknown more could: three times as dense in the middle, where a grid is coarsest.
+const POINTS_PER_UNKNOWN: usize = 2;
+/// What they miss of a detail, over what a series cut short may.
+const MISSED: f64 = 10.0;
 
 /// Chebyshev points that do so over a piece.
 const OF_PIECE: usize = 24;
@@ -144,37 +149,80 @@ impl Problem {
         self.is_detailed == Some(true) || self.shape.face() > 0.0 || !self.shape.kinks().is_empty()
     }
 
+    /// Whether a grid over all of the contact is to resolve the shape.
+    fn is_smooth(&self) -> bool {
+        !self.is_kinked() && !self.is_linear && self.fixed_half_width().is_none()
+    }
+
     /// Whether the slope of a smooth shape has details within a half-width that no grid over all of it resolves to a tolerance, such as
     /// a tip rounded off by little.
     pub(crate) fn has_details(&self, half_width: f64, tolerance: f64) -> bool {
-        if self.is_detailed.is_some() || self.is_kinked() || self.is_linear || self.fixed_half_width().is_some() {
-            return false;
-        }
-        let points = Points::get(SLOPES);
-        let slopes: Vec<f64> = points.at.iter().map(|s| self.slope(half_width * (2.0 * s - 1.0))).collect();
-        points.through(&slopes).tail() > tolerance && self.cut(&mut vec![0.0, half_width], tolerance)
+        self.is_detailed.is_none()
+            && self.is_smooth()
+            && self.slopes(half_width, SLOPES).tail() > tolerance
+            && self.cut(&mut vec![0.0, half_width], tolerance)
     }
 
-    /// Cuts pieces of a smooth shape until the slope is resolved over each, beside the slope at the end of all; one in the middle nearer
-    /// to it. Returns whether that took few pieces.
+    /// Whether it has details that a grid of so many unknowns may miss, and every coarser one.
+    pub(crate) fn hides_details(&self, half_width: f64, tolerance: f64, unknowns: usize) -> bool {
+        let details = if self.is_smooth() { self.details(half_width) } else { Vec::new() };
+        if details.is_empty() {
+            return false;
+        }
+        let series = self.slopes(half_width, POINTS_PER_UNKNOWN * unknowns);
+        let told = |x: f64| series.value_and_slope(0.5 + 0.5 * x / half_width).0;
+        let enough = MISSED * tolerance * self.slope(half_width).abs();
+        details.iter().any(|x| (self.slope(*x) - told(*x)).abs() > enough)
+    }
+
+    /// The slope over all of a contact, through so many points.
+    fn slopes(&self, half_width: f64, count: usize) -> Series {
+        let points = Points::get(count);
+        let slopes: Vec<f64> = points.at.iter().map(|s| self.slope(half_width * (2.0 * s - 1.0))).collect();
+        points.through(&slopes)
+    }
+
+    /// Places beside which a smooth shape may vary over short lengths, see [`PunchShape::details`].
+    fn details(&self, half_width: f64) -> Vec<f64> {
+        let details = self.shape.details(half_width * self.length).into_iter();
+        details.map(|x| x / self.length).filter(|x| *x > 0.0 && *x < half_width).collect()
+    }
+
+    /// Whether a shape that is stacked for its kinks may vary over short lengths besides.
+    pub(crate) fn is_kinked_beside_details(&self, half_width: f64) -> bool {
+        self.is_detailed.is_none() && self.is_kinked() && !self.details(half_width).is_empty()
+    }
+
+    /// Cuts pieces of a shape until the slope is resolved over each, beside the slope at the end of all: beside its details, and one in
+    /// the middle nearer to it. Returns whether that took few pieces; they are left as they were where it did not.
     pub(crate) fn cut(&self, breaks: &mut Vec<f64>, digits: f64) -> bool {
         let points = Points::get(OF_PIECE);
-        let steepest = breaks.last().map_or(0.0, |end| self.slope(*end).abs());
+        let end = breaks.last().copied().unwrap_or(0.0);
+        let (details, enough) = (self.details(end), digits.max(LEAST) * self.slope(end).abs());
+        let is_smooth_across = self.kinks().all(|kink| kink > 0.0);
+        let mut cut = breaks.clone();
         let mut i = 1;
-        while i < breaks.len() {
-            let (from, to) = (breaks[i - 1], breaks[i]);
+        while i < cut.len() {
+            let (from, to) = (cut[i - 1], cut[i]);
             // Across the middle the slope is as smooth as beside it.
-            let begins = if from > 0.0 { from } else { -to };
+            let begins = if from > 0.0 || !is_smooth_across { from } else { -to };
             let slopes: Vec<f64> = points.at.iter().map(|s| self.slope(begins + (to - begins) * s)).collect();
             let largest = slopes.iter().fold(0.0_f64, |most, slope| most.max(slope.abs()));
-            if points.through(&slopes).tail() * largest <= digits.max(LEAST) * steepest {
+            let series = points.through(&slopes);
+            let told = |x: f64| series.value_and_slope((x - begins) / (to - begins)).0;
+            let inside: Vec<f64> = details.iter().copied().filter(|x| *x > from && *x < to).collect();
+            let is_resolved = series.tail() * largest <= enough
+                && inside.iter().all(|x| (self.slope(*x) - told(*x)).abs() <= MISSED * enough);
+            if is_resolved {
                 i += 1;
-            } else if breaks.len() > MOST_PIECES {
+            } else if cut.len() > MOST_PIECES {
                 return false;
             } else {
-                breaks.insert(i, if from > 0.0 { 0.5 * (from + to) } else { to * (-NEARER).exp() });
+                let between = if from > 0.0 { 0.5 * (from + to) } else { to * (-NEARER).exp() };
+                cut.insert(i, inside.get(inside.len() / 2).copied().unwrap_or(between));
             }
         }
+        *breaks = cut;
         true
     }
 

@@ -3,7 +3,8 @@
 use super::error_estimate::{Pace, ROUNDING, SAFETY, Seen, extrapolated, judged_by_twin};
 use super::family::Family;
 use super::judged::{
-    How, Judged, ROUNDED, SHEAR, has_details, left_by_sticking, meets, share_in_middle, with_the_rest, worst_judged,
+    How, Judged, ROUNDED, SHEAR, has_details, hides_details, left_by_sticking, meets, share_in_middle, with_the_rest,
+    worst_judged,
 };
 use super::layer::{Layer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
@@ -211,9 +212,9 @@ impl Ladder {
                 (next, last) = (later, Some((outcome, step)));
                 continue;
             }
-            let unseen = is_unseen(layer, &outcome, self.stages[step].unknowns());
-            let mut done = estimate.add(layer, aim, &outcome, unseen)
-                || self.is_hopeless(aim, (step, first), &outcome)
+            let unknowns = self.stages[step].unknowns();
+            let mut done = estimate.add(layer, aim, &outcome, unknowns)
+                || self.is_hopeless(layer, aim, (step, first), &outcome, &estimate.errors)
                 || self.is_broken(step, first, &estimate.errors);
             if done || step + first == FINEST {
                 let task = self.task(aim, level);
@@ -427,23 +428,37 @@ impl Ladder {
         Ok(())
     }
 
-    /// Whether no refinement will help. A pressure that pulls is looked for once: finer steps do not mend it.
-    fn is_hopeless(&mut self, aim: Aim, (step, first): (usize, usize), outcome: &Outcome) -> bool {
-        step + first >= BOUND_LEVEL && is_bounded(outcome)
-            || step + first == BOUND_LEVEL && self.stages[step].tension(aim.problem, outcome).is_some()
-            || step + first == DETAIL_LEVEL && has_details(aim.problem, outcome, aim.tolerance)
+    /// Whether no refinement will help. A pressure that pulls is looked for as soon as it is known: finer steps do not mend it.
+    fn is_hopeless(
+        &mut self,
+        layer: &Layer,
+        aim: Aim,
+        (step, first): (usize, usize),
+        outcome: &Outcome,
+        errors: &Numbers,
+    ) -> bool {
+        let level = step + first;
+        level >= BOUND_LEVEL && is_bounded(outcome)
+            || level >= BOUND_LEVEL
+                && is_shown(errors)
+                && self.stages[step].tension(layer, aim.problem, outcome).is_some_and(|(_, p)| p < -SHOWN)
+            || level == DETAIL_LEVEL && has_details(aim.problem, outcome, aim.tolerance)
     }
 
     /// Whether friction cannot be told of a contact as it grew, at this step and at the one before. Where in its growth
     /// that is moves with the members solved: no refinement settles it.
     fn is_broken(&self, step: usize, first: usize, errors: &Numbers) -> bool {
-        let mut of_pressure = errors.iter().filter(|(quantity, _)| !quantity.is_of_shear()).peekable();
         step > 0
             && step + first >= BOUND_LEVEL
             && self.stages[step - 1..=step].iter().all(Stage::is_broken)
-            && of_pressure.peek().is_some()
-            && of_pressure.all(|(_, error)| error < SHOWN)
+            && is_shown(errors)
     }
+}
+
+/// Whether a pressure is known well enough to be shown.
+fn is_shown(errors: &Numbers) -> bool {
+    let mut of_pressure = errors.iter().filter(|(quantity, _)| !quantity.is_of_shear()).peekable();
+    of_pressure.peek().is_some() && of_pressure.all(|(_, error)| error < SHOWN)
 }
 
 /// The coarsest level worth solving.
@@ -497,9 +512,10 @@ impl Estimate {
     }
 
     /// Takes note of a finer resolution; whether it is fine enough, or no finer one would be any better.
-    fn add(&mut self, layer: &Layer, aim: Aim, outcome: &Outcome, unseen: bool) -> bool {
+    fn add(&mut self, layer: &Layer, aim: Aim, outcome: &Outcome, unknowns: usize) -> bool {
         let Aim { problem, tolerance, .. } = aim;
         self.history.push(outcome.seen());
+        let unseen = is_unseen(layer, outcome, unknowns);
         let Some(mut estimate) = extrapolated(&self.history, unseen) else { return false };
         self.of_shear = estimate.take(Quantity::Shear).filter(|_| problem.wishes.profile);
         let before = worst_judged(problem, &self.errors).map_or(f64::INFINITY, |(_, error)| error);
@@ -507,6 +523,11 @@ impl Estimate {
         self.errors = estimate;
         let all = with_the_rest(problem, layer, outcome, tolerance, estimate);
         self.met = meets(problem, &all, tolerance) || now <= 2.0 * ROUNDING;
+        if self.met && hides_details(problem, outcome, tolerance, unknowns) {
+            // They agree on what none of them sees.
+            (self.met, self.stalled) = (false, 0);
+            return false;
+        }
         self.stalled = if now < ROUNDED && now > 0.5 * before { self.stalled + 1 } else { 0 };
         // What a stack loses at any resolution, and a law that was smoothed.
         let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));

@@ -185,13 +185,14 @@ impl Solver {
         Ok(())
     }
 
-    /// What refinement finds. A smooth shape that has details is solved as one with kinks where it does not converge, and to the end as
-    /// it is where it does not converge so either.
+    /// What refinement finds. A smooth shape that has details is solved as one with kinks where it does not converge or no grid has seen
+    /// them, and to the end as it is where it does not converge so either.
     fn refined(&mut self, tolerance: f64) -> Result<Judged, Refusal> {
         let Self { chosen, problem, layer, ladder, .. } = self;
         let methods = &chosen.methods;
         let found = ladder.refine(layer, Aim { problem, methods, tolerance })?;
-        if !found.misses_details(problem, tolerance) {
+        let unknowns = ladder.stage(found.stage).unknowns();
+        if !found.misses_details(problem, tolerance, unknowns) {
             return Ok(found);
         }
         let mut again = |is_detailed| {
@@ -354,7 +355,7 @@ impl Solver {
         if problem.is_linear || !problem.is_stacked() && loads.len() <= FEW {
             return None;
         }
-        let (status, reason) = verdict(problem, ladder.stage(judged.stage), judged, tolerance);
+        let (status, reason) = verdict(layer, problem, ladder.stage(judged.stage), judged, tolerance);
         if status == Status::AssumptionViolated {
             return None;
         }
@@ -373,7 +374,7 @@ impl Solver {
     pub(super) fn point(&mut self) -> Point {
         let Some(judged) = &self.judged else { unreachable!("found before") };
         let tolerance = self.chosen.scene.solver.tolerance.get();
-        let judgement = verdict(&self.problem, self.ladder.stage(judged.stage), judged, tolerance);
+        let judgement = verdict(&self.layer, &self.problem, self.ladder.stage(judged.stage), judged, tolerance);
         let error = Point::error(&judged.errors);
         assemble::point(self.chosen.scene.load, &self.problem, &judged.outcome.numbers, error, judgement)
     }
@@ -384,7 +385,7 @@ impl Solver {
         let tolerance = self.chosen.scene.solver.tolerance.get();
         let work = self.ladder.work();
         let stage = self.ladder.stage(judged.stage);
-        let judgement = verdict(&self.problem, stage, judged, tolerance);
+        let judgement = verdict(&self.layer, &self.problem, stage, judged, tolerance);
         let plan = Plan {
             unknowns: stage.unknowns(),
             flexibility_evaluations: self.layer.flexibility_evaluations(),

@@ -149,7 +149,7 @@ impl Stack {
             breaks.extend(ends.map(|part| from * (next / from).powf(part / parts)));
             breaks.push(next);
         }
-        if problem.is_detailed == Some(true) {
+        if problem.is_detailed == Some(true) || problem.is_kinked_beside_details(widest) {
             problem.cut(&mut breaks, digits);
         }
         let mut stack = Self {

@@ -8,6 +8,7 @@ use super::error_estimate::Seen;
 use super::family::Family;
 use super::growing::Growing;
 use super::layer::{Layer, Wanted};
+use super::lookout::Lookout;
 use super::normal::Normal;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity, Traces};
@@ -244,12 +245,18 @@ impl Stage {
     }
 
     /// Where the pressure of an outcome pulls, see [`checks::tension`].
-    pub(crate) fn tension(&mut self, problem: &Problem, outcome: &Outcome) -> Option<(f64, f64)> {
+    pub(crate) fn tension(&mut self, layer: &Layer, problem: &Problem, outcome: &Outcome) -> Option<(f64, f64)> {
         if self.growing.as_mut().is_some_and(|growing| growing.is_solver && growing.presses(problem)) {
             return None;
         }
         let (b, mean) = (outcome.numbers.get(Quantity::HalfWidth)?, outcome.numbers.get(Quantity::Mean)?);
-        checks::tension(b, mean, |at, out| self.pressure_into(problem, at, out))
+        Lookout::lend(|lookout| {
+            match stacking(&mut self.growing) {
+                Some(growing) => growing.look(&self.normal, lookout),
+                None => self.normal.look(lookout),
+            }
+            checks::tension(lookout, (b, mean, layer.length()), |at, out| self.pressure_into(problem, at, out))
+        })
     }
 
     /// Whether friction cannot be told of a contact as it grew.

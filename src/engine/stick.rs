@@ -5,6 +5,7 @@ use super::dense::Dense;
 use super::half_plane_shear::HalfPlaneShear;
 use super::layer::Layer;
 use super::linear_strain;
+use super::lookout::Lookout;
 use super::normal::Normal;
 use super::quantity::{ShearTrace, Traces};
 use super::slip_grid::SlipGrid;
@@ -349,6 +350,11 @@ impl Shear {
         }
         self.solve_on(finer, layer, normal, beta, zone)?;
         Ok(true)
+    }
+
+    /// Where the shear is looked at for what happens between the points reported.
+    pub(crate) fn look(&self, lookout: &mut Lookout) {
+        lookout.at_collocation(self.zone.half_width, self.grids[self.used].rule.collocation());
     }
 
     /// The unknowns of the shear in the stick zone.

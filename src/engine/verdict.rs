@@ -1,6 +1,7 @@
 //! Whether a solved contact may be believed.
 
 use super::judged::{Judged, ROUNDED};
+use super::layer::Layer;
 use super::problem::Problem;
 use super::quantity::Quantity;
 use super::rubbing::{Rubbing, Verdict};
@@ -12,12 +13,13 @@ const UNRESOLVED: f64 = 0.1;
 
 /// Status and reason of a solved contact.
 pub(super) fn verdict(
+    layer: &Layer,
     problem: &Problem,
     stage: &mut Stage,
     judged: &Judged,
     tolerance: f64,
 ) -> (Status, Option<String>) {
-    let Some((status, reason)) = objection(problem, stage, judged, tolerance) else {
+    let Some((status, reason)) = objection(layer, problem, stage, judged, tolerance) else {
         return (Status::Converged, None);
     };
     let ended = judged.stopped.as_ref().map_or(String::new(), |refusal| format!("; refinement ended: {refusal}"));
@@ -25,7 +27,13 @@ pub(super) fn verdict(
 }
 
 /// The gravest thing to be said against the result.
-fn objection(problem: &Problem, stage: &mut Stage, judged: &Judged, tolerance: f64) -> Option<(Status, String)> {
+fn objection(
+    layer: &Layer,
+    problem: &Problem,
+    stage: &mut Stage,
+    judged: &Judged,
+    tolerance: f64,
+) -> Option<(Status, String)> {
     if let Some(why) = problem.flaw(judged.outcome.numbers.get(Quantity::HalfWidth)?) {
         return Some((Status::AssumptionViolated, why));
     }
@@ -51,7 +59,7 @@ fn objection(problem: &Problem, stage: &mut Stage, judged: &Judged, tolerance: f
     if judged.doubt.is_some_and(|doubt| doubt > UNRESOLVED) {
         return Some(inexact());
     }
-    if let Some((x, p)) = stage.tension(problem, &judged.outcome) {
+    if let Some((x, p)) = stage.tension(layer, problem, &judged.outcome) {
         let why = format!(
             "the pressure is negative, {p:.4} times the mean at |x| = {x:.4} b: the punch lifts off there, and contact \
              with gaps is not modelled"

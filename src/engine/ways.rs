@@ -15,6 +15,7 @@ const GATHERED: i32 = 4;
 static GATHERED_WAYS: Shelf<Way> = Shelf::new();
 static CROWDED_WAYS: Shelf<Way> = Shelf::new();
 static GRIDS: Shelf<Vec<Node>> = Shelf::new();
+static ROUGH_GRIDS: Shelf<Vec<Node>> = Shelf::new();
 
 /// Parts of a way, and their weights.
 type Way = Vec<[f64; 2]>;
@@ -56,6 +57,12 @@ impl Ways {
 /// A double-exponential grid of unit length.
 pub(super) fn grid(nodes: usize) -> Arc<Vec<Node>> {
     GRIDS.get(nodes, |nodes| double_exponential::nodes(1.0, nodes))
+}
+
+/// One that ends sooner, at a hundred-thousandth of its length.
+pub(super) fn rough_grid(nodes: usize) -> Arc<Vec<Node>> {
+    const END: f64 = 2.0;
+    ROUGH_GRIDS.get(nodes, |nodes| double_exponential::nodes_up_to(1.0, nodes, END))
 }
 
 /// Gauss and Legendre.

@@ -846,3 +846,78 @@ fn a_pressure_faint_in_the_middle_is_as_sure_as_told() {
         assert_eq!(found.status == Status::Converged, tolerance > 1e-7, "{:?}", found.reason);
     }
 }
+
+/// A peak between two of 24 samples was passed by: the number told was up to 80 times too small, and every resolution agreed on it.
+#[test]
+fn the_largest_pressure_is_found_however_narrow_its_peak() {
+    for face in [0.9, 0.999, 0.999_999] {
+        // By superposition, the pressure of a half-plane.
+        let beyond = |part: f64| face + (1.0 - face) * part;
+        let points: Vec<String> = (1..400).map(|i| beyond(f64::from(i) / 400.0).to_string()).collect();
+        let scene = format!(
+            "format = 1\nlayer = {{ poisson = 0.3, base = {{ type = \"infinite\" }}, \
+             grading = {{ type = \"homogeneous\", modulus = 1.0 }} }}\n\
+             punch = {{ type = \"rounded-flat\", half_width = {face}, radius = 1.0 }}\nload = {{ half_width = 1.0 }}\n\
+             output = {{ x = [{}] }}\n",
+            points.join(", ")
+        );
+        let solution = solve(&slipzone::scene::parse("peak.toml", &scene).expect("a good scene"));
+        let told = solution.number("pressure.peak").expect("a peak");
+        let seen = solution.profile.pressure.iter().flatten().fold(0.0_f64, |most, p| most.max(*p));
+        assert!(told >= seen * (1.0 - 1e-12) && told < seen * (1.0 + 1e-4), "{told} and {seen} with a face of {face}");
+    }
+}
+
+/// What a stiff skin does beside the edge is as narrow as the skin: 32 samples of the pressure and 48 of the shear passed it by.
+#[test]
+fn neither_tension_nor_too_much_shear_hides_between_samples() {
+    let on_skin = |skin: f64, modulus: f64, below: f64, rest: &str| {
+        let scene = format!(
+            "format = 1\npunch = {{ type = \"flat\", half_width = 1.0 }}\nload = {{ force = 1.0 }}\n{rest}\
+             [layer]\npoisson = 0.3\n[layer.grading]\ntype = \"stack\"\nlayers = [\
+             {{ thickness = {skin}, grading = {{ type = \"homogeneous\", modulus = {modulus} }} }}, \
+             {{ thickness = {below}, grading = {{ type = \"homogeneous\", modulus = 1.0 }} }}]\n"
+        );
+        solve(&slipzone::scene::parse("skin.toml", &scene).expect("a good scene"))
+    };
+    let pulls = on_skin(0.02, 11.7152, 2.0, "");
+    assert_eq!(pulls.status, Status::AssumptionViolated, "{:?}", pulls.reason);
+    assert!(pulls.reason.as_ref().is_some_and(|why| why.contains("negative")), "{:?}", pulls.reason);
+    let friction = "friction = { type = \"goodman\", coefficient = 1.0 }\nsolver = { tolerance = 1e-5 }\n";
+    let slides = on_skin(0.005, 9.0, 1.0, friction);
+    assert_eq!(slides.status, Status::AssumptionViolated, "{:?}", slides.reason);
+    assert!(slides.reason.as_ref().is_some_and(|why| why.contains("1.31")), "{:?}", slides.reason);
+}
+
+/// No node of the first resolutions sees how a tip is worn: they agreed on the pressure of the parabola beside it, 3 % off and
+/// claimed to 1e-10.
+#[test]
+fn smooth_details_are_seen_however_fast_they_fade() {
+    let solved = |slope: &str, load: &str| {
+        let scene = format!(
+            "format = 1\nlayer = {{ poisson = 0.3, base = {{ type = \"infinite\" }}, \
+             grading = {{ type = \"homogeneous\", modulus = 1.0 }} }}\n\
+             punch = {{ type = \"formula\", slope = \"{slope}\" }}\nload = {{ half_width = 1.0 }}\n{load}"
+        );
+        solve(&slipzone::scene::parse("worn.toml", &scene).expect("a good scene"))
+    };
+    // By quadrature of the half-plane's formula.
+    let worn = solved("0.1*x - 0.1*x*exp(-(x/0.05)^4)", "");
+    assert_eq!(worn.status, Status::Converged, "{:?}", worn.reason);
+    let centre = worn.number("pressure.centre").expect("a pressure");
+    assert!((centre / 0.138_733_729_526 - 1.0).abs() < 1e-9, "{centre}");
+    let force = worn.number("load.force").expect("a force");
+    assert!((force / 0.224_388_523_900 - 1.0).abs() < 1e-9, "{force}");
+    for width in [0.03, 0.003, 3e-5] {
+        for tolerance in [1e-4, 1e-8] {
+            let bump = format!("0.1*x + 0.05*x*exp(-(x/{width})^2)");
+            let found = solved(&bump, &format!("solver = {{ tolerance = {tolerance} }}"));
+            // The slope a x makes a b/A0 of the pressure in the middle, and a x exp(-(x/w)^2) makes a w/(sqrt(pi) A0) and a share w^2/4 more.
+            let plain = solved("0.1*x", "").number("pressure.centre").expect("a pressure");
+            let more = found.number("pressure.centre").expect("a pressure") - plain;
+            let exact = 0.05 * width * plain / 0.1 / std::f64::consts::PI.sqrt();
+            assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
+            assert!((more / exact - 1.0).abs() < width * width + 2.0 * tolerance * plain / exact, "{more} for {exact}");
+        }
+    }
+}

@@ -60,6 +60,13 @@ pub trait PunchShape: Debug + Send + Sync {
         None
     }
 
+    /// Places within a half-width, ascending, beside which the shape, smooth there, may vary over lengths far shorter than elsewhere.
+    /// Nothing is between two of them that a few dozen samples would miss.
+    fn details(&self, half_width: f64) -> Vec<f64> {
+        let _ = half_width;
+        Vec::new()
+    }
+
     /// Where the shape is not analytic, ascending, `x >= 0`; the middle is among them where `g(|x|)` is not smooth
     /// across it, as for a wedge or `|x|^1.5`. Sharp corners at the contact's ends do not count.
     fn kinks(&self) -> &[f64] {

@@ -8,8 +8,8 @@ use std::ops::Range;
 
 /// Samples of each argument: it is no narrower than what is made of it, but far broader as a rule. A straight line wants its ends.
 const SAMPLES: i32 = 1024;
-/// Over which parts of the length a slope's change is looked at: of a parabola, and of a kink.
-const BESIDE: [f64; 2] = [1e-3, 1e-9];
+/// Doublings of the least width, up to the whole length.
+const DOUBLINGS: i32 = 41;
 
 /// How a function varies with its argument.
 #[derive(Clone, Copy, PartialEq)]
@@ -70,7 +70,18 @@ fn look(u: impl Fn(f64) -> Dual, kind: Kind, (length, samples): (f64, i32), foun
         let Dual { value, slope } = u(x);
         (x, scale(value) / slope.abs())
     };
-    found.extend([0.0, length].map(steep));
+    // The least width over which it changes by as much as matters to the function, within a factor of two.
+    let wide = |x: f64| {
+        let here = u(x).value;
+        let changes = |width: &f64| {
+            let beside = [x - width, x + width].into_iter().filter(|x| (0.0..=length).contains(x));
+            beside.into_iter().any(|x| (u(x).value - here).abs() >= scale(here))
+        };
+        let widths = (0..DOUBLINGS).rev().map(|k| length * 0.5_f64.powi(k));
+        (x, widths.into_iter().find(changes).unwrap_or(f64::INFINITY))
+    };
+    let is_straight = samples == 1;
+    found.extend([0.0, length].map(|end| if is_straight { steep(end) } else { wide(end) }));
     let mut before = (0.0, u(0.0));
     for i in 1..=samples {
         let x = length * f64::from(i) / f64::from(samples);
@@ -79,15 +90,7 @@ fn look(u: impl Fn(f64) -> Dual, kind: Kind, (length, samples): (f64, i32), foun
             found.push(steep(bisect(before.0, x, |x| u(x).value)));
         }
         if then.slope * now.slope < 0.0 {
-            let turn = bisect(before.0, x, |x| u(x).slope);
-            let size = scale(u(turn).value);
-            // Of a parabola, and of a kink.
-            let [bend, jump] = BESIDE.map(|part| {
-                let beside = part * length;
-                (u(turn + beside).slope - u(turn - beside).slope).abs() / (2.0 * beside)
-            });
-            let of_kink = 1.0 / (jump * BESIDE[1] * length);
-            found.push((turn, (2.0 * size / bend).sqrt().min(size * of_kink)));
+            found.push(wide(bisect(before.0, x, |x| u(x).slope)));
         }
         before = (x, now);
     }

@@ -263,6 +263,25 @@ fn formulas_share_their_parameters() {
 
 /// A film is where the argument of an exponential turns around: of a parabola once, of a quartic three times. A step is where that
 /// of a hyperbolic tangent passes through zero, which a straight one does once and another as often as it likes.
+/// Also where it begins so level that neither its slope nor its bend tell.
+#[test]
+fn narrow_places_are_as_wide_as_the_function_takes() {
+    for (text, place, width) in [
+        ("exp(-(x/0.05)^2)", 0.0, 0.05),
+        ("exp(-(x/0.05)^4)", 0.0, 0.05),
+        ("exp(-(x/1e-6)^6)", 0.0, 1e-6),
+        ("exp(-((x - 0.3)/0.01)^4)", 0.3, 0.01),
+        ("exp(-abs(x - 0.3)/0.01)", 0.3, 0.01),
+        ("1/(1 + (x/0.03)^2)^6", 0.0, 0.03),
+        ("1/cosh(x/0.003)", 0.0, 0.003),
+        ("tanh((x - 0.3)/0.001)", 0.3, 0.001),
+    ] {
+        let found = parse(text).unwrap().narrow_places(1.0);
+        let is_it = |(x, w): &(f64, f64)| (x - place).abs() < 1e-9 && *w > 0.4 * width && *w < 2.1 * width;
+        assert!(found.iter().any(is_it), "{text}: {found:?}");
+    }
+}
+
 #[test]
 fn narrow_places_are_found_wherever_an_argument_turns_or_passes_through_zero() {
     for (text, places) in [

@@ -1,6 +1,6 @@
 //! A modulus given by a formula.
 
-use crate::{details, thickness};
+use crate::{cuts, thickness};
 use serde::{Deserialize, Serialize};
 use slipzone_api::taylor::Taylor;
 use slipzone_api::{Fault, Files, Grading, ModulusLaw, Refusal, Setting, Values, short};
@@ -70,7 +70,7 @@ impl Grading for Formula {
         breakpoints.dedup();
         let narrow = formulas.iter().flat_map(|formula| formula.narrow_places(thickness));
         let narrow = narrow.map(|(depth, width)| (depth / thickness, width / thickness));
-        let details = details::beside(narrow);
+        let details = cuts(narrow);
         let law = Law { formulas, thickness, breakpoints, details };
         if law.is_steep() {
             return Err(Refusal::NotBuilt {

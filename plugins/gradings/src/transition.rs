@@ -1,7 +1,7 @@
 //! Two materials with a blurred interface between them: what both plugins for it share.
 
 use crate::homogeneous::Constant;
-use crate::{details, thickness};
+use crate::{cuts, thickness};
 use serde::{Deserialize, Serialize};
 use slipzone_api::taylor::Taylor;
 use slipzone_api::{Finite, ModulusLaw, Positive, Refusal, Setting};
@@ -40,7 +40,7 @@ impl Transition {
             return Ok(Box::new(Constant(above)));
         }
         let (top, rate) = (-self.centre.get() / width, thickness / width);
-        let details = details::beside(std::iter::once((self.centre.get() / thickness, 1.0 / rate)));
+        let details = cuts(std::iter::once((self.centre.get() / thickness, 1.0 / rate)));
         Ok(Box::new(Law::<S> { above, below, top, rate, details, step: PhantomData }))
     }
 }

@@ -147,7 +147,7 @@ impl Family {
         if least.abs() >= eta {
             return Err(Unfit::Friction(b, Box::new(stuck().bounded(b))));
         }
-        if asked && let Some(what) = self.stage.overload(eta) {
+        if asked && let Some(what) = self.stage.overload(layer, eta) {
             return Err(Unfit::Friction(b, Box::new(stuck().failing(what))));
         }
         let root = Root { lambda, branch: 1.0, slope: f64::NAN, doubt: f64::INFINITY };

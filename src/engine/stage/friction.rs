@@ -77,7 +77,9 @@ impl Stage {
                 let root = Root { lambda, branch, slope: f64::NAN, doubt: f64::NAN };
                 let rubbing = Rubbing::expected(root, b, true);
                 let rubbing = rubbing.traced(curve.shear.trace(curve.normal.mean()));
-                let Some((x, load)) = checks::overload(curve.normal, curve.shear, eta) else { return Ok(rubbing) };
+                let Some((x, load)) = checks::overload(layer, curve.normal, curve.shear, eta) else {
+                    return Ok(rubbing);
+                };
                 let what = format!("|q| reaches {load:.3} eta p at x = {x:.4} b inside the stick zone");
                 failure = failure.or(Some(rubbing.failing(what)));
             }
@@ -304,7 +306,7 @@ impl Stage {
         let lambda = rubbing.zone.log();
         if rubbing.verdict == Verdict::Sticks {
             self.curve(layer, task).at_or_near(lambda, KNOWN)?;
-            if let Some(what) = self.overload(eta) {
+            if let Some(what) = self.overload(layer, eta) {
                 rubbing.verdict = Verdict::Fails(what);
             }
             return Ok(false);
@@ -355,8 +357,8 @@ impl Stage {
     }
 
     /// Where the shear solved last is more than a friction coefficient bears, though everything sticks.
-    pub(crate) fn overload(&mut self, eta: f64) -> Option<String> {
-        let (x, load) = checks::overload(&self.normal, self.shear.as_ref()?, eta)?;
+    pub(crate) fn overload(&mut self, layer: &Layer, eta: f64) -> Option<String> {
+        let (x, load) = checks::overload(layer, &self.normal, self.shear.as_ref()?, eta)?;
         self.is_overloaded = true;
         (!self.of_slices).then(|| format!("where everything sticks |q| reaches {load:.3} eta p at x = {x:.4} b"))
     }
@@ -366,7 +368,7 @@ impl Stage {
         let (normal, shear) = (&mut self.normal, self.shear.as_ref()?);
         let direction = if shear.friction < 0.0 { "outward" } else { "inward" };
         let ratio = shear.zone.ratio();
-        if let Some((x, load)) = checks::overload(normal, shear, shear.friction.abs()) {
+        if let Some((x, load)) = checks::overload(layer, normal, shear, shear.friction.abs()) {
             self.is_overloaded = true;
             if !self.of_slices {
                 return Some(format!(

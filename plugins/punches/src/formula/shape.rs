@@ -2,8 +2,9 @@
 
 use super::Gives;
 use crate::examine;
-use slipzone_api::{Fault, Flaw, PunchShape, double_exponential, short};
+use slipzone_api::{Fault, Flaw, PunchShape, details, double_exponential, short};
 use slipzone_formula::Formula;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// The most places at which integrals are to be split.
 const MOST_KINKS: usize = 64;
@@ -36,6 +37,8 @@ pub(super) struct Graph {
     corners: Vec<f64>,
     /// Up to which kink the height is exactly 0.
     face: f64,
+    /// The length over which details were looked for last, and these.
+    details: Arc<Mutex<(f64, Vec<f64>)>>,
 }
 
 impl Graph {
@@ -45,8 +48,16 @@ impl Graph {
     /// Whatever is wrong with it at and around the tip, hence under any load.
     pub(super) fn new(formula: Formula, gives: Gives) -> Result<Self, Fault> {
         let tip = if gives == Gives::Height { formula.at(0.0).value } else { 0.0 };
-        let mut graph =
-            Self { formula, gives, tip, natural_length: 1.0, kinks: Vec::new(), corners: Vec::new(), face: 0.0 };
+        let mut graph = Self {
+            formula,
+            gives,
+            tip,
+            natural_length: 1.0,
+            kinks: Vec::new(),
+            corners: Vec::new(),
+            face: 0.0,
+            details: Arc::default(),
+        };
         if !tip.is_finite() {
             return Err(Fault::new(&[], "the formula has no finite value at x = 0")
                 .found(format!("height(0) = {tip}"))
@@ -239,6 +250,18 @@ impl PunchShape for Graph {
 
     fn face(&self) -> f64 {
         self.face
+    }
+
+    fn details(&self, half_width: f64) -> Vec<f64> {
+        // Contacts hardly wider than the last one share theirs.
+        let length = half_width.log2().ceil().exp2();
+        let mut known = self.details.lock().unwrap_or_else(PoisonError::into_inner);
+        if known.0.to_bits() != length.to_bits() {
+            let places = self.formula.narrow_places(length).into_iter();
+            let cuts = details::beside(places.map(|(x, width)| (x / length, width / length)), 1.0, 1.0);
+            *known = (length, cuts.into_iter().map(|cut| cut * length).collect());
+        }
+        known.1.iter().copied().take_while(|x| *x < half_width).collect()
     }
 
     fn kinks(&self) -> &[f64] {
