@@ -74,11 +74,18 @@ impl Series {
 
     /// How much of the largest coefficient the last few are: what the series misses is about as much.
     pub(crate) fn tail(&self) -> f64 {
-        let size = |c: &[f64]| c.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
-        let last = self.0.len().saturating_sub(3);
-        let all = size(&self.0);
-        if all > 0.0 { size(&self.0[last..]) / all } else { 0.0 }
+        let all = largest(&self.0);
+        if all > 0.0 { self.last() / all } else { 0.0 }
     }
+
+    /// How large the last few are.
+    pub(crate) fn last(&self) -> f64 {
+        largest(&self.0[self.0.len().saturating_sub(3)..])
+    }
+}
+
+fn largest(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(0.0, |most, number| most.max(number.abs()))
 }
 
 #[cfg(test)]

@@ -368,15 +368,15 @@ impl Growing {
         Ok(rubbing.traced(ShearTrace { inner, ..trace }))
     }
 
-    /// Sizes of the contact on its way to a load solved already, whose half-width is given; `None` where it is no single
-    /// stack.
+    /// Sizes of the contact on its way to a load solved already, whose half-width is given, and what the stack that tells them leaves
+    /// out, relative; `None` where it is no single stack.
     pub(crate) fn on_the_way(
         &mut self,
         layer: &mut Layer,
         task: Task,
         half_width: f64,
         loads: &[LoadInLayerUnits],
-    ) -> Option<Vec<Numbers>> {
+    ) -> Option<(Vec<Numbers>, f64)> {
         self.provide(layer, task, half_width, 1.0, None).ok()?;
         let problem = task.problem;
         let (Some(family), Some(stack), None) = (&mut self.family, &mut self.stack, &self.broken) else { return None };
@@ -394,7 +394,8 @@ impl Growing {
             }
             Some(numbers)
         };
-        loads.iter().map(&mut point).collect()
+        let points: Option<_> = loads.iter().map(&mut point).collect();
+        Some((points?, stack.lost()))
     }
 
     /// Checks the conditions of friction where no coarser resolution has.

@@ -159,7 +159,8 @@ impl Problem {
     pub(crate) fn has_details(&self, half_width: f64, tolerance: f64) -> bool {
         self.is_detailed.is_none()
             && self.is_smooth()
-            && self.slopes(half_width, SLOPES).tail() > tolerance
+            && (self.slopes(half_width, SLOPES).tail() > tolerance
+                || self.hides_details(half_width, tolerance, SLOPES / POINTS_PER_UNKNOWN))
             && self.cut(&mut vec![0.0, half_width], tolerance)
     }
 
@@ -171,7 +172,8 @@ impl Problem {
         }
         let series = self.slopes(half_width, POINTS_PER_UNKNOWN * unknowns);
         let told = |x: f64| series.value_and_slope(0.5 + 0.5 * x / half_width).0;
-        let enough = MISSED * tolerance * self.slope(half_width).abs();
+        // A bump of the slope, however narrow, is felt by the pressure beneath it.
+        let enough = tolerance * self.slope(half_width).abs();
         details.iter().any(|x| (self.slope(*x) - told(*x)).abs() > enough)
     }
 

@@ -140,10 +140,11 @@ impl Ladder {
         };
         let left = |coarse: &Numbers, fine: &Numbers| error.max(LEFT * fine.change_from(coarse));
         // The flat punches may take a step more than their stack did.
-        let mut coarse = told(before)?;
+        let (mut coarse, _) = told(before)?;
         for index in judged.stage..=(judged.stage + MORE).min(FINEST) {
-            let fine = told(index)?;
-            let errors: Vec<f64> = coarse.iter().zip(&fine).map(|(coarse, fine)| left(coarse, fine)).collect();
+            let (fine, lost) = told(index)?;
+            let errors: Vec<f64> =
+                coarse.iter().zip(&fine).map(|(coarse, fine)| left(coarse, fine).max(lost)).collect();
             if index == judged.stage + MORE || errors.iter().all(|error| *error <= aim.tolerance) {
                 return Some(fine.into_iter().zip(errors).collect());
             }

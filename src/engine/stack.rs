@@ -19,8 +19,11 @@ use std::sync::Arc;
 
 /// Coefficients of the force over a piece that are tried first; twice as many follow.
 const COEFFICIENTS: usize = 12;
-/// Most of them.
+/// Most of them; over the first piece, fewer where twice as many from so many on are no better.
 const MOST_COEFFICIENTS: usize = 384;
+const STALLING: usize = 48;
+/// Times that the first piece may be cut.
+const MOST_CUTS: usize = 12;
 /// Power of the variable in which the force over the first piece is a series.
 const POWER: i32 = 2;
 /// The longest way in `t` of `b' = x cosh(t)` that one grid integrates over.
@@ -127,11 +130,19 @@ impl Stack {
             nodes = (MORE_NODES * nodes as f64).ceil() as usize;
             stack = Self::empty(problem, family.widest(), digits, nodes);
         }
-        for i in 1..stack.breaks.len() {
-            let (from, to) = (stack.breaks[i - 1], stack.breaks[i]);
-            let (piece, tail) = stack.piece(problem, family, from, to, digits);
+        let mut cuts = 0;
+        while stack.pieces.len() + 1 < stack.breaks.len() {
+            let i = stack.pieces.len();
+            let (from, to) = (stack.breaks[i], stack.breaks[i + 1]);
+            let (piece, missed) = stack.piece(problem, family, from, to, digits);
+            if from == 0.0 && cuts < MOST_CUTS && missed > digits.max(ROUNDING) {
+                // A formula loses digits towards its tip. The nearer to it, the less it matters.
+                stack.breaks.insert(1, to * (-LONGEST_PIECE).exp());
+                cuts += 1;
+                continue;
+            }
             stack.pieces.push(piece);
-            stack.lost = stack.lost.max(tail);
+            stack.lost = stack.lost.max(missed);
             family.within_budget()?;
         }
         Ok(stack)
@@ -205,9 +216,13 @@ impl Stack {
     /// The force over a piece, and what its series leaves out.
     fn piece(&mut self, problem: &Problem, family: &mut Family, from: f64, to: f64, digits: f64) -> (Piece, f64) {
         let mut count = COEFFICIENTS;
+        let mut before = f64::INFINITY;
+        // Of all that is pressed on the middle, so much is while the contact grows to the end of the first piece.
+        let end = self.breaks.last().map_or(0.0, |widest| problem.slope(*widest));
+        let share = (problem.slope(to) / end).abs().min(1.0);
         loop {
             let points = Points::get(count);
-            let (force, tail) = if from > 0.0 {
+            let (force, missed) = if from > 0.0 {
                 let starts = from <= self.breaks[0] && !problem.is_corner(from);
                 let at = |s: &f64| {
                     let force = self.force_by_tilt(problem, family, from + (to - from) * s * s);
@@ -225,7 +240,7 @@ impl Stack {
                     let (force, mean) = self.force_and_mean_slope(problem, family, b);
                     let slope = problem.slope(b);
                     // Slopes too small for a number with all its digits: as if they went on as they are farther out.
-                    let (rho, kappa) = if b * mean < FAINTEST {
+                    let (rho, kappa) = if b * mean < FAINTEST || slope == 0.0 {
                         (*rhos.last().unwrap_or(&0.0), *kappas.last().unwrap_or(&1.0))
                     } else {
                         (force / (b * mean), mean / slope)
@@ -234,15 +249,18 @@ impl Stack {
                     kappas.push(kappa);
                 }
                 let (rho, kappa) = (points.through(&rhos), points.through(&kappas));
-                let tail = rho.tail().max(kappa.tail());
-                (Force::OfHeight { rho, kappa }, tail)
+                // Beside what both are at the end: close to the tip they may be of rounding.
+                let tail = (rho.last() / rhos[0]).abs().max((kappa.last() / kappas[0]).abs());
+                (Force::OfHeight { rho, kappa }, share * tail)
             };
             // A kink at the beginning feels the rate of the force, which a plain series misses by so much more than the force.
             let felt = if matches!(force, Force::Plain { .. }) { (count * count) as f64 } else { 1.0 };
-            if tail < (digits / felt).max(ROUNDING) || 2 * count > MOST_COEFFICIENTS || tail.is_nan() {
-                return (Piece { from, to, force }, tail);
+            let is_enough = missed < (digits / felt).max(ROUNDING);
+            let is_vain = missed.is_nan() || from == 0.0 && count >= STALLING && missed > 0.5 * before;
+            if is_enough || is_vain || 2 * count > MOST_COEFFICIENTS {
+                return (Piece { from, to, force }, missed);
             }
-            count *= 2;
+            (before, count) = (missed, 2 * count);
         }
     }
 
