@@ -159,8 +159,11 @@ impl Mul for Taylor {
 
 impl Div for Taylor {
     type Output = Self;
-    /// Zeros that both have in front cancel; a pole has no series.
+    /// Zeros that both have in front cancel; a pole has no series. What is divided by too large a number is zero.
     fn div(self, other: Self) -> Self {
+        if other.value().is_infinite() && self.value().is_finite() {
+            return Self(vec![0.0; self.0.len()]);
+        }
         let zeros = other.order();
         if zeros > 0 && self.order() < zeros {
             return Self(Vec::new());

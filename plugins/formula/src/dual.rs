@@ -167,7 +167,11 @@ impl Mul for Dual {
 
 impl Div for Dual {
     type Output = Self;
+    /// By what is too large for a number: zero, and so is its slope.
     fn div(self, other: Self) -> Self {
+        if other.value.is_infinite() && self.value.is_finite() {
+            return Self::constant(0.0);
+        }
         let value = self.value / other.value;
         Self { value, slope: (self.slope - value * other.slope) / other.value }
     }

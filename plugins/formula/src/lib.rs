@@ -85,7 +85,7 @@ impl Formula {
     }
 
     /// [`Self::parse`] of formulas, each with its key, that share their parameters: each parameter has to occur in one
-    /// of them. Names that are `given` have a value without being parameters, and need not occur.
+    /// of them, and the variable in one of them. Names that are `given` have a value without being parameters, and need not occur.
     ///
     /// # Errors
     /// Those of [`Self::parse`]; a parameter that has the name of what is given.
@@ -105,15 +105,20 @@ impl Formula {
         }
         let mut occurs = vec![false; names.len()];
         let mut formulas = Vec::with_capacity(texts.len());
+        let under = |key: &str, mut fault: Fault| {
+            if fault.path.is_empty() {
+                fault.path = vec![key.to_owned()];
+            }
+            fault
+        };
         for &(key, text) in texts {
-            let (tape, used) = parser::parse(text, variable, &names).map_err(|mut fault| {
-                if fault.path.is_empty() {
-                    fault.path = vec![key.to_owned()];
-                }
-                fault
-            })?;
+            let (tape, used) = parser::parse(text, variable, &names).map_err(|fault| under(key, fault))?;
             occurs.iter_mut().zip(used).for_each(|(occurs, used)| *occurs |= used);
             formulas.push(Self { tape });
+        }
+        if let (Some(Self { tape }), true) = (formulas.first(), formulas.iter().all(|formula| !formula.tape.varies())) {
+            let (key, text) = texts[0];
+            return Err(under(key, parser::constant(text, tape, variable)));
         }
         let mut idle = names.keys().zip(occurs).filter(|(name, occurs)| !occurs && parameters.contains_key(*name));
         match idle.next() {

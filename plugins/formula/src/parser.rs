@@ -40,16 +40,17 @@ pub(crate) fn parse(
         return Err(parser.unexpected("an operator such as `+`, or the end"));
     }
     let Parser { tape, used, .. } = parser;
-    if !tape.steps().contains(&Step::Variable) {
-        let constant = fault(0..text.len(), format!("the formula does not contain `{variable}`"));
-        return Err(constant
-            .found(format!("a constant, {}", tape.at(0.0).value))
-            .expected(format!("a formula in `{variable}`")));
-    }
     if tape.height() > STACK {
         return Err(fault(0..text.len(), "the formula is nested too deeply"));
     }
     Ok((tape, used))
+}
+
+/// A formula that does not vary.
+pub(crate) fn constant(text: &str, tape: &Tape, variable: &str) -> Fault {
+    fault(0..text.len(), format!("the formula does not contain `{variable}`"))
+        .found(format!("a constant, {}", tape.at(0.0).value))
+        .expected(format!("a formula in `{variable}`"))
 }
 
 /// A parameter that occurs in none of the texts.

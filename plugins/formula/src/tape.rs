@@ -152,6 +152,11 @@ impl Tape {
         &self.steps
     }
 
+    /// Whether the variable occurs.
+    pub(crate) fn varies(&self) -> bool {
+        self.steps.contains(&Step::Variable)
+    }
+
     /// The steps of both operands of the step at `end`, or of what would stand there.
     pub(crate) fn operands(&self, end: usize) -> (Range<usize>, Range<usize>) {
         let second = self.begins[end - 1];

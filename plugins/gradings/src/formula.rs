@@ -214,6 +214,26 @@ mod tests {
         assert!(sine.surface_series(3).iter().zip([1.0, 0.0, -4.0 / 3.0]).all(|(a, b)| (a - b).abs() < 1e-12));
     }
 
+    /// One of both may be a constant, but not both.
+    #[test]
+    fn constants_stand_beside_what_varies() {
+        let law = formula("2", Some("0.3 + 0.1*y/h"), &[]).law(&thick(4.0)).unwrap();
+        assert!((law.modulus(0.7) - 2.0).abs() < 1e-15 && (law.poisson(0.5).unwrap() - 0.35).abs() < 1e-15);
+        let law = formula("2 + y", Some("nu"), &[("nu", 0.2)]).law(&thick(4.0)).unwrap();
+        assert!((law.poisson(0.5).unwrap() - 0.2).abs() < 1e-15);
+        assert_eq!(formula("2", Some("0.2"), &[]).read(&NoFiles).unwrap_err().path, ["modulus"]);
+    }
+
+    /// `cosh(5000)` has no place among numbers.
+    #[test]
+    fn a_divisor_too_large_for_a_number_leaves_nothing() {
+        for film in ["1/cosh((y - 2)/4e-4)", "1/(1 + exp(((y - 2)/4e-4)^2))", "1/(1 + exp((2 - y)/4e-4))"] {
+            let law = law(&format!("1 + {film}"));
+            assert_eq!(law.surface_series(4), [1.0, 0.0, 0.0, 0.0], "{film}");
+            assert!((law.modulus(0.1) - 1.0).abs() < 1e-15 && law.modulus(0.5) > 1.0 + 1e-30, "{film}");
+        }
+    }
+
     #[test]
     fn the_thickness_has_a_name() {
         assert!((law("1 + y/h").modulus(0.5) - 1.5).abs() < 1e-15);
