@@ -196,13 +196,13 @@ impl Family {
         self.blend.widest()
     }
 
-    /// The widest of the half-widths that a contact grows through beyond which the stick zone shrinks, by more than rounding.
+    /// The first of the half-widths that a contact grows through beyond which the stick zone shrinks, by more than rounding.
     pub(crate) fn shrinks(&self, through: Range<f64>, rounding: f64) -> Option<f64> {
         let zones = self.blend.half_widths().iter().zip(&self.rubbed.as_ref()?.lambda);
         let zones: Vec<(f64, f64)> =
             zones.map(|(b, lambda)| (*b, StickZone::from_log(*lambda, *b).half_width)).collect();
         let shrinks = |pair: &&[(f64, f64)]| through.contains(&pair[1].0) && pair[0].1 < pair[1].1 * (1.0 - rounding);
-        zones.windows(2).find(shrinks).map(|pair| pair[1].0)
+        zones.windows(2).rfind(shrinks).map(|pair| pair[1].0)
     }
 
     /// The stick zone of a contact of that half-width, as told between the members; `None` without friction.

@@ -6,6 +6,7 @@
 //! constant contact, must not be singular at `a`. That derivative is odd, vanishes in the slip zone and strains the stick
 //! zone by `-dC/da |x|`, which alone would need a singular end: so it vanishes and **`dC/da = 0`**.
 
+use super::chebyshev::Points;
 use super::layer::Layer;
 use super::normal::Normal;
 use super::stick::Shear;
@@ -23,14 +24,12 @@ const NODES_PER_LENGTH: f64 = 8.0;
 const SCANNED: std::ops::RangeInclusive<f64> = -8.0..=10.0;
 /// The steps taken through it.
 const SCAN_STEP: f64 = 0.75;
-/// Step of the differences that tell `dC/d lambda`. Their error goes with its fourth power: with 0.02 the stick ratio on a
-/// half-plane was off by 1e-8, to the last one of these digits as theory has it. Rounding of `C` is magnified a hundred
-/// times.
+/// Step of the differences that tell `dC/d lambda` in a scan.
 const STEP: f64 = 0.01;
-/// Half-width of the first bracket around the extremum of a coarser resolution.
-const BRACKET: f64 = 0.01;
-/// How often a bracket is widened, by a factor of two each time.
-const BRACKETS: u32 = 6;
+/// Half of the range about the extremum of a coarser resolution over which `C` is a polynomial, and through how many points. A wider
+/// one of as many would be off by 1e-12 of `C`; a narrower one magnifies rounding more than the fifty times that this does.
+const RANGE: f64 = 0.12;
+const POINTS: usize = 9;
 /// Position tolerance.
 const POSITION: f64 = 1e-10;
 
@@ -99,15 +98,10 @@ impl RateCurve<'_> {
 
     /// Where `C` is extremal: near a place known, or anywhere.
     pub(crate) fn extrema(&mut self, known: Option<f64>) -> Result<Vec<f64>, Refusal> {
-        if let Some(known) = known {
-            for doubled in 0..BRACKETS {
-                let half = BRACKET * f64::from(1 << doubled);
-                let ends = [known - half, known + half];
-                let slopes = [self.slope(ends[0])?, self.slope(ends[1])?];
-                if slopes[0] * slopes[1] <= 0.0 {
-                    return Ok(vec![self.between(ends, slopes)?]);
-                }
-            }
+        if let Some(known) = known
+            && let Some(found) = self.about(known)?
+        {
+            return Ok(vec![found]);
         }
         let (mut found, mut before) = (Vec::new(), None);
         let mut lambda = *SCANNED.start();
@@ -120,6 +114,18 @@ impl RateCurve<'_> {
             lambda += SCAN_STEP;
         }
         Ok(found)
+    }
+
+    /// Where `C` is extremal within a range about a place; `None` where that is not inside.
+    fn about(&mut self, place: f64) -> Result<Option<f64>, Refusal> {
+        let points = Points::get(POINTS);
+        let rates: Result<Vec<f64>, Refusal> =
+            points.at.iter().map(|part| self.at(place + RANGE * (2.0 * part - 1.0))).collect();
+        let series = points.through(&rates?);
+        let root = Toms748Root::new(0.0, 1.0)
+            .with_absolute_position_tolerance(f64::EPSILON)
+            .solve(|part| Ok::<_, std::convert::Infallible>(series.value_and_slope(part).1));
+        Ok(root.ok().map(|root| place + RANGE * (2.0 * root.root() - 1.0)))
     }
 
     /// The root between two places where the slope has different signs.
