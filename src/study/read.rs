@@ -113,7 +113,7 @@ pub(super) fn study(name: &str, text: &str, files: &dyn Files) -> Result<Study, 
             .hint("take fewer steps, or `random` in place of a grid"));
     }
     let (title, plots, find) = (table.title, table.plots, table.find);
-    let mut study = Study { title, axes, plots, find, base, scene, files: Kept::default() };
+    let mut study = Study { title, axes, plots, find, base, scene, files: Kept::default(), tractions: false };
     check_values(&document, &study, &files)?;
     check_find(&document, &study, &files)?;
     check_plots(&document, &study)?;
@@ -393,7 +393,7 @@ fn check_values(document: &Document, study: &Study, files: &dyn Files) -> Result
                         place.push(if step == 0 { "from" } else { "to" });
                     }
                 }
-                return Err(placed(document, &place, &error, &format!("`{}`", column.field)));
+                return Err(placed(document, study, &place, &error, &format!("`{}`", column.field)));
             }
         }
     }
@@ -421,7 +421,7 @@ fn check_end(
     let (a, c) = (a.to_string(), c.to_string());
     let rest = if is_of_field(&error) { vec!["field"] } else { vec![scale, key] };
     let place: Vec<&str> = ["axes", &a, "random", "fields", &c].into_iter().chain(rest).collect();
-    Err(placed(document, &place, &error, &format!("`{}`", column.field)))
+    Err(placed(document, study, &place, &error, &format!("`{}`", column.field)))
 }
 
 /// Whether it is the field that is wrong, and not its value.
@@ -440,8 +440,13 @@ fn blamed(axis: &Axis, error: &SceneError) -> Option<usize> {
     axis.columns.iter().position(named)
 }
 
-/// An error of a scene at the place of the study that is to blame.
-fn placed(document: &Document, path: &[&str], error: &SceneError, of: &str) -> SceneError {
+/// An error of a scene at the place of the study that is to blame, or with that where it has a place in a data file.
+fn placed(document: &Document, study: &Study, path: &[&str], error: &SceneError, of: &str) -> SceneError {
+    if error.file != study.base.name() {
+        // Of a data file the place in it is told.
+        let named = format!("it is read for {of}");
+        return error.clone().named_at(error.hint.as_deref(), &named, &document.error(document.best(path), ""));
+    }
     // Where it names the field itself, once is enough.
     let message = if error.message.contains(of) { error.message.clone() } else { format!("{of}: {}", error.message) };
     let mut placed = document.error(document.best(path), message);
@@ -494,7 +499,7 @@ fn check_find(document: &Document, study: &Study, files: &dyn Files) -> Result<(
         let value = Replacement { path: &path, value: format!("{end:?}").into() };
         if let Err(error) = study.made(study.axes.iter().map(|axis| (axis, 0)), Some(value), files) {
             let key = if is_of_field(&error) { "field" } else { key };
-            return Err(placed(document, &["find", key], &error, &format!("`{}`", find.field)));
+            return Err(placed(document, study, &["find", key], &error, &format!("`{}`", find.field)));
         }
     }
     match find.wanted {
