@@ -215,7 +215,10 @@ fn stepped(document: &Document, path: &[&str], column: ColumnTable) -> Result<(C
         }
     };
     if names.is_some() && !matches!(values, Values::Listed(_)) {
-        return Err(document.error(document.key(&within("names")), "`names` go with `values` only"));
+        let error = document.error(document.key(&within("names")), "`names` go with `values` only");
+        return Err(error
+            .found("`names` beside a range")
+            .expected("no `names`, or `values = [...]` in place of the range"));
     }
     Ok((column_of(document, path, field, label, values)?, count))
 }
@@ -236,7 +239,8 @@ fn drawn(document: &Document, path: &[&str], column: ColumnTable, seed: u64) -> 
     };
     if range.count.is_some() {
         let place = within(key).into_iter().chain(["count"]).collect::<Vec<_>>();
-        return Err(document.error(document.key(&place), "the draws are counted once, by `random.count`"));
+        let error = document.error(document.key(&place), "the draws are counted once, by `random.count`");
+        return Err(error.found(document.found(&place)).expected("`from` and `to` alone"));
     }
     let by_factors = key == "log";
     ends(document, &within(key), range, by_factors)?;
@@ -338,11 +342,12 @@ fn distinct(document: &Document, axes: &[Axis]) -> Result<(), SceneError> {
                     .expected("each field once; fields that change together are a `zip`"));
             }
             // The fields themselves may be called as they are: their columns stand for the numbers of that name.
-            let is_taken = RESERVED.contains(&column.label.as_str())
-                || column.label != column.field && Asked::named(&column.label).is_some();
+            let is_reserved = |label: &str| RESERVED.contains(&label) || Asked::named(label).is_some();
+            let is_taken = column.label != column.field && is_reserved(&column.label);
             if seen.iter().any(|other| other.label == column.label) || is_taken {
                 let error = document.error(document.key(&place), format!("two columns named `{}`", column.label));
-                return Err(error.expected("a `label` of its own for each field"));
+                let found = if is_taken { "a `label` that results have for something else" } else { "it twice" };
+                return Err(error.found(found).expected("a `label` of its own for each field"));
             }
             seen.push(column);
         }
@@ -452,7 +457,17 @@ fn placed(document: &Document, study: &Study, path: &[&str], error: &SceneError,
     let mut placed = document.error(document.best(path), message);
     placed.found.clone_from(&error.found);
     placed.expected.clone_from(&error.expected);
-    placed.hint = error.hint.clone().or_else(|| otherwise(error, of.trim_matches('`')));
+    let field = of.trim_matches('`');
+    let other_load = || {
+        let kind = field.split('.').nth(1).filter(|_| error.message.starts_with("a second load"))?;
+        let load = match kind {
+            "path" => "path = { force = [0.5, 1.0] }".into(),
+            "until" => "until = { force = 1.0 }".into(),
+            kind => format!("{kind} = 1.0"),
+        };
+        Some(format!("in [load] of the scene, write `{load}` in place of what is there: `{field}` changes that"))
+    };
+    placed.hint = other_load().or_else(|| error.hint.clone()).or_else(|| otherwise(error, field));
     placed
 }
 
@@ -460,9 +475,6 @@ fn placed(document: &Document, study: &Study, path: &[&str], error: &SceneError,
 fn otherwise(error: &SceneError, field: &str) -> Option<String> {
     if let Some((table, "type")) = field.rsplit_once('.') {
         return Some(format!("other keys go with it: field = \"{table}\", values = [{{ type = ... }}, ...]"));
-    }
-    if error.message.starts_with("a second load") {
-        return Some("change the load as a whole: field = \"load\", values = [{ half_width = 1.0 }, ...]".into());
     }
     match Asked::named(field) {
         _ if !is_of_field(error) => None,

@@ -533,8 +533,7 @@ mod unix {
         // Once it has taken more than a pipe holds, it is reading and will go on to wait for the rest.
         let mut scene = child.stdin.take().unwrap();
         scene.write_all(&vec![b'#'; 1 << 20]).unwrap();
-        let killed = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
-        assert!(killed.success());
+        kill("-TERM", &child);
         let status = child.wait().unwrap();
         drop(scene);
         let mut told = String::new();
@@ -542,6 +541,7 @@ mod unix {
         assert_eq!(status.code(), Some(130), "{told}");
     }
 
+    /// Tests that run in the background ignore SIGINT, and so do the programs that they start.
     fn kill(signal: &str, child: &std::process::Child) {
         let killed = std::process::Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
         assert!(killed.success());
@@ -585,7 +585,7 @@ mod unix {
         while !files(folder.path()).iter().any(is_written) && child.try_wait().unwrap().is_none() {
             std::thread::yield_now();
         }
-        kill("-INT", &child);
+        kill("-TERM", &child);
         assert_eq!(child.wait().unwrap().code(), Some(130));
         assert_eq!(files(folder.path()), before);
     }

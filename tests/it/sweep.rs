@@ -171,7 +171,7 @@ fn an_interrupted_sweep_says_how_far_it_came() {
     while fs::metadata(&journal).map_or(0, |found| found.len()) < 20_000 && child.try_wait().unwrap().is_none() {
         std::thread::yield_now();
     }
-    assert!(std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    assert!(std::process::Command::new("kill").args(["-TERM", &child.id().to_string()]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(130));
     let words = told(&output);
