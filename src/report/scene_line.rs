@@ -256,6 +256,9 @@ mod tests {
             "nu = 0.2 to 0.3, bonded to a half-plane (E = 210, nu = 0.25)"
         );
         assert_eq!(line(&format!("{steel}{}", stack(""))), "nu = 0.3, bonded to a half-plane (mu = 84, nu = 0.25)");
+        let rubber = "base = { type = 'half-plane', shear = 1.0, poisson = 0.499999 }\n";
+        let told = line(&format!("{rubber}{}", stack("poisson = 0.5,")));
+        assert_eq!(told, "nu = 0.3 to 0.5, bonded to a half-plane (mu = 1, nu = 0.499999)", "it is not incompressible");
     }
 
     #[test]

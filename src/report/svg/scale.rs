@@ -66,12 +66,12 @@ impl Scale {
         const LONGEST: f64 = 1e280;
         /// Ticks that say how the axis is stepped; and of their distances, where these are equal.
         const FEWEST: usize = 3;
-        const INTERVALS: f64 = 5.0;
+        const INTERVALS: f64 = 6.0;
         /// Most ticks with their numbers, of powers of ten.
         const NUMBERED: usize = 10;
-        let least = least.max(most / LONGEST);
         /// kuva takes what is below 1e-10 for 1e-10: numbers are drawn in units of the largest where need be.
         const DRAWN: std::ops::Range<f64> = 1e-9..1e15;
+        let least = least.max(most / LONGEST);
         let fits = DRAWN.contains(&least) && DRAWN.contains(&most);
         let divisor = if fits { 1.0 } else { 10.0_f64.powf(least.log10().floor()) };
         let label = if unit.is_empty() { name.to_owned() } else { format!("{name} ({unit})") };
@@ -80,7 +80,8 @@ impl Scale {
         // Within a decade there may be none or one of them: then equal distances.
         let step = Axis::with_intervals(most - least, "", "", INTERVALS).filter(|_| round.len() < FEWEST);
         let step = step.map(|axis| axis.step * axis.unit);
-        let every = i32::try_from(round.len().div_ceil(NUMBERED)).unwrap_or(i32::MAX);
+        let every = [1, 2, 5, 10, 20, 50].into_iter().find(|every| NUMBERED * every >= round.len());
+        let every = every.and_then(|every| i32::try_from(every).ok()).unwrap_or(100);
         // As many as tell neighbours apart.
         let digits = step.map_or(3, |step| usize::try_from(1 + power_of_ten(most) - power_of_ten(step)).unwrap_or(1));
         let ticks = TickFormat::Custom(Arc::new(move |value: f64| {
@@ -143,7 +144,12 @@ impl Scale {
     pub(super) fn inner_ticks(&self) -> Vec<f64> {
         /// More than any axis has.
         const MOST: u8 = 32;
-        let Some(step) = self.step else { return generate_ticks_log(self.least, self.most) };
+        let Some(step) = self.step else {
+            // Of very many powers those without numbers are left out.
+            let (ticks, most) = (generate_ticks_log(self.least, self.most), usize::from(MOST));
+            let is_shown = |tick: &f64| ticks.len() <= most || !self.written(*tick).is_empty();
+            return ticks.iter().copied().filter(is_shown).collect();
+        };
         let first = (self.least / step).floor() * step;
         let ticks = (0..MOST).map(|i| first + f64::from(i) * step);
         let off = 1e-6 * (self.most - self.least);
@@ -190,8 +196,8 @@ impl Scale {
     /// Room that the numbers beside the frame take, px, beyond what kuva reckons with: on a logarithmic axis that is for
     /// numbers written its own way.
     fn beyond(&self, computed: &ComputedLayout) -> f64 {
-        /// Width of an average letter in its height; the viewer chooses the font, so nobody knows better.
-        const LETTER: f64 = 0.52;
+        /// Width of a digit in its height, in the widest of the fonts asked for.
+        const LETTER: f64 = 0.6;
         if !self.is_logarithmic {
             return 0.0;
         }

@@ -339,7 +339,9 @@ fn long_lines_stay_within_the_figure() {
     let note = "note = 'a note that goes on and on, without an end that would fit into one line of the figure, or into two of them at all'\n";
     let study = study(AXES, &("x = 'friction.coefficient'\ny = 'stick.ratio'\ny_scale = 'log'\n".to_owned() + note));
     let mut all = records(&study);
-    all.iter_mut().for_each(|record| record["stick"]["ratio"] = json!(record["index"].as_f64().unwrap() - 8.5));
+    for record in &mut all {
+        record["stick"]["ratio"] = json!(record["index"].as_f64().unwrap() - 8.5);
+    }
     let found = texts(&figure(&study, all));
     assert!(found.iter().any(|text| text.contains("no place")) && found.iter().any(|text| text.contains("a note")));
     assert!(found.iter().all(|text| text.chars().count() <= 80), "{found:?}");
