@@ -196,13 +196,12 @@ impl Scale {
     /// Room that the numbers beside the frame take, px, beyond what kuva reckons with: on a logarithmic axis that is for
     /// numbers written its own way.
     fn beyond(&self, computed: &ComputedLayout) -> f64 {
-        /// Width of a digit in its height, in the widest of the fonts asked for.
-        const LETTER: f64 = 0.6;
         if !self.is_logarithmic {
             return 0.0;
         }
-        let letters = self.ticks_within().into_iter().map(|tick| self.written(tick).chars().count()).max();
-        (LETTER * f64::from(LETTERS) * letters.unwrap_or(0) as f64 - computed.y_tick_label_px).max(0.0)
+        let written = self.ticks_within().into_iter().map(|tick| self.written(tick)).collect();
+        let named = Layout::new((0.0, 1.0), (0.0, 1.0)).with_tick_size(LETTERS).with_y_categories(written);
+        (ComputedLayout::from_layout(&named).y_tick_label_px - computed.y_tick_label_px).max(0.0)
     }
 
     /// Room to the left of the frame that has this as its ordinate, px.
