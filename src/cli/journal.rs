@@ -80,7 +80,7 @@ const KIND: &str = "slipzone sweep";
 
 impl Journal {
     /// Opens the journal of a study in a folder, a new one where there is none; `anew` empties it first.
-    pub(super) fn open(path: &Path, study: &Study, anew: bool) -> Result<Self, Failure> {
+    pub(super) fn open(path: &Path, study: &mut Study, anew: bool) -> Result<Self, Failure> {
         let failed = |why: &dyn std::fmt::Display| failed(path, why);
         let mut options = OpenOptions::new();
         let file = options.read(true).append(true).create(true).open(path).map_err(|error| failed(&error))?;
@@ -106,7 +106,7 @@ impl Journal {
     }
 
     /// Takes note of what is there already; returns how many bytes of it are whole lines.
-    fn read(&mut self, study: &Study) -> Result<u64, Failure> {
+    fn read(&mut self, study: &mut Study) -> Result<u64, Failure> {
         let path = self.path.clone();
         let failed = |why: &dyn std::fmt::Display| failed(&path, why);
         let mut reader = BufReader::with_capacity(1 << 16, &self.file);
@@ -134,6 +134,10 @@ impl Journal {
                 let head: Head = serde_json::from_slice(&line).map_err(|_| broken("not the head of a journal"))?;
                 if head.journal != KIND || head.format != 1 {
                     return Err(broken("not the head of a journal of this program"));
+                }
+                // A figure that is no longer wanted makes no other study.
+                if head.study.iter().any(|line| line == "tractions = true") {
+                    study.ask_for_tractions();
                 }
                 same_study(&path, &head.study, &lines(study))?;
             } else {

@@ -5,7 +5,25 @@ use super::input::is_dash;
 use std::fs::{self, Permissions};
 use std::io::{BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::{Builder, NamedTempFile};
+
+/// Temporary files that there are or were.
+static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+fn temporary_files() -> MutexGuard<'static, Vec<PathBuf>> {
+    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes the temporary files, and keeps any from being made or put in its place as long as what it returns is held.
+pub(super) fn abandon() -> MutexGuard<'static, Vec<PathBuf>> {
+    let files = temporary_files();
+    for file in &*files {
+        // Most are in their places, or gone.
+        let _ = fs::remove_file(file);
+    }
+    files
+}
 
 /// A file to be written, found fit for it.
 #[derive(Debug)]
@@ -14,7 +32,8 @@ pub(super) struct Target {
     shown: PathBuf,
     /// The file itself, symbolic links followed: they stay what they are.
     real: PathBuf,
-    /// A device or a pipe: it cannot be replaced, only written to.
+    /// A device or a pipe, or whatever the program was started with as one of its streams: it cannot be replaced, only
+    /// written to.
     special: bool,
 }
 
@@ -27,11 +46,22 @@ impl Target {
             return Err(failed(&"that is the name of a directory"));
         }
         let real = real(path).map_err(|error| failed(&error))?;
-        let target = match fs::metadata(&real) {
+        let stream = stream(path);
+        let special = match fs::metadata(&real) {
             Ok(found) if found.is_dir() => return Err(failed(&"it is a directory")),
-            Ok(found) => Self { shown: path.into(), real, special: !found.is_file() },
-            Err(_) => Self { shown: path.into(), real, special: false },
+            _ if stream.is_some() => true,
+            Ok(found) if found.is_file() => {
+                if found.permissions().readonly() {
+                    return Err(failed(&"it is write-protected"));
+                }
+                // To rename over it takes no leave of the file.
+                fs::OpenOptions::new().write(true).open(&real).map_err(|error| failed(&error))?;
+                false
+            }
+            Ok(_) => true,
+            Err(_) => false,
         };
+        let target = Self { shown: path.into(), real: stream.unwrap_or(real), special };
         if !target.special {
             // The only sure way to learn whether a folder can be written to.
             target.temporary().map_err(|error| failed(&error))?;
@@ -48,7 +78,10 @@ impl Target {
         if let Some(permissions) = old.clone().or_else(ordinary) {
             builder.permissions(permissions);
         }
+        let mut made = temporary_files();
         let file = builder.tempfile_in(folder)?;
+        made.push(file.path().into());
+        drop(made);
         if let Some(permissions) = old {
             // The process's mask has been applied to them once more.
             file.as_file().set_permissions(permissions)?;
@@ -58,11 +91,16 @@ impl Target {
 
     /// A file to be written bit by bit, which replaces the target only when it is kept.
     pub(super) fn begin(&self) -> Result<Pending<'_>, Failure> {
-        let file = if self.special {
-            Writing::Special(fs::OpenOptions::new().write(true).open(&self.real).map_err(|e| self.failed(&e))?)
-        } else {
-            Writing::File(self.temporary().map_err(|error| self.failed(&error))?)
+        let file = match self.real.to_str() {
+            _ if !self.special => self.temporary().map(Writing::File),
+            // What is written by its name would not move the place where the report goes on.
+            Some(STANDARD_OUTPUT) => Ok(Writing::Special(Box::new(std::io::stdout()))),
+            _ => {
+                let opened = fs::OpenOptions::new().append(true).open(&self.real);
+                opened.map(|file| Writing::Special(Box::new(file)))
+            }
         };
+        let file = file.map_err(|error| self.failed(&error))?;
         Ok(Pending { file: BufWriter::new(file), target: self })
     }
 
@@ -92,7 +130,7 @@ pub(super) struct Finished<'a> {
 
 enum Writing {
     File(NamedTempFile),
-    Special(fs::File),
+    Special(Box<dyn Write>),
 }
 
 impl Write for Writing {
@@ -104,7 +142,10 @@ impl Write for Writing {
     }
 
     fn flush(&mut self) -> std::io::Result<()> {
-        Ok(())
+        match self {
+            Self::File(file) => file.as_file().sync_all(),
+            Self::Special(file) => file.flush(),
+        }
     }
 }
 
@@ -116,10 +157,8 @@ impl<'a> Pending<'a> {
     /// Everything is on the disk: what is left is to rename it.
     pub(super) fn finished(self) -> Result<Finished<'a>, Failure> {
         let target = self.target;
-        let file = self.file.into_inner().map_err(|error| target.failed(error.error()))?;
-        if let Writing::File(file) = &file {
-            file.as_file().sync_all().map_err(|error| target.failed(&error))?;
-        }
+        let mut file = self.file.into_inner().map_err(|error| target.failed(error.error()))?;
+        file.flush().map_err(|error| target.failed(&error))?;
         Ok(Finished { file, target })
     }
 }
@@ -129,6 +168,7 @@ impl Finished<'_> {
     pub(super) fn keep(self) -> Result<(), Failure> {
         match self.file {
             Writing::File(file) => {
+                let _kept = temporary_files();
                 file.persist(&self.target.real).map(drop).map_err(|error| self.target.failed(&error.error))
             }
             Writing::Special(_) => Ok(()),
@@ -235,6 +275,25 @@ fn real(path: &Path) -> std::io::Result<PathBuf> {
             Ok(folder.join(name))
         }
     }
+}
+
+/// Standard output among the streams of the program.
+const STANDARD_OUTPUT: &str = "/dev/fd/1";
+
+/// The name in `/dev/fd` of the stream that a path leads to, as `/dev/stdout` does, wherever that has been redirected to.
+fn stream(path: &Path) -> Option<PathBuf> {
+    /// As many as systems follow.
+    const MOST_LINKS: usize = 40;
+    let streams = Path::new(STANDARD_OUTPUT).parent()?;
+    let mut path = path.to_path_buf();
+    for _ in 0..MOST_LINKS {
+        let folder = path.parent()?.canonicalize().ok()?;
+        if folder == streams.canonicalize().ok()? {
+            return Some(streams.join(path.file_name()?));
+        }
+        path = folder.join(fs::read_link(&path).ok()?);
+    }
+    None
 }
 
 /// Permissions of a new file before the process's mask; temporary files are private otherwise.

@@ -6,8 +6,6 @@ use super::journal::Journal;
 use super::output::{self, Target};
 use super::{Failure, Outcome, interrupt, print, progress};
 use slipzone::report::{self, StudyTable};
-#[cfg(feature = "plot")]
-use slipzone::study::Plot;
 use slipzone::study::{Study, sweep};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -26,7 +24,7 @@ pub(super) fn run(arguments: &Sweep) -> Result<Outcome, Failure> {
     if let Some(out) = &arguments.out {
         output::named("--out", out, "a folder called `-` is `./-`")?;
     }
-    let (study, mut read) = input::study(&arguments.study)?;
+    let (mut study, mut read) = input::study(&arguments.study)?;
     read.push(arguments.study.clone());
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.study));
     output::make_folder(&folder)?;
@@ -38,10 +36,9 @@ pub(super) fn run(arguments: &Sweep) -> Result<Outcome, Failure> {
     let table = Target::new(&folder.join(TABLE))?;
     let lines = Target::new(&folder.join(LINES))?;
     #[cfg(feature = "plot")]
-    let figures = study.plots.iter().map(|plot| Ok((Target::new(&folder.join(&plot.file))?, plot)));
-    #[cfg(feature = "plot")]
-    let figures = figures.collect::<Result<Vec<_>, Failure>>()?;
-    let mut journal = Journal::open(&folder.join(JOURNAL), &study, arguments.fresh)?;
+    let figures =
+        study.plots.iter().map(|plot| Target::new(&folder.join(&plot.file))).collect::<Result<Vec<_>, _>>()?;
+    let mut journal = Journal::open(&folder.join(JOURNAL), &mut study, arguments.fresh)?;
     solve(&study, &mut journal, &folder)?;
     write_results(&study, &journal, &table, &lines)?;
     #[cfg_attr(not(feature = "plot"), allow(unused_mut))]
@@ -128,9 +125,9 @@ fn write_results(study: &Study, journal: &Journal, table: &Target, lines: &Targe
 
 /// The figures that the study asks for, and the names of those that were drawn; one that cannot be drawn is a note.
 #[cfg(feature = "plot")]
-fn draw<'a>(study: &Study, journal: &Journal, figures: Vec<(Target, &'a Plot)>) -> Result<Vec<&'a str>, Failure> {
+fn draw<'a>(study: &'a Study, journal: &Journal, figures: Vec<Target>) -> Result<Vec<&'a str>, Failure> {
     let (mut drawn, mut names) = (Vec::new(), Vec::new());
-    for (target, plot) in figures {
+    for (target, plot) in figures.into_iter().zip(&study.plots) {
         let mut lines = journal.in_order().map_err(of_journal)?;
         let mut failure = None;
         let records = std::iter::from_fn(|| {

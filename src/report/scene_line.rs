@@ -2,9 +2,9 @@
 
 use crate::engine::DepthProfile;
 use crate::report::labels::{Labels, one_line, with_unit};
-use crate::report::number::short;
 #[cfg(feature = "plot")]
 use crate::report::number::typeset;
+use crate::report::number::{digits, short};
 use crate::scene::{Layer, Load, Scene};
 use serde_json::Value;
 use slipzone_api::{Base, Friction, Moduli, Plane, PunchProfile, clip};
@@ -38,10 +38,18 @@ pub(super) const GREEK: Alphabet =
         shear: ["µ", "µ₁", "µ₃"], young: ["E", "E₁", "E₃"], gamma: "γ", nu: "ν", eta: "η", delta: "δ", typeset
     };
 
+/// Of most numbers of the line.
+const DIGITS: usize = 4;
+
 impl Alphabet {
     /// A number of the line, with few digits: it reminds, it is not data.
     fn number(&self, value: f64) -> String {
-        (self.typeset)(&short(value, 4))
+        (self.typeset)(&short(value, DIGITS))
+    }
+
+    /// Poisson's ratio: one just below that of incompressible materials has the digits that say so.
+    fn ratio(&self, nu: f64) -> String {
+        (self.typeset)(&short(nu, DIGITS.max(digits(2.0 * (0.5 - nu)))))
     }
 }
 
@@ -140,8 +148,8 @@ fn poisson(layer: &Layer, letters: &Alphabet) -> String {
     let profile = if varies { DepthProfile::new(layer).ok().flatten() } else { None };
     let given = layer.poisson.get();
     let (least, most) = profile.map_or((given, given), |profile| profile.poisson_range());
-    let range = if most - least > SAME { format!(" to {}", letters.number(most)) } else { String::new() };
-    format!("{} = {}{range}", letters.nu, letters.number(least))
+    let range = if most - least > SAME { format!(" to {}", letters.ratio(most)) } else { String::new() };
+    format!("{} = {}{range}", letters.nu, letters.ratio(least))
 }
 
 /// A ratio, as `1/8` where that is what it is: so it stands in the literature.
@@ -163,7 +171,7 @@ fn base(layer: &Layer, labels: &Labels, letters: &Alphabet) -> String {
                 Moduli::Young => (letters.young[0], 2.0 * shear * (1.0 + nu)),
             };
             let modulus = with_unit(&letters.number(modulus), &labels.stress);
-            format!("bonded to a half-plane ({symbol} = {modulus}, {} = {})", letters.nu, letters.number(nu))
+            format!("bonded to a half-plane ({symbol} = {modulus}, {} = {})", letters.nu, letters.ratio(nu))
         }
         Base::Infinite => "half-plane".into(),
     }
@@ -248,6 +256,9 @@ mod tests {
             "nu = 0.2 to 0.3, bonded to a half-plane (E = 210, nu = 0.25)"
         );
         assert_eq!(line(&format!("{steel}{}", stack(""))), "nu = 0.3, bonded to a half-plane (mu = 84, nu = 0.25)");
+        let rubber = "base = { type = 'half-plane', shear = 1.0, poisson = 0.499999 }\n";
+        let told = line(&format!("{rubber}{}", stack("poisson = 0.5,")));
+        assert_eq!(told, "nu = 0.3 to 0.5, bonded to a half-plane (mu = 1, nu = 0.499999)", "it is not incompressible");
     }
 
     #[test]

@@ -112,10 +112,12 @@ impl<'a> Document<'a> {
             Place::Whole => self.error(span, fault.message),
             Place::Text(part) => self.error(self.within(&full, part).unwrap_or(span), fault.message),
             Place::File { name, line, text, span: part } => {
-                let here = self.error(span, "");
                 let error = SceneError::in_file(&name, line, &text, part, fault.message);
-                let hint = format!("the file is named in {}, line {}", here.file, here.line);
-                error.hint(fault.hint.as_ref().map_or_else(|| hint.clone(), |more| format!("{more}; {hint}")))
+                match &fault.hint {
+                    // Of a scene without places the caller knows better.
+                    _ if self.text.is_empty() => error,
+                    hint => error.named_at(hint.as_deref(), "the file is named", &self.error(span, "")),
+                }
             }
         };
         if let Some(found) = fault.found {

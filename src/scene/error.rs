@@ -94,6 +94,12 @@ impl SceneError {
         }
     }
 
+    /// Adds to a hint where a file is named, which has a place of its own.
+    pub(crate) fn named_at(self, hint: Option<&str>, named: &str, place: &Self) -> Self {
+        let place = format!("{named} in {}, line {}", place.file, place.line);
+        self.hint(hint.map_or_else(|| place.clone(), |hint| format!("{hint}; {place}")))
+    }
+
     /// What is wrong in one line, without its place.
     pub fn in_one_line(&self) -> String {
         let notes = [("found", &self.found), ("expected", &self.expected), ("help", &self.hint)];

@@ -59,6 +59,11 @@ impl Template {
         checked(&Document::of_scene(&self.name, tree), files)
     }
 
+    /// What errors call the scene.
+    pub(crate) fn name(&self) -> &str {
+        &self.name
+    }
+
     /// The scene as text.
     pub(crate) fn text(&self) -> &str {
         &self.text

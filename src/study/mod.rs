@@ -68,6 +68,8 @@ pub struct Study {
     /// The base scene.
     pub scene: Scene,
     files: Kept,
+    /// Whether tractions are asked for though no figure needs them.
+    tractions: bool,
 }
 
 impl Study {
@@ -136,8 +138,14 @@ impl Study {
     /// What is asked for where the scene leaves it open: all numbers, and tractions where there is a use for them.
     fn quantities(&self) -> Vec<Asked> {
         let draws = self.plots.iter().any(|plot| plot.kind == PlotKind::Tractions);
-        let tractions = (draws || self.scene.output.strain).then_some("profile");
+        let tractions = (draws || self.tractions || self.scene.output.strain).then_some("profile");
         ["load", "pressure", "edge", "stick"].into_iter().chain(tractions).filter_map(Asked::named).collect()
+    }
+
+    /// Asks for tractions as a figure of them does, unless the scene says what it asks for: records that were made when
+    /// there was one have them.
+    pub fn ask_for_tractions(&mut self) {
+        self.tractions = true;
     }
 
     /// Whether what stands at a path of a result is asked for.

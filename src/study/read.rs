@@ -113,7 +113,7 @@ pub(super) fn study(name: &str, text: &str, files: &dyn Files) -> Result<Study, 
             .hint("take fewer steps, or `random` in place of a grid"));
     }
     let (title, plots, find) = (table.title, table.plots, table.find);
-    let mut study = Study { title, axes, plots, find, base, scene, files: Kept::default() };
+    let mut study = Study { title, axes, plots, find, base, scene, files: Kept::default(), tractions: false };
     check_values(&document, &study, &files)?;
     check_find(&document, &study, &files)?;
     check_plots(&document, &study)?;
@@ -215,7 +215,10 @@ fn stepped(document: &Document, path: &[&str], column: ColumnTable) -> Result<(C
         }
     };
     if names.is_some() && !matches!(values, Values::Listed(_)) {
-        return Err(document.error(document.key(&within("names")), "`names` go with `values` only"));
+        let error = document.error(document.key(&within("names")), "`names` go with `values` only");
+        return Err(error
+            .found("`names` beside a range")
+            .expected("no `names`, or `values = [...]` in place of the range"));
     }
     Ok((column_of(document, path, field, label, values)?, count))
 }
@@ -236,7 +239,8 @@ fn drawn(document: &Document, path: &[&str], column: ColumnTable, seed: u64) -> 
     };
     if range.count.is_some() {
         let place = within(key).into_iter().chain(["count"]).collect::<Vec<_>>();
-        return Err(document.error(document.key(&place), "the draws are counted once, by `random.count`"));
+        let error = document.error(document.key(&place), "the draws are counted once, by `random.count`");
+        return Err(error.found(document.found(&place)).expected("`from` and `to` alone"));
     }
     let by_factors = key == "log";
     ends(document, &within(key), range, by_factors)?;
@@ -338,11 +342,12 @@ fn distinct(document: &Document, axes: &[Axis]) -> Result<(), SceneError> {
                     .expected("each field once; fields that change together are a `zip`"));
             }
             // The fields themselves may be called as they are: their columns stand for the numbers of that name.
-            let is_taken = RESERVED.contains(&column.label.as_str())
-                || column.label != column.field && Asked::named(&column.label).is_some();
+            let is_reserved = |label: &str| RESERVED.contains(&label) || Asked::named(label).is_some();
+            let is_taken = column.label != column.field && is_reserved(&column.label);
             if seen.iter().any(|other| other.label == column.label) || is_taken {
                 let error = document.error(document.key(&place), format!("two columns named `{}`", column.label));
-                return Err(error.expected("a `label` of its own for each field"));
+                let found = if is_taken { "a `label` that results have for something else" } else { "it twice" };
+                return Err(error.found(found).expected("a `label` of its own for each field"));
             }
             seen.push(column);
         }
@@ -393,7 +398,7 @@ fn check_values(document: &Document, study: &Study, files: &dyn Files) -> Result
                         place.push(if step == 0 { "from" } else { "to" });
                     }
                 }
-                return Err(placed(document, &place, &error, &format!("`{}`", column.field)));
+                return Err(placed(document, study, &place, &error, &format!("`{}`", column.field)));
             }
         }
     }
@@ -421,7 +426,7 @@ fn check_end(
     let (a, c) = (a.to_string(), c.to_string());
     let rest = if is_of_field(&error) { vec!["field"] } else { vec![scale, key] };
     let place: Vec<&str> = ["axes", &a, "random", "fields", &c].into_iter().chain(rest).collect();
-    Err(placed(document, &place, &error, &format!("`{}`", column.field)))
+    Err(placed(document, study, &place, &error, &format!("`{}`", column.field)))
 }
 
 /// Whether it is the field that is wrong, and not its value.
@@ -440,14 +445,29 @@ fn blamed(axis: &Axis, error: &SceneError) -> Option<usize> {
     axis.columns.iter().position(named)
 }
 
-/// An error of a scene at the place of the study that is to blame.
-fn placed(document: &Document, path: &[&str], error: &SceneError, of: &str) -> SceneError {
+/// An error of a scene at the place of the study that is to blame, or with that where it has a place in a data file.
+fn placed(document: &Document, study: &Study, path: &[&str], error: &SceneError, of: &str) -> SceneError {
+    if error.file != study.base.name() {
+        // Of a data file the place in it is told.
+        let named = format!("it is read for {of}");
+        return error.clone().named_at(error.hint.as_deref(), &named, &document.error(document.best(path), ""));
+    }
     // Where it names the field itself, once is enough.
     let message = if error.message.contains(of) { error.message.clone() } else { format!("{of}: {}", error.message) };
     let mut placed = document.error(document.best(path), message);
     placed.found.clone_from(&error.found);
     placed.expected.clone_from(&error.expected);
-    placed.hint = error.hint.clone().or_else(|| otherwise(error, of.trim_matches('`')));
+    let field = of.trim_matches('`');
+    let other_load = || {
+        let kind = field.split('.').nth(1).filter(|_| error.message.starts_with("a second load"))?;
+        let load = match kind {
+            "path" => "path = { force = [0.5, 1.0] }".into(),
+            "until" => "until = { force = 1.0 }".into(),
+            kind => format!("{kind} = 1.0"),
+        };
+        Some(format!("in [load] of the scene, write `{load}` in place of what is there: `{field}` changes that"))
+    };
+    placed.hint = other_load().or_else(|| error.hint.clone()).or_else(|| otherwise(error, field));
     placed
 }
 
@@ -455,9 +475,6 @@ fn placed(document: &Document, path: &[&str], error: &SceneError, of: &str) -> S
 fn otherwise(error: &SceneError, field: &str) -> Option<String> {
     if let Some((table, "type")) = field.rsplit_once('.') {
         return Some(format!("other keys go with it: field = \"{table}\", values = [{{ type = ... }}, ...]"));
-    }
-    if error.message.starts_with("a second load") {
-        return Some("change the load as a whole: field = \"load\", values = [{ half_width = 1.0 }, ...]".into());
     }
     match Asked::named(field) {
         _ if !is_of_field(error) => None,
@@ -494,7 +511,7 @@ fn check_find(document: &Document, study: &Study, files: &dyn Files) -> Result<(
         let value = Replacement { path: &path, value: format!("{end:?}").into() };
         if let Err(error) = study.made(study.axes.iter().map(|axis| (axis, 0)), Some(value), files) {
             let key = if is_of_field(&error) { "field" } else { key };
-            return Err(placed(document, &["find", key], &error, &format!("`{}`", find.field)));
+            return Err(placed(document, study, &["find", key], &error, &format!("`{}`", find.field)));
         }
     }
     match find.wanted {

@@ -80,7 +80,6 @@ impl Record {
         let Solution { scene, status, reason, load, pressure, edge, stick, error, profile, .. } = solution;
         let status = RecordStatus::Solved(status);
         let profile = scene.output.asks("profile").then_some(profile);
-        let error = ErrorReport { how: String::new(), ..error };
         Self {
             index: row,
             axes: axes(study, row),

@@ -5,7 +5,7 @@ mod marks;
 mod only;
 
 use super::axis::{Axis, Values};
-use super::plot::{OneOrMore, Plot, PlotKind};
+use super::plot::{OneOrMore, Over, Plot, PlotKind};
 use super::{Cell, Study};
 use crate::scene::Asked;
 pub(crate) use fault::PlotFault;
@@ -136,6 +136,10 @@ impl Study {
                         Err(PlotFault::new(path, "not a traction", "`pressure`, `shear`").found(format!("`{name}`")))
                     }
                 };
+                let mean = (plot.over == Over::Mean).then_some("pressure.mean");
+                for needed in ["profile", "load.half_width"].into_iter().chain(mean) {
+                    self.is_asked_for(&["kind"], needed)?;
+                }
                 let y = if names.is_empty() { TRACTIONS.map(Source::Number).into() } else { each(&traction)? };
                 Ok((None, y, None))
             }
@@ -187,9 +191,25 @@ impl Study {
         let number = numbers().chain(self.find.is_some().then_some(FOUND)).find(|number| *number == name);
         match number {
             // A label that hides a number of the result would be taken for it.
-            Some(number) if self.field(name).is_none() => Ok(Source::Number(number)),
+            Some(number) if self.field(name).is_none() => {
+                if number != ERROR && number != FOUND {
+                    self.is_asked_for(path, number)?;
+                }
+                Ok(Source::Number(number))
+            }
             _ => self.numbers_along(path, name).map(Source::Field),
         }
+    }
+
+    /// What a figure needs of the results is among them, which is to be told before anything is solved.
+    fn is_asked_for(&self, path: &[&str], number: &str) -> Result<(), PlotFault> {
+        let quantities = ["output", "quantities"].map(str::to_owned);
+        if self.asks(number) || self.columns().any(|column| column.overlaps(&quantities)) {
+            return Ok(());
+        }
+        let message = format!("the figure needs `{number}`, which the scene does not ask for");
+        let fault = PlotFault::new(path, message, "what is among them").found("`output.quantities` without it");
+        Err(fault.hint(format!("add `{number}` to `quantities` of the scene, or leave that key out")))
     }
 
     fn field(&self, name: &str) -> Option<Place> {

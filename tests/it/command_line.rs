@@ -533,12 +533,91 @@ mod unix {
         // Once it has taken more than a pipe holds, it is reading and will go on to wait for the rest.
         let mut scene = child.stdin.take().unwrap();
         scene.write_all(&vec![b'#'; 1 << 20]).unwrap();
-        let killed = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
-        assert!(killed.success());
+        kill("-TERM", &child);
         let status = child.wait().unwrap();
         drop(scene);
         let mut told = String::new();
         child.stderr.take().unwrap().read_to_string(&mut told).unwrap();
         assert_eq!(status.code(), Some(130), "{told}");
+    }
+
+    /// Tests that run in the background ignore SIGINT, and so do the programs that they start.
+    fn kill(signal: &str, child: &std::process::Child) {
+        let killed = std::process::Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
+        assert!(killed.success());
+    }
+
+    /// As `nohup` and shells without job control start programs.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn signals_that_were_ignored_are_ignored() {
+        use std::io::Write;
+        let script = format!("trap '' HUP INT; exec '{}' check -", env!("CARGO_BIN_EXE_slipzone"));
+        let mut command = std::process::Command::new("sh");
+        let mut child = command.args(["-c", &script]).stdin(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        let mut scene = child.stdin.take().unwrap();
+        // More than a pipe holds: it is reading.
+        scene.write_all(&vec![b'#'; 1 << 20]).unwrap();
+        kill("-HUP", &child);
+        kill("-INT", &child);
+        scene.write_all(&vec![b'#'; 1 << 20]).expect("it goes on reading");
+        drop(scene);
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{}", told(&output));
+    }
+
+    /// A pipe that nobody reads keeps the program waiting when all files but that are ready.
+    #[test]
+    fn an_interrupt_leaves_no_temporary_file() {
+        let folder = folder();
+        assert!(std::process::Command::new("mkfifo").arg(folder.path().join("pipe")).status().unwrap().success());
+        let before = files(folder.path());
+        let mut child = program(folder.path())
+            .args(["solve", "good.toml", "--csv", "out.csv", "--json", "pipe"])
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let is_written = |name: &std::path::PathBuf| {
+            let length = fs::metadata(folder.path().join(name)).map_or(0, |found| found.len());
+            name.to_string_lossy().starts_with(".slipzone-") && length > 0
+        };
+        while !files(folder.path()).iter().any(is_written) && child.try_wait().unwrap().is_none() {
+            std::thread::yield_now();
+        }
+        kill("-TERM", &child);
+        assert_eq!(child.wait().unwrap().code(), Some(130));
+        assert_eq!(files(folder.path()), before);
+    }
+
+    /// `>>` and `>`: what is there stays, and the report goes on behind the result.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn standard_output_by_its_name_is_not_replaced() {
+        let folder = folder();
+        let log = folder.path().join("log");
+        for append in [true, false] {
+            fs::write(&log, "what was there\n").unwrap();
+            let out = fs::OpenOptions::new().append(append).write(true).truncate(!append).open(&log).unwrap();
+            let solved =
+                program(folder.path()).args(["solve", "good.toml", "--csv", "/dev/stdout"]).stdout(out).status();
+            assert_eq!(solved.unwrap().code(), Some(0));
+            let text = fs::read_to_string(&log).unwrap();
+            let before = if append { "what was there\n" } else { "" };
+            assert!(text.starts_with(&format!("{before}x,pressure,shear\n-1.0,")), "{text}");
+            assert!(text.contains("stick"), "the report: {text}");
+        }
+    }
+
+    #[test]
+    fn a_file_protected_from_writing_is_left_alone() {
+        let folder = folder();
+        let out = folder.path().join("out.json");
+        fs::write(&out, "kept").unwrap();
+        fs::set_permissions(&out, fs::Permissions::from_mode(0o444)).unwrap();
+        let output = run(folder.path(), ["solve", "good.toml", "--json", "out.json"]);
+        assert_eq!(output.status.code(), Some(3), "{}", told(&output));
+        assert!(told(&output).contains("cannot write out.json: it is write-protected"), "{}", told(&output));
+        assert_eq!(fs::read_to_string(&out).unwrap(), "kept");
     }
 }

@@ -57,6 +57,11 @@ fn a_figure_that_does_not_fit_is_refused_with_its_line() {
         (with("only = { \"mu1/mu3\" = [] }\n"), 3, "nothing to show"),
         (with("y_scale = \"log\"\nlines = [{ y = -1.0, label = \"a\" }]\n"), 4, "a line that cannot be drawn"),
         (with("points = [{ label = \"a\", x = [0.1, 0.2], y = [0.1] }]\n"), 3, "as many `y` as `x` are needed"),
+        (
+            with("x_scale = \"log\"\npoints = [{ label = \"a\", x = [1e-200, 1e200], y = [0.1, 0.2] }]\n"),
+            4,
+            "points that cannot be drawn",
+        ),
         (CURVES.replace("a.svg", "b/a.svg"), 0, "not the name of a figure"),
         (CURVES.replace("a.svg", "results.csv"), 0, "not the name of a figure"),
         (format!("{FILE}kind = \"tractions\"\n"), 1, "too many curves to be told apart"),
@@ -78,6 +83,31 @@ fn a_figure_that_does_not_fit_is_refused_with_its_line() {
         assert!(allowed.contains(&error.line), "{error}");
         assert!(error.expected.is_some(), "{error}");
     }
+}
+
+/// Told before anything is solved, and where the key of the figure is.
+#[test]
+fn a_figure_of_what_is_not_asked_for_is_refused() {
+    let read = |plot: &str, axis: &str| {
+        let asks = "load = { force = 1.0 }, output = { quantities = [\"edge\", \"load\"] } }";
+        let study = SCENE.replace("load = { force = 1.0 } }", asks).replace("[[plots]]", &format!("{axis}[[plots]]"));
+        Study::parse("study.toml", &(study + plot), &NoFiles)
+    };
+    for (plot, line, number) in [
+        (format!("{FILE}x = \"eta\"\ny = [\"edge.ratio\", \"stick.ratio\"]\n"), 2, "stick.ratio"),
+        (format!("{FILE}x = \"pressure.mean\"\ny = \"edge.ratio\"\n"), 1, "pressure.mean"),
+        (format!("{FILE}kind = \"tractions\"\nonly = {{ eta = 0.1 }}\n"), 1, "profile"),
+    ] {
+        let error = read(&plot, "").expect_err(&plot);
+        assert!(error.message.contains(&format!("`{number}`, which the scene does not ask for")), "{error}");
+        assert_eq!(error.line, FIRST + line, "{error}");
+        let axis =
+            "[[axes]]\nfield = \"output.quantities\"\nvalues = [[\"edge\"], [\"load\"]]\nnames = [\"e\", \"l\"]\n";
+        if let Err(error) = read(&plot, axis) {
+            assert!(!error.message.contains("does not ask for"), "{error}");
+        }
+    }
+    read("file = \"a.svg\"\nx = \"eta\"\ny = [\"edge.ratio\", \"error.estimate\"]\n", "").expect("asked for");
 }
 
 #[test]

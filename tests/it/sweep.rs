@@ -69,6 +69,7 @@ fn records_are_the_solutions_of_the_scenes_in_order() {
         // Tables made for several loads have other last bits; both are within their estimates.
         assert!((swept / ratio - 1.0).abs() <= 2.0 * error, "scene {row}: {swept} and {ratio}");
         assert_eq!(record["axes"]["mu1/mu3"], name, "the layer changes slowest");
+        assert!(record["error"]["how"].as_str().is_some_and(|how| !how.is_empty()), "as a result says it");
     }
     insta::assert_snapshot!("table_head", table.lines().next().unwrap());
     assert_eq!(files(&folder.path().join("out")).len(), 3, "the journal and two files of results");
@@ -170,7 +171,7 @@ fn an_interrupted_sweep_says_how_far_it_came() {
     while fs::metadata(&journal).map_or(0, |found| found.len()) < 20_000 && child.try_wait().unwrap().is_none() {
         std::thread::yield_now();
     }
-    assert!(std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    assert!(std::process::Command::new("kill").args(["-TERM", &child.id().to_string()]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(130));
     let words = told(&output);
@@ -237,6 +238,24 @@ fn a_changed_study_is_refused_with_the_difference() {
     // What is called otherwise is no other study.
     fs::write(folder.path().join("study.toml"), changed.replace("three layers", "3 layers")).unwrap();
     assert_eq!(run(folder.path(), ["sweep", "study.toml", "--out", "out"]).status.code(), Some(0));
+}
+
+/// Records that have tractions do without a figure of them, finished or not; new ones have them, too.
+#[test]
+fn a_figure_of_tractions_may_go() {
+    let few = STUDY.replace("count = 20", "count = 4");
+    let figure = few.clone() + "[[plots]]\nfile = \"a.svg\"\nkind = \"tractions\"\n";
+    let (folder, table, lines) = whole(&figure);
+    fs::write(folder.path().join("study.toml"), &few).unwrap();
+    let journal = folder.path().join("out/journal.jsonl");
+    let text = fs::read_to_string(&journal).unwrap();
+    let half: String = text.lines().take(7).map(|line| line.to_owned() + "\n").collect();
+    for text in [text, half] {
+        fs::write(&journal, text).unwrap();
+        let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+        assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+        assert!(read(folder.path(), "out/results.csv") == table && read(folder.path(), "out/results.jsonl") == lines);
+    }
 }
 
 #[test]
@@ -360,6 +379,20 @@ fn a_strain_that_is_an_axis_has_a_column() {
 }
 
 /// A table is a value like any other.
+/// The line is that of the data file, and the study's where the file is named.
+#[test]
+fn a_broken_file_among_the_values_is_told_with_its_line() {
+    let folder = folder_with(
+        "format = 1\nscene = \"good.toml\"\n[[axes]]\nfield = \"punch\"\nvalues = [\n  { type = \"table\", file = \"a.csv\" },\n  \
+         { type = \"table\", file = \"b.csv\" },\n]\n",
+    );
+    fs::write(folder.path().join("a.csv"), "x,h\n0,0\n0.5,0.01\n1,0.04\n1.5,0.09\n2,0.16\n").unwrap();
+    fs::write(folder.path().join("b.csv"), "x,h\n0,0\n0.5,0.01\n1,oops\n1.5,0.09\n2,0.16\n").unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    insta::assert_snapshot!("broken_file", told(&output));
+}
+
 #[test]
 fn a_whole_punch_is_an_axis() {
     let study = r#"format = 1

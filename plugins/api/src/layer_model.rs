@@ -92,7 +92,7 @@ fn flaw(stretch: &Stretch) -> Option<Flaw> {
         let modulus = law.modulus(depth);
         let what = if modulus > 0.0 && modulus < f64::INFINITY {
             let nu = law.poisson(depth).filter(|nu| Poisson::new(*nu).is_err())?;
-            format!("Poisson's ratio is {}", short(nu))
+            format!("Poisson's ratio is {nu}")
         } else {
             format!("the modulus is {}", short(modulus))
         };

@@ -73,7 +73,7 @@ impl Axis {
 
 /// The largest power of ten that a number reaches.
 #[expect(clippy::cast_possible_truncation, reason = "at most 308 in size")]
-fn power_of_ten(value: f64) -> i32 {
+pub(super) fn power_of_ten(value: f64) -> i32 {
     // A logarithm of 1000 may fall short of 3 by rounding.
     (value.log10() + 1e-9).floor() as i32
 }

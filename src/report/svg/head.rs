@@ -40,8 +40,10 @@ impl Head {
         for text in wrapped(&literal(&title), FITTING * panels, 3) {
             line(&text, TITLE, INK, false);
         }
-        for text in literal(&lines(parts, SUBTITLE * panels)).lines() {
-            line(text, SCENE, INK, false);
+        // A part may be longer than a line.
+        let longest = SUBTITLE * panels;
+        for text in literal(&lines(parts, longest)).lines().flat_map(|text| wrapped(text, longest + 1, 3)) {
+            line(&text, SCENE, INK, false);
         }
         for text in alarm {
             line(text, LETTERS - 2, ALARM, true);

@@ -50,7 +50,7 @@ impl Panel {
 
     /// Room that the numbers beside the frame take, px: panels one over the other share the larger.
     pub(super) fn margin(&self) -> f64 {
-        ComputedLayout::from_layout(&self.plain_layout()).margin_left
+        self.y.margin(&self.plain_layout())
     }
 
     /// The panel by itself.

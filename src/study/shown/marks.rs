@@ -17,13 +17,20 @@ pub(super) fn file_name(name: &str) -> Result<(), PlotFault> {
 
 /// Lines and points that can be drawn.
 pub(super) fn marks(plot: &Plot) -> Result<(), PlotFault> {
-    let drawable = |value: f64, scale: Scale| value.is_finite() && (scale == Scale::Linear || value > 0.0);
-    let expected =
-        |scale: Scale| if scale == Scale::Log { "numbers above 0, as the scale is `log`" } else { "finite numbers" };
+    // As far as the numbers of a scene may go: an axis in equal factors has a tick for each power of ten.
+    let drawable = |value: f64, scale: Scale| match scale {
+        Scale::Linear => value.abs() <= 1e100,
+        Scale::Log => (1e-100..=1e100).contains(&value),
+    };
+    let expected = |scale: Scale| match scale {
+        Scale::Linear => "numbers between -1e100 and 1e100",
+        Scale::Log => "numbers between 1e-100 and 1e100, as the scale is `log`",
+    };
     for (index, line) in plot.lines.iter().enumerate() {
         if !drawable(line.y, plot.y_scale) {
             let path = ["lines", &index.to_string(), "y"];
-            return Err(PlotFault::new(&path, "a line that cannot be drawn", expected(plot.y_scale)));
+            let fault = PlotFault::new(&path, "a line that cannot be drawn", expected(plot.y_scale));
+            return Err(fault.found(format!("{:?}", line.y)));
         }
     }
     for (index, points) in plot.points.iter().enumerate() {
@@ -33,8 +40,10 @@ pub(super) fn marks(plot: &Plot) -> Result<(), PlotFault> {
             return Err(fault.found(format!("{} and {}", points.y.len(), points.x.len())));
         }
         for (key, values, scale) in [("x", &points.x, plot.x_scale), ("y", &points.y, plot.y_scale)] {
-            if !values.iter().all(|value| drawable(*value, scale)) {
-                return Err(PlotFault::new(&["points", &index, key], "points that cannot be drawn", expected(scale)));
+            if let Some(odd) = values.iter().find(|value| !drawable(**value, scale)) {
+                let path = ["points", &index, key];
+                let fault = PlotFault::new(&path, "points that cannot be drawn", expected(scale));
+                return Err(fault.found(format!("{odd:?}")));
             }
         }
     }

@@ -50,14 +50,14 @@ impl<'a> Groups<'a> {
     /// What a panel is called; nothing where there is one only.
     pub(super) fn panel_name(&self, panel: usize) -> String {
         let named = self.shown.panels.zip(self.panels.get(panel));
-        named.map_or_else(String::new, |(place, step)| names::value(self.study, place, *step))
+        named.map_or_else(String::new, |(place, step)| names::value(self.study, place, *step, &self.panels))
     }
 
     /// What a curve is called; nothing where there is one only.
     pub(super) fn member_name(&self, member: usize) -> String {
         let steps = self.family.iter().zip(self.member_steps(member));
         let names: Vec<String> =
-            steps.map(|((place, steps), at)| names::value(self.study, *place, steps[at])).collect();
+            steps.map(|((place, steps), at)| names::value(self.study, *place, steps[at], steps)).collect();
         names.join(", ")
     }
 

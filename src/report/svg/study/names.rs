@@ -72,11 +72,20 @@ fn column(study: &Study, place: Place) -> &Column {
     &study.axes[place.axis].columns[place.column]
 }
 
-/// A value of an axis: `µ₁/µ₃ = 1/8`, or the name alone where it says more than a number.
-pub(super) fn value(study: &Study, place: Place, step: u64) -> String {
+/// A value of an axis: `µ₁/µ₃ = 1/8`, or the name alone where it says more than a number; with digits that tell it apart
+/// from its values at other steps.
+pub(super) fn value(study: &Study, place: Place, step: u64, others: &[u64]) -> String {
+    /// What reminds of a number; what makes two of them that differ.
+    const DIGITS: std::ops::Range<usize> = 4..15;
     let column = column(study, place);
     let text = match column.cell(step) {
-        Cell::Number(number) => typeset(&short(number, 4)),
+        Cell::Number(number) => {
+            let others =
+                || others.iter().map(|other| column.cell(*other)).filter(|other| *other != Cell::Number(number));
+            let is_alike = |other: Cell, digits: usize| matches!(other, Cell::Number(other) if short(other, digits) == short(number, digits));
+            let digits = DIGITS.clone().find(|digits| !others().any(|other| is_alike(other, *digits)));
+            typeset(&short(number, digits.unwrap_or(DIGITS.end)))
+        }
         Cell::Text(text) => with_symbols(&text),
     };
     let is_number = text.starts_with(|c: char| c.is_ascii_digit() || "−-+.".contains(c));

@@ -1,6 +1,7 @@
 //! The structure of the figures, on records made by hand.
 
 use super::*;
+use crate::study::Cell;
 use serde_json::json;
 use slipzone_api::NoFiles;
 
@@ -283,4 +284,65 @@ fn odd_numbers_still_fit_a_figure() {
     all[1]["stick"]["ratio"] = json!(0.0);
     all[2]["stick"]["ratio"] = json!(null);
     texts(&figure(&log, all));
+}
+
+/// Ticks of an ordinate end at the frame, those of an abscissa stand under their places.
+fn ticks(svg: &str, anchor: &str) -> Vec<(f64, String)> {
+    let document = roxmltree::Document::parse(svg).expect("well-formed XML");
+    let labels =
+        document.descendants().filter(|n| n.has_tag_name("text") && n.attribute("text-anchor") == Some(anchor));
+    let at = |n: &roxmltree::Node| n.attribute("x").and_then(|x| x.parse().ok()).expect("a place");
+    let number = |text: &&str| text.starts_with(|c: char| c.is_ascii_digit());
+    labels.filter_map(|n| Some((at(&n), n.text().filter(number)?.to_owned()))).collect()
+}
+
+#[test]
+fn log_axes_have_ticks_that_differ_and_keep_apart() {
+    for (from, to) in [(0.21, 0.43), (3.1, 3.3), (2.1e-7, 4.1e-7), (1e-90, 1e90), (0.03, 0.9)] {
+        let axes = format!("[[axes]]\nfield = 'load.force'\nlog = {{ from = {from:?}, to = {to:?}, count = 5 }}\n");
+        let study = study(&axes, "x = 'load.force'\ny = 'pressure.mean'\nx_scale = 'log'\ny_scale = 'log'\n");
+        let all = (0..5).map(|index| {
+            let Cell::Number(force) = study.cells(index)[0] else { panic!("a number") };
+            json!({ "index": index, "status": "converged", "pressure": { "mean": force } })
+        });
+        let svg = figure(&study, all);
+        let (below, beside) = (ticks(&svg, "middle"), ticks(&svg, "end"));
+        let width = |text: &str| 0.5 * 14.0 * text.chars().count() as f64;
+        for side in [&below, &beside] {
+            assert!((2..=12).contains(&side.len()), "{from} to {to}: {side:?}");
+            assert!(side.windows(2).all(|pair| pair[0].1 != pair[1].1), "{from} to {to}: {side:?}");
+        }
+        let apart =
+            |pair: &[(f64, String)]| pair[1].0 - pair[0].0 > f64::midpoint(width(&pair[0].1), width(&pair[1].1));
+        assert!(below.windows(2).all(apart), "{from} to {to}: {below:?}");
+        let name = svg.split("rotate(-90,").nth(1).and_then(|rest| rest.split(',').next()?.parse::<f64>().ok());
+        let longest = beside.iter().map(|(at, text)| at - width(text)).fold(f64::INFINITY, f64::min);
+        assert!(name.expect("an upright name") < longest, "{from} to {to}: {name:?} {beside:?}");
+    }
+}
+
+#[test]
+fn members_that_differ_have_names_that_do() {
+    let axes = AXES.replace("[0.4, 0.1, 0.2, 0.3]", "[0.3, 0.300001, 0.30002, 0.1]");
+    let study = study(
+        &axes,
+        "x = 'load.force'\ny = 'stick.ratio'\nfamily = 'friction.coefficient'\nonly = { 'mu1/mu3' = '1' }\n",
+    );
+    let found = texts(&figure(&study, records(&study)));
+    for name in ["η = 0.3", "η = 0.300001", "η = 0.30002", "η = 0.1"] {
+        assert_eq!(found.iter().filter(|text| *text == name).count(), 1, "{name} in {found:?}");
+    }
+}
+
+#[test]
+fn long_lines_stay_within_the_figure() {
+    let note = "note = 'a note that goes on and on, without an end that would fit into one line of the figure, or into two of them at all'\n";
+    let study = study(AXES, &("x = 'friction.coefficient'\ny = 'stick.ratio'\ny_scale = 'log'\n".to_owned() + note));
+    let mut all = records(&study);
+    for record in &mut all {
+        record["stick"]["ratio"] = json!(record["index"].as_f64().unwrap() - 8.5);
+    }
+    let found = texts(&figure(&study, all));
+    assert!(found.iter().any(|text| text.contains("no place")) && found.iter().any(|text| text.contains("a note")));
+    assert!(found.iter().all(|text| text.chars().count() <= 80), "{found:?}");
 }
