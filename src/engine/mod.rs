@@ -30,7 +30,6 @@ mod quantity;
 mod refine;
 mod root;
 mod rubbing;
-
 mod sharpen;
 mod sheet;
 mod shelf;

@@ -261,8 +261,6 @@ fn formulas_share_their_parameters() {
     assert_eq!(parse("a*x", "x +", &[]).unwrap_err().path, ["two"]);
 }
 
-/// A film is where the argument of an exponential turns around: of a parabola once, of a quartic three times. A step is where that
-/// of a hyperbolic tangent passes through zero, which a straight one does once and another as often as it likes.
 /// Also where it begins so level that neither its slope nor its bend tell.
 #[test]
 fn narrow_places_are_as_wide_as_the_function_takes() {
@@ -282,6 +280,8 @@ fn narrow_places_are_as_wide_as_the_function_takes() {
     }
 }
 
+/// A film is where the argument of an exponential turns around: of a parabola once, of a quartic three times. A step is where that
+/// of a hyperbolic tangent passes through zero, which a straight one does once and another as often as it likes.
 #[test]
 fn narrow_places_are_found_wherever_an_argument_turns_or_passes_through_zero() {
     for (text, places) in [

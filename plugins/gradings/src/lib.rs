@@ -1,13 +1,5 @@
 //! Gradings: how the elastic constants vary with depth. One file per plugin.
 
-/// Places wider than this, over the thickness, are seen anyway; beside a narrower one a law is cut up to the second, ever farther from it.
-const NARROW: f64 = 0.02;
-const LAST_CUT: f64 = 0.1;
-
-/// Depths that cut a law beside narrow places of which depth and width are given over the thickness.
-fn cuts(narrow: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
-    slipzone_api::details::beside(narrow, NARROW, LAST_CUT)
-}
 mod error_function;
 mod exponential;
 #[cfg(feature = "formula")]
@@ -35,6 +27,15 @@ pub use stack::{Piece, Stack};
 pub use table::Table;
 pub use transition::Transition;
 pub use volume_fraction::{MixingRule, Phase, VolumeFraction};
+
+/// Places wider than this, over the thickness, are seen anyway; beside a narrower one a law is cut up to the second, ever farther from it.
+const NARROW: f64 = 0.02;
+const LAST_CUT: f64 = 0.1;
+
+/// Depths that cut a law beside narrow places of which depth and width are given over the thickness.
+fn cuts(narrow: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
+    slipzone_api::details::beside(narrow, NARROW, LAST_CUT)
+}
 
 /// Names every module that registers a plugin, so that no linker drops this crate.
 pub fn link() {
