@@ -66,12 +66,12 @@ fn objection(
         );
         return Some((Status::AssumptionViolated, why));
     }
-    let of_stick = judged.outcome.rubbing.as_ref().and_then(of_stick);
+    let of_stick = judged.outcome.rubbing.as_ref().and_then(|rubbing| of_stick(rubbing, problem.is_stacked()));
     of_stick.or_else(|| (error > tolerance).then(inexact))
 }
 
-/// What is to be said against a stick zone.
-fn of_stick(rubbing: &Rubbing) -> Option<(Status, String)> {
+/// What is to be said against a stick zone, of a contact that grew or one that did not.
+fn of_stick(rubbing: &Rubbing, has_grown: bool) -> Option<(Status, String)> {
     match &rubbing.verdict {
         Verdict::Holds | Verdict::Sticks | Verdict::NoShear => None,
         Verdict::Fails(what) => {
@@ -83,9 +83,10 @@ fn of_stick(rubbing: &Rubbing) -> Option<(Status, String)> {
             Some((Status::AssumptionViolated, why.into()))
         }
         Verdict::TooNarrow => {
+            let shear = if has_grown { "there is no shear" } else { "the shear is that of full sliding" };
             let why = format!(
                 "the stick zone is narrower than {:.1e} of the contact, the narrowest looked for; the stick zone \
-                 reported is an upper bound, the shear that of full sliding",
+                 reported is an upper bound, and {shear}",
                 rubbing.zone.ratio()
             );
             Some((Status::NotConverged, why))
