@@ -66,6 +66,8 @@ pub(crate) struct Growing {
     is_kinked: bool,
     /// What keeps friction from being told.
     broken: Option<(f64, Rubbing)>,
+    /// The same of coarser resolutions, where this one is not to look for it again.
+    forsaken: Option<(f64, Rubbing)>,
 }
 
 impl Growing {
@@ -80,6 +82,7 @@ impl Growing {
             is_solver: problem.is_stacked(),
             is_kinked: problem.is_kinked(),
             broken: None,
+            forsaken: None,
         }
     }
 
@@ -206,7 +209,7 @@ impl Growing {
         pressure: [f64; Traces::AT.len()],
         rubbing: Option<Rubbing>,
     ) -> Outcome {
-        if let Some(rubbing) = &rubbing {
+        if let Some(rubbing) = rubbing.as_ref().filter(|_| !self.was_broken()) {
             rubbing.report(&mut numbers);
         }
         Outcome::new(numbers, rubbing, Some(size), pressure, self.stack.as_ref().map_or(0.0, Stack::lost))
@@ -228,11 +231,18 @@ impl Growing {
         room: f64,
         coarse: Option<&Family>,
     ) -> Result<(), Refusal> {
-        let rubs = task.problem.friction.is_some();
+        if self.forsaken.is_some() {
+            self.broken.clone_from(&self.forsaken);
+            if !self.is_kinked {
+                (self.family, self.stack) = (None, None);
+                return Ok(());
+            }
+        }
+        let rubs = task.problem.friction.is_some() && self.forsaken.is_none();
         if self.family.as_ref().is_some_and(|family| family.serves(task, rubs, half_width)) {
             return if self.stack.is_none() { self.stacked_on(task) } else { Ok(()) };
         }
-        self.broken = None;
+        self.broken.clone_from(&self.forsaken);
         self.stack = None;
         self.inherited = Work::default();
         let sizes = (half_width, room * half_width);
@@ -246,7 +256,7 @@ impl Growing {
                 None
             }
         };
-        if self.broken.is_some() && self.is_kinked {
+        if self.family.is_none() && self.is_kinked {
             // The pressure can be told all the same.
             self.family = match Family::new(layer, task, self.quadrature.as_ref(), sizes, false, None) {
                 Ok(family) => Some(family),
@@ -320,7 +330,7 @@ impl Growing {
     fn rub(&mut self, layer: &mut Layer, task: Task, normal: &Normal) -> Result<Rubbing, Refusal> {
         let (b, problem) = (self.half_width, task.problem);
         if let Some((at, rubbing)) = &self.broken {
-            let rubbing = rubbing.clone();
+            let rubbing = Rubbing { is_full: rubbing.is_full && !self.was_broken(), ..rubbing.clone() };
             return Ok(match &rubbing.verdict {
                 Verdict::Fails(what) => {
                     let what = during(problem, *at, what);
@@ -546,6 +556,16 @@ impl Growing {
         self.family.as_ref().filter(|_| self.broken.is_none()).map(Family::signed_friction)
     }
 
+    /// What cannot be told of friction.
+    pub(crate) fn broken(&self) -> Option<&(f64, Rubbing)> {
+        self.broken.as_ref()
+    }
+
+    /// From now on friction is not looked for where coarser resolutions could not tell it; `None` takes that back.
+    pub(crate) fn forsake(&mut self, broken: Option<&(f64, Rubbing)>) {
+        self.forsaken = broken.cloned();
+    }
+
     /// Whether friction cannot be told of the contact as it grew.
     pub(crate) fn is_broken(&self) -> bool {
         // None under a contact of much that width is none under this one.
@@ -553,6 +573,11 @@ impl Growing {
             rubbing.verdict != Verdict::NoShear || ROOM_BESIDE_GUESS * at < self.half_width
         };
         self.broken.as_ref().is_some_and(|(at, rubbing)| shears(*at, rubbing))
+    }
+
+    /// Whether it is of a narrower contact that friction cannot be told: the stick zone found there is none of this one's.
+    fn was_broken(&self) -> bool {
+        self.is_broken() && self.broken.as_ref().is_some_and(|(at, _)| *at < self.half_width)
     }
 
     /// Whether no shear arises, however wide the contact grew.

@@ -70,7 +70,8 @@ impl Judged {
             bound.iter().for_each(|(quantity, error)| self.errors.set(quantity, error));
         }
         self.doubt = doubt(problem, &self.errors);
-        self.of_shear = self.errors.take(Quantity::Shear).filter(|_| problem.wishes.profile);
+        let has_shear = self.outcome.numbers.get(Quantity::StickHalfWidth).is_some();
+        self.of_shear = self.errors.take(Quantity::Shear).filter(|_| problem.wishes.profile && has_shear);
         self.errors = self.errors.judged_by(problem.wishes);
     }
 

@@ -2,6 +2,7 @@
 
 use super::error_estimate::{Pace, ROUNDING, SAFETY, Seen, extrapolated, judged_by_twin};
 use super::family::Family;
+use super::growing::Growing;
 use super::judged::{
     How, Judged, ROUNDED, SHEAR, has_details, hides_details, left_by_sticking, meets, share_in_middle, with_the_rest,
     worst_judged,
@@ -9,7 +10,7 @@ use super::judged::{
 use super::layer::{Layer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
-use super::rubbing::Verdict;
+use super::rubbing::{Rubbing, Verdict};
 use super::stage::{Outcome, Stage, Task};
 use super::work::Work;
 use crate::plan::Methods;
@@ -62,6 +63,8 @@ pub(super) struct Ladder {
     pace: Option<(f64, Pace)>,
     /// The least pressure in the middle seen, over the mean, where it is faint.
     least_share: Option<f64>,
+    /// What cannot be told of friction under the present load, at any resolution.
+    forsaken: Option<(f64, Rubbing)>,
 }
 
 /// What one punch leaves behind for another on the same layer: the flat punches of each resolution, the step that was fine
@@ -179,6 +182,7 @@ impl Ladder {
     /// Takes finer steps until the estimate meets the tolerance.
     fn refined(&mut self, layer: &mut Layer, aim: Aim) -> Result<Judged, Refusal> {
         let mut estimate = Estimate::default();
+        self.forsaken = None;
         let (mut last, mut stopped): (Option<(Outcome, usize)>, _) = (None, None);
         let first = first_level(aim.problem, aim.tolerance);
         // What a search found on the coarsest level is followed from there to the first that matters.
@@ -214,9 +218,14 @@ impl Ladder {
                 continue;
             }
             let unknowns = self.stages[step].unknowns();
-            let mut done = estimate.add(layer, aim, &outcome, unknowns)
-                || self.is_hopeless(layer, aim, (step, first), &outcome, &estimate.errors)
-                || self.is_broken(step, first, &estimate.errors);
+            // A resolution so coarse may only seem not to tell of friction.
+            let is_early = step + first < BOUND_LEVEL && self.stages[step].is_broken();
+            let mut done = estimate.add(layer, aim, &outcome, unknowns) && !is_early
+                || self.is_hopeless(layer, aim, (step, first), &outcome, &estimate.errors);
+            if self.is_broken(step, first, &estimate.errors) {
+                // The pressure does not depend on it.
+                self.forsaken = self.stages[step].growing.as_deref().and_then(Growing::broken).cloned();
+            }
             if done || step + first == FINEST {
                 let task = self.task(aim, level);
                 match self.settle(layer, task, (&mut outcome, step), &estimate.errors) {
@@ -410,6 +419,9 @@ impl Ladder {
         let task = self.task(aim, kernel_level);
         let (before, here) = self.stages.split_at_mut(index);
         let family = before.iter().rev().find_map(|stage| stage.growing.as_ref()?.family.as_ref());
+        if let Some(growing) = &mut here[0].growing {
+            growing.forsake(self.forsaken.as_ref());
+        }
         let outcome = here[0].solve(layer, task, coarse, family)?;
         self.note(&outcome);
         Ok(outcome)

@@ -947,3 +947,33 @@ fn loads_on_the_way_are_right_where_a_formula_loses_digits_at_its_tip() {
         }
     }
 }
+
+/// Goodman's pressure knows nothing of friction: where that contradicts itself on the way to a load the pressure was left as coarse as it was
+/// then, a thousandth, and the stick zone of a much narrower contact was told as this one's.
+#[test]
+fn a_pressure_is_as_good_where_friction_cannot_be_told() {
+    let solved = |rest: &str| {
+        let scene = format!(
+            "format = 1\npunch = {{ type = \"cylinder\", radius = 10.0 }}\nload = {{ force = 0.05 }}\n{rest}\
+             [layer]\npoisson = 0.3\n[layer.grading]\ntype = \"stack\"\nlayers = [\
+             {{ thickness = 0.01, grading = {{ type = \"homogeneous\", modulus = 9.0 }} }}, \
+             {{ thickness = 1.0, grading = {{ type = \"homogeneous\", modulus = 1.0 }} }}]\n"
+        );
+        solve(&slipzone::scene::parse("coating.toml", &scene).expect("a good scene"))
+    };
+    let smooth = solved("");
+    let rubbing = solved("friction = { type = \"goodman\", coefficient = 0.3 }\n");
+    assert_eq!(rubbing.status, Status::AssumptionViolated, "{:?}", rubbing.reason);
+    let stick = rubbing.stick.as_ref().expect("friction");
+    assert_eq!((stick.half_width, stick.ratio, stick.one_minus_ratio), (None, None, None));
+    assert!(
+        rubbing.error.each.keys().all(|key| !key.contains("stick") && !key.contains("shear")),
+        "{:?}",
+        rubbing.error
+    );
+    assert!(rubbing.error.estimate.is_some_and(|error| error < 1e-8), "{:?}", rubbing.error);
+    for name in ["load.half_width", "load.indentation", "pressure.centre", "pressure.peak"] {
+        let [one, other] = [&smooth, &rubbing].map(|solution| solution.number(name).expect("a number"));
+        assert!((one / other - 1.0).abs() < 2e-8, "{name}: {one} and {other}");
+    }
+}
