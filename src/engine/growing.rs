@@ -212,7 +212,8 @@ impl Growing {
         if let Some(rubbing) = rubbing.as_ref().filter(|_| !self.was_broken()) {
             rubbing.report(&mut numbers);
         }
-        Outcome::new(numbers, rubbing, Some(size), pressure, self.stack.as_ref().map_or(0.0, Stack::lost))
+        let lost = self.stack.as_ref().map_or((0.0, 0.0), |stack| (stack.lost(), stack.lost_at_kinks()));
+        Outcome::new(numbers, rubbing, Some(size), pressure, lost)
     }
 
     /// Whether it knows the flat punches that a contact of about that half-width is a stack of.

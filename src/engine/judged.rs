@@ -80,12 +80,9 @@ impl Judged {
         worst_judged(problem, &self.errors).map_or(0.0, |(_, error)| error)
     }
 
-    /// Whether it misses the tolerance, or agrees with coarser ones on what none of so many unknowns sees, because the shape has details
-    /// that a grid over all of the contact does not resolve.
-    pub(super) fn misses_details(&self, problem: &Problem, tolerance: f64, unknowns: usize) -> bool {
-        self.how != How::Twin
-            && (self.worst(problem) > tolerance || hides_details(problem, &self.outcome, tolerance, unknowns))
-            && has_details(problem, &self.outcome, tolerance)
+    /// Whether it misses the tolerance because the shape has details that a grid over all of the contact does not resolve.
+    pub(super) fn misses_details(&self, problem: &Problem, tolerance: f64) -> bool {
+        self.how != How::Twin && self.worst(problem) > tolerance && has_details(problem, &self.outcome, tolerance)
     }
 }
 
@@ -105,10 +102,10 @@ pub(super) fn has_details(problem: &Problem, outcome: &Outcome, tolerance: f64) 
     outcome.numbers.get(Quantity::HalfWidth).is_some_and(|half_width| problem.has_details(half_width, tolerance))
 }
 
-/// Whether a grid of so many unknowns may have missed some, and every coarser one.
-pub(super) fn hides_details(problem: &Problem, outcome: &Outcome, tolerance: f64, unknowns: usize) -> bool {
+/// What a grid of so many unknowns may have missed of them, and every coarser one.
+pub(super) fn hidden_details(problem: &Problem, outcome: &Outcome, unknowns: usize) -> f64 {
     let half_width = outcome.numbers.get(Quantity::HalfWidth);
-    half_width.is_some_and(|half_width| problem.hides_details(half_width, tolerance, unknowns))
+    half_width.map_or(0.0, |half_width| problem.hidden_details(half_width, unknowns))
 }
 
 /// The largest error of a number that has to meet the tolerance.
@@ -145,6 +142,10 @@ pub(super) fn with_the_rest(
     let missed = if missed > ROUNDING { missed } else { 0.0 };
     let rest = layer.kernel_error(half_width).unwrap_or(0.0) + missed + left_out;
     let mut errors = errors.plus(rest).and(&problem.smoothing_errors(&outcome.numbers));
+    if let Some(peak) = errors.get(Quantity::Peak) {
+        // It may be at a kink.
+        errors.set(Quantity::Peak, peak + outcome.lost_at_kinks);
+    }
     // These are beside the mean.
     if let Some(centre) = errors.get(Quantity::Centre) {
         errors.set(Quantity::Centre, centre + rest * (1.0 / share_in_middle(outcome) - 1.0));

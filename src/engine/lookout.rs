@@ -36,8 +36,8 @@ impl Lookout {
         done
     }
 
-    /// Points between places where a pressure is not analytic, the middle and the edge at `b` among them, and the middle; ever denser
-    /// towards these, for what happens beside them may be of any width.
+    /// Points between places where a pressure is not analytic, the middle and the edge at `b` among them, and at all of these but the
+    /// edge; ever denser towards them, for what happens beside them may be of any width.
     pub(crate) fn between(&mut self, ends: &[f64], b: f64) {
         let grid = ways::rough_grid(if ends.len() > MANY { FEW_POINTS } else { POINTS });
         self.at.clear();
@@ -49,6 +49,9 @@ impl Lookout {
                 grid.iter()
                     .map(|node| Station { x: from + length * node.from_lower, gap: (b - to) + length * node.to_upper }),
             );
+            if to < b {
+                self.at.push(Station { x: to, gap: b - to });
+            }
         }
     }
 

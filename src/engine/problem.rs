@@ -24,7 +24,7 @@ const OF_PIECE: usize = 24;
 /// The least error asked of them.
 const LEAST: f64 = 1e-13;
 /// Most pieces worth it.
-const MOST_PIECES: usize = 24;
+const MOST_PIECES: usize = 96;
 /// How much nearer to the middle a piece there is cut, in `ln x`.
 const NEARER: f64 = 2.5;
 /// A place this near to a corner, relative, is on it: rounding of the units of length.
@@ -160,21 +160,20 @@ impl Problem {
         self.is_detailed.is_none()
             && self.is_smooth()
             && (self.slopes(half_width, SLOPES).tail() > tolerance
-                || self.hides_details(half_width, tolerance, SLOPES / POINTS_PER_UNKNOWN))
+                || self.hidden_details(half_width, SLOPES / POINTS_PER_UNKNOWN) > tolerance)
             && self.cut(&mut vec![0.0, half_width], tolerance)
     }
 
-    /// Whether it has details that a grid of so many unknowns may miss, and every coarser one.
-    pub(crate) fn hides_details(&self, half_width: f64, tolerance: f64, unknowns: usize) -> bool {
+    /// What a grid of so many unknowns, and every coarser one, may miss of its details, over the slope at the end: a bump of the slope,
+    /// however narrow, is felt by the pressure beneath it.
+    pub(crate) fn hidden_details(&self, half_width: f64, unknowns: usize) -> f64 {
         let details = if self.is_smooth() { self.details(half_width) } else { Vec::new() };
         if details.is_empty() {
-            return false;
+            return 0.0;
         }
         let series = self.slopes(half_width, POINTS_PER_UNKNOWN * unknowns);
-        let told = |x: f64| series.value_and_slope(0.5 + 0.5 * x / half_width).0;
-        // A bump of the slope, however narrow, is felt by the pressure beneath it.
-        let enough = tolerance * self.slope(half_width).abs();
-        details.iter().any(|x| (self.slope(*x) - told(*x)).abs() > enough)
+        let missed = |x: &f64| (self.slope(*x) - series.value_and_slope(0.5 + 0.5 * x / half_width).0).abs();
+        details.iter().map(missed).fold(0.0, f64::max) / self.slope(half_width).abs()
     }
 
     /// The slope over all of a contact, through so many points.
@@ -213,8 +212,10 @@ impl Problem {
             let series = points.through(&slopes);
             let told = |x: f64| series.value_and_slope((x - begins) / (to - begins)).0;
             let inside: Vec<f64> = details.iter().copied().filter(|x| *x > from && *x < to).collect();
-            let is_resolved = series.tail() * largest <= enough
-                && inside.iter().all(|x| (self.slope(*x) - told(*x)).abs() <= MISSED * enough);
+            let is_like = |x: f64| (self.slope(x) - told(x)).abs() <= MISSED * enough;
+            // Where a detail ends may be just where this piece does.
+            let ends = [from, to].into_iter().filter(|end| self.kinks().all(|kink| kink.to_bits() != end.to_bits()));
+            let is_resolved = series.tail() * largest <= enough && inside.iter().copied().chain(ends).all(is_like);
             if is_resolved {
                 i += 1;
             } else if cut.len() > MOST_PIECES {

@@ -4,7 +4,7 @@ use super::error_estimate::{Pace, ROUNDING, SAFETY, Seen, extrapolated, judged_b
 use super::family::Family;
 use super::growing::Growing;
 use super::judged::{
-    How, Judged, ROUNDED, SHEAR, has_details, hides_details, left_by_sticking, meets, share_in_middle, with_the_rest,
+    How, Judged, ROUNDED, SHEAR, has_details, hidden_details, left_by_sticking, meets, share_in_middle, with_the_rest,
     worst_judged,
 };
 use super::layer::{Layer, Wanted};
@@ -171,7 +171,8 @@ impl Ladder {
         let mut outcome = solve(0, Some(&twin))?;
         let task = self.task(aim, of_kernel);
         self.stages[0].settle(layer, task, &mut outcome)?;
-        let mut errors = judged_by_twin(&outcome.seen(), &twin.seen());
+        let hidden = hidden_details(aim.problem, &outcome, self.stages[0].unknowns());
+        let mut errors = judged_by_twin(&outcome.seen(), &twin.seen()).plus(hidden);
         // The few points of the traces do not see the end of the zone.
         if let Some((traced, apart)) = errors.get(Quantity::Shear).zip(self.stages[0].shear_apart(&self.stages[1])) {
             errors.set(Quantity::Shear, traced.max(SAFETY * apart));
@@ -529,18 +530,15 @@ impl Estimate {
         let Aim { problem, tolerance, .. } = aim;
         self.history.push(outcome.seen());
         let unseen = is_unseen(layer, outcome, unknowns);
-        let Some(mut estimate) = extrapolated(&self.history, unseen) else { return false };
+        let Some(estimate) = extrapolated(&self.history, unseen) else { return false };
+        // All may agree on what none of them sees.
+        let mut estimate = estimate.plus(hidden_details(problem, outcome, unknowns));
         self.of_shear = estimate.take(Quantity::Shear).filter(|_| problem.wishes.profile);
         let before = worst_judged(problem, &self.errors).map_or(f64::INFINITY, |(_, error)| error);
         let now = worst_judged(problem, &estimate).map_or(0.0, |(_, error)| error);
         self.errors = estimate;
         let all = with_the_rest(problem, layer, outcome, tolerance, estimate);
         self.met = meets(problem, &all, tolerance) || now <= 2.0 * ROUNDING;
-        if self.met && hides_details(problem, outcome, tolerance, unknowns) {
-            // They agree on what none of them sees.
-            (self.met, self.stalled) = (false, 0);
-            return false;
-        }
         self.stalled = if now < ROUNDED && now > 0.5 * before { self.stalled + 1 } else { 0 };
         // What a stack loses at any resolution, and a law that was smoothed.
         let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));

@@ -185,14 +185,13 @@ impl Solver {
         Ok(())
     }
 
-    /// What refinement finds. A smooth shape that has details is solved as one with kinks where it does not converge or no grid has seen
-    /// them, and to the end as it is where it does not converge so either.
+    /// What refinement finds. A smooth shape that has details is solved as one with kinks where it does not converge, and to the end
+    /// as it is where it does not converge so either.
     fn refined(&mut self, tolerance: f64) -> Result<Judged, Refusal> {
         let Self { chosen, problem, layer, ladder, .. } = self;
         let methods = &chosen.methods;
         let found = ladder.refine(layer, Aim { problem, methods, tolerance })?;
-        let unknowns = ladder.stage(found.stage).unknowns();
-        if !found.misses_details(problem, tolerance, unknowns) {
+        if !found.misses_details(problem, tolerance) {
             return Ok(found);
         }
         let mut again = |is_detailed| {

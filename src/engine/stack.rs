@@ -22,6 +22,9 @@ const COEFFICIENTS: usize = 12;
 /// Most of them; over the first piece, fewer where twice as many from so many on are no better.
 const MOST_COEFFICIENTS: usize = 384;
 const STALLING: usize = 48;
+/// What a pressure exactly at a kink misses, over what the series does of the rate there: one that goes with a low power of the distance has
+/// most of it nearest to the kink.
+const AT_KINK: f64 = 4.0;
 /// Times that the first piece may be cut.
 const MOST_CUTS: usize = 12;
 /// Power of the variable in which the force over the first piece is a series.
@@ -77,6 +80,8 @@ pub(crate) struct Stack {
     crowded_ways: Ways,
     /// What the integrals lose of the shape's height, or the series of its force, relative.
     lost: f64,
+    /// The same of a pressure exactly at a kink.
+    lost_at_kinks: f64,
     room: Room,
 }
 
@@ -134,7 +139,7 @@ impl Stack {
         while stack.pieces.len() + 1 < stack.breaks.len() {
             let i = stack.pieces.len();
             let (from, to) = (stack.breaks[i], stack.breaks[i + 1]);
-            let (piece, missed) = stack.piece(problem, family, from, to, digits);
+            let (piece, missed, at_kink) = stack.piece(problem, family, from, to, digits);
             if from == 0.0 && cuts < MOST_CUTS && missed > digits.max(ROUNDING) {
                 // A formula loses digits towards its tip. The nearer to it, the less it matters.
                 stack.breaks.insert(1, to * (-LONGEST_PIECE).exp());
@@ -143,6 +148,7 @@ impl Stack {
             }
             stack.pieces.push(piece);
             stack.lost = stack.lost.max(missed);
+            stack.lost_at_kinks = stack.lost_at_kinks.max(at_kink);
             family.within_budget()?;
         }
         Ok(stack)
@@ -170,6 +176,7 @@ impl Stack {
             ways: Ways::gathered(nodes),
             crowded_ways: Ways::crowded(nodes),
             lost: 0.0,
+            lost_at_kinks: 0.0,
             room: Room::default(),
         };
         stack.lost = stack.measured(problem, 2 * nodes);
@@ -213,8 +220,13 @@ impl Stack {
         self.lost
     }
 
-    /// The force over a piece, and what its series leaves out.
-    fn piece(&mut self, problem: &Problem, family: &mut Family, from: f64, to: f64, digits: f64) -> (Piece, f64) {
+    /// What they lose of a pressure exactly at a kink.
+    pub(crate) fn lost_at_kinks(&self) -> f64 {
+        self.lost_at_kinks
+    }
+
+    /// The force over a piece, and what its series leaves out of it, and of the pressure at a kink where it begins.
+    fn piece(&mut self, problem: &Problem, family: &mut Family, from: f64, to: f64, digits: f64) -> (Piece, f64, f64) {
         let mut count = COEFFICIENTS;
         let mut before = f64::INFINITY;
         // Of all that is pressed on the middle, so much is while the contact grows to the end of the first piece.
@@ -231,8 +243,14 @@ impl Stack {
                 let values: Vec<f64> = points.at.iter().map(at).collect();
                 let series = points.through(&values);
                 let tail = series.tail();
-                let feigned = if problem.is_corner(from) { 0.0 } else { series.value_and_slope(0.0).1 };
-                (if starts { Force::FromFace(series) } else { Force::Plain { series, feigned } }, tail)
+                if starts {
+                    (Force::FromFace(series), tail)
+                } else {
+                    let feigned = if problem.is_corner(from) { 0.0 } else { series.value_and_slope(0.0).1 };
+                    // With a rate that is all but that of a corner what is taken off was there.
+                    let taken = (feigned / (count * count) as f64 / values[0]).abs();
+                    (Force::Plain { series, feigned }, tail.max(taken))
+                }
             } else {
                 let (mut rhos, mut kappas) = (Vec::with_capacity(count), Vec::with_capacity(count));
                 for s in &points.at {
@@ -258,7 +276,7 @@ impl Stack {
             let is_enough = missed < (digits / felt).max(ROUNDING);
             let is_vain = missed.is_nan() || from == 0.0 && count >= STALLING && missed > 0.5 * before;
             if is_enough || is_vain || 2 * count > MOST_COEFFICIENTS {
-                return (Piece { from, to, force }, missed);
+                return (Piece { from, to, force }, missed, if is_enough { 0.0 } else { AT_KINK * felt * missed });
             }
             (before, count) = (missed, 2 * count);
         }

@@ -52,6 +52,8 @@ pub(crate) struct Outcome {
     pressure: [f64; Traces::AT.len()],
     /// Of a contact that grew: what its stack loses, relative.
     pub(crate) lost: Option<f64>,
+    /// The same of a pressure exactly at a kink of the shape.
+    pub(crate) lost_at_kinks: f64,
 }
 
 impl Outcome {
@@ -61,14 +63,14 @@ impl Outcome {
         rubbing: Option<Rubbing>,
         size: Option<Size>,
         pressure: [f64; Traces::AT.len()],
-        lost: f64,
+        (lost, lost_at_kinks): (f64, f64),
     ) -> Self {
-        Self { numbers, rubbing, size, pressure, lost: Some(lost) }
+        Self { numbers, rubbing, size, pressure, lost: Some(lost), lost_at_kinks }
     }
 
     /// An outcome of which only the stick zone is known.
     pub(crate) fn of_rubbing(rubbing: Rubbing) -> Self {
-        Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()], 0.0)
+        Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()], (0.0, 0.0))
     }
 
     /// What it tells of the next resolution.
@@ -177,7 +179,7 @@ impl Stage {
         let mean = self.normal.mean();
         let mut pressure = [0.0; Traces::AT.len()];
         self.normal.values_into(&Traces::stations(self.normal.half_width), &mut pressure);
-        Outcome { numbers, rubbing, size, pressure: pressure.map(|p| p / mean), lost: None }
+        Outcome { numbers, rubbing, size, pressure: pressure.map(|p| p / mean), lost: None, lost_at_kinks: 0.0 }
     }
 
     /// Solves another load of a punch whose contact grows, no wider than the one given, from what is known of others and what a
