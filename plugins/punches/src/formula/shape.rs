@@ -39,6 +39,8 @@ pub(super) struct Graph {
     face: f64,
     /// The length over which details were looked for last, and these.
     details: Arc<Mutex<(f64, Vec<f64>)>>,
+    /// Heights at fixed places, as far as they were needed, of a punch that is given by its slope.
+    heights: Arc<Mutex<Vec<f64>>>,
 }
 
 impl Graph {
@@ -57,6 +59,7 @@ impl Graph {
             corners: Vec::new(),
             face: 0.0,
             details: Arc::default(),
+            heights: Arc::default(),
         };
         if !tip.is_finite() {
             return Err(Fault::new(&[], "the formula has no finite value at x = 0")
@@ -69,6 +72,8 @@ impl Graph {
                 .expected("a height that grows with x")
         })?;
         graph.kinks = graph.formula.singular_points(graph.natural_length, MOST_KINKS);
+        // None of another length, or across a kink.
+        graph.heights = Arc::default();
         graph.corners = graph.kinks.iter().copied().filter(|&kink| graph.jumps(kink)).collect();
         graph.face = graph.level();
         if let Some((x, right, left)) = graph.asymmetry(2.0 * graph.natural_length) {
@@ -175,13 +180,40 @@ impl Graph {
             .hint(hint)
     }
 
-    /// The height of a punch that is given by its slope, at `x > 0`.
+    /// The height of a punch that is given by its slope, at `x > 0`: from the last of fixed places before it, up to which it is known.
     fn integral(&self, x: f64) -> f64 {
-        let mut sum = 0.0;
-        let mut from = 0.0;
-        for to in self.kinks.iter().copied().filter(|&kink| kink > 0.0 && kink < x).chain([x]) {
-            sum += self.panel(from, to, 0);
-            from = to;
+        /// Places per octave, and where they begin, over the natural length.
+        const PLACES: usize = 16;
+        const FIRST: f64 = 1.0 / 256.0;
+        let first = FIRST * self.natural_length;
+        let octaves = (x / first).log2().floor();
+        if !(octaves >= 0.0 && octaves < f64::from(f64::MAX_EXP)) {
+            return self.rise(0.0, x);
+        }
+        let place = |i: usize| first * ((i / PLACES) as f64).exp2() * (1.0 + (i % PLACES) as f64 / PLACES as f64);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // below a thousand octaves
+        let in_octave = ((x / (first * octaves.exp2()) - 1.0) * PLACES as f64).clamp(0.0, PLACES as f64 - 1.0) as usize;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let last = octaves as usize * PLACES + in_octave;
+        let mut known = self.heights.lock().unwrap_or_else(PoisonError::into_inner);
+        if known.is_empty() {
+            known.push(self.rise(0.0, first));
+        }
+        for i in known.len()..=last {
+            let next = known[i - 1] + self.rise(place(i - 1), place(i));
+            known.push(next);
+        }
+        let height = known[last];
+        drop(known);
+        height + if x > place(last) { self.rise(place(last), x) } else { 0.0 }
+    }
+
+    /// By how much it rises between two places.
+    fn rise(&self, from: f64, to: f64) -> f64 {
+        let (mut sum, mut start) = (0.0, from);
+        for end in self.kinks.iter().copied().filter(|&kink| kink > from && kink < to).chain([to]) {
+            sum += self.panel(start, end, 0);
+            start = end;
         }
         sum
     }
@@ -198,8 +230,9 @@ impl Graph {
             return f64::NAN;
         }
         let (coarse, fine) = (by(24), by(48));
-        // The finer grid's error is about the square of the coarser one's.
-        let differ = (coarse - fine).abs() > 1e-11 * fine.abs();
+        // The finer grid's error is about the square of the coarser one's. Close to its tip a slope may be of rounding, which no cut mends.
+        let rounding = 1e-15 * (to - from) * self.steepness(self.natural_length).abs();
+        let differ = (coarse - fine).abs() > rounding.max(1e-11 * fine.abs());
         let middle = from + 0.5 * (to - from);
         // Between neighbours among the numbers nothing is to be cut.
         if !differ || depth == DEPTH || middle <= from || middle >= to {
