@@ -978,8 +978,8 @@ fn a_pressure_is_as_good_where_friction_cannot_be_told() {
     }
 }
 
-/// Steps of the slope by `jump` at each place, rounded off over `width`: with none of a width, by the half-plane's closed form, the pressure
-/// in the middle is `slope*x` and `jump/pi*arcosh(1/c)` of each.
+/// A punch of slope `rise x` with steps by `jump` rounded off over `width`, and its pressure in the middle of a half-plane were they sharp:
+/// `A0 p(0) = rise + (2/pi) jump arcosh(1/c)`, summed over the steps.
 fn stepped(places: &[f64], width: f64, tolerance: f64) -> (Solution, f64) {
     let (jump, rise) = (0.04, 0.01);
     let steps: Vec<String> =
@@ -994,8 +994,8 @@ fn stepped(places: &[f64], width: f64, tolerance: f64) -> (Solution, f64) {
         solve(&slipzone::scene::parse("steps.toml", &scene).expect("a good scene"))
     };
     let plain = scene(&format!("{rise}*x")).number("pressure.centre").expect("a pressure");
-    let exact = places.iter().map(|c| jump * (1.0 / c).acosh() * 2.0 / std::f64::consts::PI / 2.0).sum::<f64>();
-    (scene(&format!("{rise}*x + {}", steps.join(" + "))), plain * (1.0 + 2.0 * exact / rise))
+    let of_steps = places.iter().map(|c| jump * (1.0 / c).acosh()).sum::<f64>() * 2.0 / std::f64::consts::PI;
+    (scene(&format!("{rise}*x + {}", steps.join(" + "))), plain * (1.0 + of_steps / rise))
 }
 
 /// Too many details to be stacked were left to grids that saw none of them and agreed: up to a quarter off, claimed to 1e-2. Three were found at
