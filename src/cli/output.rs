@@ -143,7 +143,7 @@ impl Write for Writing {
 
     fn flush(&mut self) -> std::io::Result<()> {
         match self {
-            Self::File(file) => file.as_file().sync_all(),
+            Self::File(file) => file.flush(),
             Self::Special(file) => file.flush(),
         }
     }
@@ -158,7 +158,11 @@ impl<'a> Pending<'a> {
     pub(super) fn finished(self) -> Result<Finished<'a>, Failure> {
         let target = self.target;
         let mut file = self.file.into_inner().map_err(|error| target.failed(error.error()))?;
-        file.flush().map_err(|error| target.failed(&error))?;
+        let written = match &mut file {
+            Writing::File(file) => file.as_file().sync_all(),
+            Writing::Special(file) => file.flush(),
+        };
+        written.map_err(|error| target.failed(&error))?;
         Ok(Finished { file, target })
     }
 }
@@ -285,10 +289,11 @@ fn stream(path: &Path) -> Option<PathBuf> {
     /// As many as systems follow.
     const MOST_LINKS: usize = 40;
     let streams = Path::new(STANDARD_OUTPUT).parent()?;
+    let real = streams.canonicalize().ok()?;
     let mut path = path.to_path_buf();
     for _ in 0..MOST_LINKS {
         let folder = path.parent()?.canonicalize().ok()?;
-        if folder == streams.canonicalize().ok()? {
+        if folder == real {
             return Some(streams.join(path.file_name()?));
         }
         path = folder.join(fs::read_link(&path).ok()?);
