@@ -44,18 +44,13 @@ pub(crate) fn tension(
     mut pressure_into: impl FnMut(&[Station], &mut [f64]),
 ) -> Option<(f64, f64)> {
     let Lookout { at, values: pulls, .. } = lookout;
-    let at = inside(at, b, length);
-    pulls.resize(at.len(), 0.0);
-    pressure_into(at, pulls);
-    for p in &mut *pulls {
-        *p = -*p / mean;
-    }
-    let one = |at: Station| {
-        let mut pressure = [0.0];
-        pressure_into(&[at], &mut pressure);
-        -pressure[0] / mean
+    let pulls_into = |at: &[Station], out: &mut [f64]| {
+        pressure_into(at, out);
+        for p in out {
+            *p /= -mean;
+        }
     };
-    let (at, pull) = highest(at, pulls, -FAINT, one)?;
+    let (at, pull) = highest(inside(at, b, length), pulls, |_| -FAINT, pulls_into)?;
     (pull > PULLS).then_some((at.x / b, -pull))
 }
 
@@ -64,21 +59,16 @@ pub(crate) fn overload(layer: &Layer, normal: &Normal, shear: &Shear, eta: f64) 
     let zone = shear.zone;
     let (at, load) = Lookout::lend(|lookout| {
         shear.look(lookout);
-        let Lookout { at, values: q, seen, beside: p } = lookout;
-        let at = inside(at, zone.half_width, layer.length());
-        seen.clear();
-        seen.extend(at.iter().map(|at| zone.in_contact(*at)));
-        q.resize(at.len(), 0.0);
-        p.resize(at.len(), 0.0);
-        shear.in_stick_into(at, q);
-        normal.values_into(seen, p);
-        q.iter_mut().zip(p).for_each(|(q, p)| *q = q.abs() / (eta * *p));
-        let one = |at: Station| {
-            let mut q = [0.0];
-            shear.in_stick_into(&[at], &mut q);
-            q[0].abs() / (eta * normal.at(zone.in_contact(at)))
+        let Lookout { at, values, seen, beside: p } = lookout;
+        let loads_into = |at: &[Station], q: &mut [f64]| {
+            seen.clear();
+            seen.extend(at.iter().map(|at| zone.in_contact(*at)));
+            p.resize(at.len(), 0.0);
+            shear.in_stick_into(at, q);
+            normal.values_into(seen, p);
+            q.iter_mut().zip(&*p).for_each(|(q, p)| *q = q.abs() / (eta * p));
         };
-        highest(at, q, NEARLY, one)
+        highest(inside(at, zone.half_width, layer.length()), values, |_| NEARLY, loads_into)
     })?;
     (load > 1.0 + MARGIN).then_some((at.x / normal.half_width, load))
 }

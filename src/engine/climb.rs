@@ -64,15 +64,23 @@ fn climb(
     top
 }
 
-/// The highest value, and where, of a function on half of a contact: among its values at ascending stations, and at tops between
-/// them where these are no lower than `least`.
+/// The highest value, and where, of a function on half of a contact: at ascending stations, and at tops between them where the one in the
+/// middle of three is no lower than what `least` says of the highest of all.
 pub(super) fn highest(
     at: &[Station],
-    values: &[f64],
-    least: f64,
-    mut value: impl FnMut(Station) -> f64,
+    values: &mut Vec<f64>,
+    least: impl FnOnce(f64) -> f64,
+    mut values_into: impl FnMut(&[Station], &mut [f64]),
 ) -> Option<(Station, f64)> {
+    values.resize(at.len(), 0.0);
+    values_into(at, values);
+    let mut value = |at: Station| {
+        let mut one = [0.0];
+        values_into(&[at], &mut one);
+        one[0]
+    };
     let mut best = at.iter().copied().zip(values.iter().copied()).max_by(|one, other| one.1.total_cmp(&other.1))?;
+    let least = least(best.1);
     for (at, values) in at.windows(3).zip(values.windows(3)) {
         if !(values[1] >= least && values[1] >= values[0] && values[1] >= values[2]) {
             continue;

@@ -232,18 +232,15 @@ impl Growing {
         room: f64,
         coarse: Option<&Family>,
     ) -> Result<(), Refusal> {
-        if self.forsaken.is_some() {
-            self.broken.clone_from(&self.forsaken);
-            if !self.is_kinked {
-                (self.family, self.stack) = (None, None);
-                return Ok(());
-            }
+        self.broken.clone_from(&self.forsaken);
+        if self.forsaken.is_some() && !self.is_kinked {
+            (self.family, self.stack) = (None, None);
+            return Ok(());
         }
         let rubs = task.problem.friction.is_some() && self.forsaken.is_none();
         if self.family.as_ref().is_some_and(|family| family.serves(task, rubs, half_width)) {
             return if self.stack.is_none() { self.stacked_on(task) } else { Ok(()) };
         }
-        self.broken.clone_from(&self.forsaken);
         self.stack = None;
         self.inherited = Work::default();
         let sizes = (half_width, room * half_width);

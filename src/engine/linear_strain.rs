@@ -119,13 +119,13 @@ impl RateCurve<'_> {
     /// Where `C` is extremal within a range about a place; `None` where that is not inside.
     fn about(&mut self, place: f64) -> Result<Option<f64>, Refusal> {
         let points = Points::get(POINTS);
-        let rates: Result<Vec<f64>, Refusal> =
-            points.at.iter().map(|part| self.at(place + RANGE * (2.0 * part - 1.0))).collect();
+        let lambda = |part: f64| place + RANGE * (2.0 * part - 1.0);
+        let rates: Result<Vec<f64>, Refusal> = points.at.iter().map(|part| self.at(lambda(*part))).collect();
         let series = points.through(&rates?);
         let root = Toms748Root::new(0.0, 1.0)
             .with_absolute_position_tolerance(f64::EPSILON)
             .solve(|part| Ok::<_, std::convert::Infallible>(series.value_and_slope(part).1));
-        Ok(root.ok().map(|root| place + RANGE * (2.0 * root.root() - 1.0)))
+        Ok(root.ok().map(|root| lambda(root.root())))
     }
 
     /// The root between two places where the slope has different signs.

@@ -64,16 +64,8 @@ impl Lookout {
     }
 
     /// The largest pressure, from how it is found at points.
-    pub(crate) fn peak(&mut self, mut pressure_into: impl FnMut(&[Station], &mut [f64])) -> f64 {
+    pub(crate) fn peak(&mut self, pressure_into: impl FnMut(&[Station], &mut [f64])) -> f64 {
         let Self { at, values, .. } = self;
-        values.resize(at.len(), 0.0);
-        pressure_into(at, values);
-        let least = NEARLY * values.iter().fold(0.0_f64, |most, p| most.max(*p));
-        let one = |at: Station| {
-            let mut pressure = [0.0];
-            pressure_into(&[at], &mut pressure);
-            pressure[0]
-        };
-        highest(at, values, least, one).map_or(f64::NAN, |(_, peak)| peak)
+        highest(at, values, |most| NEARLY * most, pressure_into).map_or(f64::NAN, |(_, peak)| peak)
     }
 }
