@@ -116,8 +116,9 @@ impl Formula {
             occurs.iter_mut().zip(used).for_each(|(occurs, used)| *occurs |= used);
             formulas.push(Self { tape });
         }
-        if let (Some(Self { tape }), true) = (formulas.first(), formulas.iter().all(|formula| !formula.tape.varies())) {
-            let (key, text) = texts[0];
+        if let Some((Self { tape }, &(key, text))) = formulas.iter().zip(texts).next()
+            && formulas.iter().all(|formula| !formula.tape.varies())
+        {
             return Err(under(key, parser::constant(text, tape, variable)));
         }
         let mut idle = names.keys().zip(occurs).filter(|(name, occurs)| !occurs && parameters.contains_key(*name));

@@ -77,8 +77,8 @@ fn look(u: impl Fn(f64) -> Dual, kind: Kind, (length, samples): (f64, i32), foun
             let beside = [x - width, x + width].into_iter().filter(|x| (0.0..=length).contains(x));
             beside.into_iter().any(|x| (u(x).value - here).abs() >= scale(here))
         };
-        let widths = (0..DOUBLINGS).rev().map(|k| length * 0.5_f64.powi(k));
-        (x, widths.into_iter().find(changes).unwrap_or(f64::INFINITY))
+        let mut widths = (0..DOUBLINGS).rev().map(|k| length * 0.5_f64.powi(k));
+        (x, widths.find(changes).unwrap_or(f64::INFINITY))
     };
     let is_straight = samples == 1;
     found.extend([0.0, length].map(|end| if is_straight { steep(end) } else { wide(end) }));

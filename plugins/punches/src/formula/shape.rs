@@ -39,8 +39,8 @@ pub(super) struct Graph {
     face: f64,
     /// The length over which details were looked for last, and these.
     details: Arc<Mutex<(f64, Vec<f64>)>>,
-    /// Heights at fixed places, as far as they were needed, of a punch that is given by its slope.
-    heights: Arc<Mutex<Vec<f64>>>,
+    /// Fixed places, ascending as far as they were needed, and the heights there of a punch that is given by its slope.
+    heights: Arc<Mutex<Vec<(f64, f64)>>>,
 }
 
 impl Graph {
@@ -72,8 +72,6 @@ impl Graph {
                 .expected("a height that grows with x")
         })?;
         graph.kinks = graph.formula.singular_points(graph.natural_length, MOST_KINKS);
-        // None of another length, or across a kink.
-        graph.heights = Arc::default();
         graph.corners = graph.kinks.iter().copied().filter(|&kink| graph.jumps(kink)).collect();
         graph.face = graph.level();
         if let Some((x, right, left)) = graph.asymmetry(2.0 * graph.natural_length) {
@@ -182,30 +180,26 @@ impl Graph {
 
     /// The height of a punch that is given by its slope, at `x > 0`: from the last of fixed places before it, up to which it is known.
     fn integral(&self, x: f64) -> f64 {
-        /// Places per octave, and where they begin, over the natural length.
-        const PLACES: usize = 16;
+        /// The first of them, over the natural length, and each over the one before.
         const FIRST: f64 = 1.0 / 256.0;
+        const RATIO: f64 = 1.0625;
         let first = FIRST * self.natural_length;
-        let octaves = (x / first).log2().floor();
-        if !(octaves >= 0.0 && octaves < f64::from(f64::MAX_EXP)) {
+        if !(x >= first && x < f64::INFINITY) {
             return self.rise(0.0, x);
         }
-        let place = |i: usize| first * ((i / PLACES) as f64).exp2() * (1.0 + (i % PLACES) as f64 / PLACES as f64);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // below a thousand octaves
-        let in_octave = ((x / (first * octaves.exp2()) - 1.0) * PLACES as f64).clamp(0.0, PLACES as f64 - 1.0) as usize;
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let last = octaves as usize * PLACES + in_octave;
         let mut known = self.heights.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut last = known.last().copied().unwrap_or_else(|| (first, self.rise(0.0, first)));
         if known.is_empty() {
-            known.push(self.rise(0.0, first));
+            known.push(last);
         }
-        for i in known.len()..=last {
-            let next = known[i - 1] + self.rise(place(i - 1), place(i));
-            known.push(next);
+        while RATIO * last.0 <= x {
+            let next = RATIO * last.0;
+            last = (next, last.1 + self.rise(last.0, next));
+            known.push(last);
         }
-        let height = known[last];
+        let (place, height) = known[known.partition_point(|(place, _)| *place <= x) - 1];
         drop(known);
-        height + if x > place(last) { self.rise(place(last), x) } else { 0.0 }
+        if x > place { height + self.rise(place, x) } else { height }
     }
 
     /// By how much it rises between two places.
