@@ -7,11 +7,14 @@ use pulp::{Arch, Simd, WithSimd};
 pub(super) const MOST: usize = 96;
 /// Rows that are cleared together: each vector of the pivots' rows is loaded once for all of them.
 const TOGETHER: usize = 4;
+/// An entry on the diagonal stays the pivot unless another of its row is more than `1/NEARLY` times as large: to exchange
+/// unknowns costs a walk down all rows, and every other pivot of a stick zone's system would.
+const NEARLY: f64 = 0.25;
 
 /// Solves `n` equations for each of the right-hand sides in `columns`; the matrix comes row by row and is used up.
 /// A singular one gives infinities or NaN.
 ///
-/// The pivot is the largest entry of a row: unknowns change places and equations do not, so that all there is to do runs
+/// The pivot is the largest entry of a row, or nearly: unknowns change places and equations do not, so that all there is to do runs
 /// along rows.
 pub(super) fn solve(rows: &mut [f64], columns: &mut [f64], n: usize) {
     assert!(n <= MOST, "room for {MOST} equations, and here are {n}");
@@ -101,7 +104,7 @@ fn from<S: Simd>(row: &mut [f64], k: usize) -> &mut [f64] {
     &mut row[start..]
 }
 
-/// Exchanges unknowns so that the largest entry of row `k` comes to the diagonal.
+/// Exchanges unknowns so that a large entry of row `k`, compared to the others, comes to the diagonal.
 #[inline(always)]
 fn bring_pivot<S: Simd>(simd: S, rows: &mut [f64], n: usize, k: usize, order: &mut [u8; MOST]) {
     let row = &rows[k * n + k..(k + 1) * n];
@@ -111,8 +114,8 @@ fn bring_pivot<S: Simd>(simd: S, rows: &mut [f64], n: usize, k: usize, order: &m
         most = simd.max_f64s(most, simd.abs_f64s(*entries));
     }
     let largest = rest.iter().fold(simd.reduce_max_f64s(most), |most, entry| most.max(entry.abs()));
-    // Most often it is there.
-    if row[0].abs() < largest {
+    // Most often one is there.
+    if row[0].abs() < NEARLY * largest {
         let pivot = k + row.iter().position(|entry| entry.abs() >= largest).unwrap_or(0);
         order.swap(k, pivot);
         rows.chunks_exact_mut(n).for_each(|row| row.swap(k, pivot));
