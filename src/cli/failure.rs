@@ -44,7 +44,6 @@ impl Failure {
 
 /// The line with the error marked, and what was found and expected below it.
 fn scene(error: &SceneError) -> Group<'_> {
-    let notes = [("found", &error.found), ("expected", &error.expected), ("help", &error.hint)];
     let title = Level::ERROR.primary_title(error.message.as_str());
     let origin = || Origin::path(error.file.as_str()).line(error.line).char_column(error.column);
     let snippet = || {
@@ -59,6 +58,5 @@ fn scene(error: &SceneError) -> Group<'_> {
         _ if is_cut => title.element(origin()).element(snippet()),
         _ => title.element(snippet().path(error.file.as_str())),
     };
-    let notes = notes.into_iter().filter_map(|(name, note)| Some((name, note.as_deref()?)));
-    group.elements(notes.map(|(name, note)| Level::NOTE.with_name(name).message(note)))
+    group.elements(error.notes().map(|(name, note)| Level::NOTE.with_name(name).message(note)))
 }

@@ -14,7 +14,7 @@ use super::solution::{
 use super::stage::Stage;
 use super::stick_zone::StickZone;
 use crate::plan::Plan;
-use crate::scene::{Load, LoadKind, Model, Scene};
+use crate::scene::{Load, Model, Scene};
 use slipzone_api::{Base, Refusal, Station};
 
 /// Where the strain left stands in a result.
@@ -211,11 +211,11 @@ fn load(load: Load, problem: &Problem, numbers: &Numbers) -> LoadReport {
     let (length, stress) = (problem.length, problem.stress);
     let number = |quantity, unit: f64| numbers.get(quantity).map(|value| value * unit);
     // What the scene and the punch give is reported as given, not after its way through the layer's units.
-    let given = |kind| (load.kind() == kind).then_some(load.value().get());
+    let given = LoadReport::given(load);
     LoadReport {
-        force: given(LoadKind::Force).or(number(Quantity::Force, stress * length)),
-        half_width: given(LoadKind::HalfWidth).or(problem.width_of_corners()).or(number(Quantity::HalfWidth, length)),
-        indentation: given(LoadKind::Indentation).or(number(Quantity::Indentation, length)),
+        force: given.force.or(number(Quantity::Force, stress * length)),
+        half_width: given.half_width.or(problem.width_of_corners()).or(number(Quantity::HalfWidth, length)),
+        indentation: given.indentation.or(number(Quantity::Indentation, length)),
     }
 }
 
@@ -225,13 +225,11 @@ pub(super) fn point(
     problem: &Problem,
     numbers: &Numbers,
     error: Option<f64>,
-    judgement: (Status, Option<String>),
+    (status, reason): (Status, Option<String>),
 ) -> Point {
-    let number = |quantity| {
-        let unit = if quantity == Quantity::StickRatio { 1.0 } else { problem.length };
-        numbers.get(quantity).map(|value| value * unit)
-    };
-    Point::found(load(given, problem, numbers), number, error, judgement)
+    let load = load(given, problem, numbers);
+    let stick_half_width = numbers.get(Quantity::StickHalfWidth).map(|a| a * problem.length);
+    Point { load, stick_half_width, stick_ratio: numbers.get(Quantity::StickRatio), error, status, reason }
 }
 
 /// How the errors were estimated, in words.

@@ -3,11 +3,14 @@
 //! L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013), chapters 3 to 5 and 8.
 
 use super::blend::add_rows;
-use super::shelf::Shelf;
+use slipzone_api::Shelf;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::{Arc, OnceLock};
 
-static POINTS: Shelf<Points> = Shelf::new();
+/// Room for the matrices of all points kept, 8 MB.
+const KEPT: usize = 1 << 20;
+
+static POINTS: Shelf<usize, Points> = Shelf::new(KEPT, |points| points.at.len().pow(2));
 
 /// Chebyshev points of the first kind on `(0, 1)`, descending.
 #[derive(Debug)]
@@ -20,7 +23,7 @@ pub(crate) struct Points {
 impl Points {
     /// So many points.
     pub(crate) fn get(count: usize) -> Arc<Self> {
-        POINTS.get(count, |count| {
+        POINTS.get(count, || {
             let angle = |k: usize| (2 * k + 1) as f64 * FRAC_PI_2 / count as f64;
             // (1 + cos)/2, without cancellation near 0.
             let at = (0..count).map(|k| (0.5 * angle(k)).cos().powi(2)).collect();

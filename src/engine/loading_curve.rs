@@ -3,7 +3,7 @@
 use super::quantity::{Numbers, Quantity};
 use super::solution::{LoadReport, Status};
 use super::solver::Solver;
-use crate::scene::{Load, LoadKind, LoadPath, Scene};
+use crate::scene::{Load, LoadPath, Scene};
 use serde::Serialize;
 use slipzone_api::Refusal;
 
@@ -22,7 +22,7 @@ pub struct Curve {
     pub force: Vec<Option<f64>>,
     /// Half-width of the contact.
     pub half_width: Vec<Option<f64>>,
-    /// Depth of the punch; `None` as a whole on a half-plane, and like the two below where it is not asked for.
+    /// Depth of the punch; `None` as a whole on a half-plane without a datum, and like the two below where it is not asked for.
     pub indentation: Option<Vec<Option<f64>>>,
     /// Half-width of the stick zone; `None` as a whole without friction.
     pub stick_half_width: Option<Vec<Option<f64>>>,
@@ -76,17 +76,6 @@ impl Point {
         ON_THE_CURVE.into_iter().filter_map(|quantity| errors.get(quantity)).reduce(f64::max)
     }
 
-    /// A contact that was solved; `number` in the scene's units.
-    pub(super) fn found(
-        load: LoadReport,
-        number: impl Fn(Quantity) -> Option<f64>,
-        error: Option<f64>,
-        (status, reason): (Status, Option<String>),
-    ) -> Self {
-        let (stick_half_width, stick_ratio) = (number(Quantity::StickHalfWidth), number(Quantity::StickRatio));
-        Self { load, stick_half_width, stick_ratio, error, status, reason }
-    }
-
     /// Whether it misses the tolerance, which the last load met.
     fn is_short(&self) -> bool {
         self.status == Status::NotConverged && self.reason.is_none()
@@ -94,13 +83,7 @@ impl Point {
 
     /// A load without a contact.
     fn refused(load: Load, refusal: &Refusal) -> Self {
-        let of = |kind| (load.kind() == kind).then_some(load.value().get());
-        let load = LoadReport {
-            force: of(LoadKind::Force),
-            half_width: of(LoadKind::HalfWidth),
-            indentation: of(LoadKind::Indentation),
-        };
-        let reason = Some(refusal.to_string());
+        let (load, reason) = (LoadReport::given(load), Some(refusal.to_string()));
         Self { load, stick_half_width: None, stick_ratio: None, error: None, status: Status::Refused, reason }
     }
 

@@ -32,7 +32,6 @@ mod root;
 mod rubbing;
 mod sharpen;
 mod sheet;
-mod shelf;
 mod slip_grid;
 mod solution;
 mod solver;

@@ -142,7 +142,7 @@ impl Normal {
         self.rule.stretch(half_width);
     }
 
-    /// Force that gives an indentation; `None` on a half-plane.
+    /// Force that gives an indentation; `None` on a half-plane without a datum.
     fn force_at(&mut self, layer: &Layer, problem: &Problem, indentation: f64) -> Option<f64> {
         let mut sunk = |column| sunk(&mut *self.rule, self.half_width, (layer, problem), self.system.column(column));
         let by_force = sunk(0)?;

@@ -300,7 +300,7 @@ impl Problem {
         self.friction = Some(coefficient(friction));
     }
 
-    /// Whether the solid stands on something, so that depths are defined.
+    /// Whether the layer stands on something, rigid or not.
     pub(crate) fn has_base(&self) -> bool {
         self.layer.base != Base::Infinite
     }

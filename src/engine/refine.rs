@@ -16,6 +16,7 @@ use super::work::Work;
 use crate::plan::Methods;
 use arrayvec::ArrayVec;
 use slipzone_api::Refusal;
+use std::ops::Add;
 
 /// Most steps of refinement.
 const FINEST: usize = 13;
@@ -65,6 +66,8 @@ pub(super) struct Ladder {
     least_share: Option<f64>,
     /// What cannot be told of friction under the present load, at any resolution.
     forsaken: Option<(f64, Rubbing)>,
+    /// Work in the systems of ladders that this one takes the place of.
+    before: Work,
 }
 
 /// What one punch leaves behind for another on the same layer: the flat punches of each resolution, the step that was fine
@@ -110,9 +113,14 @@ impl Ladder {
         &mut self.stages[index]
     }
 
-    /// Work in its systems so far.
+    /// Work in its systems so far, and in those of ladders that it takes the place of.
     pub(super) fn work(&self) -> Work {
-        self.stages.iter().map(Stage::work).sum()
+        self.stages.iter().map(Stage::work).fold(self.before, Add::add)
+    }
+
+    /// Takes the place of others: `all` is the work on them and on this one.
+    pub(super) fn take_over(&mut self, all: Work) {
+        self.before = all - (self.work() - self.before);
     }
 
     /// Solves a problem with the methods given.
@@ -269,8 +277,7 @@ impl Ladder {
         if aim.problem.fixed_half_width().is_none() {
             self.remember(layer, *stage, outcome, &history);
         }
-        let count = *stage + 1 - next.saturating_sub(1);
-        found.how = How::Sequence { count, kernels_proven: layer.kernel_error(0.0).is_some() };
+        found.how = How::Sequence { count: history.len(), kernels_proven: layer.kernel_error(0.0).is_some() };
         Ok(found)
     }
 
@@ -292,6 +299,9 @@ impl Ladder {
             if error <= left_by_sticking(&found.outcome).max(SHEAR * aim.tolerance) {
                 return;
             }
+            if history.is_full() {
+                return;
+            }
             let stage = found.stage + 1;
             let level = level(first, stage);
             let task = self.task(aim, level);
@@ -300,9 +310,7 @@ impl Ladder {
                 return;
             };
             let mut seen = history.clone();
-            if seen.try_push(outcome.seen()).is_err() {
-                return;
-            }
+            seen.push(outcome.seen());
             let unseen = is_unseen(layer, &outcome, self.stages[stage].unknowns());
             let Some(mut errors) = extrapolated(&seen, unseen) else { return };
             let told = errors.take(Quantity::Shear);

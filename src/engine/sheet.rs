@@ -2,9 +2,8 @@
 
 use super::blend::{LANES, Lanes, polynomials_in_lanes};
 use super::chebyshev::Points;
-use super::shelf::Shelf;
 use pulp::{Arch, Simd, WithSimd};
-use slipzone_api::Station;
+use slipzone_api::{Shelf, Station};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
@@ -66,9 +65,11 @@ pub(super) struct Places {
 impl Places {
     /// Those for so many unknowns.
     pub(super) fn of(unknowns: f64) -> Arc<Self> {
-        static KNOWN: Shelf<Places> = Shelf::new();
+        const MOST: usize = 1 << 14;
+        static KNOWN: Shelf<usize, Places> = Shelf::new(MOST, |places| places.stations.len());
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some dozens
-        KNOWN.get((FEWEST_PLACES + PLACES_PER_UNKNOWN * unknowns) as usize, Self::new)
+        let count = (FEWEST_PLACES + PLACES_PER_UNKNOWN * unknowns) as usize;
+        KNOWN.get(count, || Self::new(count))
     }
 
     /// So many, and the middle.

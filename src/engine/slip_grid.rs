@@ -9,7 +9,7 @@ use super::normal::Normal;
 use super::stick_zone::StickZone;
 use rows::Nodes;
 use slipzone_api::elementary::LANES;
-use slipzone_api::{Component, Station};
+use slipzone_api::{Component, NEAREST_POLE, Station};
 use std::cell::Cell;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -30,8 +30,6 @@ const NODES_PER_LENGTH: f64 = 0.8;
 const MOST_PER_LENGTH: f64 = 21.0;
 /// Most nodes on either side.
 const MOST_NODES: usize = 1 << 14;
-/// Distance of the kernel's nearest singularity, but for that at the origin, in terms of its length.
-const POLE: f64 = 0.77;
 /// Distances at which the kernel is asked for at a time, unless one station has more.
 const BATCH: usize = 512;
 
@@ -148,7 +146,7 @@ impl SlipGrid {
         let Nodes { r, kernel, far, far_kernel, .. } = &mut self.nodes;
         far.clear();
         far_kernel.clear();
-        if a.min(POLE * length) > unit::APART * width {
+        if a.min(NEAREST_POLE * length) > unit::APART * width {
             far.extend(self.unit.points.iter().map(|point| a + width * point));
             far_kernel.extend(
                 self.unit.shares.iter().map(|share| share.iter().zip(&*kernel).map(|(s, k)| s * k).sum::<f64>()),

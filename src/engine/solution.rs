@@ -3,7 +3,7 @@
 use super::loading_curve::Curve;
 use super::quantity::friction_needed;
 use crate::plan::Plan;
-use crate::scene::{Scene, Units};
+use crate::scene::{Load, LoadKind, Scene, Units};
 use serde::Serialize;
 use slipzone_api::{Base, Friction, FrozenStrain, Plane};
 use std::collections::BTreeMap;
@@ -74,7 +74,7 @@ pub struct LoadReport {
     pub force: Option<f64>,
     /// Half-width of the contact.
     pub half_width: Option<f64>,
-    /// Depth of the punch; `None` on a half-plane, where it is undefined.
+    /// Depth of the punch; `None` on a half-plane without a datum, where it is undefined.
     pub indentation: Option<f64>,
 }
 
@@ -155,6 +155,15 @@ impl Profile {
         let mut columns = [Some(&self.pressure), self.shear.as_ref(), self.strain.as_ref()].into_iter().flatten();
         self.x.iter().all(|x| x.is_finite())
             && columns.all(|column| column.iter().flatten().all(|value| value.is_finite()))
+    }
+}
+
+impl LoadReport {
+    /// What the scene says of it.
+    pub(super) fn given(load: Load) -> Self {
+        let of = |kind| (load.kind() == kind).then_some(load.value().get());
+        let [force, half_width, indentation] = [LoadKind::Force, LoadKind::HalfWidth, LoadKind::Indentation].map(of);
+        Self { force, half_width, indentation }
     }
 }
 

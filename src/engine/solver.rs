@@ -159,7 +159,13 @@ impl Solver {
     /// The same within what is left of a budget.
     pub(super) fn find_within(&mut self) -> Result<(), Refusal> {
         self.layer.meter().within()?;
-        let tolerance = self.chosen.scene.solver.tolerance.get();
+        let solver = &self.chosen.scene.solver;
+        if solver.model == Some(Model::Thin) {
+            // Told in closed form by `solve`.
+            let what = "a loading curve by the model `thin`".into();
+            return Err(Refusal::NotBuilt { what, remedy: "leave out `solver.model`, or solve load by load".into() });
+        }
+        let tolerance = solver.tolerance.get();
         let Some(stand_in) = self.stand_in else {
             self.judged = Some(self.refined(tolerance)?);
             return Ok(());
@@ -194,12 +200,14 @@ impl Solver {
         if !found.misses_details(problem, tolerance) {
             return Ok(found);
         }
+        let mut work = ladder.work();
         let mut again = |is_detailed| {
             layer.meter().resume();
             problem.is_detailed = Some(is_detailed);
             let mut ladder = Ladder::default();
-            let found = ladder.refine(layer, Aim { problem, methods, tolerance })?;
-            Ok::<_, Refusal>((found.worst(problem), found, ladder))
+            let found = ladder.refine(layer, Aim { problem, methods, tolerance });
+            work = work + ladder.work();
+            found.map(|found| (found.worst(problem), found, ladder))
         };
         let error = |solved: &Result<(f64, _, _), Refusal>| solved.as_ref().map_or(f64::INFINITY, |solved| solved.0);
         let mut best = again(true);
@@ -213,6 +221,7 @@ impl Solver {
         }
         let (_, found, best) = best?;
         *ladder = best;
+        ladder.take_over(work);
         Ok(found)
     }
 
@@ -227,7 +236,9 @@ impl Solver {
             Some(layer) => layer,
             None => Layer::new(&self.problem, &chosen.methods)?,
         };
+        let work = self.ladder.work();
         self.ladder = Ladder::inheriting(self.layer.flat_punches_for(&chosen.scene));
+        self.ladder.take_over(work);
         (self.chosen, self.stand_in, self.judged) = (chosen, None, None);
         Ok(())
     }
@@ -305,7 +316,13 @@ impl Solver {
             )],
             ..chosen.plan.clone()
         };
-        assemble::in_closed_form(&chosen.scene, plan, problem, (&numbers, &errors), judgement).ok()
+        match assemble::in_closed_form(&chosen.scene, plan, problem, (&numbers, &errors), judgement) {
+            Ok(solution) => Some(solution),
+            Err(refusal) if is_forced => {
+                Some(Solution::refused(&chosen.scene, chosen.plan.clone(), refusal.to_string()))
+            }
+            Err(_) => None,
+        }
     }
 
     /// The contact under each of the loads, from the smallest to the largest: numbers alone, no report. Afterwards the

@@ -31,7 +31,7 @@ pub(crate) struct Stage {
     /// Whether it does not bear one of those examined.
     pub(crate) is_overloaded: bool,
     /// The friction curve, and the half-width that it belongs to: it depends on no load.
-    curve: Option<(f64, Samples)>,
+    sampled: Option<(f64, Samples)>,
     /// The stick zones found last, and the half-width and the friction coefficient that they belong to: they
     /// depend on no load either.
     rubbed: Option<(f64, f64, Rubbing)>,
@@ -120,7 +120,7 @@ impl Stage {
             slip_check: SlipCheck::default(),
             of_slices: false,
             is_overloaded: false,
-            curve: None,
+            sampled: None,
             rubbed: None,
             shown: None,
             sized: None,

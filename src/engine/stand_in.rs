@@ -243,7 +243,7 @@ impl StandIn {
 
 /// What the kernels of the corrected half-plane leave out of those of the layer, as they state it.
 fn left_out(problem: &Problem, b: f64) -> f64 {
-    let sums = if problem.wants_depth() || problem.is_pressed_by_depth() { 0.5 } else { b };
+    let sums = if problem.wants_depth() { 0.5 } else { b };
     SECOND_CORRECTION * b.powi(4) + MOMENTS * sums
 }
 

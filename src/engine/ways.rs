@@ -1,6 +1,6 @@
 //! Nodes for integrals over the half-width of a growing contact.
 
-use super::shelf::Shelf;
+use slipzone_api::Shelf;
 use slipzone_api::double_exponential::{self, Node};
 use std::sync::Arc;
 
@@ -12,10 +12,13 @@ const FARTHER: f64 = 1.5;
 /// and a logarithm beside one goes with the sixth.
 const GATHERED: i32 = 4;
 
-static GATHERED_WAYS: Shelf<Way> = Shelf::new();
-static CROWDED_WAYS: Shelf<Way> = Shelf::new();
-static GRIDS: Shelf<Vec<Node>> = Shelf::new();
-static ROUGH_GRIDS: Shelf<Vec<Node>> = Shelf::new();
+/// Points kept of each kind.
+const KEPT: usize = 1 << 16;
+
+static GATHERED_WAYS: Shelf<usize, Way> = Shelf::new(KEPT, Vec::len);
+static CROWDED_WAYS: Shelf<usize, Way> = Shelf::new(KEPT, Vec::len);
+static GRIDS: Shelf<usize, Vec<Node>> = Shelf::new(KEPT, Vec::len);
+static ROUGH_GRIDS: Shelf<usize, Vec<Node>> = Shelf::new(KEPT, Vec::len);
 
 /// Parts of a way, and their weights.
 type Way = Vec<[f64; 2]>;
@@ -26,12 +29,12 @@ pub(super) struct Ways([Arc<Way>; WAYS]);
 impl Ways {
     /// Where what is integrated begins like a power.
     pub(super) fn gathered(nodes: usize) -> Self {
-        Self(std::array::from_fn(|i| GATHERED_WAYS.get(nodes * (5 + i) / 3, gathered)))
+        Self(std::array::from_fn(|i| way(&GATHERED_WAYS, nodes * (5 + i) / 3, gathered)))
     }
 
     /// Where something may happen just before the way begins.
     pub(super) fn crowded(nodes: usize) -> Self {
-        Self(std::array::from_fn(|i| CROWDED_WAYS.get(nodes * (2 + i) / 2, crowded)))
+        Self(std::array::from_fn(|i| way(&CROWDED_WAYS, nodes * (2 + i) / 2, crowded)))
     }
 
     /// Shows `each` how far along a way its nodes lie, and their weights: in as many equal parts as keep each within `longest`.
@@ -54,15 +57,20 @@ impl Ways {
     }
 }
 
+/// One way of so many nodes.
+fn way(kept: &Shelf<usize, Way>, nodes: usize, make: fn(usize) -> Way) -> Arc<Way> {
+    kept.get(nodes, || make(nodes))
+}
+
 /// A double-exponential grid of unit length.
 pub(super) fn grid(nodes: usize) -> Arc<Vec<Node>> {
-    GRIDS.get(nodes, |nodes| double_exponential::nodes(1.0, nodes))
+    GRIDS.get(nodes, || double_exponential::nodes(1.0, nodes))
 }
 
 /// One that ends sooner, at a hundred-thousandth of its length.
 pub(super) fn rough_grid(nodes: usize) -> Arc<Vec<Node>> {
     const END: f64 = 2.0;
-    ROUGH_GRIDS.get(nodes, |nodes| double_exponential::nodes_up_to(1.0, nodes, END))
+    ROUGH_GRIDS.get(nodes, || double_exponential::nodes_up_to(1.0, nodes, END))
 }
 
 /// Gauss and Legendre.

@@ -2,7 +2,7 @@
 
 use super::csv::{cell, line};
 use crate::scene::Asked;
-use crate::study::{Cell, Record, Study};
+use crate::study::{Cell, Record, Study, at};
 use serde_json::Value;
 use slipzone_api::{Friction, FrozenStrain};
 
@@ -75,11 +75,6 @@ impl StudyTable {
         cells.push(text("reason"));
         line(cells)
     }
-}
-
-/// What stands at a path of a record.
-fn at<'a>(record: &'a Value, path: &str) -> Option<&'a Value> {
-    path.split('.').try_fold(record, |value, key| value.get(key))
 }
 
 /// A scene that failed, in one line.

@@ -3,7 +3,7 @@
 use super::document::{Document, dotted, one_of};
 use super::keys::{ABSCISSAE, LISTED, LONGEST_LABEL, MOST_FRICTION, POINTS, STAND_INS, TOLERANCES};
 use super::{Load, Model, Scene, SceneError};
-use slipzone_api::{Base, Friction, PunchShape, Refusal, short};
+use slipzone_api::{Base, Friction, MODERATE, PunchShape, Refusal, short};
 use toml::Spanned;
 use toml::de::DeValue;
 
@@ -85,7 +85,7 @@ fn magnitude(document: &Document, path: &mut Vec<String>, value: &DeValue) -> Re
 
 /// Whether a number is 0 (then its type has its say) or of a size that can be computed with.
 fn in_scale(number: f64) -> bool {
-    number == 0.0 || (1e-100..=1e100).contains(&number.abs())
+    number == 0.0 || MODERATE.contains(&number.abs())
 }
 
 /// The number that a value is, if it is one.

@@ -102,9 +102,13 @@ impl SceneError {
 
     /// What is wrong in one line, without its place.
     pub fn in_one_line(&self) -> String {
+        self.notes().fold(self.message.clone(), |line, (name, note)| format!("{line}; {name}: {note}"))
+    }
+
+    /// What was found, what was expected and what to do, as far as there is something to say, each with its name.
+    pub fn notes(&self) -> impl Iterator<Item = (&'static str, &str)> {
         let notes = [("found", &self.found), ("expected", &self.expected), ("help", &self.hint)];
-        let notes = notes.into_iter().filter_map(|(name, note)| Some(format!("; {name}: {}", note.as_ref()?)));
-        notes.fold(self.message.clone(), |line, note| line + &note)
+        notes.into_iter().filter_map(|(name, note)| Some((name, note.as_deref()?)))
     }
 
     fn in_words(&self) -> String {
@@ -112,8 +116,7 @@ impl SceneError {
         if !self.excerpt.is_empty() {
             lines.push(format!("  {} | {}", self.line, printable(&self.excerpt)));
         }
-        let notes = [("found", &self.found), ("expected", &self.expected), ("help", &self.hint)];
-        lines.extend(notes.into_iter().filter_map(|(name, note)| Some(format!("  {name}: {}", note.as_ref()?))));
+        lines.extend(self.notes().map(|(name, note)| format!("  {name}: {note}")));
         lines.join("\n")
     }
 }

@@ -5,6 +5,7 @@ use super::check::number;
 use super::decode::wrong_type;
 use super::document::Document;
 use super::{LoadPath, SceneError};
+use std::ops::RangeInclusive;
 use toml::Spanned;
 use toml::de::DeValue;
 
@@ -56,7 +57,7 @@ fn path(document: &Document) -> Result<(), SceneError> {
         return Err(error.hint(format!("equal steps up to a load are `until = {{ {key} = 1.0 }}`")));
     };
     if !LoadPath::LISTED.contains(&loads.len()) {
-        let error = document.not_allowed(&place, "from 1 to 100000 numbers");
+        let error = document.not_allowed(&place, from_to(LoadPath::LISTED) + " numbers");
         return Err(if loads.is_empty() { error } else { error.found(format!("{} numbers", loads.len())) });
     }
     let numbers: Vec<Option<f64>> = loads.iter().map(|load| number(load.get_ref())).collect();
@@ -90,10 +91,15 @@ fn until(document: &Document) -> Result<(), SceneError> {
     let (least, most) = (*LoadPath::POINTS.start() as f64, *LoadPath::POINTS.end() as f64);
     match points {
         Some(value @ DeValue::Integer(_)) if number(value).is_none_or(|points| points < least || points > most) => {
-            Err(document.not_allowed(&place, "an integer from 2 to 100000"))
+            Err(document.not_allowed(&place, "an integer ".to_owned() + &from_to(LoadPath::POINTS)))
         }
         _ => Ok(()),
     }
+}
+
+/// `from 2 to 100000`.
+fn from_to(counts: RangeInclusive<usize>) -> String {
+    format!("from {} to {}", counts.start(), counts.end())
 }
 
 /// The keys of a table, each of them known; `None` where there is no table.

@@ -152,7 +152,7 @@ pub struct Layer {
     /// Depth below the surface at which a vertical displacement is called 0, where the base leaves that open.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub datum: Option<Positive>,
-    /// Shear modulus over depth.
+    /// Modulus over depth: the shear modulus, or Young's where [`Self::moduli`] says so.
     pub grading: Box<dyn Grading>,
 }
 

@@ -2,7 +2,7 @@
 
 use super::KEYS;
 use serde_json::{Map, Value, json};
-use slipzone_api::{Family, Grading, Parameter, PluginInfo, Values, plugins};
+use slipzone_api::{Family, Grading, MODERATE, Parameter, PluginInfo, Values, plugins};
 
 /// The schema of a scene file (JSON schema, draft 7), made from the registry: it knows every plugin that is linked.
 ///
@@ -91,8 +91,8 @@ fn describe(key: &Parameter) -> Value {
     schema
 }
 
-/// The largest number that is computed with; see the checks of a scene.
-const LARGEST: f64 = 1e100;
+/// The largest number that is computed with.
+const LARGEST: f64 = *MODERATE.end();
 
 /// The schema of what a key may hold.
 fn of(values: Values) -> Value {

@@ -3,7 +3,8 @@
 use super::SceneError;
 
 /// The largest scene that is read, in bytes.
-pub const LARGEST: usize = 16 * 1024 * 1024;
+pub const LARGEST: usize = MEGABYTES * 1024 * 1024;
+const MEGABYTES: usize = 16;
 
 /// The text of a scene file, `name` being what errors call it.
 ///
@@ -58,7 +59,7 @@ pub fn text_of(what: &str, name: &str, bytes: Vec<u8>) -> Result<String, SceneEr
 /// A scene, or a study, above [`LARGEST`], whether or not it was read.
 pub fn too_large(what: &str, name: &str) -> SceneError {
     SceneError::whole(name, format!("the {what} is too large"))
-        .found("more than 16 MB")
-        .expected("at most 16 MB")
+        .found(format!("more than {MEGABYTES} MB"))
+        .expected(format!("at most {MEGABYTES} MB"))
         .hint("keep long tables in a file of their own")
 }

@@ -17,6 +17,7 @@ mod sweep;
 pub use axis::{Axis, Cell, Column};
 pub use find::{Find, Wanted};
 pub use plot::{Line, OneOrMore, Over, Plot, PlotKind, Points, Scale};
+pub(crate) use record::at;
 pub use record::{Found, Record, RecordStatus};
 #[cfg(feature = "plot")]
 pub(crate) use shown::{Place, Shown, Source};

@@ -119,9 +119,13 @@ impl Record {
 
     /// A number of the result by its path, such as `stick.ratio`.
     pub fn number(&self, path: &str) -> Option<f64> {
-        let value = serde_json::to_value(self).ok()?;
-        value.pointer(&format!("/{}", path.replace('.', "/"))).and_then(Value::as_f64)
+        at(&serde_json::to_value(self).ok()?, path)?.as_f64()
     }
+}
+
+/// What stands at a path of a record.
+pub(crate) fn at<'a>(record: &'a Value, path: &str) -> Option<&'a Value> {
+    path.split('.').try_fold(record, |value, key| value.get(key))
 }
 
 fn axes(study: &Study, row: u64) -> Vec<(String, Cell)> {

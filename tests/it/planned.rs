@@ -292,3 +292,18 @@ fn what_is_not_thin_is_not_taken_for_it() {
         assert!(solution.reason.as_ref().is_some_and(|reason| reason.contains(word)), "{rest}: {:?}", solution.reason);
     }
 }
+
+/// A curve is solved load by load, and never by another model than the scene's.
+#[test]
+fn a_thin_model_has_no_curve() {
+    let scene = parsed(
+        "format = 1\nlayer = { thickness = 0.01, poisson = 0.3, grading = { type = \"homogeneous\", modulus = 1.0 } }\n\
+         punch = { type = \"cylinder\", radius = 10.0 }\nload = { half_width = 1.0 }\n\
+         output = { quantities = [\"load\"] }\nsolver = { model = \"thin\", tolerance = 1e-6 }\n",
+    );
+    let mut solver = Solver::new(&scene).unwrap();
+    let loads = LoadPath::until(scene.load, 3).unwrap();
+    assert_eq!(solver.curve(&loads).status, Status::Refused);
+    assert!(solver.find().is_err());
+    assert_eq!(solver.solve().plan.model, Model::Thin);
+}

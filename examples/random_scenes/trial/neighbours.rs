@@ -95,8 +95,9 @@ pub(super) fn merged(case: &Case, dice: &mut Dice) -> Result<bool, String> {
             layer.insert("grading".into(), stack.into());
         }
         if let Some(Value::Table(solver)) = table.get_mut("solver") {
-            // What serves one grading may not serve a stack.
+            // What serves one grading may not serve a stack, or claims less of it.
             solver.remove("flexibility");
+            solver.remove("model");
         }
     });
     let Some(other) = other else { return Ok(false) };

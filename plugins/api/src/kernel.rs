@@ -5,6 +5,10 @@ use crate::{LayerResponse, Refusal};
 use std::fmt::Debug;
 use std::ops::Range;
 
+/// Distance of a kernel's nearest complex singularity, but for that at the origin, in terms of [`KernelTable::length`], at
+/// the least.
+pub const NEAREST_POLE: f64 = 0.77;
+
 /// Which kernel. All are scaled by `A0` (theory.md section 3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Component {
@@ -15,7 +19,8 @@ pub enum Component {
     /// `k_uv = int M_uv cos(st) ds`: the coupling; even.
     Coupling,
     /// `G/A0 = int Fvv/A0 cos(st) ds`: depth of the surface by pressure; even, `-log|t|` at the origin.
-    /// On a half-plane it is fixed only up to a constant and no strategy offers it.
+    /// On a half-plane it is fixed only up to a constant: there it is told against the depth of a datum
+    /// ([`LayerResponse::against_datum`](crate::LayerResponse::against_datum)), or not at all.
     Depth,
 }
 
@@ -196,7 +201,8 @@ pub trait KernelTable: Send + Sync {
         None
     }
 
-    /// The shortest length over which the parts vary (distance of their nearest complex singularity, about):
+    /// The shortest length over which the parts vary ([`NEAREST_POLE`] of it is how near their nearest complex singularity
+    /// may be):
     /// what a sum over points must resolve, in units of the thickness.
     fn length(&self) -> f64;
 

@@ -29,6 +29,7 @@ pub mod reference;
 mod refusal;
 mod registry;
 pub mod rows;
+mod shelf;
 pub mod taylor;
 #[cfg(feature = "testkit")]
 pub mod testkit;
@@ -40,13 +41,14 @@ pub use files::{Fault, Files, LARGEST_FILE, NoFiles, Place};
 pub use flexibility::{Flexibility, LayerResponse, SurfaceFlexibility};
 pub use friction::{Friction, FrozenStrain};
 pub use grading::{Grading, ModulusLaw, Setting, Stretch, Sublayer};
-pub use kernel::{Component, KernelRequest, KernelStrategy, KernelTable, Parts, PartsMut, PartsVec};
+pub use kernel::{Component, KernelRequest, KernelStrategy, KernelTable, NEAREST_POLE, Parts, PartsMut, PartsVec};
 pub use layer_model::{LayerModel, Material, Solid};
-pub use number::{Finite, NotAllowed, Poisson, Positive, short};
+pub use number::{Finite, MODERATE, NotAllowed, Poisson, Positive, short};
 pub use punch::{FlatFace, Flaw, PunchProfile, PunchShape};
 pub use quadrature::{Densities, Edge, Parity, Quadrature, Rule, Span, Station};
 pub use refusal::Refusal;
 pub use registry::{Family, Parameter, PluginInfo, find, plugins};
+pub use shelf::Shelf;
 pub use values::{Kind, Values};
 pub use words::{clip, nearest};
 

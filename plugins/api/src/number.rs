@@ -1,6 +1,10 @@
 //! Numbers that cannot be wrong: a value of these types has passed its check, files included.
 
 use serde::{Deserialize, Serialize};
+use std::ops::RangeInclusive;
+
+/// Sizes that are computed with: powers and products of such numbers neither overflow nor vanish.
+pub const MODERATE: RangeInclusive<f64> = 1e-100..=1e100;
 
 /// A number outside the range its type stands for.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

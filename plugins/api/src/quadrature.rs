@@ -15,7 +15,7 @@ pub struct Station {
 }
 
 /// Symmetry of a density about the middle of its interval.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Parity {
     /// `f(-x) = f(x)`, like the pressure of a symmetric punch.
     Even,
@@ -50,6 +50,22 @@ impl Span {
     /// The interval `[-half_width, half_width]`.
     pub fn symmetric(half_width: f64, parity: Parity, edge: Edge) -> Self {
         Self { interval: [-half_width, half_width], parity: Some(parity), edge }
+    }
+
+    /// The parity of a density that can be solved on half of its interval; a refusal in the name of a `method` where
+    /// it has none, or is even and continued, which no contact asks for.
+    pub fn parity_for(&self, method: &str) -> Result<Parity, Refusal> {
+        match (self.parity, self.edge) {
+            (Some(parity), edge) if (parity, edge) != (Parity::Even, Edge::Continued) => Ok(parity),
+            (parity, edge) => {
+                let parity = parity.map_or("no", |parity| if parity == Parity::Even { "even" } else { "odd" });
+                let edge = format!("{edge:?}").to_lowercase();
+                Err(Refusal::NotBuilt {
+                    what: format!("{method} for a density of {parity} parity and {edge} edges"),
+                    remedy: "only symmetric contacts are solved".into(),
+                })
+            }
+        }
     }
 }
 

@@ -12,6 +12,16 @@ pub use moments::Moments;
 pub use split::Split;
 pub use truncated::Truncated;
 
+use slipzone_api::{LayerResponse, Refusal};
+
+/// Depth of what stands on a base, or a refusal.
+fn depth(response: &dyn LayerResponse) -> Result<f64, Refusal> {
+    response.depth().ok_or_else(|| Refusal::NotBuilt {
+        what: "a kernel of a homogeneous half-plane, which has none,".into(),
+        remedy: "solve it by its Cauchy part alone".into(),
+    })
+}
+
 /// Names every module that registers a plugin, so that no linker drops this crate.
 pub fn link() {
     moments::link();

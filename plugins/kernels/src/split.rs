@@ -95,12 +95,7 @@ const WIDTH: (f64, f64) = (0.5, 0.7);
 #[typetag::serde(name = "split")]
 impl KernelStrategy for Split {
     fn tabulate(&self, response: &dyn LayerResponse, request: &KernelRequest) -> Result<Box<dyn KernelTable>, Refusal> {
-        let Some(depth) = response.depth() else {
-            return Err(Refusal::NotBuilt {
-                what: "a kernel of a homogeneous half-plane, which has none,".into(),
-                remedy: "solve it by its Cauchy part alone".into(),
-            });
-        };
+        let depth = crate::depth(response)?;
         let (mut depth, mut accuracy, mut evaluations) = (depth, request.accuracy, 0);
         let mut best: Option<Draft> = None;
         let (mut attempts, mut may_be_rough) = (ATTEMPTS.0, !self.is_pinned());

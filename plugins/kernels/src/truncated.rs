@@ -46,12 +46,7 @@ const MOST_NODES: usize = 4096;
 #[typetag::serde(name = "truncated")]
 impl KernelStrategy for Truncated {
     fn tabulate(&self, response: &dyn LayerResponse, request: &KernelRequest) -> Result<Box<dyn KernelTable>, Refusal> {
-        let Some(depth) = response.depth() else {
-            return Err(Refusal::NotBuilt {
-                what: "a kernel of a homogeneous half-plane, which has none,".into(),
-                remedy: "solve it by its Cauchy part alone".into(),
-            });
-        };
+        let depth = crate::depth(response)?;
         let scale = f64::from(1_u32 << self.level.min(20));
         let chosen = (FIRST_CUTOFF / depth).max(FIRST_BAND / request.reach);
         let cutoff = match self.cutoff.map(|cutoff| cutoff.get() / depth) {

@@ -10,9 +10,9 @@ mod resolution;
 mod rule;
 mod series;
 mod shape;
-mod shelf;
 mod sums;
 
+use crate::count::Count;
 use resolution::{Resolution, finer, ladder, reach};
 use rule::DeSincRule;
 use serde::{Deserialize, Serialize};
@@ -45,36 +45,13 @@ use slipzone_api::{Edge, Parity, Quadrature, Refusal, Rule, Span};
 pub struct DeSinc {
     /// Steps over half the interval; left out, the solver chooses.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    n: Option<StepCount>,
+    n: Option<Count<LEAST_STEPS, MOST_PINNED>>,
     /// Where the grid ends in `u`; left out, it goes with `n`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     u_max: Option<Reach>,
     /// Added refinements, chosen by the solver.
     #[serde(skip)]
     level: u32,
-}
-
-/// A number of steps that a scene may ask for.
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-#[serde(try_from = "usize", into = "usize")]
-struct StepCount(usize);
-
-impl TryFrom<usize> for StepCount {
-    type Error = String;
-
-    fn try_from(n: usize) -> Result<Self, String> {
-        if (LEAST_STEPS..=MOST_PINNED).contains(&n) {
-            Ok(Self(n))
-        } else {
-            Err(format!("expected {LEAST_STEPS} to {MOST_PINNED} steps over half the contact, found {n}"))
-        }
-    }
-}
-
-impl From<StepCount> for usize {
-    fn from(n: StepCount) -> usize {
-        n.0
-    }
 }
 
 /// An end of the grid that a scene may ask for.
@@ -128,15 +105,7 @@ impl DeSinc {
 impl Quadrature for DeSinc {
     fn rule(&self, span: &Span) -> Result<Box<dyn Rule>, Refusal> {
         let [lower, upper] = span.interval;
-        let odd = match (span.parity, span.edge) {
-            (Some(Parity::Even), Edge::Continued) | (None, _) => {
-                return Err(Refusal::NotBuilt {
-                    what: format!("de-sinc for a density of {:?} parity and {:?} edges", span.parity, span.edge),
-                    remedy: "only symmetric contacts are solved".into(),
-                });
-            }
-            (Some(parity), _) => parity == Parity::Odd,
-        };
+        let odd = span.parity_for("de-sinc")? == Parity::Odd;
         let resolution = self.resolution(span.edge);
         if resolution.n > MOST_STEPS {
             return Err(Refusal::OutOfReach {

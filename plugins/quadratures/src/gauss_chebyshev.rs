@@ -70,18 +70,7 @@ const MOST_NODES: usize = 4096;
 impl Quadrature for GaussChebyshev {
     fn rule(&self, span: &Span) -> Result<Box<dyn Rule>, Refusal> {
         let [lower, upper] = span.interval;
-        let parity = match (span.parity, span.edge) {
-            (Some(Parity::Even), Edge::Continued) | (None, _) => {
-                return Err(Refusal::NotBuilt {
-                    what: format!(
-                        "gauss-chebyshev for a density of {:?} parity and {:?} edges",
-                        span.parity, span.edge
-                    ),
-                    remedy: "only symmetric contacts are solved".into(),
-                });
-            }
-            (Some(parity), _) => parity,
-        };
+        let parity = span.parity_for("gauss-chebyshev")?;
         let n = self.n.map_or(FIRST_NODES, |n| n.0).saturating_mul(1 << self.level.min(30));
         if n > MOST_NODES {
             return Err(Refusal::OutOfReach {

@@ -8,10 +8,11 @@ mod pieces;
 mod regular;
 mod rule;
 
+use crate::count::Count;
 use layout::{Basis, Layout};
 use rule::PanelRule;
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Edge, Parity, Quadrature, Refusal, Rule, Span};
+use slipzone_api::{Quadrature, Refusal, Rule, Span};
 
 /// Product integration on graded panels.
 ///
@@ -50,29 +51,6 @@ pub struct GradedPanels {
     level: u32,
 }
 
-/// A whole number within bounds.
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-#[serde(try_from = "usize", into = "usize")]
-struct Count<const LEAST: usize, const MOST: usize>(usize);
-
-impl<const LEAST: usize, const MOST: usize> TryFrom<usize> for Count<LEAST, MOST> {
-    type Error = String;
-
-    fn try_from(count: usize) -> Result<Self, String> {
-        if (LEAST..=MOST).contains(&count) {
-            Ok(Self(count))
-        } else {
-            Err(format!("expected a whole number from {LEAST} to {MOST}, found {count}"))
-        }
-    }
-}
-
-impl<const LEAST: usize, const MOST: usize> From<Count<LEAST, MOST>> for usize {
-    fn from(count: Count<LEAST, MOST>) -> usize {
-        count.0
-    }
-}
-
 slipzone_api::register!(Quadrature, "graded-panels", "graded panels; jump and logarithm of the kernel integrated exactly",
     example: "type = \"graded-panels\"\nnodes = 12\npanels = 8",
     parameters: [
@@ -105,15 +83,7 @@ impl GradedPanels {
 impl Quadrature for GradedPanels {
     fn rule(&self, span: &Span) -> Result<Box<dyn Rule>, Refusal> {
         let [lower, upper] = span.interval;
-        let parity = match (span.parity, span.edge) {
-            (Some(Parity::Even), Edge::Continued) | (None, _) => {
-                return Err(Refusal::NotBuilt {
-                    what: format!("graded-panels for a density of {:?} parity and {:?} edges", span.parity, span.edge),
-                    remedy: "only symmetric contacts are solved".into(),
-                });
-            }
-            (Some(parity), _) => parity,
-        };
+        let parity = span.parity_for("graded-panels")?;
         let (nodes, panels) = self.counts();
         if nodes * panels > MOST_UNKNOWNS {
             return Err(Refusal::OutOfReach {

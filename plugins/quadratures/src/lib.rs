@@ -1,5 +1,6 @@
 //! Quadratures: how a singular integral equation becomes matrix rows. One file per plugin.
 
+mod count;
 mod de_sinc;
 mod gauss_chebyshev;
 mod graded_panels;

@@ -1,6 +1,6 @@
 //! A double-exponential grid of unit length over a slip zone.
 
-use crate::engine::shelf::Shelf;
+use slipzone_api::Shelf;
 use slipzone_api::double_exponential::{self, Node};
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -23,16 +23,19 @@ pub(super) struct Unit {
     pub(super) shares: [Vec<f64>; POINTS],
 }
 
-static ROUGH: Shelf<Unit> = Shelf::new();
-static FINE: Shelf<Unit> = Shelf::new();
+/// Nodes kept of each kind.
+const KEPT: usize = 1 << 15;
+
+static ROUGH: Shelf<usize, Unit> = Shelf::new(KEPT, |unit| unit.nodes.len());
+static FINE: Shelf<usize, Unit> = Shelf::new(KEPT, |unit| unit.nodes.len());
 
 impl Unit {
     /// The grid with so many nodes on either side of the middle; a `rough` one ends at [`END`].
     pub(super) fn of(count: usize, rough: bool) -> Arc<Self> {
         if rough {
-            ROUGH.get(count, |count| Self::new(count, END))
+            ROUGH.get(count, || Self::new(count, END))
         } else {
-            FINE.get(count, |count| Self::new(count, double_exponential::U_MAX))
+            FINE.get(count, || Self::new(count, double_exponential::U_MAX))
         }
     }
 

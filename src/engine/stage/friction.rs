@@ -178,13 +178,13 @@ impl Stage {
     /// Looks for all stick zones, and for the first that holds where there are several.
     fn scan(&mut self, layer: &Layer, task: Task, eta: f64) -> Result<Rubbing, Refusal> {
         let b = self.normal.half_width;
-        let samples = match self.curve.take() {
+        let samples = match self.sampled.take() {
             Some((half_width, samples)) if half_width.to_bits() == b.to_bits() => samples,
             _ => self.curve(layer, task).sample()?,
         };
         let mut curve = self.curve(layer, task);
         let (found, sees_all) = (curve.roots(eta, &samples)?, curve.sees_all());
-        self.curve = Some((b, samples));
+        self.sampled = Some((b, samples));
         let curve = self.curve(layer, task);
         let (lambda, verdict) = match found.roots.first() {
             Some(root) => (root.lambda, Verdict::Holds),

@@ -2,6 +2,7 @@
 
 use super::fault::PlotFault;
 use crate::study::plot::{Plot, PlotKind, Scale};
+use slipzone_api::MODERATE;
 
 /// A name that stays in its folder on every system, and is that of a figure.
 pub(super) fn file_name(name: &str) -> Result<(), PlotFault> {
@@ -19,8 +20,8 @@ pub(super) fn file_name(name: &str) -> Result<(), PlotFault> {
 pub(super) fn marks(plot: &Plot) -> Result<(), PlotFault> {
     // As far as the numbers of a scene may go: an axis in equal factors has a tick for each power of ten.
     let drawable = |value: f64, scale: Scale| match scale {
-        Scale::Linear => value.abs() <= 1e100,
-        Scale::Log => (1e-100..=1e100).contains(&value),
+        Scale::Linear => value.abs() <= *MODERATE.end(),
+        Scale::Log => MODERATE.contains(&value),
     };
     let expected = |scale: Scale| match scale {
         Scale::Linear => "numbers between -1e100 and 1e100",

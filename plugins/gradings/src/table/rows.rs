@@ -1,7 +1,7 @@
 //! The rows of a grading's table, each number checked.
 
 use slipzone_api::rows::{self, Columns, Wrong};
-use slipzone_api::{Fault, Files, Poisson};
+use slipzone_api::{Fault, Files, MODERATE, Poisson};
 
 /// The most rows that are taken: each value of the modulus takes time in proportion.
 pub(super) const MOST: usize = 5000;
@@ -58,7 +58,7 @@ impl Rows {
             let found = format!("{} below rows of {before}", columns(row.len()));
             return wrong(None, "a row that differs from those before", found, expected);
         }
-        if !(depth == 0.0 || (1e-100..=1e100).contains(&depth)) {
+        if !(depth == 0.0 || MODERATE.contains(&depth)) {
             return wrong(
                 Some(0),
                 "a depth that is not allowed",
@@ -70,7 +70,7 @@ impl Rows {
             return wrong(Some(0), "the first row is not at the surface", format!("`{depth}`"), "depth 0");
         }
         rows::ascending("a depth", self.depths.last().copied(), depth)?;
-        if !(1e-100..=1e100).contains(&modulus) {
+        if !MODERATE.contains(&modulus) {
             return wrong(
                 Some(1),
                 "a modulus that is not allowed",

@@ -1,7 +1,7 @@
 //! The rows of a punch's table, each number checked.
 
 use slipzone_api::rows::{self, Columns, Wrong};
-use slipzone_api::{Fault, Files};
+use slipzone_api::{Fault, Files, MODERATE};
 
 /// The most rows that are taken.
 pub(super) const MOST: usize = 1_000_000;
@@ -28,7 +28,7 @@ pub(super) fn of_file(name: &str, files: &dyn Files) -> Result<Rows, Fault> {
 fn push(rows: &mut Rows, row: &[f64]) -> Result<(), Wrong> {
     let row = [row[0], row[1]];
     for (column, value) in row.iter().enumerate() {
-        if !(*value == 0.0 || (1e-100..=1e100).contains(&value.abs())) {
+        if !(*value == 0.0 || MODERATE.contains(&value.abs())) {
             let message = if column == 0 { "an x that is not allowed" } else { "a height that is not allowed" };
             let expected = "0, or a number between 1e-100 and 1e100, or its negative".into();
             return Err(Wrong { column: Some(column), message: message.into(), found: format!("`{value}`"), expected });

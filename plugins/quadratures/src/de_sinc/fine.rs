@@ -4,7 +4,6 @@ use super::apart::Apart;
 use super::grid::{Grid, tail};
 use super::map::Place;
 use super::series::alternating;
-use super::shelf::Size;
 use super::sums::dot;
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Edge;
@@ -58,6 +57,11 @@ pub(super) struct Row<'a> {
 }
 
 impl Fine {
+    /// Numbers held, about.
+    pub(super) fn numbers(&self) -> usize {
+        self.table.len() + self.between.len() + 2 * self.x.len()
+    }
+
     pub(super) fn new(grid: &Grid, factor: usize) -> Self {
         let n = grid.staggered.len();
         let count = n * factor + 1;
@@ -280,10 +284,4 @@ fn between(grid: &Grid, factor: usize) -> Vec<f64> {
         }));
     }
     table
-}
-
-impl Size for Fine {
-    fn numbers(&self) -> usize {
-        self.table.len() + self.between.len() + 2 * self.x.len()
-    }
 }

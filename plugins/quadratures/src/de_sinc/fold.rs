@@ -12,7 +12,7 @@ const BATCH: usize = 512;
 
 /// What is folded.
 #[derive(Clone, Copy)]
-pub(super) struct Scene<'a> {
+pub(super) struct Folding<'a> {
     pub(super) fine: &'a Fine,
     pub(super) half_width: f64,
     /// Factor of the mirror image.
@@ -51,7 +51,7 @@ struct Batch {
     nodes: Range<usize>,
 }
 
-impl Scene<'_> {
+impl Folding<'_> {
     /// For each of the `rows` writes as many numbers as there are fine nodes, filled up: `k` there and `mirror k` at
     /// the mirror image, product weights included, as far as the row reaches and zeros beyond.
     pub(super) fn fold(self, rows: Range<usize>, out: &mut Vec<f64>) {
@@ -88,10 +88,10 @@ impl Scene<'_> {
     fn fold_batch(self, room: &mut Room, batch: &Batch, asked: usize, first: usize, out: &mut [f64]) {
         let arch = Arch::new();
         let Room { distances, parts } = room;
-        arch.dispatch(Measure { scene: self, batch, out: &mut distances[..asked] });
+        arch.dispatch(Measure { folding: self, batch, out: &mut distances[..asked] });
         let (table, component) = self.kernel;
         table.parts_into(component, &distances[..asked], parts.first(asked));
-        arch.dispatch(Fold { scene: self, batch, parts, first, out });
+        arch.dispatch(Fold { folding: self, batch, parts, first, out });
     }
 
     /// The kernel against each of the fine nodes that matter seen from the middle, product weights included.
@@ -124,14 +124,14 @@ impl Scene<'_> {
 impl Batch {
     /// The nodes of one of the rows.
     #[inline(always)]
-    fn nodes(&self, scene: &Scene, row: usize) -> Range<usize> {
-        self.nodes.start..self.nodes.end.min(scene.reach(row))
+    fn nodes(&self, folding: &Folding, row: usize) -> Range<usize> {
+        self.nodes.start..self.nodes.end.min(folding.reach(row))
     }
 }
 
 /// The distances of a batch.
 struct Measure<'a> {
-    scene: Scene<'a>,
+    folding: Folding<'a>,
     batch: &'a Batch,
     out: &'a mut [f64],
 }
@@ -142,16 +142,16 @@ impl WithSimd for Measure<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         const { assert!(LANES.is_multiple_of(S::F64_LANES), "rows are filled up to whole vectors") };
-        let Self { scene, batch, mut out } = self;
-        let (fine, c) = (scene.fine, simd.splat_f64s(scene.half_width));
+        let Self { folding, batch, mut out } = self;
+        let (fine, c) = (folding.fine, simd.splat_f64s(folding.half_width));
         for row in batch.rows.clone() {
-            let nodes = batch.nodes(&scene, row);
+            let nodes = batch.nodes(&folding, row);
             let (x, minus) = fine.minus(row, nodes.clone());
             let (here, later) = out.split_at_mut(2 * nodes.len());
             let (near, far) = here.split_at_mut(nodes.len());
             let ((near, _), (far, _)) = (S::as_mut_simd_f64s(near), S::as_mut_simd_f64s(far));
             let ((minus, _), (nodes, _)) = (S::as_simd_f64s(minus), S::as_simd_f64s(&fine.x[nodes]));
-            let shift = simd.splat_f64s(scene.half_width * x);
+            let shift = simd.splat_f64s(folding.half_width * x);
             for (((near, far), minus), node) in near.iter_mut().zip(far).zip(minus).zip(nodes) {
                 *near = simd.mul_f64s(c, *minus);
                 *far = simd.mul_add_e_f64s(c, *node, shift);
@@ -163,7 +163,7 @@ impl WithSimd for Measure<'_> {
 
 /// The parts of a batch put together.
 struct Fold<'a> {
-    scene: Scene<'a>,
+    folding: Folding<'a>,
     batch: &'a Batch,
     parts: &'a PartsVec,
     /// Row of the first number of `out`.
@@ -177,12 +177,12 @@ impl WithSimd for Fold<'_> {
     #[allow(clippy::needless_range_loop)] // one index for eleven slices of one length
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self { scene, batch, parts, first, out } = self;
-        let Scene { fine, half_width, mirror, .. } = scene;
+        let Self { folding, batch, parts, first, out } = self;
+        let Folding { fine, half_width, mirror, .. } = folding;
         let (log_c, mirror) = (simd.splat_f64s(half_width.ln()), simd.splat_f64s(mirror));
         let mut start = 0;
         for row in batch.rows.clone() {
-            let nodes = batch.nodes(&scene, row);
+            let nodes = batch.nodes(&folding, row);
             let count = nodes.len();
             let out = &mut out[(row - first) * fine.x.len()..][nodes.clone()];
             let Row { log_minus, log_plus, sign_minus, sign_plus } = fine.row(row, nodes);

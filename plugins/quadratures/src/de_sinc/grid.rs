@@ -3,7 +3,6 @@
 use super::apart::Apart;
 use super::map::Place;
 use super::series::alternating;
-use super::shelf::Size;
 use slipzone_api::Edge;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -42,6 +41,11 @@ const PLATEAU: f64 = 20.0;
 const LAST_SLOPE: f64 = 6.9;
 
 impl Grid {
+    /// Numbers held, about.
+    pub(super) fn numbers(&self) -> usize {
+        self.cauchy.len()
+    }
+
     pub(super) fn new(n: usize, u_max: f64, odd: bool, edge: Edge) -> Self {
         let step = u_max / n as f64;
         let nodes: Vec<Place> = (0..=n).map(|j| Place::new(j as f64 * step)).collect();
@@ -193,11 +197,5 @@ fn simplest_integral(v: &Place, edge: Edge, odd: bool) -> f64 {
         (Edge::Sharp, true) => -1.0,
         (_, false) => v.x,
         (_, true) => v.x * v.x - 0.5,
-    }
-}
-
-impl Size for Grid {
-    fn numbers(&self) -> usize {
-        self.cauchy.len()
     }
 }

@@ -2,8 +2,7 @@
 
 use super::fine::Fine;
 use super::grid::Grid;
-use super::shelf::Shelf;
-use slipzone_api::Edge;
+use slipzone_api::{Edge, NEAREST_POLE, Shelf};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 use std::sync::Arc;
 
@@ -37,8 +36,6 @@ fn grown(n: usize, level: u32) -> f64 {
 
 /// `ln(1/eps)` beyond which only rounding is left.
 const MOST_DIGITS: f64 = 36.0;
-/// Distance of the kernel's nearest singularity in terms of [`slipzone_api::KernelTable::length`].
-const POLE: f64 = 0.77;
 
 /// Where a grid of `n` steps ends in `u`: where the pieces left out weigh as much as the steps do.
 ///
@@ -62,7 +59,7 @@ impl Resolution {
     pub(super) fn oversampling(self, thinness: f64) -> usize {
         let step = self.u_max / self.n as f64;
         let digits = (2.0 * PI * across_the_end(1.0 / thinness) / step).min(MOST_DIGITS);
-        let pole = ((POLE / thinness).atan() / FRAC_PI_2).asin();
+        let pole = ((NEAREST_POLE / thinness).atan() / FRAC_PI_2).asin();
         let wanted = digits * step / (2.0 * PI * pole);
         let room = MOST_ENTRIES / (self.n * self.n);
         let fit = FACTORS.iter().find(|factor| **factor as f64 >= wanted).unwrap_or(&FACTORS[FACTORS.len() - 1]);
@@ -86,8 +83,11 @@ fn across_the_end(gap: f64) -> f64 {
 /// Odd, in steps of about `sqrt 2`, so that few grids serve all.
 const FACTORS: [usize; 16] = [1, 3, 5, 7, 9, 13, 19, 27, 39, 55, 77, 109, 155, 219, 309, 437];
 
-static GRIDS: Shelf<(usize, u64, bool, Edge), Grid> = Shelf::new();
-static FINE_GRIDS: Shelf<(usize, u64, bool, Edge, usize), Fine> = Shelf::new();
+/// Numbers kept of each kind, 64 MB.
+const KEPT: usize = 1 << 23;
+
+static GRIDS: Shelf<(usize, u64, bool, Edge), Grid> = Shelf::new(KEPT, Grid::numbers);
+static FINE_GRIDS: Shelf<(usize, u64, bool, Edge, usize), Fine> = Shelf::new(KEPT, Fine::numbers);
 
 /// The grid of a resolution.
 pub(super) fn grid(resolution: Resolution, odd: bool, edge: Edge) -> Arc<Grid> {

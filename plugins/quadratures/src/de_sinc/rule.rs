@@ -1,7 +1,7 @@
 //! One density on one interval.
 
 use super::fine::Fine;
-use super::fold::Scene;
+use super::fold::Folding;
 use super::grid::Grid;
 use super::potential::Potential;
 use super::resolution::{Resolution, fine_grid};
@@ -67,8 +67,8 @@ impl DeSincRule {
     }
 
     /// A kernel summed over fine nodes.
-    fn scene<'a>(&self, fine: &'a Fine, kernel: (&'a dyn KernelTable, Component)) -> Scene<'a> {
-        Scene {
+    fn folding<'a>(&self, fine: &'a Fine, kernel: (&'a dyn KernelTable, Component)) -> Folding<'a> {
+        Folding {
             fine,
             half_width: self.half_width,
             mirror: if self.grid.odd { -1.0 } else { 1.0 },
@@ -115,7 +115,7 @@ impl Rule for DeSincRule {
             return;
         };
         let fine = self.fine(kernel.0.length());
-        let scene = self.scene(&fine, kernel);
+        let folding = self.folding(&fine, kernel);
         let Scratch { folded, .. } = &mut self.scratch;
         let mut scale = [0.0; ROWS];
         for (block, rows) in rows.chunks_mut(ROWS * length).enumerate() {
@@ -124,7 +124,7 @@ impl Rule for DeSincRule {
                 *scale = self.half_width / PI * row;
             }
             let cauchy = &self.grid.cauchy[here.start * n..here.end * n];
-            scene.fold(here, folded);
+            folding.fold(here, folded);
             fine.gather(&self.grid, (cauchy, folded), &scale, (rows, length));
         }
     }
@@ -179,14 +179,14 @@ impl Rule for DeSincRule {
     fn sample_potential(&mut self, unknowns: &[f64], kernel: (&dyn KernelTable, Component), samples: &mut Vec<f64>) {
         assert_eq!(unknowns.len(), self.unknowns(), "one number per unknown");
         let fine = self.fine(kernel.0.length());
-        let scene = Scene { whole: true, ..self.scene(&fine, kernel) };
+        let folding = Folding { whole: true, ..self.folding(&fine, kernel) };
         let Scratch { folded, spread, .. } = &mut self.scratch;
         fine.spread(&self.grid, unknowns, spread);
         let (end, count) = (self.stations.len(), spread.len());
         samples.clear();
         samples.reserve(end + 1);
         for first in (0..=end).step_by(ROWS) {
-            scene.fold(first..(end + 1).min(first + ROWS), folded);
+            folding.fold(first..(end + 1).min(first + ROWS), folded);
             samples.extend(folded.chunks_exact(count).map(|row| self.half_width / PI * dot(row, spread)));
         }
         let odd = self.grid.odd != kernel.1.is_odd();
@@ -202,10 +202,10 @@ impl Rule for DeSincRule {
             return 0.0; // its two halves cancel
         }
         let fine = self.fine(table.length());
-        let scene = self.scene(&fine, (table, component));
+        let folding = self.folding(&fine, (table, component));
         let Scratch { folded, spread, .. } = &mut self.scratch;
         fine.spread(&self.grid, unknowns, spread);
-        scene.fold_centre(folded);
+        folding.fold_centre(folded);
         2.0 * self.half_width / PI * dot(folded, spread)
     }
 

@@ -40,7 +40,7 @@ fn graded(h: f64) -> Made<impl Fn(f64) -> Parts + Send + Sync> {
 }
 
 fn rule(c: f64, parity: Parity, edge: Edge, n: usize) -> Box<dyn Rule> {
-    let quadrature = DeSinc { n: Some(StepCount(n)), ..DeSinc::default() };
+    let quadrature = DeSinc { n: Some(Count(n)), ..DeSinc::default() };
     quadrature.rule(&Span::symmetric(c, parity, edge)).expect("a symmetric span")
 }
 
@@ -80,7 +80,7 @@ fn assert_close(got: f64, expected: f64, tolerance: f64, what: &str) {
 #[test]
 fn steps_stay_within_the_contract_and_its_names() {
     for (parity, edge) in [(Parity::Even, Edge::Sharp), (Parity::Odd, Edge::Continued)] {
-        for pinned in [None, Some(StepCount(4)), Some(StepCount(25))] {
+        for pinned in [None, Some(Count(4)), Some(Count(25))] {
             let unknowns = |level: u32| {
                 let quadrature = DeSinc { n: pinned, ..DeSinc::default() }.refined(level);
                 quadrature.rule(&Span::symmetric(1.0, parity, edge)).expect("few enough").unknowns() as f64
@@ -98,7 +98,7 @@ fn steps_stay_within_the_contract_and_its_names() {
 #[test]
 fn what_a_scene_may_not_ask_for() {
     for bad in [0, 3, MOST_PINNED + 1] {
-        assert!(StepCount::try_from(bad).is_err(), "{bad} steps");
+        assert!(Count::<LEAST_STEPS, MOST_PINNED>::try_from(bad).is_err(), "{bad} steps");
     }
     for bad in [0.0, 0.9, -3.0, 6.1, f64::NAN, f64::INFINITY] {
         assert!(Reach::try_from(bad).is_err(), "u_max = {bad}");
@@ -112,7 +112,7 @@ fn what_a_scene_may_not_ask_for() {
 fn the_widest_and_the_narrowest_grid_hold() {
     let kernel = graded(0.5);
     for (n, u_max) in [(LEAST_STEPS, LEAST_REACH), (40, LEAST_REACH), (LEAST_STEPS, MOST_REACH), (40, MOST_REACH)] {
-        let quadrature = DeSinc { n: Some(StepCount(n)), u_max: Some(Reach(u_max)), level: 0 };
+        let quadrature = DeSinc { n: Some(Count(n)), u_max: Some(Reach(u_max)), level: 0 };
         let mut rule = quadrature.rule(&Span::symmetric(1.0, Parity::Even, Edge::Sharp)).expect("in range");
         assert!(operator(rule.as_mut(), Some((&kernel, Component::NormalSlope))).iter().all(|a| a.is_finite()));
         let unknowns = flat_punch(rule.as_mut(), None);

@@ -4,13 +4,12 @@ use super::cauchy;
 use super::legendre::Gauss;
 use super::mesh::Mesh;
 use super::pieces::Pieces;
-use slipzone_api::{Edge, Parity};
-use std::collections::HashMap;
+use slipzone_api::{Edge, Parity, Shelf};
 use std::f64::consts::PI;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::Arc;
 
 /// How the numbers at the mesh's nodes describe a density.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Basis {
     pub(super) parity: Parity,
     pub(super) edge: Edge,
@@ -81,8 +80,8 @@ pub(super) fn gauss_points(degree: usize) -> usize {
     degree + 12
 }
 
-/// Unknowns up to which a layout is stored: 8 MB of matrix.
-const MOST_STORED: usize = 1024;
+/// Entries of matrices kept, 64 MB.
+const KEPT: usize = 1 << 23;
 
 impl Layout {
     fn new(degree: usize, panels: usize, basis: Basis) -> Self {
@@ -125,27 +124,9 @@ impl Layout {
         Self { mesh, gauss, basis, angles, row_scale, cauchy, resultant }
     }
 
-    /// The layout of these numbers, from a store that the whole process shares: a solver asks for the same one
-    /// at every trial stick zone.
+    /// The layout of these numbers, made once per process: a solver asks for the same one at every trial stick zone.
     pub(super) fn shared(degree: usize, panels: usize, basis: Basis) -> Arc<Self> {
-        type Store = HashMap<(usize, usize, bool, u8), Arc<Layout>>;
-        static STORE: OnceLock<Mutex<Store>> = OnceLock::new();
-        let edge = match basis.edge {
-            Edge::Sharp => 0,
-            Edge::Smooth => 1,
-            Edge::Continued => 2,
-        };
-        let key = (degree, panels, basis.parity == Parity::Even, edge);
-        // A panic elsewhere leaves the store whole: entries are only ever added.
-        let store = || STORE.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(layout) = store().get(&key) {
-            return Arc::clone(layout);
-        }
-        // Built outside the lock: at worst two threads do the same work once.
-        let layout = Arc::new(Self::new(degree, panels, basis));
-        if layout.resultant.len() > MOST_STORED {
-            return layout;
-        }
-        Arc::clone(store().entry(key).or_insert(layout))
+        static LAYOUTS: Shelf<(usize, usize, Basis), Layout> = Shelf::new(KEPT, |layout| layout.cauchy.len());
+        LAYOUTS.get((degree, panels, basis), || Self::new(degree, panels, basis))
     }
 }

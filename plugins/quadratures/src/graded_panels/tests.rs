@@ -8,7 +8,7 @@ mod solved;
 use super::mesh::Mesh;
 use super::*;
 use slipzone_api::testkit::solve;
-use slipzone_api::{Component, KernelTable, Parts, PartsMut, Station};
+use slipzone_api::{Component, Edge, KernelTable, Parity, Parts, PartsMut, Station};
 use std::f64::consts::PI;
 
 fn rule(c: f64, parity: Parity, edge: Edge, nodes: usize, panels: usize) -> Box<dyn Rule> {

@@ -2,7 +2,7 @@
 
 use super::names;
 use crate::report::svg::FigureError;
-use crate::study::{Place, Plot, Shown, Source, Study};
+use crate::study::{Place, Plot, Shown, Source, Study, at};
 use serde_json::Value;
 
 /// A figure's panels and the curves in each.
@@ -135,5 +135,5 @@ impl<'a> Groups<'a> {
 
 /// A number of a record by its path.
 pub(super) fn number(record: &Value, path: &str) -> Option<f64> {
-    path.split('.').try_fold(record, |value, key| value.get(key))?.as_f64()
+    at(record, path)?.as_f64()
 }

@@ -18,8 +18,8 @@ fn number(path: &str, labels: &Labels) -> (&'static str, String) {
         "pressure.centre" => ("pressure in the middle p(0)", stress.as_str()),
         "pressure.mean" => ("mean pressure P/2b", stress.as_str()),
         "pressure.peak" => ("largest pressure", stress.as_str()),
-        "edge.stress_intensity" => ("stress intensity at the edge F", intensity.as_str()),
-        "edge.ratio" => ("stress intensity at the edge F√b/P", ""),
+        "edge.stress_intensity" => ("stress intensity at the edge K", intensity.as_str()),
+        "edge.ratio" => ("stress intensity at the edge K√b/P", ""),
         "error.estimate" => ("estimated relative error", ""),
         _ => ("answer", ""),
     };
