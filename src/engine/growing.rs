@@ -328,28 +328,7 @@ impl Growing {
     fn rub(&mut self, layer: &mut Layer, task: Task, normal: &Normal) -> Result<Rubbing, Refusal> {
         let (b, problem) = (self.half_width, task.problem);
         if let Some((at, rubbing)) = &self.broken {
-            let rubbing = Rubbing { is_full: rubbing.is_full && !self.was_broken(), ..rubbing.clone() };
-            return Ok(match &rubbing.verdict {
-                Verdict::Fails(what) => {
-                    let what = during(problem, *at, what);
-                    rubbing.failing(what)
-                }
-                Verdict::Sticks => {
-                    let what = during(problem, *at, "all of the surface sticks, but not always");
-                    rubbing.failing(what)
-                }
-                _ if *at >= b || self.has_no_shear() => rubbing,
-                verdict => {
-                    let what = match verdict {
-                        Verdict::TooNarrow => "the stick zone is narrower than any looked for",
-                        Verdict::TooWide => "the surface sticks as close to the contact's edge as can be told",
-                        Verdict::NoShear => "no shear arises, but later",
-                        _ => "no stick zone belongs to this friction coefficient",
-                    };
-                    let what = during(problem, *at, what);
-                    rubbing.failing(what)
-                }
-            });
+            return Ok(self.told_of_broken(problem, *at, rubbing));
         }
         let family = self.family.as_mut().expect("provided before");
         let zone = family.zone(b);
@@ -374,6 +353,22 @@ impl Growing {
         let inner = ShearTrace::NEAR_MIDDLE.map(|part| self.lack(problem, b, part * zone.half_width) / mean);
         let trace = ShearTrace::new(lack.map(|lack| lack / mean), shear, friction);
         Ok(rubbing.traced(ShearTrace { inner, ..trace }))
+    }
+
+    /// What could not be told of friction when the contact had grown to a half-width, in words, unless it is so now.
+    fn told_of_broken(&self, problem: &Problem, at: f64, rubbing: &Rubbing) -> Rubbing {
+        let rubbing = Rubbing { is_full: rubbing.is_full && !self.was_broken(), ..rubbing.clone() };
+        let what = match &rubbing.verdict {
+            Verdict::Fails(what) => what.as_str(),
+            Verdict::Sticks => "all of the surface sticks, but not always",
+            _ if at >= self.half_width || self.has_no_shear() => return rubbing,
+            Verdict::TooNarrow => "the stick zone is narrower than any looked for",
+            Verdict::TooWide => "the surface sticks as close to the contact's edge as can be told",
+            Verdict::NoShear => "no shear arises, but later",
+            _ => "no stick zone belongs to this friction coefficient",
+        };
+        let what = during(problem, at, what);
+        rubbing.failing(what)
     }
 
     /// Sizes of the contact on its way to a load solved already, whose half-width is given, and what the stack that tells them leaves

@@ -208,9 +208,18 @@ impl Layer {
     /// `half_width`; `None` where only a refined twin can tell.
     pub(crate) fn kernel_error(&self, half_width: f64) -> Option<f64> {
         let Some(tables) = &self.tables else { return Some(0.0) };
-        let proven = |table: &Option<Counted>| table.as_ref().map_or(Some(0.0), Counted::error);
-        let (kernels, depth) = (proven(&tables.kernels)?, proven(&tables.depth)?);
-        Some((spread(half_width) * kernels).max(self.shallowness(half_width) * depth))
+        Some(spread(half_width) * proven(tables.kernels.as_ref())?)
+    }
+
+    /// The same of the kernel that tells depths, and nothing else.
+    pub(crate) fn depth_error(&self, half_width: f64) -> Option<f64> {
+        let Some(tables) = &self.tables else { return Some(0.0) };
+        Some(self.shallowness(half_width) * proven(tables.depth.as_ref())?)
+    }
+
+    /// Whether all its tables prove their error.
+    pub(crate) fn is_proven(&self) -> bool {
+        self.kernel_error(0.0).is_some() && self.depth_error(0.0).is_some()
     }
 
     /// The half-width over the distance to a datum, where that is near: what sinks against it is as small, and an error of
@@ -246,6 +255,11 @@ impl Layer {
     pub fn kernel_evaluations(&self) -> u64 {
         self.meter.readings()
     }
+}
+
+/// The error that a table proves of itself.
+fn proven(table: Option<&Counted>) -> Option<f64> {
+    table.map_or(Some(0.0), Counted::error)
 }
 
 /// By how much an error of the kernels grows on its way into the numbers: a layer thinner than the contact

@@ -142,6 +142,11 @@ impl Normal {
         self.rule.stretch(half_width);
     }
 
+    /// What its rule loses of kernels of such a length for want of room, relative.
+    pub(crate) fn lost_for_room(&self, half_width: f64, length: f64) -> f64 {
+        self.rule.lost_for_room(half_width / length)
+    }
+
     /// Force that gives an indentation; `None` on a half-plane without a datum.
     fn force_at(&mut self, layer: &Layer, problem: &Problem, indentation: f64) -> Option<f64> {
         let mut sunk = |column| sunk(&mut *self.rule, self.half_width, (layer, problem), self.system.column(column));

@@ -202,6 +202,8 @@ pub(crate) struct ShearTrace {
     pub(crate) scale: f64,
     /// The largest shear there: what errors of the shear are relative to. No less than [`Self::LEAST`] of what slides.
     pub(crate) largest: f64,
+    /// The friction coefficient, with the sign of the shear.
+    pub(crate) friction: f64,
 }
 
 impl ShearTrace {
@@ -222,6 +224,7 @@ impl ShearTrace {
             inner: [0.0; Self::INNER],
             scale: largest(&at, 0.0),
             largest: largest(&shear, Self::LEAST * friction.abs()),
+            friction,
         }
     }
 }

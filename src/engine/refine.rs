@@ -4,8 +4,8 @@ use super::error_estimate::{Pace, ROUNDING, SAFETY, Seen, extrapolated, judged_b
 use super::family::Family;
 use super::growing::Growing;
 use super::judged::{
-    How, Judged, ROUNDED, SHEAR, has_details, hidden_details, left_by_sticking, meets, share_in_middle, with_the_rest,
-    worst_judged,
+    How, Judged, ROUNDED, SHEAR, has_details, hidden_details, left_by_sticking, meets, share_in_middle, share_in_shear,
+    with_the_rest, worst_judged,
 };
 use super::layer::{Layer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
@@ -45,7 +45,8 @@ const MORE: usize = 1;
 const FOR_THE_SHEAR: usize = 2;
 /// Share of the tolerance that the kernels may use up.
 const KERNEL_SHARE: f64 = 0.2;
-/// A pressure in the middle below this share of the mean, or of what it was thought to be, wants kernels finer by as much.
+/// A pressure in the middle below this share of the mean, or of what it was thought to be, wants kernels finer by as much; so does what
+/// drives the shear.
 const FAINT: f64 = 0.25;
 /// No kernels are asked to be finer for that.
 const FINEST_KERNELS: f64 = 1e-14;
@@ -62,7 +63,7 @@ pub(super) struct Ladder {
     settled: Option<usize>,
     /// How fast it was reached, and by how wide a contact.
     pace: Option<(f64, Pace)>,
-    /// The least pressure in the middle seen, over the mean, where it is faint.
+    /// The least pressure in the middle seen, over the mean, or [`share_in_shear`], where it is faint.
     least_share: Option<f64>,
     /// What cannot be told of friction under the present load, at any resolution.
     forsaken: Option<(f64, Rubbing)>,
@@ -206,7 +207,8 @@ impl Ladder {
             }
             let level = level(first, step);
             let coarse = last.as_ref().map(|(outcome, _)| outcome);
-            let mut outcome = match self.solve(layer, aim, (step, level, level), coarse) {
+            let solved = self.solve(layer, aim, (step, level, level), coarse);
+            let mut outcome = match solved.and_then(|outcome| self.with_room(layer, aim, step, outcome, &estimate)) {
                 Ok(outcome) => outcome,
                 Err(refusal) if estimate.is_told() => {
                     stopped = Some(refusal);
@@ -277,7 +279,7 @@ impl Ladder {
         if aim.problem.fixed_half_width().is_none() {
             self.remember(layer, *stage, outcome, &history);
         }
-        found.how = How::Sequence { count: history.len(), kernels_proven: layer.kernel_error(0.0).is_some() };
+        found.how = How::Sequence { count: history.len(), kernels_proven: layer.is_proven() };
         Ok(found)
     }
 
@@ -380,7 +382,7 @@ impl Ladder {
         layer.meter().conclude();
         let task = self.task(aim, u32::try_from(stage).ok()?);
         self.stages[stage].settle(layer, task, &mut outcome).ok()?;
-        Some(Judged::new(outcome, stage, errors, How::Again { kernels_proven: layer.kernel_error(0.0).is_some() }))
+        Some(Judged::new(outcome, stage, errors, How::Again { kernels_proven: layer.is_proven() }))
     }
 
     /// The first of the last three steps that another contact took on this layer, where the coarsest one finds this one among
@@ -408,9 +410,9 @@ impl Ladder {
         Task { problem, wanted, tolerance }
     }
 
-    /// Takes note of a pressure that is faint in the middle, which wants finer kernels.
+    /// Takes note of a pressure that is faint in the middle, or of a shear that is, either of which wants finer kernels.
     fn note(&mut self, outcome: &Outcome) {
-        let share = share_in_middle(outcome);
+        let share = share_in_middle(outcome).min(share_in_shear(outcome));
         if share < FAINT * self.least_share.unwrap_or(1.0) {
             self.least_share = Some(share);
         }
@@ -434,6 +436,28 @@ impl Ladder {
         let outcome = here[0].solve(layer, task, coarse, family)?;
         self.note(&outcome);
         Ok(outcome)
+    }
+
+    /// An outcome, unless it is worse than the one before because its stage lacks the room that its kernels take.
+    fn with_room(
+        &self,
+        layer: &Layer,
+        aim: Aim,
+        stage: usize,
+        outcome: Outcome,
+        estimate: &Estimate,
+    ) -> Result<Outcome, Refusal> {
+        let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
+        let lost = |stage: usize| self.stages[stage].normal.lost_for_room(half_width, layer.length());
+        let here = lost(stage);
+        if !estimate.is_told() || here <= aim.tolerance || here <= lost(stage - 1) {
+            return Ok(outcome);
+        }
+        Err(Refusal::OutOfReach {
+            method: "quadrature",
+            why: format!("{} unknowns on so thin a layer take more room than there is", self.stages[stage].unknowns()),
+            remedy: "take a larger `tolerance`, or `quadrature = { type = \"graded-panels\" }`",
+        })
     }
 
     /// Makes the stages up to one of that level.

@@ -6,29 +6,21 @@
 //! `p(x; b) = int_|x|^b p_flat(x; b') dP(b')` and `q(x; b) = eta p(x; b) - int_b*^b (eta p_flat - q_flat)(x; b') dP(b')`,
 //! `b*` being the half-width at which the stick zone ended at `x`.
 
-use super::chebyshev::{Points, Series};
+mod force;
+
 use super::climb::Trail;
 use super::contact_size::Size;
 use super::family::Family;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::ways::{self, Ways};
 use basin::Toms748Root;
+use force::{Made, Piece};
 use slipzone_api::double_exponential::Node;
 use slipzone_api::{Refusal, Station};
 use std::sync::Arc;
 
-/// Coefficients of the force over a piece that are tried first; twice as many follow.
-const COEFFICIENTS: usize = 12;
-/// Most of them; over the first piece, fewer where twice as many from so many on are no better.
-const MOST_COEFFICIENTS: usize = 384;
-const STALLING: usize = 48;
-/// What a pressure exactly at a kink misses, over what the series does of the rate there: one that goes with a low power of the distance has
-/// most of it nearest to the kink.
-const AT_KINK: f64 = 4.0;
 /// Times that the first piece may be cut.
 const MOST_CUTS: usize = 12;
-/// Power of the variable in which the force over the first piece is a series.
-const POWER: i32 = 2;
 /// The longest way in `t` of `b' = x cosh(t)` that one grid integrates over.
 const LONGEST: f64 = 6.0;
 /// Points closer to the middle than that, over the half-width, are taken to be there: `cosh` has an end.
@@ -41,9 +33,6 @@ const POINTED: f64 = 0.5;
 const BLUNT: f64 = 1e-9;
 /// Parts of the first piece between which that power is measured; it is taken to hold from the second inwards.
 const TIP: [f64; 2] = [1e-24, 1e-20];
-
-/// A height below this, beside the others of a shape, is none.
-const FAINTEST: f64 = 1e-290;
 
 /// Error of the integrals over the slope of the shape, over that wanted of the force.
 const LOST: f64 = 1e-2;
@@ -102,29 +91,6 @@ struct Room {
     values: Vec<f64>,
 }
 
-/// The force between two half-widths at which the shape is not analytic.
-struct Piece {
-    from: f64,
-    to: f64,
-    force: Force,
-}
-
-/// How the force is written.
-enum Force {
-    /// From a point: `rho` times the height, which is `kappa b' g'(b')`; both series in `(b'/to)^(1/2)`. So the force has
-    /// the order of the shape from the start. A height that a formula gives may have lost all digits there, a slope has
-    /// not.
-    OfHeight { rho: Series, kappa: Series },
-    /// From the end of a face, without a corner: `s^2` times a series in `s = ((b' - from)/(to - from))^(1/2)`. There is no
-    /// force at first, and it begins to grow at no rate: what the series misses of that is felt all over the face's end.
-    FromFace(Series),
-    /// From anywhere else: a series in `s`. Only beyond a corner its slope there is more than what the series misses; what it feigns
-    /// elsewhere is taken off as far as its points do not reach: a rate that goes with `1/s` would be felt at the kink itself,
-    /// where the pressure of what is stacked does so, too. (A series for the growth over `s^2`, as from a face, would be of
-    /// rounding: here there is a force already.)
-    Plain { series: Series, feigned: f64 },
-}
-
 impl Stack {
     /// The stack of a punch over a family; `digits` is the error wanted, relative. Nodes of the integrals are added until they
     /// are enough for the slope of the shape, which is as steep as the force over the half-width.
@@ -139,7 +105,7 @@ impl Stack {
         while stack.pieces.len() + 1 < stack.breaks.len() {
             let i = stack.pieces.len();
             let (from, to) = (stack.breaks[i], stack.breaks[i + 1]);
-            let (piece, missed, at_kink) = stack.piece(problem, family, from, to, digits);
+            let Made { piece, missed, at_kink } = stack.piece(problem, family, (from, to), digits);
             if from == 0.0 && cuts < MOST_CUTS && missed > digits.max(ROUNDING) {
                 // A formula loses digits towards its tip. The nearer to it, the less it matters.
                 stack.breaks.insert(1, to * (-LONGEST_PIECE).exp());
@@ -223,63 +189,6 @@ impl Stack {
     /// What they lose of a pressure exactly at a kink.
     pub(crate) fn lost_at_kinks(&self) -> f64 {
         self.lost_at_kinks
-    }
-
-    /// The force over a piece, and what its series leaves out of it, and of the pressure at a kink where it begins.
-    fn piece(&mut self, problem: &Problem, family: &mut Family, from: f64, to: f64, digits: f64) -> (Piece, f64, f64) {
-        let mut count = COEFFICIENTS;
-        let mut before = f64::INFINITY;
-        // Of all that is pressed on the middle, so much is while the contact grows to the end of the first piece.
-        let end = self.breaks.last().map_or(0.0, |widest| problem.slope(*widest));
-        let share = (problem.slope(to) / end).abs().min(1.0);
-        loop {
-            let points = Points::get(count);
-            let (force, missed) = if from > 0.0 {
-                let starts = from <= self.breaks[0] && !problem.is_corner(from);
-                let at = |s: &f64| {
-                    let force = self.force_by_tilt(problem, family, from + (to - from) * s * s);
-                    if starts { force / (s * s) } else { force }
-                };
-                let values: Vec<f64> = points.at.iter().map(at).collect();
-                let series = points.through(&values);
-                let tail = series.tail();
-                if starts {
-                    (Force::FromFace(series), tail)
-                } else {
-                    let feigned = if problem.is_corner(from) { 0.0 } else { series.value_and_slope(0.0).1 };
-                    // With a rate that is all but that of a corner what is taken off was there.
-                    let taken = (feigned / (count * count) as f64 / values[0]).abs();
-                    (Force::Plain { series, feigned }, tail.max(taken))
-                }
-            } else {
-                let (mut rhos, mut kappas) = (Vec::with_capacity(count), Vec::with_capacity(count));
-                for s in &points.at {
-                    let b = to * s.powi(POWER);
-                    let (force, mean) = self.force_and_mean_slope(problem, family, b);
-                    let slope = problem.slope(b);
-                    // Slopes too small for a number with all its digits: as if they went on as they are farther out.
-                    let (rho, kappa) = if b * mean < FAINTEST || slope == 0.0 {
-                        (*rhos.last().unwrap_or(&0.0), *kappas.last().unwrap_or(&1.0))
-                    } else {
-                        (force / (b * mean), mean / slope)
-                    };
-                    rhos.push(rho);
-                    kappas.push(kappa);
-                }
-                let (rho, kappa) = (points.through(&rhos), points.through(&kappas));
-                // Beside what both are at the end: close to the tip they may be of rounding.
-                let tail = (rho.last() / rhos[0]).abs().max((kappa.last() / kappas[0]).abs());
-                (Force::OfHeight { rho, kappa }, share * tail)
-            };
-            // A kink at the beginning feels the rate of the force, which a plain series misses by so much more than the force.
-            let felt = if matches!(force, Force::Plain { .. }) { (count * count) as f64 } else { 1.0 };
-            let is_enough = missed < (digits / felt).max(ROUNDING);
-            let is_vain = missed.is_nan() || from == 0.0 && count >= STALLING && missed > 0.5 * before;
-            if is_enough || is_vain || 2 * count > MOST_COEFFICIENTS {
-                return (Piece { from, to, force }, missed, if is_enough { 0.0 } else { AT_KINK * felt * missed });
-            }
-            (before, count) = (missed, 2 * count);
-        }
     }
 
     /// `2/A0 int_0^b f(x) h(x) dx`, with `f` of a family member and `h` of the shape.
@@ -607,30 +516,4 @@ fn pointed(problem: &Problem, upper: f64) -> Option<f64> {
 /// A point in the middle, or far enough from it to be told apart.
 fn apart(x: f64, b: f64) -> f64 {
     if x > 0.0 { x.max(CLOSEST * b) } else { 0.0 }
-}
-
-impl Piece {
-    /// The force at a half-width and its rate `dP/db'`; the distance to the lower end is not left to a difference.
-    fn force_and_rate(&self, problem: &Problem, b: f64, from_lower: f64) -> (f64, f64) {
-        let width = self.to - self.from;
-        let s = (from_lower / width).sqrt();
-        match &self.force {
-            Force::OfHeight { rho, kappa } => {
-                let (rho, rise) = rho.value_and_slope(s);
-                let slope = problem.slope(b);
-                let height = kappa.value_and_slope(s).0 * b * slope;
-                (height * rho, slope * rho + height * rise * s / (2.0 * b))
-            }
-            Force::FromFace(series) => {
-                let (share, rise) = series.value_and_slope(s);
-                (s * s * share, (share + 0.5 * s * rise) / width)
-            }
-            Force::Plain { series, feigned } => {
-                let (force, slope) = series.value_and_slope(s);
-                // As far as the first of the points, as they crowd.
-                let unseen = (-s * (series.len() as f64).powi(2)).exp();
-                (force, (slope - feigned * unseen) / (2.0 * s * width))
-            }
-        }
-    }
 }

@@ -56,8 +56,10 @@ fn objection(
             format!("estimated error {error:.1e} of {name} exceeds the tolerance {tolerance:.1e}{why}"),
         )
     };
-    if judged.doubt.is_some_and(|doubt| doubt > UNRESOLVED) {
-        return Some(inexact());
+    if let Some(doubt) = judged.doubt.filter(|doubt| *doubt > UNRESOLVED) {
+        let untold =
+            || format!("the pressure is uncertain by {doubt:.1e} of itself: nobody can tell where the punch lifts off");
+        return Some(if error > tolerance { inexact() } else { (Status::NotConverged, untold()) });
     }
     if let Some((x, p)) = stage.tension(layer, problem, &judged.outcome) {
         let why = format!(

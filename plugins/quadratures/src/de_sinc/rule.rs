@@ -79,6 +79,10 @@ impl DeSincRule {
 }
 
 impl Rule for DeSincRule {
+    fn lost_for_room(&self, thinness: f64) -> f64 {
+        self.resolution.lost_for_room(thinness)
+    }
+
     fn unknowns(&self) -> usize {
         self.grid.unknowns()
     }
