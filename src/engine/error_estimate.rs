@@ -222,11 +222,11 @@ pub(crate) fn judged_by_twin(result: &Seen, twin: &Seen) -> Numbers {
     errors
 }
 
-/// `|difference|/|scale|`; 1 when nothing is left to compare with.
+/// `|difference|/|scale|`; 1 when nothing is left to compare with, or one of the two is no number.
 fn relative(difference: f64, scale: f64) -> f64 {
     if difference == 0.0 {
         0.0
-    } else if scale == 0.0 {
+    } else if scale == 0.0 || difference.is_nan() {
         1.0
     } else {
         (difference / scale).abs()
@@ -299,6 +299,12 @@ mod tests {
         }
         let told = extrapolated(&history, false).unwrap().get(Quantity::Force).unwrap();
         assert!(told > 1e-6 && told > 5.0 * least, "{told} against {least}");
+    }
+
+    #[test]
+    fn what_is_no_number_is_unlike_any_other() {
+        assert_eq!(apart(&[1.0, f64::NAN], &[1.0, 1.0], 2.0).to_bits(), 1.0_f64.to_bits());
+        assert_eq!(apart(&[1.0, 0.0], &[1.0, 1.0], 2.0).to_bits(), 0.5_f64.to_bits());
     }
 
     #[test]

@@ -339,20 +339,32 @@ impl Growing {
         }
         // The pressure has a trace of its own.
         let (friction, sticks) = (family.signed_friction(), family.sticks());
-        let lack = TRACED.map(|part| self.lack(problem, b, part * zone.half_width));
-        let mut pressure = [0.0; TRACED.len()];
-        let own = |part: f64| Station { x: part * zone.half_width, gap: (1.0 - part) * zone.half_width };
-        let at = TRACED.map(|part| zone.in_contact(own(part)));
-        self.pressure_into(problem, normal, &at, &mut pressure);
         let mean = self.force / (2.0 * b);
-        let shear = std::array::from_fn(|i| (self.sliding(problem, b, at[i].x, pressure[i]) - lack[i]) / mean);
+        let lack = TRACED.map(|part| self.lack(problem, b, part * zone.half_width) / mean);
+        let inner = ShearTrace::NEAR_MIDDLE.map(|part| self.lack(problem, b, part * zone.half_width) / mean);
+        let own = |part: f64| Station { x: part * zone.half_width, gap: (1.0 - part) * zone.half_width };
+        let shear = self.shear_traced(problem, normal, TRACED.map(|part| zone.in_contact(own(part))), lack);
         if sticks {
             // What slides is as much as the resolution makes it, and so is what is lacking to it.
-            return Ok(rubbing.traced(ShearTrace::new(shear, shear, friction)));
+            let at = ShearTrace::NEAR_MIDDLE.map(|part| zone.in_contact(own(part)));
+            let inner = self.shear_traced(problem, normal, at, inner);
+            return Ok(rubbing.traced(ShearTrace { inner, ..ShearTrace::new(shear, shear, friction) }));
         }
-        let inner = ShearTrace::NEAR_MIDDLE.map(|part| self.lack(problem, b, part * zone.half_width) / mean);
-        let trace = ShearTrace::new(lack.map(|lack| lack / mean), shear, friction);
-        Ok(rubbing.traced(ShearTrace { inner, ..trace }))
+        Ok(rubbing.traced(ShearTrace { inner, ..ShearTrace::new(lack, shear, friction) }))
+    }
+
+    /// The shear at some points, where it lacks so much to what slides; both over the mean pressure.
+    fn shear_traced<const N: usize>(
+        &mut self,
+        problem: &Problem,
+        normal: &Normal,
+        at: [Station; N],
+        lack: [f64; N],
+    ) -> [f64; N] {
+        let mut pressure = [0.0; N];
+        self.pressure_into(problem, normal, &at, &mut pressure);
+        let (b, mean) = (self.half_width, self.force / (2.0 * self.half_width));
+        std::array::from_fn(|i| self.sliding(problem, b, at[i].x, pressure[i]) / mean - lack[i])
     }
 
     /// What could not be told of friction when the contact had grown to a half-width, in words, unless it is so now.

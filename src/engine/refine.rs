@@ -453,9 +453,12 @@ impl Ladder {
         if !estimate.is_told() || here <= aim.tolerance || here <= lost(stage - 1) {
             return Ok(outcome);
         }
+        let (unknowns, short) = (self.stages[stage].unknowns(), layer.length() / half_width);
         Err(Refusal::OutOfReach {
             method: "quadrature",
-            why: format!("{} unknowns on so thin a layer take more room than there is", self.stages[stage].unknowns()),
+            why: format!(
+                "{unknowns} unknowns under kernels as short as {short:.0e} half-widths take more room than there is"
+            ),
             remedy: "take a larger `tolerance`, or `quadrature = { type = \"graded-panels\" }`",
         })
     }

@@ -40,10 +40,7 @@ pub(crate) fn sharpen(
     let largest = largest(shear, normal, zone, &before);
     // The shear is driven by `beta p`.
     let driven = of_pressure * (beta * normal.mean() / largest).abs();
-    if driven > tolerance {
-        return Ok(Some(driven));
-    }
-    let enough = (SHARE * tolerance).max(SLIP_ROUNDING);
+    let enough = (SHARE * tolerance).max(driven).max(SLIP_ROUNDING);
     let mut earlier = 1.0;
     if let Some(coarser) = coarser {
         // Their grids over the slip zone are nearly the same: the finer may be no better than their difference.

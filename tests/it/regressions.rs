@@ -1035,3 +1035,108 @@ fn what_is_taken_off_at_a_cusp_is_told() {
         assert_eq!(found.status == Status::Converged, power > 1.4, "{power}: {:?}", found.reason);
     }
 }
+
+/// Where the kernel of the coupling takes nearly all of what drives the shear, its error is as large beside the rest: zones were off by
+/// up to 4,000 of their estimates.
+#[test]
+fn zones_driven_by_a_small_difference_are_not_surer_than_it_is() {
+    let scene = |(thickness, poisson, friction): (f64, f64, f64), solver: &str| {
+        let text = format!(
+            "format = 1\nload = {{ force = 1.0 }}\npunch = {{ type = \"flat\", half_width = 1.0 }}\n\
+             friction = {{ type = \"goodman\", coefficient = {friction:?} }}\nsolver = {{ {solver} }}\n\
+             [layer]\nthickness = {thickness:?}\npoisson = {poisson:?}\n\
+             base = {{ type = \"half-plane\", shear = 5.0, poisson = 0.0 }}\n\
+             grading = {{ type = \"homogeneous\", modulus = 1.0 }}"
+        );
+        solve(&slipzone::scene::parse("driven", &text).unwrap())
+    };
+    for layer in [(1000.0, 0.5, 1e-4), (100.0, 0.499, 0.005), (20.0, 0.49, 0.01)] {
+        let exact = scene(layer, "tolerance = 1e-11, model = \"full\"");
+        for tolerance in ["1e-4", "1e-8"] {
+            let found = scene(layer, &format!("tolerance = {tolerance}"));
+            assert_eq!(found.status, Status::Converged, "{layer:?}: {:?}", found.reason);
+            within_three_estimates(&found, &exact, &["stick.ratio", "stick.one_minus_ratio"]);
+        }
+    }
+}
+
+/// Where everything sticks the coarser of two shears may have been left far from the zone, where it is no number: that passed for
+/// agreement. And one whose pressure was less sure than asked for was not refined at all. They were off by 14 and 180 estimates.
+#[test]
+fn the_shear_of_full_stick_is_no_surer_than_it_is() {
+    for (layer, tolerance) in [
+        ("thickness = 5.0\ngrading = { type = \"exponential\", surface = 8.0, base = 1.0 }", "1e-6"),
+        ("thickness = 1.0\ngrading = { type = \"exponential\", surface = 1.0, base = 700.0 }", "1e-6"),
+    ] {
+        let scene = |tolerance: &str| {
+            let text = format!(
+                "format = 1\nload = {{ force = 1.0 }}\npunch = {{ type = \"flat\", half_width = 1.0 }}\n\
+                 friction = {{ type = \"goodman\", coefficient = 3.0 }}\nsolver = {{ tolerance = {tolerance} }}\n\
+                 output = {{ x = [0.5, 0.9, 0.95, 0.98, 0.99] }}\n[layer]\npoisson = 0.3\n{layer}"
+            );
+            solve(&slipzone::scene::parse("stuck", &text).unwrap())
+        };
+        let (found, exact) = (scene(tolerance), scene("1e-10"));
+        let shears = [&found, &exact].map(|solution| solution.profile.shear.clone().unwrap());
+        let largest = shears[1].iter().flatten().fold(0.0_f64, |most, q| most.max(q.abs()));
+        let claimed = found.error.each["profile.shear"];
+        for (q, exact) in shears[0].iter().flatten().zip(shears[1].iter().flatten()) {
+            let off = (q - exact).abs() / largest;
+            assert!(off <= 3.0 * claimed, "{layer}: off by {off:e}, claimed {claimed:e}");
+        }
+    }
+}
+
+/// Sums over the kernel of a layer so thin lost more digits with each finer grid, for want of room, and the last was reported: 14 % off
+/// at 1e-8 where 1e-3 was met.
+#[test]
+fn a_layer_too_thin_for_finer_grids_keeps_what_coarser_ones_found() {
+    let scene = |tolerance: &str| {
+        let text = format!(
+            "format = 1\nlayer = {{ thickness = 0.001, poisson = 0.3, grading = {{ type = \"homogeneous\", modulus = 1.0 }} }}\n\
+             punch = {{ type = \"flat\", half_width = 2.0 }}\nload = {{ force = 100.0 }}\n\
+             solver = {{ tolerance = {tolerance} }}\noutput = {{ quantities = [\"load\", \"pressure\"] }}"
+        );
+        solve(&slipzone::scene::parse("thin", &text).unwrap())
+    };
+    let found = scene("1e-8");
+    assert_eq!(found.status, Status::NotConverged);
+    assert!(found.reason.as_ref().is_some_and(|reason| reason.contains("room")), "{:?}", found.reason);
+    assert!(found.error.estimate.unwrap() < 1e-3, "{:?}", found.error.estimate);
+    let coarse = scene("1e-3");
+    assert_eq!(coarse.status, Status::Converged);
+    for path in ["load.indentation", "pressure.centre"] {
+        let off = (coarse.number(path).unwrap() / found.number(path).unwrap() - 1.0).abs();
+        let claimed = coarse.error.each[path] + found.error.each[path];
+        assert!(off <= 3.0 * claimed, "{path}: off by {off:e}, claimed {claimed:e}");
+    }
+}
+
+/// Under a tip there is no pressure in the middle, and nothing told that the rest was not known: noise passed for a punch that lifts off,
+/// with `-inf times the mean`.
+#[test]
+fn a_pressure_that_is_not_known_is_not_said_to_pull() {
+    let text = "format = 1\nlayer = { thickness = 5.0, poisson = 0.3, grading = { type = \"exponential\", surface = 1.0, base = 8.0 } }\n\
+                punch = { type = \"wedge\", slope = 0.1 }\nload = { half_width = 1e4 }";
+    let quantities = ["", "output = { quantities = [\"edge\"] }"];
+    for quantities in quantities {
+        let solution = solve(&slipzone::scene::parse("tip", &format!("{text}\n{quantities}")).unwrap());
+        assert_eq!(solution.status, Status::NotConverged, "{:?}", solution.reason);
+        let reason = solution.reason.unwrap();
+        assert!(!reason.contains("inf") && !reason.contains("error 0.0"), "{reason}");
+    }
+}
+
+/// The kernel that tells depths has an error of its own: pressures and stick zones know nothing of it.
+#[test]
+fn an_unsure_depth_is_no_unsure_pressure() {
+    let text = "format = 1\nload = { force = 1.0 }\npunch = { type = \"flat\", half_width = 1.0 }\n[layer]\npoisson = 0.3\ndatum = 0.4\n\
+                base = { type = \"half-plane\", shear = 7.0, poisson = 0.3 }\n\
+                grading = { type = \"stack\", layers = [\n\
+                { thickness = 1000.0, poisson = 0.0, grading = { type = \"homogeneous\", modulus = 0.33 } },\n\
+                { thickness = 2000.0, poisson = 0.3, grading = { type = \"homogeneous\", modulus = 0.4 } } ] }";
+    let solution = solve(&slipzone::scene::parse("deep", text).unwrap());
+    let error = |path: &str| solution.error.each[path];
+    assert!(error("pressure.centre") < 1e-8, "{:?}", solution.error.each);
+    assert!(error("load.indentation") > 3.0 * error("pressure.centre"), "{:?}", solution.error.each);
+}
