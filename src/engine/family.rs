@@ -20,7 +20,7 @@ use super::stick_zone::StickZone;
 use super::work::Work;
 use rubbed::{Moves, Rubbed};
 use slipzone_api::double_exponential::Node;
-use slipzone_api::{Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station};
+use slipzone_api::{Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station, short};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -116,7 +116,7 @@ fn member(problem: &Problem, half_width: f64, friction: bool) -> Problem {
 
 /// A failure with its place in the history.
 pub(crate) fn during(problem: &Problem, half_width: f64, what: &str) -> String {
-    format!("while the contact grew, at a half-width of {:.6}: {what}", half_width * problem.length)
+    format!("while the contact grew, at a half-width of {}: {what}", short(half_width * problem.length))
 }
 
 /// Why a family ends before its widest member.

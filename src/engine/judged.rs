@@ -74,6 +74,7 @@ impl Judged {
         if let Some(bound) = bound_of_stick(&self.outcome, self.errors.get(Quantity::HalfWidth).unwrap_or(0.0)) {
             bound.iter().for_each(|(quantity, error)| self.errors.set(quantity, error));
         }
+        self.errors = self.errors.telling();
         self.doubt = doubt(problem, &self.errors);
         let has_shear = self.outcome.numbers.get(Quantity::StickHalfWidth).is_some();
         self.of_shear = self.errors.take(Quantity::Shear).filter(|_| problem.wishes.profile && has_shear);

@@ -3,7 +3,7 @@
 use super::chebyshev::{Points, Series};
 use super::quantity::{Numbers, Quantity, Wishes, friction_needed};
 use crate::scene::{Load, Scene};
-use slipzone_api::{Base, Elastic, Friction, FrozenStrain, LayerModel, PunchShape, Refusal};
+use slipzone_api::{Base, Elastic, Friction, FrozenStrain, LayerModel, PunchShape, Refusal, short};
 use std::sync::Arc;
 
 /// What a law smoothed at the surface changes of a stick zone over what it changes of the pressure: the zone follows from how
@@ -374,7 +374,11 @@ impl Problem {
     pub(crate) fn flaw(&self, half_width: f64) -> Option<String> {
         let flaw = self.shape.flaw(half_width * self.length)?;
         let is_there = self.shape.height(flaw.x).is_finite() && self.shape.slope(flaw.x).is_finite();
-        let so = if is_there { "the contact may break up into several" } else { "no contact is as wide as that" };
-        Some(format!("{} at x = {:.6}: {so}", flaw.what, flaw.x))
+        let so = if is_there {
+            "the contact may break up or tilt, and what is solved is one that is symmetric about x = 0"
+        } else {
+            "no contact is as wide as that"
+        };
+        Some(format!("{} at x = {}: {so}", flaw.what, short(flaw.x)))
     }
 }

@@ -141,6 +141,11 @@ impl Numbers {
         Self(self.0.map(|number| number.map(|number| number + share)))
     }
 
+    /// Errors of which one that is not finite, as of a difference of infinite numbers, is 1: it tells nothing.
+    pub(crate) fn telling(self) -> Self {
+        Self(self.0.map(|error| error.map(|error| if error.is_finite() { error } else { 1.0 })))
+    }
+
     /// Each of those that there are, and what `more` has for it.
     pub(crate) fn and(self, more: &Self) -> Self {
         let mut sums = self;

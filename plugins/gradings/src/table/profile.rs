@@ -2,7 +2,7 @@
 
 use super::floater_hormann::Interpolant;
 use super::rows::Rows;
-use slipzone_api::{Fault, ModulusLaw, Poisson};
+use slipzone_api::{Fault, ModulusLaw, Poisson, short};
 use std::sync::Arc;
 
 /// The fewest rows.
@@ -43,7 +43,7 @@ impl Profile {
             let ratio = self.curve.at(depth, &self.ratios);
             Poisson::new(ratio).is_err().then(|| {
                 Fault::new(&[], "the curve through the Poisson's ratios leaves their range")
-                    .found(format!("{ratio:.6} at depth {depth:.6}, between two rows"))
+                    .found(format!("{ratio:.6} at depth {}, between two rows", short(depth)))
                     .expected("a curve above -1 and up to 0.5")
                     .hint("give more rows there, or ratios that change less abruptly; a jump is a `stack`")
             })
