@@ -205,7 +205,7 @@ pub(crate) struct ShearTrace {
     pub(crate) inner: [f64; Self::INNER],
     /// The largest of `at`.
     pub(crate) scale: f64,
-    /// The largest shear there: what errors of the shear are relative to. No less than [`Self::LEAST`] of what slides.
+    /// The largest shear there: what errors of the shear are relative to. No less than [`Self::least`].
     pub(crate) largest: f64,
     /// The friction coefficient, with the sign of the shear.
     pub(crate) friction: f64,
@@ -218,8 +218,14 @@ impl ShearTrace {
     /// Where else, over the half-width of the stick zone, shears are compared that are stacked or have a kink of strain in
     /// the middle: at one point alone they may agree by chance.
     pub(crate) const NEAR_MIDDLE: [f64; Self::INNER] = [0.01, 0.025, 0.1];
-    /// A shear that is less than this share of sliding friction under the mean pressure is none to speak of.
-    pub(crate) const LEAST: f64 = 1e-2;
+    /// A shear that is less than this share of sliding friction under the mean pressure, with a coefficient of 1 at most, is none to
+    /// speak of.
+    const LEAST: f64 = 1e-2;
+
+    /// The least that errors of the shear are relative to, over the mean pressure.
+    pub(crate) fn least(friction: f64) -> f64 {
+        Self::LEAST * friction.abs().min(1.0)
+    }
 
     /// Of a traction over the mean pressure, its shear at those points, and the friction coefficient.
     pub(crate) fn new(at: [f64; Self::POINTS], shear: [f64; Self::POINTS], friction: f64) -> Self {
@@ -228,7 +234,7 @@ impl ShearTrace {
             at,
             inner: [0.0; Self::INNER],
             scale: largest(&at, 0.0),
-            largest: largest(&shear, Self::LEAST * friction.abs()),
+            largest: largest(&shear, Self::least(friction)),
             friction,
         }
     }

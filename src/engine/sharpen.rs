@@ -71,7 +71,7 @@ pub(crate) fn apart_from_twin(shear: &Shear, twin: &Shear, normal: &Normal) -> f
 /// What errors of the shear are relative to.
 fn largest(shear: &Shear, normal: &Normal, zone: StickZone, sampled: &[f64; POINTS]) -> f64 {
     let end = if zone.is_crowded() { 0.0 } else { shear.at_edge.abs() };
-    let least = end.max(ShearTrace::LEAST * (shear.friction * normal.mean()).abs());
+    let least = end.max(ShearTrace::least(shear.friction) * normal.mean().abs());
     sampled.iter().fold(least, |most, q| most.max(q.abs()))
 }
 
