@@ -447,10 +447,13 @@ impl Ladder {
         outcome: Outcome,
         estimate: &Estimate,
     ) -> Result<Outcome, Refusal> {
+        if !estimate.is_told() {
+            return Ok(outcome);
+        }
         let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
         let lost = |stage: usize| self.stages[stage].normal.lost_for_room(half_width, layer.length());
         let here = lost(stage);
-        if !estimate.is_told() || here <= aim.tolerance || here <= lost(stage - 1) {
+        if here <= aim.tolerance || here <= lost(stage - 1) {
             return Ok(outcome);
         }
         let (unknowns, short) = (self.stages[stage].unknowns(), layer.length() / half_width);
