@@ -186,8 +186,9 @@ pub(super) fn share_in_middle(outcome: &Outcome) -> f64 {
 /// so much more.
 ///
 /// In the stick zone `beta p`, less what the kernel of the coupling makes of `p`, drives the shear. A half-plane's of that strength has
-/// the friction `eta = f beta`, `f = K(k)/K(k')`; where the two nearly cancel, as they do of an incompressible layer on any base, the
-/// zone depends on a difference. And where it is narrow, or the slip zone is, it goes with `exp(-1/f)` or `exp(-f)`.
+/// the friction `eta = f beta`, `f = K(k)/K(k')`. Where what is left is little, as on a thick, nearly incompressible layer over a base that
+/// gives way, errors of the kernels are much beside it. And where the zone is narrow, or the slip zone is, it goes with `exp(-1/f)` or
+/// `exp(-f)`.
 pub(super) fn share_in_shear(outcome: &Outcome) -> f64 {
     let Some(rubbing) = &outcome.rubbing else { return 1.0 };
     let Some(ShearTrace { friction, .. }) = rubbing.shear else { return 1.0 };

@@ -1140,3 +1140,15 @@ fn an_unsure_depth_is_no_unsure_pressure() {
     assert!(error("pressure.centre") < 1e-8, "{:?}", solution.error.each);
     assert!(error("load.indentation") > 3.0 * error("pressure.centre"), "{:?}", solution.error.each);
 }
+
+/// An estimate that was no number was the reason given, with advice on the sizes of numbers.
+#[test]
+#[cfg(feature = "formula")]
+fn an_error_that_is_no_number_is_all_of_the_number() {
+    let text = "format = 1\nlayer = { thickness = 2.0, poisson = 0.3, grading = { type = \"homogeneous\", modulus = 1.0 } }\n\
+                load = { half_width = 1.0 }\n\
+                punch = { type = \"formula\", height = \"R - sqrt(R^2 - x^1e9)\", parameters = { R = 10.0 } }";
+    let solution = solve(&slipzone::scene::parse("steep", text).unwrap());
+    assert_eq!(solution.status, Status::NotConverged, "{:?}", solution.reason);
+    assert!(solution.error.each.values().all(|error| error.is_finite()), "{:?}", solution.error.each);
+}

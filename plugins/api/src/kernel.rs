@@ -201,9 +201,8 @@ pub trait KernelTable: Send + Sync {
         None
     }
 
-    /// The shortest length over which the parts vary ([`NEAREST_POLE`] of it is how near their nearest complex singularity
-    /// may be):
-    /// what a sum over points must resolve, in units of the thickness.
+    /// The shortest length over which the parts vary, in units of the thickness: what a sum over points must resolve. Their nearest
+    /// complex singularity may be at [`NEAREST_POLE`] of it.
     fn length(&self) -> f64;
 
     /// Number of wave numbers at which the flexibility was evaluated.

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 
-/// Sizes that are computed with: powers and products of such numbers neither overflow nor vanish.
+/// Sizes that are computed with: products of three such numbers neither overflow nor vanish.
 pub const MODERATE: RangeInclusive<f64> = 1e-100..=1e100;
 
 /// A number outside the range its type stands for.

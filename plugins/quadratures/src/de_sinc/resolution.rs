@@ -72,7 +72,10 @@ impl Resolution {
     }
 
     /// What a kernel's sum misses because a finer grid has no room; a tilt of a thin layer's surface makes so much more of the
-    /// pressure. Within a factor of two of what flat punches on layers of a thousandth of the half-width were off by.
+    /// pressure.
+    ///
+    /// A flat punch on a layer of a thousandth of its half-width: 2.8e-7, 1.7e-4 and 1.5e-2 at 128, 181 and 256 steps, where the errors told
+    /// were 2.2e-6, 1.1e-4 and 2.5e-3.
     pub(super) fn lost_for_room(self, thinness: f64) -> f64 {
         let factor = self.oversampling(thinness);
         let next = FACTORS.iter().find(|next| **next > factor);
