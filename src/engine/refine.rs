@@ -208,19 +208,20 @@ impl Ladder {
             let level = level(first, step);
             let coarse = last.as_ref().map(|(outcome, _)| outcome);
             let solved = self.solve(layer, aim, (step, level, level), coarse);
-            let mut outcome = match solved.and_then(|outcome| self.with_room(layer, aim, step, outcome, &estimate)) {
-                Ok(outcome) => outcome,
-                Err(refusal) if estimate.is_told() => {
-                    stopped = Some(refusal);
-                    break;
-                }
-                // Too coarse for a thin layer: finer steps may do.
-                Err(refusal @ Refusal::OutOfReach { .. }) if step < SKIPPED => {
-                    stopped = Some(refusal);
-                    continue;
-                }
-                Err(refusal) => return Err(refusal),
-            };
+            let mut outcome =
+                match solved.and_then(|outcome| self.with_room(layer, aim.problem, step, outcome, &estimate)) {
+                    Ok(outcome) => outcome,
+                    Err(refusal) if estimate.is_told() => {
+                        stopped = Some(refusal);
+                        break;
+                    }
+                    // Too coarse for a thin layer: finer steps may do.
+                    Err(refusal @ Refusal::OutOfReach { .. }) if step < SKIPPED => {
+                        stopped = Some(refusal);
+                        continue;
+                    }
+                    Err(refusal) => return Err(refusal),
+                };
             stopped = None;
             if step == 0
                 && let Some(later) = self.known_from(aim, &outcome).or(after_search)
@@ -438,11 +439,11 @@ impl Ladder {
         Ok(outcome)
     }
 
-    /// An outcome, unless it is worse than the one before because its stage lacks the room that its kernels take.
+    /// An outcome, unless its stage lacks the room that its kernels take, and loses more by that than is left of the error told before.
     fn with_room(
         &self,
         layer: &Layer,
-        aim: Aim,
+        problem: &Problem,
         stage: usize,
         outcome: Outcome,
         estimate: &Estimate,
@@ -450,10 +451,11 @@ impl Ladder {
         if !estimate.is_told() {
             return Ok(outcome);
         }
+        let told = worst_judged(problem, &estimate.errors).map_or(0.0, |(_, error)| error);
         let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
         let lost = |stage: usize| self.stages[stage].normal.lost_for_room(half_width, layer.length());
         let here = lost(stage);
-        if here <= aim.tolerance || here <= lost(stage - 1) {
+        if here <= told || here <= lost(stage - 1) {
             return Ok(outcome);
         }
         let (unknowns, short) = (self.stages[stage].unknowns(), layer.length() / half_width);
