@@ -56,6 +56,8 @@ const FAINT: f64 = 0.25;
 const FINEST_KERNELS: f64 = 1e-14;
 /// Steps in a row that have to stop shrinking.
 const STALLED: usize = 3;
+/// Errors that shrink below this share of what no step mends are not worth another one.
+const BESIDE_REST: f64 = 0.25;
 
 /// The resolutions solved so far, coarsest first.
 #[derive(Default)]
@@ -200,7 +202,8 @@ impl Ladder {
         let (mut last, mut stopped): (Option<(Outcome, usize)>, _) = (None, None);
         let first = first_level(aim.problem, aim.tolerance);
         // What a search found on the coarsest level is followed from there to the first that matters.
-        let after_search = Some(left_out(aim.problem, aim.tolerance)).filter(|level| searches(aim.problem) && *level > 1);
+        let after_search =
+            Some(left_out(aim.problem, aim.tolerance)).filter(|level| searches(aim.problem) && *level > 1);
         if let Some(judged) = self.pressed_again(layer, aim) {
             return Ok(judged);
         }
@@ -211,6 +214,7 @@ impl Ladder {
             }
             let level = level(first, step);
             let coarse = last.as_ref().map(|(outcome, _)| outcome);
+            let least_share = self.least_share;
             let solved = self.solve(layer, aim, (step, level, level), coarse);
             let mut outcome =
                 match solved.and_then(|outcome| self.with_room(layer, aim.problem, step, outcome, &estimate)) {
@@ -236,7 +240,9 @@ impl Ladder {
             let unknowns = self.stages[step].unknowns();
             // A resolution so coarse may only seem not to tell of friction.
             let is_early = step + first < BOUND_LEVEL && self.stages[step].is_broken();
-            let mut done = estimate.add(layer, aim, &outcome, unknowns) && !is_early
+            // Or else the next kernels are finer ones.
+            let has_kernels = self.least_share == least_share;
+            let mut done = estimate.add(layer, aim, &outcome, (unknowns, has_kernels)) && !is_early
                 || self.is_hopeless(layer, aim, (step, first), &outcome, &estimate.errors);
             if self.is_broken(step, first, &estimate.errors) {
                 // The pressure does not depend on it.
@@ -570,8 +576,9 @@ impl Estimate {
         self.history.len() >= 3
     }
 
-    /// Takes note of a finer resolution; whether it is fine enough, or no finer one would be any better.
-    fn add(&mut self, layer: &Layer, aim: Aim, outcome: &Outcome, unknowns: usize) -> bool {
+    /// Takes note of a finer resolution; whether it is fine enough, or no finer one would be any better. `has_kernels` is whether those
+    /// that come would be solved with the same kernels.
+    fn add(&mut self, layer: &Layer, aim: Aim, outcome: &Outcome, (unknowns, has_kernels): (usize, bool)) -> bool {
         let Aim { problem, tolerance, .. } = aim;
         self.history.push(outcome.seen());
         let unseen = is_unseen(layer, outcome, unknowns);
@@ -585,11 +592,21 @@ impl Estimate {
         let all = with_the_rest(problem, layer, outcome, tolerance, estimate);
         self.met = meets(problem, &all, tolerance) || now <= 2.0 * ROUNDING;
         self.stalled = if now < ROUNDED && now > 0.5 * before { self.stalled + 1 } else { 0 };
-        // What a stack loses at any resolution, and a law that was smoothed.
+        // What a stack loses at any resolution, and a law that was smoothed; and what else stands beside the estimate: kernels as good as they
+        // get.
         let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));
-        let is_small = |(quantity, error): (Quantity, f64)| error <= lost.get(quantity).unwrap_or(0.0).max(tolerance);
-        let is_vain = worst_judged(problem, &lost).is_some_and(|(_, lost)| lost > tolerance)
-            && estimate.judged_by(problem.wishes).iter().all(is_small);
+        let is_sized = outcome.size.is_none_or(|size| size.missed <= ROUNDING);
+        let rest = |(quantity, error): (Quantity, f64)| match all.get(quantity) {
+            Some(all) if has_kernels && is_sized => all - error,
+            _ => 0.0,
+        };
+        let judged = estimate.judged_by(problem.wishes);
+        let is_lost = worst_judged(problem, &lost).is_some_and(|(_, lost)| lost > tolerance);
+        let is_small = |told: (Quantity, f64)| {
+            let (quantity, error) = told;
+            error <= lost.get(quantity).unwrap_or(0.0).max(tolerance).max(BESIDE_REST * rest(told))
+        };
+        let is_vain = (is_lost || judged.iter().any(|told| rest(told) > tolerance)) && judged.iter().all(is_small);
         self.met || is_vain || self.stalled >= STALLED
     }
 }

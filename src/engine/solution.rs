@@ -190,6 +190,13 @@ impl Solution {
         }
     }
 
+    /// The same, of which something that was asked for is missing.
+    pub(crate) fn lacking(self, why: &str) -> Self {
+        let status = if self.status == Status::Converged { Status::NotConverged } else { self.status };
+        let reason = self.reason.map_or_else(|| why.to_owned(), |reason| format!("{reason}; {why}"));
+        Self { status, reason: Some(reason), ..self }
+    }
+
     /// A solution without numbers: everything that the scene alone tells, and the reason.
     pub(crate) fn refused(scene: &Scene, plan: Plan, reason: String) -> Self {
         Self {

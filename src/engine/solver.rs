@@ -250,7 +250,7 @@ impl Solver {
             return solution;
         }
         let found = if self.judged.is_some() { Ok(()) } else { self.find() };
-        let mut solution = match found.and_then(|()| self.report()) {
+        let mut solution = match found.and_then(|()| self.report_within()) {
             Ok(solution) => solution,
             Err(refusal) => {
                 // Of a shape that is not defined all over the contact there may be no more to tell than that.
@@ -393,6 +393,21 @@ impl Solver {
         let judgement = verdict(&self.layer, &self.problem, self.ladder.stage(judged.stage), judged, tolerance);
         let error = Point::error(&judged.errors);
         assemble::point(self.chosen.scene.load, &self.problem, &judged.outcome.numbers, error, judgement)
+    }
+
+    /// The report of what was found; without tractions where these would take more than is left of the budget.
+    fn report_within(&mut self) -> Result<Solution, Refusal> {
+        let told = self.report();
+        let Err(refusal) = &told else { return told };
+        let wishes = self.problem.wishes;
+        if !wishes.profile || self.layer.meter().within().is_ok() {
+            return told;
+        }
+        self.problem.wishes.profile = false;
+        let numbers = self.report();
+        self.problem.wishes = wishes;
+        let why = format!("the tractions are not told: {refusal}");
+        numbers.map(|numbers| numbers.lacking(&why))
     }
 
     /// The report of what was found.

@@ -1152,3 +1152,48 @@ fn an_error_that_is_no_number_is_all_of_the_number() {
     assert_eq!(solution.status, Status::NotConverged, "{:?}", solution.reason);
     assert!(solution.error.each.values().all(|error| error.is_finite()), "{:?}", solution.error.each);
 }
+
+/// What the kernels of a layer are told to, more digits than there are, was refused; so was a contact whose tractions would have taken too
+/// much once all resolutions had been tried in vain.
+#[test]
+fn more_digits_than_there_are_get_the_digits_that_there_are() {
+    let solved = |text: &str| {
+        let solution = solve(&slipzone::scene::parse("vain", text).unwrap());
+        assert_eq!(solution.status, Status::NotConverged, "{:?}", solution.reason);
+        let error = solution.error.estimate.unwrap();
+        assert!(error < 1e-8, "{error:e}");
+        solution
+    };
+    let flat = |tolerance: f64| {
+        format!(
+            "format = 1\nlayer = {{ thickness = 0.1113, poisson = 0.364, grading = {{ type = \"linear\", surface = 1.0, base = 100.36 }} }}\n\
+             punch = {{ type = \"flat\", half_width = 1.0 }}\nload = {{ force = 1.0 }}\nsolver = {{ tolerance = {tolerance:e} }}"
+        )
+    };
+    let [fine, finest] = [1e-10, 1e-12].map(|tolerance| solved(&flat(tolerance)));
+    let apart = (fine.edge.ratio.unwrap() / finest.edge.ratio.unwrap() - 1.0).abs();
+    assert!(apart < fine.error.each["edge.ratio"] + finest.error.each["edge.ratio"], "{apart:e}");
+
+    let grown = solved(
+        "format = 1\nlayer = { thickness = 0.3366, poisson = 0.382, grading = { type = \"exponential\", surface = 1.0, base = 0.0263 } }\n\
+         punch = { type = \"power\", coefficient = 0.1, exponent = 3.0 }\nfriction = { type = \"goodman\", coefficient = 0.4297 }\n\
+         load = { force = 0.2148 }\nsolver = { tolerance = 1e-11 }",
+    );
+    // It had taken more than four times as much without another digit.
+    assert!(grown.plan.work < 8_000_000_000, "{:e}", grown.plan.work as f64);
+    assert!(!grown.profile.pressure.is_empty());
+}
+
+/// Numbers that were found are told, though no budget is left for the tractions.
+#[test]
+fn a_budget_spent_on_the_numbers_leaves_the_numbers() {
+    let text = "format = 1\nlayer = { thickness = 5.0, poisson = 0.3, grading = { type = \"exponential\", surface = 1.0, base = 8.0 } }\n\
+                punch = { type = \"wedge\", slope = 0.1 }\nfriction = { type = \"goodman\", coefficient = 0.3 }\nload = { half_width = 1.0 }\n\
+                output = { points = 20001 }";
+    let solution = slipzone::engine::solve_within(&slipzone::scene::parse("spent", text).unwrap(), 300_000_000);
+    assert_eq!(solution.status, Status::NotConverged);
+    let reason = solution.reason.unwrap();
+    assert!(reason.contains("tractions") && reason.contains("budget"), "{reason}");
+    assert!(solution.profile.x.is_empty() && solution.stick.unwrap().ratio.is_some());
+    assert!(solution.error.estimate.unwrap() < 1e-8);
+}

@@ -69,7 +69,7 @@ fn terms<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<NonZeroU8>
 
 /// Terms of the series asked for at first: most often enough, and they cost as their square.
 const FEW_TERMS: usize = 16;
-/// Times the aim is tightened when the bound misses the accuracy, and by how much.
+/// Times the aim is tightened when the bound misses the accuracy, and by how much; or loosened where that is more than can be told.
 const ATTEMPTS: (u32, f64) = (6, 0.1);
 /// By how much nearer structure is looked for when the cut leaves too much.
 const NEARER: f64 = 0.4;
@@ -98,7 +98,7 @@ impl KernelStrategy for Split {
         let depth = crate::depth(response)?;
         let (mut depth, mut accuracy, mut evaluations) = (depth, request.accuracy, 0);
         let mut best: Option<Draft> = None;
-        let (mut attempts, mut may_be_rough) = (ATTEMPTS.0, !self.is_pinned());
+        let (mut attempts, mut may_be_rough, mut is_coarsened) = (ATTEMPTS.0, !self.is_pinned(), false);
         while attempts > 0 {
             // The flexibility's own error is to be a small part of the whole.
             let (slope, value) = (ROUGHNESS.0 * depth * accuracy / request.reach, ROUGHNESS.1 * accuracy);
@@ -115,8 +115,17 @@ impl KernelStrategy for Split {
             if draft.error.is_finite() && draft.beyond > 0.5 * request.accuracy {
                 depth *= NEARER;
             }
+            let is_covered = draft.error.is_finite();
             if best.as_ref().is_none_or(|best| draft.error < best.error) {
                 best = Some(draft);
+            }
+            if !is_covered && !self.is_pinned() {
+                if best.as_ref().is_some_and(|best| best.error.is_finite()) {
+                    break;
+                }
+                // Noise passes for structure, and pieces ever narrower do not cover the reach.
+                (attempts, accuracy, is_coarsened) = (attempts - 1, accuracy / ATTEMPTS.1, true);
+                continue;
             }
             let error = best.as_ref().map_or(f64::INFINITY, |best| best.error);
             if error <= request.accuracy {
@@ -127,7 +136,7 @@ impl KernelStrategy for Split {
                 may_be_rough = false;
                 continue;
             }
-            if rounded || self.is_pinned() {
+            if rounded || is_coarsened || self.is_pinned() {
                 break;
             }
             (attempts, accuracy) = (attempts - 1, accuracy * ATTEMPTS.1);
