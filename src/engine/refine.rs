@@ -1,6 +1,6 @@
 //! Refines a scene until its error estimate meets the tolerance.
 
-use super::error_estimate::{Pace, ROUNDING, SAFETY, Seen, extrapolated, judged_by_twin};
+use super::error_estimate::{Pace, ROUNDING, SAFETY, SLIP_ROUNDING, Seen, extrapolated, judged_by_twin};
 use super::family::Family;
 use super::growing::Growing;
 use super::judged::{
@@ -592,23 +592,38 @@ impl Estimate {
         let all = with_the_rest(problem, layer, outcome, tolerance, estimate);
         self.met = meets(problem, &all, tolerance) || now <= 2.0 * ROUNDING;
         self.stalled = if now < ROUNDED && now > 0.5 * before { self.stalled + 1 } else { 0 };
-        // What a stack loses at any resolution, and a law that was smoothed; and what else stands beside the estimate: kernels as good as they
-        // get.
-        let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));
-        let is_sized = outcome.size.is_none_or(|size| size.missed <= ROUNDING);
-        let rest = |(quantity, error): (Quantity, f64)| match all.get(quantity) {
-            Some(all) if has_kernels && is_sized => all - error,
-            _ => 0.0,
-        };
-        let judged = estimate.judged_by(problem.wishes);
-        let is_lost = worst_judged(problem, &lost).is_some_and(|(_, lost)| lost > tolerance);
-        let is_small = |told: (Quantity, f64)| {
-            let (quantity, error) = told;
-            error <= lost.get(quantity).unwrap_or(0.0).max(tolerance).max(BESIDE_REST * rest(told))
-        };
-        let is_vain = (is_lost || judged.iter().any(|told| rest(told) > tolerance)) && judged.iter().all(is_small);
+        let is_vain = is_vain(problem, outcome, tolerance, (&estimate, &all), has_kernels);
         self.met || is_vain || self.stalled >= STALLED
     }
+}
+
+/// Whether no finer step brings the errors told, and all that stands beside them, below the tolerance: what none of them mends is above
+/// it, and what they would mend is little beside that. They mend neither what a stack loses nor a law that was smoothed, nor kernels as good
+/// as they get where those that come would be the same, and claim no number of the shear to more digits than its integrals have.
+fn is_vain(
+    problem: &Problem,
+    outcome: &Outcome,
+    tolerance: f64,
+    (told, all): (&Numbers, &Numbers),
+    has_kernels: bool,
+) -> bool {
+    let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));
+    let is_final = has_kernels && outcome.size.is_none_or(|size| size.missed <= ROUNDING);
+    let unmended = |(quantity, error): (Quantity, f64)| {
+        let rest = if is_final { all.get(quantity).map_or(0.0, |all| all - error) } else { 0.0 };
+        let least = if quantity.is_of_shear() { SLIP_ROUNDING } else { ROUNDING };
+        (lost.get(quantity).unwrap_or(0.0).max(least), rest)
+    };
+    let judged = told.judged_by(problem.wishes);
+    let is_beyond = |told: (Quantity, f64)| {
+        let (least, rest) = unmended(told);
+        least.max(rest) > tolerance
+    };
+    let is_small = |told: (Quantity, f64)| {
+        let (least, rest) = unmended(told);
+        told.1 <= tolerance.max(least).max(BESIDE_REST * rest)
+    };
+    judged.iter().any(is_beyond) && judged.iter().all(is_small)
 }
 
 /// Whether a stick zone is only bounded, and no finer step finds it.

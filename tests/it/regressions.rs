@@ -1174,6 +1174,14 @@ fn more_digits_than_there_are_get_the_digits_that_there_are() {
     let apart = (fine.edge.ratio.unwrap() / finest.edge.ratio.unwrap() - 1.0).abs();
     assert!(apart < fine.error.each["edge.ratio"] + finest.error.each["edge.ratio"], "{apart:e}");
 
+    // No number of the shear is claimed to 1e-12: 129 unknowns told no more than 46.
+    let rubbed = solved(
+        "format = 1\nlayer = { thickness = 5.0, poisson = 0.3, grading = { type = \"exponential\", surface = 1.0, base = 8.0 } }\n\
+         punch = { type = \"flat\", half_width = 1.0 }\nfriction = { type = \"goodman\", coefficient = 0.3 }\n\
+         load = { force = 1.0 }\nsolver = { tolerance = 1e-12 }",
+    );
+    assert!(rubbed.plan.unknowns < 65 && rubbed.error.estimate.unwrap() < 1e-11, "{:?}", rubbed.plan);
+
     let grown = solved(
         "format = 1\nlayer = { thickness = 0.3366, poisson = 0.382, grading = { type = \"exponential\", surface = 1.0, base = 0.0263 } }\n\
          punch = { type = \"power\", coefficient = 0.1, exponent = 3.0 }\nfriction = { type = \"goodman\", coefficient = 0.4297 }\n\
