@@ -102,7 +102,7 @@ impl Blend {
 
     /// The functions at some half-widths, one after another.
     pub(crate) fn functions_into(&self, half_widths: &Lanes, out: &mut Vec<Lanes>) {
-        out.clear();
+        // All of it is written: nothing has to be cleared.
         out.resize(self.half_widths.len(), [0.0; LANES]);
         self.functions.lanes_into(&half_widths.map(|half_width| self.share(half_width)), out);
     }
@@ -261,6 +261,7 @@ impl WithSimd for InLanes<'_> {
             }
         }
         for (value, row) in mixtures.iter_mut().zip(mixed.chunks_exact(terms.len().max(1))) {
+            *value = [0.0; LANES];
             let value = S::as_mut_simd_f64s(value).0;
             for (mixed, left) in row.iter().zip(&left) {
                 let mixed = simd.splat_f64s(*mixed);

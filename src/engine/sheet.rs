@@ -46,7 +46,7 @@ impl Sheet {
 
     /// Values at places, from the blend's functions at their half-widths.
     pub(super) fn values_into(&self, functions: &[Lanes], places: &Lanes, room: &mut Vec<Lanes>, out: &mut Lanes) {
-        room.clear();
+        // All of it is written: nothing has to be cleared.
         room.resize(self.width, [0.0; LANES]);
         Arch::new().dispatch(Values { sheet: self, functions, places, room, out });
     }
