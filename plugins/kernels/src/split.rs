@@ -98,7 +98,7 @@ impl KernelStrategy for Split {
         let depth = crate::depth(response)?;
         let (mut depth, mut accuracy, mut evaluations) = (depth, request.accuracy, 0);
         let mut best: Option<Draft> = None;
-        let (mut attempts, mut may_be_rough, mut is_coarsened) = (ATTEMPTS.0, !self.is_pinned(), false);
+        let (mut attempts, mut may_be_rough) = (ATTEMPTS.0, !self.is_pinned());
         while attempts > 0 {
             // The flexibility's own error is to be a small part of the whole.
             let (slope, value) = (ROUGHNESS.0 * depth * accuracy / request.reach, ROUGHNESS.1 * accuracy);
@@ -111,11 +111,11 @@ impl KernelStrategy for Split {
             evaluations += draft.evaluations;
             let too_rough = draft.roughened > 0.5 * request.accuracy;
             let rounded = draft.rounding > 0.5 * request.accuracy;
+            let is_covered = draft.error.is_finite();
             // The grading has structure closer to the surface than it seemed.
-            if draft.error.is_finite() && draft.beyond > 0.5 * request.accuracy {
+            if is_covered && draft.beyond > 0.5 * request.accuracy {
                 depth *= NEARER;
             }
-            let is_covered = draft.error.is_finite();
             if best.as_ref().is_none_or(|best| draft.error < best.error) {
                 best = Some(draft);
             }
@@ -124,7 +124,7 @@ impl KernelStrategy for Split {
                     break;
                 }
                 // Noise passes for structure, and pieces ever narrower do not cover the reach.
-                (attempts, accuracy, is_coarsened) = (attempts - 1, accuracy / ATTEMPTS.1, true);
+                (attempts, accuracy) = (attempts - 1, accuracy / ATTEMPTS.1);
                 continue;
             }
             let error = best.as_ref().map_or(f64::INFINITY, |best| best.error);
@@ -136,7 +136,7 @@ impl KernelStrategy for Split {
                 may_be_rough = false;
                 continue;
             }
-            if rounded || is_coarsened || self.is_pinned() {
+            if rounded || accuracy > request.accuracy || self.is_pinned() {
                 break;
             }
             (attempts, accuracy) = (attempts - 1, accuracy * ATTEMPTS.1);
