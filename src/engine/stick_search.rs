@@ -1,5 +1,7 @@
 //! Every stick zone that a friction coefficient allows: roots of `eta(a) = +-eta`.
 
+mod samples;
+
 use super::layer::Layer;
 use super::normal::Normal;
 use super::root;
@@ -7,25 +9,16 @@ use super::stick::Shear;
 use super::stick_zone::StickZone;
 use arrayvec::ArrayVec;
 use basin::{RootError, Toms748Root};
-use slipzone_api::{Component, Refusal, Station};
+use samples::Sample;
+use slipzone_api::Refusal;
 use std::f64::consts::PI;
+
+pub(crate) use samples::Samples;
 
 /// See [`FrictionCurve::WIDEST`].
 const WIDEST: f64 = FrictionCurve::WIDEST;
-/// Where the curve follows its asymptotes, seen from a contact that is narrow beside the layer: the
-/// corrections fall like `exp(2 lambda)` below and `lambda exp(-lambda)` above.
-const ASYMPTOTIC_BELOW: f64 = -4.0;
-const ASYMPTOTIC_ABOVE: f64 = 5.0;
-/// A slope that differs from that of the asymptote by less than this, relative, is on it.
-const ON_ASYMPTOTE: f64 = 0.03;
 /// Half of the bracket around a root that the asymptote predicts.
 const PREDICTED: f64 = 0.25;
-/// Step of the scan where the layer is thinner than the contact is wide.
-const STEP_ON_THIN: f64 = 1.0;
-/// Step where it is thicker, so that the curve rises much as on a half-plane.
-const STEP: f64 = 1.5;
-/// Step of the scan's continuation where the asymptote is late.
-const STEP_BEYOND: f64 = 2.0;
 /// The curve is trusted where the slip zone is this many times as wide as the finest gap resolved.
 const RESOLVED: f64 = 4.0;
 /// What is left of `eta(lambda) - eta` at a root, over `eta`, is of the order of the root's tolerance;
@@ -78,15 +71,6 @@ pub(crate) struct Found {
     pub(crate) largest: f64,
 }
 
-/// The curve sampled: `(lambda, eta(lambda))`, ascending. It depends on neither load nor friction.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Samples {
-    points: Vec<(f64, f64)>,
-    /// Whether the curve follows its asymptote beyond the first sample and the last.
-    low: bool,
-    high: bool,
-}
-
 impl FrictionCurve<'_> {
     /// Friction coefficient of one stick zone; leaves its shear traction in `shear`.
     pub(crate) fn at(&mut self, lambda: f64) -> Result<f64, Refusal> {
@@ -118,102 +102,56 @@ impl FrictionCurve<'_> {
         self.widest() >= Self::WIDEST
     }
 
-    /// `d(1/eta)/d lambda` for a narrow stick zone: `-2/(pi beta')`, with the strain that the pressure causes
-    /// in the middle, `beta' p(0) = beta p(0) - (1/pi) int p k_uv`.
-    fn slope_below(&mut self) -> f64 {
-        let middle = Station { x: 0.0, gap: self.normal.half_width };
-        let mut coupled = [0.0];
-        self.normal.potential_into(self.layer, Component::Coupling, self.shear.coupling(), &[middle], &mut coupled);
-        let strained = self.beta - coupled[0] / self.normal.at(middle);
-        -2.0 / (PI * strained)
-    }
-
-    /// Samples the curve up to where it follows its asymptotes.
-    pub(crate) fn sample(&mut self) -> Result<Samples, Refusal> {
-        let thin = (2.0 * self.normal.half_width / self.layer.length()).max(1.0).ln();
-        let top = (ASYMPTOTIC_ABOVE + thin).min(self.widest());
-        let bottom = (ASYMPTOTIC_BELOW - thin).max(-WIDEST).min(top - 1.0);
-        let mut samples = Samples::default();
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most a few dozen
-        let count = ((top - bottom) / if thin > 0.0 { STEP_ON_THIN } else { STEP }).ceil() as usize;
-        for k in 0..=count {
-            let lambda = bottom + (top - bottom) * k as f64 / count as f64;
-            samples.points.push((lambda, self.at(lambda)?));
-        }
-        let slope_above = self.beta / PI;
-        while !samples.high {
-            let [.., (from, below), (to, above)] = samples.points[..] else { unreachable!("two samples at least") };
-            samples.high = is_close((above - below) / (to - from), slope_above);
-            if samples.high || to >= self.widest() {
-                break;
-            }
-            let next = (to + STEP_BEYOND).min(self.widest());
-            samples.points.push((next, self.at(next)?));
-        }
-        let slope_below = self.slope_below();
-        while !samples.low {
-            let [(from, below), (to, above), ..] = samples.points[..] else { unreachable!("two samples at least") };
-            samples.low = is_close((above.recip() - below.recip()) / (to - from), slope_below);
-            if samples.low || from <= -WIDEST {
-                break;
-            }
-            let next = (from - STEP_BEYOND).max(-WIDEST);
-            samples.points.insert(0, (next, self.at(next)?));
-        }
-        Ok(samples)
-    }
-
     /// All roots of `eta(lambda) = +-eta` within a sampled curve and beyond it, those of inward slip first.
-    pub(crate) fn roots(&mut self, eta: f64, samples: &Samples) -> Result<Found, Refusal> {
-        let largest = samples.points.iter().fold(0.0_f64, |most, (_, value)| most.max(value.abs()));
+    pub(crate) fn roots(&mut self, eta: f64, samples: &mut Samples) -> Result<Found, Refusal> {
+        let is_enclosed = samples.enclose(eta);
+        if !is_enclosed {
+            self.sample_on(samples)?;
+        }
+        let largest = samples.points.iter().fold(0.0_f64, |most, sample| most.max(sample.friction.abs()));
         let mut found = Found { largest, ..Found::default() };
         for branch in [1.0, -1.0] {
             let target = branch * eta;
-            self.below(target, samples, &mut found)?;
-            for pair in samples.points.windows(2) {
-                self.between((pair[0], pair[1]), target, &mut found)?;
+            if !is_enclosed {
+                self.below(target, samples, &mut found)?;
             }
+            self.between_all(&samples.points, target, &mut found)?;
             for triple in samples.points.windows(3) {
                 self.beside_extremum([triple[0], triple[1], triple[2]], target, &mut found)?;
             }
-            self.above(target, samples, &mut found)?;
+            if !is_enclosed {
+                self.above(target, samples, &mut found)?;
+            }
         }
         Ok(found)
     }
 
-    /// The root of a pair of samples with a sign change between them.
-    fn between(
-        &mut self,
-        ((from, value), (to, next)): ((f64, f64), (f64, f64)),
-        target: f64,
-        found: &mut Found,
-    ) -> Result<(), Refusal> {
-        let (below, above) = (value - target, next - target);
-        if below * above > 0.0 {
-            return Ok(());
-        }
-        let slope = (above - below) / (to - from);
-        let start = root::Near { at: from - below / slope, slope, doubt: f64::INFINITY };
-        let near = root::polish(start, to, SCANNED, |lambda| Ok(self.at(lambda)? - target))?;
-        // Across a pole the sign changes too, and the curve is as steep as the bracket is narrow.
-        let tame = |near: &root::Near| near.at >= from && near.slope.abs() * SCANNED < POLE * target.abs();
-        if let Some(root::Near { at: lambda, slope, doubt }) = near.filter(tame) {
-            found.add(Root { lambda, branch: target.signum(), slope, doubt });
-        } else if let Some(root) = self.root_between(from, to, target, SCANNED)? {
-            found.add(root);
+    /// The roots between samples with a sign change from one to the next.
+    fn between_all(&mut self, samples: &[Sample], target: f64, found: &mut Found) -> Result<(), Refusal> {
+        for (i, pair) in samples.windows(2).enumerate() {
+            if (pair[0].friction - target) * (pair[1].friction - target) > 0.0 {
+                continue;
+            }
+            let (from, to) = (pair[0].lambda, pair[1].lambda);
+            let start = samples::expected(samples, i, target);
+            let near = root::polish(start, to, SCANNED, |lambda| Ok(self.at(lambda)? - target))?;
+            // Across a pole the sign changes too, and the curve is as steep as the bracket is narrow.
+            let tame = |near: &root::Near| near.at >= from && near.slope.abs() * SCANNED < POLE * target.abs();
+            if let Some(root::Near { at: lambda, slope, .. }) = near.filter(tame) {
+                // So coarse a resolution does not tell slopes for finer ones.
+                found.add(Root { lambda, branch: target.signum(), slope, doubt: f64::INFINITY });
+            } else if let Some(root) = self.root_between(from, to, target, SCANNED)? {
+                found.add(root);
+            }
         }
         Ok(())
     }
 
     /// Two roots may hide between samples of one sign where the curve turns around near the target: the
     /// parabola through three samples tells whether to look there.
-    fn beside_extremum(
-        &mut self,
-        [(l0, e0), (l1, e1), (l2, e2)]: [(f64, f64); 3],
-        target: f64,
-        found: &mut Found,
-    ) -> Result<(), Refusal> {
-        let (f0, f1, f2) = (e0 - target, e1 - target, e2 - target);
+    fn beside_extremum(&mut self, samples: [Sample; 3], target: f64, found: &mut Found) -> Result<(), Refusal> {
+        let [l0, l1, l2] = samples.map(|sample| sample.lambda);
+        let [f0, f1, f2] = samples.map(|sample| sample.friction - target);
         let turns = f0 * f1 > 0.0 && f1 * f2 > 0.0 && f1.abs() < f0.abs() && f1.abs() < f2.abs();
         if !turns {
             return Ok(());
@@ -225,18 +163,14 @@ impl FrictionCurve<'_> {
         if at_vertex * f1 > 0.5 * f1 * f1 {
             return Ok(());
         }
-        let extra = (vertex, self.at(vertex)?);
-        let mut points = [(l0, e0), (l1, e1), (l2, e2), extra];
-        points.sort_by(|one, other| one.0.total_cmp(&other.0));
-        for pair in points.windows(2) {
-            self.between((pair[0], pair[1]), target, found)?;
-        }
-        Ok(())
+        let mut points = [samples.as_slice(), &[self.sample_at(vertex)?]].concat();
+        points.sort_by(|one, other| one.lambda.total_cmp(&other.lambda));
+        self.between_all(&points, target, found)
     }
 
     /// The root that the asymptote predicts below all samples.
     fn below(&mut self, target: f64, samples: &Samples, found: &mut Found) -> Result<(), Refusal> {
-        let Some(&(lambda, value)) = samples.points.first() else { return Ok(()) };
+        let Some(&Sample { lambda, friction: value, .. }) = samples.points.first() else { return Ok(()) };
         // The curve falls towards zero there.
         if value * target <= 0.0 || value.abs() <= target.abs() {
             return Ok(());
@@ -245,7 +179,8 @@ impl FrictionCurve<'_> {
             found.narrower = true; // the scan went to its end
             return Ok(());
         }
-        let predicted = lambda + (target.recip() - value.recip()) / self.slope_below();
+        let slope = -2.0 / (PI * self.strained());
+        let predicted = lambda + (target.recip() - value.recip()) / slope;
         if predicted < -WIDEST {
             found.narrower = true;
             return Ok(());
@@ -255,7 +190,7 @@ impl FrictionCurve<'_> {
 
     /// The root that the asymptote predicts above all samples.
     fn above(&mut self, target: f64, samples: &Samples, found: &mut Found) -> Result<(), Refusal> {
-        let Some(&(lambda, value)) = samples.points.last() else { return Ok(()) };
+        let Some(&Sample { lambda, friction: value, .. }) = samples.points.last() else { return Ok(()) };
         if value >= target || (self.beta <= 0.0 && samples.high) {
             // The curve rises with the slope beta/pi.
             found.wider |= value.abs() < target.abs() && target > 0.0;
@@ -354,8 +289,4 @@ impl Found {
             self.roots.push(root);
         }
     }
-}
-
-fn is_close(slope: f64, asymptote: f64) -> bool {
-    (slope - asymptote).abs() < ON_ASYMPTOTE * asymptote.abs()
 }

@@ -46,8 +46,8 @@ fn another_friction_coefficient_uses_the_curve_that_is_known() {
     solver.rub(Friction::goodman(positive(0.1)));
     let second = solver.solve();
     let further = second.plan.factorisations - first;
-    // The scan takes ten systems at least.
-    assert!(further + 10 <= first, "{further} systems after {first}: the curve was scanned again");
+    // The scan takes four systems at least, and the pressure three.
+    assert!(further + 7 <= first, "{further} systems after {first}: the curve was scanned again");
     let alone = sketch.rubbing(0.1).solve();
     let ratio =
         |solution: &slipzone::engine::Solution| solution.stick.as_ref().expect("friction").ratio.expect("a ratio");
