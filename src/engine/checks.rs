@@ -27,9 +27,9 @@ const SLIP_NODES: usize = 8;
 /// Nodes on either side of the grids over which the tractions are, times [`StickZone::crowding`]: more where the slip zone
 /// is narrow.
 ///
-/// Measured on 127 random stick zones, in terms of the largest slip: errors of at most 2e-5. Without a thought for the
-/// crowding they reach 40 % where `1 - a/b` is 3e-12.
-const SOURCE_NODES: f64 = 10.0;
+/// Measured on 3,000 random stick zones, in terms of the largest slip: errors of at most 2e-4, and below 4e-5 in all but one of a hundred;
+/// with 6 nodes up to 5e-3. Without a thought for the crowding they reach 40 % where `1 - a/b` is 3e-12.
+const SOURCE_NODES: f64 = 8.0;
 /// Those nodes per kernel length.
 const SOURCE_NODES_PER_LENGTH: f64 = 8.0;
 /// Most of those nodes.
