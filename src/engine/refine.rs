@@ -18,8 +18,9 @@ use arrayvec::ArrayVec;
 use slipzone_api::Refusal;
 use std::ops::Add;
 
-/// Most steps of refinement.
+/// Most steps of refinement, and more than most scenes take.
 const FINEST: usize = 13;
+const USUAL_STEPS: usize = 6;
 /// Tolerances below which that many more of the coarsest levels are left out, which hardly a pressure converges on, or a shear, or a stack
 /// of shears. Searches begin with the coarsest of all nevertheless.
 ///
@@ -481,6 +482,10 @@ impl Ladder {
 
     /// Makes the stages up to one of that level.
     fn make(&mut self, aim: Aim, (index, quadrature_level): (usize, u32)) -> Result<(), Refusal> {
+        if self.stages.is_empty() {
+            // Stages are large, and to move them costs more than the room.
+            self.stages.reserve(USUAL_STEPS.max(index + 1));
+        }
         while self.stages.len() <= index {
             let missing = u32::try_from(index - self.stages.len()).expect("a few steps");
             let quadrature = aim.methods.quadrature.refined(quadrature_level - missing);

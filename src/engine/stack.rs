@@ -202,6 +202,9 @@ impl Stack {
         let Room { at, weights, values } = &mut self.room;
         at.clear();
         weights.clear();
+        let nodes = (ends.len() - 1) * self.grid.len();
+        at.reserve(nodes);
+        weights.reserve(nodes);
         for ends in ends.windows(2) {
             let length = ends[1] - ends[0];
             if ends[1] >= b {
