@@ -20,7 +20,7 @@ use std::ops::Add;
 
 /// Most steps of refinement, and more than most scenes take.
 const FINEST: usize = 13;
-const USUAL_STEPS: usize = 6;
+const USUAL_STEPS: usize = 8;
 /// Tolerances below which that many more of the coarsest levels are left out, which hardly a pressure converges on, or a shear, or a stack
 /// of shears. Searches begin with the coarsest of all nevertheless.
 ///
