@@ -173,6 +173,15 @@ impl Layer {
         Ok(())
     }
 
+    /// What tells kernels that are as good as the present ones from others.
+    pub(crate) fn fineness(&self) -> u64 {
+        match &self.tables {
+            None => 0,
+            Some(tables) if tables.prove() => tables.accuracy.to_bits(),
+            Some(tables) => 1 + u64::from(tables.level),
+        }
+    }
+
     /// The work on it, and its bound.
     pub(crate) fn meter(&self) -> &Arc<Meter> {
         &self.meter

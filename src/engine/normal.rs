@@ -137,6 +137,11 @@ impl Normal {
         Ok(())
     }
 
+    /// Takes what was solved for unsolved: it was with other kernels.
+    pub(crate) fn forget(&mut self) {
+        self.solved_at = None;
+    }
+
     fn stretch(&mut self, half_width: f64) {
         self.half_width = half_width;
         self.rule.stretch(half_width);

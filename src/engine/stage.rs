@@ -37,6 +37,8 @@ pub(crate) struct Stage {
     rubbed: Option<(f64, f64, Rubbing)>,
     /// Half-width and force of the pressure that `shear` was shown last.
     shown: Option<(f64, f64)>,
+    /// [`Layer::fineness`] of the kernels that all of that was found with.
+    found_with: u64,
     /// How wide the contact became under its load, where that was looked for.
     sized: Option<(LoadInLayerUnits, Size)>,
 }
@@ -123,6 +125,7 @@ impl Stage {
             sampled: None,
             rubbed: None,
             shown: None,
+            found_with: 0,
             sized: None,
         })
     }
@@ -140,8 +143,7 @@ impl Stage {
             return growing.solve(layer, task, &mut self.normal, coarse, family);
         }
         let size = if let Some(half_width) = problem.fixed_half_width() {
-            layer.tabulate(half_width, task.wanted)?;
-            self.normal.press_sharp(layer, problem, half_width)?;
+            self.press(layer, task, half_width)?;
             None
         } else {
             let known = coarse.and_then(|coarse| coarse.size);
@@ -281,6 +283,13 @@ impl Stage {
     /// The pressure under a flat punch.
     pub(crate) fn press(&mut self, layer: &mut Layer, task: Task, half_width: f64) -> Result<(), Refusal> {
         layer.tabulate(half_width, task.wanted)?;
+        let fineness = layer.fineness();
+        if self.found_with != fineness {
+            // What coarser kernels told is as coarse.
+            self.found_with = fineness;
+            self.normal.forget();
+            (self.sampled, self.rubbed, self.shown) = (None, None, None);
+        }
         self.normal.press_sharp(layer, task.problem, half_width)
     }
 }

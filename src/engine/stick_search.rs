@@ -103,11 +103,11 @@ impl FrictionCurve<'_> {
     }
 
     /// All roots of `eta(lambda) = +-eta` within a sampled curve and beyond it, those of inward slip first.
-    pub(crate) fn roots(&mut self, eta: f64, samples: &mut Samples) -> Result<Found, Refusal> {
+    pub(crate) fn roots(&mut self, eta: f64, samples: &Samples) -> Result<Found, Refusal> {
         let is_enclosed = samples.enclose(eta);
-        if !is_enclosed {
-            self.sample_on(samples)?;
-        }
+        // Not kept for another coefficient: its last digits would depend on which came first.
+        let continued = if is_enclosed { None } else { Some(self.continued(samples.clone())?) };
+        let samples = continued.as_ref().unwrap_or(samples);
         let largest = samples.points.iter().fold(0.0_f64, |most, sample| most.max(sample.friction.abs()));
         let mut found = Found { largest, ..Found::default() };
         for branch in [1.0, -1.0] {

@@ -54,6 +54,26 @@ fn another_friction_coefficient_uses_the_curve_that_is_known() {
     assert_eq!(ratio(&second).to_bits(), ratio(&alone).to_bits(), "reuse changes no bit");
 }
 
+/// Half of the pressure asks for more of the curve than the others do, and twice of it for finer kernels than there are: with those all that the coarser
+/// ones told is solved again.
+#[test]
+fn no_bit_depends_on_the_friction_coefficients_before() {
+    for (tolerance, others) in [("1e-3", [0.5, 0.35].as_slice()), ("1e-8", &[2.0])] {
+        let sketch = Sketch::flat(5.0, 0.125, 0.3).with(&format!("[solver]\ntolerance = {tolerance}\n"));
+        let mut solver = Solver::new(&sketch.clone().rubbing(0.3).scene()).expect("a bonded layer");
+        solver.solve();
+        for eta in others {
+            solver.rub(Friction::goodman(positive(*eta)));
+            let bits = |solution: &Solution| {
+                let stick = solution.stick.clone().expect("friction");
+                [stick.ratio, stick.one_minus_ratio].map(|number| number.expect("a number").to_bits())
+            };
+            let alone = sketch.clone().rubbing(*eta).solve();
+            assert_eq!(bits(&solver.solve()), bits(&alone), "eta = {eta} at {tolerance}");
+        }
+    }
+}
+
 #[test]
 fn another_force_on_a_flat_punch_solves_nothing() {
     let sketch = Sketch::flat(5.0, 0.125, 0.3).rubbing(0.3);

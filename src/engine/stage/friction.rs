@@ -178,12 +178,12 @@ impl Stage {
     /// Looks for all stick zones, and for the first that holds where there are several.
     fn scan(&mut self, layer: &Layer, task: Task, eta: f64) -> Result<Rubbing, Refusal> {
         let b = self.normal.half_width;
-        let mut samples = match self.sampled.take() {
+        let samples = match self.sampled.take() {
             Some((half_width, samples)) if half_width.to_bits() == b.to_bits() => samples,
             _ => self.curve(layer, task).sample()?,
         };
         let mut curve = self.curve(layer, task);
-        let (found, sees_all) = (curve.roots(eta, &mut samples)?, curve.sees_all());
+        let (found, sees_all) = (curve.roots(eta, &samples)?, curve.sees_all());
         self.sampled = Some((b, samples));
         let curve = self.curve(layer, task);
         let (lambda, verdict) = match found.roots.first() {

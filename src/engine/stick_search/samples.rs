@@ -108,7 +108,7 @@ fn on_half_plane(lambda: f64) -> f64 {
 }
 
 impl FrictionCurve<'_> {
-    /// Samples the curve up to where it follows its asymptotes on most layers.
+    /// Samples the curve: up to where it follows its asymptotes on most layers, and where it does not rise evenly on all.
     pub(crate) fn sample(&mut self) -> Result<Samples, Refusal> {
         let thin = (2.0 * self.normal.half_width / self.layer.length()).max(1.0).ln();
         let top = (ASYMPTOTIC_ABOVE + thin).min(self.widest());
@@ -127,11 +127,11 @@ impl FrictionCurve<'_> {
                 points.insert(i, between);
             }
         }
-        Ok(samples)
+        if samples.is_even { Ok(samples) } else { self.continued(samples) }
     }
 
-    /// Adds samples up to where the curve is seen to follow its asymptotes.
-    pub(super) fn sample_on(&mut self, samples: &mut Samples) -> Result<(), Refusal> {
+    /// The same and samples beyond, up to where the curve is seen to follow its asymptotes.
+    pub(super) fn continued(&mut self, mut samples: Samples) -> Result<Samples, Refusal> {
         let points = &mut samples.points;
         while !samples.high {
             let [.., before, last] = points[..] else { unreachable!("two samples at least") };
@@ -152,7 +152,7 @@ impl FrictionCurve<'_> {
             }
             points.insert(0, self.sample_at((first.lambda - STEP_BEYOND).max(-WIDEST))?);
         }
-        Ok(())
+        Ok(samples)
     }
 
     /// The friction coefficient of one stick zone, beside the half-plane's.
@@ -245,7 +245,7 @@ mod tests {
                 let mut samples = curve.sample().expect("samples");
                 let (first, last) = (samples.points[0].friction, samples.points[samples.points.len() - 1].friction);
                 let within = samples.enclose(0.5 * (first + last));
-                curve.sample_on(&mut samples).expect("samples");
+                samples = curve.continued(samples).expect("samples");
                 let ends = (samples.low || samples.points[0].lambda <= -WIDEST, samples.high);
                 assert_eq!(ends, (true, true), "{layer}");
                 (within, samples.points.len())
