@@ -280,7 +280,7 @@ impl Stage {
         self.normal.work() + of_shear + of_members
     }
 
-    /// The pressure under a flat punch.
+    /// The pressure under a punch whose corners fix the contact.
     pub(crate) fn press(&mut self, layer: &mut Layer, task: Task, half_width: f64) -> Result<(), Refusal> {
         layer.tabulate(half_width, task.wanted)?;
         let fineness = layer.fineness();

@@ -7,6 +7,7 @@ use super::{FrictionCurve, WIDEST};
 use crate::engine::half_plane_shear::HalfPlaneShear;
 use crate::engine::root::Near;
 use crate::engine::stick_zone::StickZone;
+use arrayvec::ArrayVec;
 use basin::Toms748Root;
 use slipzone_api::{Component, Refusal, Station};
 use std::convert::Infallible;
@@ -23,7 +24,7 @@ const STEP_ON_THIN: f64 = 1.0;
 /// or changes sign.
 ///
 /// Of 5,400 random contacts on layers whose kernels are longer than the contact is wide, steps of 3 kept that in 4,300; of these none
-/// had a slope of another sign anywhere.
+/// had a slope of another sign in steps a twelfth as long.
 const STEP: f64 = 3.0;
 const UNEVEN: f64 = 3.0;
 /// Step of the scan's continuation where the asymptote is late.
@@ -44,10 +45,6 @@ pub(super) struct Sample {
 }
 
 impl Sample {
-    fn factor(&self) -> f64 {
-        self.friction / self.on_half_plane
-    }
-
     /// How fast the friction coefficient rises on the way to another stick zone, over the half-plane's.
     fn rise_to(&self, other: &Self) -> f64 {
         (other.friction - self.friction) / (other.on_half_plane - self.on_half_plane)
@@ -78,9 +75,13 @@ pub(super) fn expected(samples: &[Sample], first: usize, target: f64) -> Near {
     let (from, to) = (&samples[first], &samples[first + 1]);
     let start = (first + 1).saturating_sub(NEIGHBOURS / 2).min(samples.len().saturating_sub(NEIGHBOURS));
     let neighbours = &samples[start..samples.len().min(start + NEIGHBOURS)];
+    // Over the half-plane's curve `g` it is a polynomial in `g/sqrt(1 + g^2)`.
+    let place = |g: f64| g / (1.0 + g * g).sqrt();
+    let known: ArrayVec<(f64, f64), NEIGHBOURS> =
+        neighbours.iter().map(|one| (place(one.on_half_plane), one.friction / one.on_half_plane)).collect();
     let excess = |lambda: f64| {
-        let on_half_plane = on_half_plane(lambda);
-        factor_between(neighbours, on_half_plane) * on_half_plane - target
+        let g = on_half_plane(lambda);
+        polynomial(&known, place(g)) * g - target
     };
     let found = Toms748Root::new(from.lambda, to.lambda)
         .with_absolute_position_tolerance(EXPECTED)
@@ -90,16 +91,13 @@ pub(super) fn expected(samples: &[Sample], first: usize, target: f64) -> Near {
     Near { at, slope: (excess(at + BESIDE) - excess(at - BESIDE)) / (2.0 * BESIDE), doubt: f64::INFINITY }
 }
 
-/// The factor between samples: a polynomial in `g/sqrt(1 + g^2)`, `g` the half-plane's curve.
-fn factor_between(samples: &[Sample], on_half_plane: f64) -> f64 {
-    let place = |g: f64| g / (1.0 + g * g).sqrt();
-    let at = place(on_half_plane);
+/// The polynomial through a few points (Lagrange).
+fn polynomial(points: &[(f64, f64)], x: f64) -> f64 {
     let share = |i: usize| {
-        let own = place(samples[i].on_half_plane);
-        let others = samples.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, other)| place(other.on_half_plane));
-        others.map(|other| (at - other) / (own - other)).product::<f64>()
+        let others = points[..i].iter().chain(&points[i + 1..]);
+        others.map(|(other, _)| (x - other) / (points[i].0 - other)).product::<f64>()
     };
-    samples.iter().enumerate().map(|(i, sample)| share(i) * sample.factor()).sum()
+    points.iter().enumerate().map(|(i, (_, y))| share(i) * y).sum()
 }
 
 /// The friction coefficient of a stick zone on a half-plane, over `beta`.
@@ -120,14 +118,17 @@ impl FrictionCurve<'_> {
         for k in 0..=count {
             points.push(self.sample_at(bottom + (top - bottom) * k as f64 / count as f64)?);
         }
-        samples.is_even = thin == 0.0 && rises_evenly(points, (self.strained(), self.beta));
-        if thin == 0.0 && !samples.is_even {
+        if thin == 0.0 {
+            samples.is_even = rises_evenly(points, (self.strained(), self.beta));
+            if samples.is_even {
+                return Ok(samples);
+            }
             for i in (1..points.len()).rev() {
                 let between = self.sample_at(0.5 * (points[i - 1].lambda + points[i].lambda))?;
                 points.insert(i, between);
             }
         }
-        if samples.is_even { Ok(samples) } else { self.continued(samples) }
+        self.continued(samples)
     }
 
     /// The same and samples beyond, up to where the curve is seen to follow its asymptotes.
