@@ -4,7 +4,7 @@
 //! for, the tangential equation is solved on finer grids in the zone found, and nothing else is (docs/theory.md, "Error
 //! estimate").
 
-use super::error_estimate::{SAFETY, SLIP_ROUNDING, apart, of_traces};
+use super::error_estimate::{FASTEST_SHARPENED, SAFETY, SLIP_ROUNDING, apart, of_traces};
 use super::layer::Layer;
 use super::normal::Normal;
 use super::quantity::ShearTrace;
@@ -47,6 +47,7 @@ pub(crate) fn sharpen(
         let late = apart(&before, &sampled(coarser, &points), largest);
         let along = (SAFETY * late).max(SLIP_ROUNDING);
         shear.along = shear.along.or((along <= enough).then_some(along));
+        earlier = late;
     }
     for step in 1..=MOST_STEPS {
         if shear.along.is_some_and(|along| along <= enough) || !shear.refine(layer, normal, beta, (zone, step))? {
@@ -54,7 +55,7 @@ pub(crate) fn sharpen(
         }
         let now = sampled(shear, &points);
         let late = apart(&now, &before, largest);
-        shear.along = Some(of_traces(earlier, late));
+        shear.along = Some(of_traces((earlier, late), FASTEST_SHARPENED));
         (before, earlier) = (now, late);
     }
     Ok(shear.along.map(|along| along.max(driven)))
