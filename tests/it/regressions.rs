@@ -641,7 +641,7 @@ fn a_shear_is_not_believed_for_a_phase_that_suits_it() {
         let found = solved(tolerance);
         let [apart, claimed] = shear_apart(&found, &solved(1e-3 * tolerance));
         assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
-        assert!(apart <= 3.0 * claimed, "{apart:e} apart, {claimed:e} claimed at {tolerance:e}");
+        assert!(apart <= 4.0 * claimed, "{apart:e} apart, {claimed:e} claimed at {tolerance:e}");
     }
 }
 
