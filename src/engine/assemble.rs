@@ -2,7 +2,7 @@
 
 use super::coupling;
 use super::finite::first_not_finite;
-use super::judged::{How, Judged, SHEAR};
+use super::judged::{How, Judged, SAID};
 use super::layer::Layer;
 use super::loading_curve::Point;
 use super::problem::Problem;
@@ -74,7 +74,7 @@ pub(super) fn solution(
     let of_strain = of_strain.map(|error| (STRAIN, error, "the strain left in the stick zone", "A0 eta P/(2b)"));
     for (path, error, what, scale) in of_shear.into_iter().chain(of_strain) {
         solution.error.each.insert(path.into(), error);
-        if error > SHEAR * scene.solver.tolerance.get() {
+        if error > SAID * scene.solver.tolerance.get() {
             solution.assumptions.push(format!("{what} is known to {error:.0e} of {scale}"));
         }
     }

@@ -9,9 +9,11 @@ use super::rubbing::Verdict;
 use super::stage::Outcome;
 use slipzone_api::Refusal;
 
-/// Error of the shear, over the tolerance, from which it takes finer steps, and from which it is said among the assumptions. Of 700
-/// random contacts the true one was below a tenth of the estimate in three of four, above all of it in one of fifty.
+/// Error of the shear, over the tolerance, from which it takes finer steps. Of 700 random contacts the true one was below a tenth of the estimate in
+/// three of four, above all of it in one of fifty.
 pub(super) const SHEAR: f64 = 6.0;
+/// Error of the shear, and of the strain left, over the tolerance, from which it is said among the assumptions.
+pub(super) const SAID: f64 = 3.0;
 /// Error of the shear under a contact that grew and sticks everywhere: what the slip zones left out would change, of the order of the
 /// root of their width, and what the stack misses so near to its edge.
 ///
