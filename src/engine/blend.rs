@@ -95,6 +95,14 @@ impl Blend {
         coefficients
     }
 
+    /// How much there is of the function that varies fastest, at most of `width` things.
+    pub(crate) fn last(&self, coefficients: &[f64], width: usize) -> f64 {
+        let terms = self.functions.terms.len();
+        // Of two polynomials one may be missing.
+        let last = if terms > 0 { terms - 1..terms } else { self.functions() - 2..self.functions() };
+        largest(&coefficients[last.start * width..last.end * width])
+    }
+
     /// A half-width from 0, the narrowest, to 1, the widest.
     fn share(&self, half_width: f64) -> f64 {
         (half_width - self.narrowest) / (self.widest - self.narrowest)
@@ -121,6 +129,11 @@ impl Blend {
         self.functions.values_into(self.share(half_width), values);
         values.iter().zip(coefficients).map(|(value, coefficient)| value * coefficient).sum()
     }
+}
+
+/// The largest of some numbers, whatever its sign.
+pub(crate) fn largest(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(0.0, |most, number| most.max(number.abs()))
 }
 
 /// Points on `(0, 1)` that tell logarithms at 0 from polynomials, descending.

@@ -51,6 +51,12 @@ impl Dense {
         &self.columns[k * n..(k + 1) * n]
     }
 
+    /// Takes a solution that is known for the only one.
+    pub(crate) fn take(&mut self, solution: impl Iterator<Item = f64>) {
+        self.columns.fill(0.0);
+        self.columns.iter_mut().zip(solution).for_each(|(to, unknown)| *to = unknown);
+    }
+
     /// Fills in the matrix, row by row, and the right-hand sides, one after another; both hold what earlier systems left. Replaces
     /// as many of the right-hand sides as `fill` returns by their solutions.
     pub(crate) fn solve(&mut self, fill: impl FnOnce(&mut [f64], &mut [f64]) -> usize) -> Result<(), Refusal> {

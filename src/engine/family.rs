@@ -3,10 +3,12 @@
 //! All that a flat punch answers varies smoothly with its half-width; it is solved at a few and told in between.
 
 mod members;
+mod pressed;
 mod rubbed;
 mod stacked;
+mod told;
 
-use super::blend::{Blend, Lanes, Term, add_rows};
+use super::blend::{Blend, Lanes, Term};
 use super::budget::Meter;
 use super::dense::Dense;
 use super::half_plane_depth::HalfPlaneDepth;
@@ -18,23 +20,29 @@ use super::stage::{Stage, Task};
 use super::stick_search::Root;
 use super::stick_zone::StickZone;
 use super::work::Work;
+use pressed::{Pressed, Table};
 use rubbed::{Moves, Rubbed};
 use slipzone_api::double_exponential::Node;
 use slipzone_api::{Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station, short};
 use std::ops::Range;
 use std::sync::Arc;
+use told::Told;
 
-/// Members of a family: this many, and more per unknown of the pressure.
+/// Members of the coarsest family: this many, more for each unknown of the pressure, and by this share more for each doubling of the
+/// widest half-width beyond the layer's length.
 const FEWEST_MEMBERS: f64 = 5.0;
 const MEMBERS_PER_UNKNOWN: f64 = 0.6;
-/// The share by which there are more of them for each doubling of the widest half-width beyond the layer's length.
 const MORE_PER_OCTAVE: f64 = 0.5;
+
 /// What is not analytic in the half-width where it begins with 0, of the pressure and of the shear.
 ///
 /// Measured on the stick zone of a layer five times as thick as the contact is wide, told by 24 members: 1.4e-5 with the first
 /// term, 3e-7 with the first two, 1e-8 with three; on the depth 1.4e-10 with one and 4e-13 with two.
 pub(super) const OF_PRESSURE: &[Term] = &[(2, 1), (3, 1)];
 pub(super) const OF_SHEAR: &[Term] = &[(1, 1), (2, 1), (2, 2)];
+/// What the series of the pressure may leave, over the tolerance, and those of the shear.
+const LEFT_OF_PRESSURE: f64 = 0.1;
+const LEFT_OF_SHEAR: f64 = 1.0;
 /// Doubt of a slope that a coarser resolution tells; see [`super::root::Near`].
 const SLOPE_DOUBT: f64 = 0.005;
 /// Of so many points one is checked against the conditions of friction.
@@ -48,55 +56,20 @@ pub(crate) struct Family {
     accuracy: f64,
     /// Kernel lengths in its widest half-width.
     kernel_lengths: f64,
-    /// For what the pressure tells, and for what the shear tells.
-    blend: Blend,
-    of_shear: Arc<Blend>,
-    /// Pressures, times the half-width.
-    pressure: Table,
-    /// The same times `sqrt(1 - (x/b')^2)` at any place; made when first asked for.
+    pressed: Pressed,
+    /// The pressures times `sqrt(1 - (x/b')^2)` at any place; made when first asked for.
     pressure_at: Option<Sheet>,
-    /// Odd densities `W` with `int W(r)/(x - r) dr/pi + ... = -1`: a punch of slope `g'` carries `int W g' dx/A0`.
-    tilt: Table,
-    /// The same at the nodes of a grid over half of the contact; made when first asked for.
+    /// `W` at the nodes of a grid over half of the contact; made when first asked for.
     tilt_over: Option<(Arc<Vec<Node>>, Table)>,
-    /// Depth over `A0`, beyond that on a half-plane.
-    depth: Vec<f64>,
     on_half_plane: HalfPlaneDepth,
     /// What friction makes of it.
     rubbed: Option<Rubbed>,
-    /// Rules and room of the flat punch.
+    /// Rules and room of the flat punch, and of `W`.
     stage: Box<Stage>,
     rule: Box<dyn Rule>,
     system: Dense,
     room: Room,
     meter: Arc<Meter>,
-}
-
-/// A few numbers at each point of a family, and then as many for each function of the half-width.
-#[derive(Default)]
-struct Table {
-    width: usize,
-    numbers: Vec<f64>,
-}
-
-impl Table {
-    fn push(&mut self, row: impl Iterator<Item = f64>) {
-        let before = self.numbers.len();
-        self.numbers.extend(row);
-        self.width = self.numbers.len() - before;
-    }
-
-    /// From what there is at each point to what there is of each function.
-    fn blended(self, blend: &Blend) -> Self {
-        Self { numbers: blend.coefficients(&self.numbers, self.width), ..self }
-    }
-
-    /// The row between the points.
-    fn blend_into(&self, functions: &[f64], out: &mut Vec<f64>) {
-        out.clear();
-        out.resize(self.width, 0.0);
-        add_rows(functions, &self.numbers, out);
-    }
 }
 
 /// Room for one member.
@@ -106,6 +79,13 @@ struct Room {
     density: Vec<f64>,
     side_by_side: Vec<Lanes>,
     polynomials: Vec<Lanes>,
+}
+
+/// Members of the coarsest family.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen
+fn first_members(unknowns: usize, kernel_lengths: f64) -> usize {
+    let octaves = kernel_lengths.max(1.0).log2();
+    ((FEWEST_MEMBERS + MEMBERS_PER_UNKNOWN * unknowns as f64) * (1.0 + MORE_PER_OCTAVE * octaves)) as usize
 }
 
 /// A flat punch of that half-width.
@@ -150,23 +130,20 @@ impl Family {
         let n = rule.unknowns();
         layer.tabulate(widest, task.wanted)?;
         // A contact is never narrower than the face.
-        let face = task.problem.face().min(0.5 * widest);
+        let ends = (task.problem.face().min(0.5 * widest), widest);
         let kernel_lengths = widest / layer.length();
-        let octaves = kernel_lengths.max(1.0).log2();
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen
-        let count = ((FEWEST_MEMBERS + MEMBERS_PER_UNKNOWN * n as f64) * (1.0 + MORE_PER_OCTAVE * octaves)) as usize;
+        let members = |told: Option<Told>, left: f64| {
+            told.map_or_else(|| first_members(n, kernel_lengths), |told| told.enough(left * task.tolerance))
+        };
+        let pressed = members(coarse.map(|coarse| coarse.pressed.told), LEFT_OF_PRESSURE);
         let mut family = Self {
             friction: flat.friction,
             is_deep: task.problem.wants_depth(),
             accuracy: task.wanted.accuracy,
             kernel_lengths,
-            blend: Blend::new((face, widest), count, OF_PRESSURE)?,
-            of_shear: Arc::new(Blend::new((face, widest), count, OF_SHEAR)?),
-            pressure: Table::default(),
+            pressed: Pressed::new(Blend::new(ends, pressed, OF_PRESSURE)?),
             pressure_at: None,
-            tilt: Table::default(),
             tilt_over: None,
-            depth: Vec::new(),
             on_half_plane: HalfPlaneDepth::new(task.problem.layer.datum, task.problem.elastic.beta()),
             rubbed: None,
             stage: Box::new(Stage::new(&flat, quadrature.refined(0))?),
@@ -178,7 +155,13 @@ impl Family {
         family.stage.of_slices = true;
         // What a coarser resolution found to hold is not looked at again.
         family.stage.is_overloaded = coarse.is_some_and(Family::is_overloaded);
-        family.solve(layer, task, contact, coarse)?;
+        if friction {
+            let rubbed = members(coarse.and_then(|coarse| Some(coarse.rubbed.as_ref()?.told)), LEFT_OF_SHEAR);
+            let blend = Blend::new(ends, rubbed, OF_SHEAR)?;
+            family.solve_under_friction(layer, task, contact, (blend, coarse))?;
+        } else {
+            family.solve_pressures(layer, task, coarse)?;
+        }
         Ok(family)
     }
 
@@ -188,17 +171,18 @@ impl Family {
         self.friction.map(f64::to_bits) == asked.map(f64::to_bits)
             && (self.is_deep || !task.problem.wants_depth())
             && self.accuracy <= task.wanted.accuracy
-            && self.blend.narrowest() <= task.problem.face()
-            && (self.blend.widest() / 4.0..=self.blend.widest()).contains(&half_width)
+            && self.pressed.blend.narrowest() <= task.problem.face()
+            && (self.pressed.blend.widest() / 4.0..=self.pressed.blend.widest()).contains(&half_width)
     }
 
     pub(crate) fn widest(&self) -> f64 {
-        self.blend.widest()
+        self.pressed.blend.widest()
     }
 
     /// The first of the half-widths that a contact grows through beyond which the stick zone shrinks, by more than rounding.
     pub(crate) fn shrinks(&self, through: Range<f64>, rounding: f64) -> Option<f64> {
-        let zones = self.blend.half_widths().iter().zip(&self.rubbed.as_ref()?.lambda);
+        let rubbed = self.rubbed.as_ref()?;
+        let zones = rubbed.blend.half_widths().iter().zip(&rubbed.lambda);
         let zones: Vec<(f64, f64)> =
             zones.map(|(b, lambda)| (*b, StickZone::from_log(*lambda, *b).half_width)).collect();
         let shrinks = |pair: &&[(f64, f64)]| through.contains(&pair[1].0) && pair[0].1 < pair[1].1 * (1.0 - rounding);
@@ -215,13 +199,18 @@ impl Family {
 
     /// Whether everything sticks under all of its members.
     pub(crate) fn sticks(&self) -> bool {
-        self.rubbed.as_ref().is_some_and(|rubbed| rubbed.of_least.is_some())
+        self.rubbed.as_ref().is_some_and(Rubbed::sticks)
     }
 
     /// The friction coefficient that a member's shear lacks what it does of: where everything sticks the least with which it does.
     pub(crate) fn sliding(&self, b: f64) -> f64 {
-        let least = self.rubbed.as_ref().and_then(|rubbed| rubbed.of_least.as_ref());
-        least.map_or_else(|| self.signed_friction(), |of_least| self.of_shear.sum(b, of_least))
+        let least = self.rubbed.as_ref().and_then(|rubbed| rubbed.least_at(b));
+        least.unwrap_or_else(|| self.signed_friction())
+    }
+
+    /// What its series leave of a pressure that is told between its members, relative, and of the shear.
+    pub(crate) fn left(&self) -> [f64; 2] {
+        [self.pressed.told.left(), self.rubbed.as_ref().map_or(0.0, |rubbed| rubbed.told.left())]
     }
 
     /// Work in its systems so far.
@@ -241,11 +230,11 @@ impl Family {
 
     /// The stick zone to be expected under a member. Beyond the widest nothing is told but its own, below the narrowest nothing.
     fn root_at(&self, b: f64) -> Option<Root> {
-        if b < self.blend.narrowest() {
+        if b < self.pressed.blend.narrowest() {
             return None;
         }
         let (within, doubt) = if b > self.widest() { (self.widest(), f64::INFINITY) } else { (b, SLOPE_DOUBT) };
-        Some(self.rubbed.as_ref()?.root_at(&self.of_shear, within, doubt))
+        Some(self.rubbed.as_ref()?.root_at(within, doubt))
     }
 
     /// By how much its shear is known to move with the stick zone.
@@ -256,7 +245,7 @@ impl Family {
     /// The stick zone of a member.
     pub(crate) fn zone(&self, b: f64) -> StickZone {
         let rubbed = self.rubbed.as_ref().expect("a family with friction");
-        StickZone::from_log(rubbed.lambda_at(&self.of_shear, b), b)
+        StickZone::from_log(rubbed.lambda_at(b), b)
     }
 
     /// Friction coefficient, negative where the slip is outward.
@@ -271,7 +260,8 @@ impl Family {
 
     /// Half-widths at which a contact that grew so wide is looked at.
     pub(crate) fn looked_at(&self, half_width: f64) -> Vec<f64> {
-        let narrower = self.blend.half_widths().iter().copied().filter(|b| *b < half_width);
+        let blend = self.rubbed.as_ref().map_or(&self.pressed.blend, |rubbed| &rubbed.blend);
+        let narrower = blend.half_widths().iter().copied().filter(|b| *b < half_width);
         [half_width].into_iter().chain(narrower.step_by(CHECKED)).collect()
     }
 
@@ -282,14 +272,14 @@ impl Family {
 
     /// Depth of a member over `A0`.
     pub(crate) fn depth(&self, b: f64) -> f64 {
-        self.blend.sum(b, &self.depth) + self.on_half_plane.at(b)
+        self.pressed.blend.sum(b, &self.pressed.depth) + self.on_half_plane.at(b)
     }
 
     /// `W` of a member at points within it.
     pub(crate) fn tilt_into(&mut self, b: f64, at: &[Station], out: &mut [f64]) {
-        self.count(self.tilt.width, at.len());
-        self.blend.functions_at(b, &mut self.room.functions);
-        self.tilt.blend_into(&self.room.functions, &mut self.room.density);
+        self.count(self.pressed.tilt.width, at.len());
+        self.pressed.blend.functions_at(b, &mut self.room.functions);
+        self.pressed.tilt.blend_into(&self.room.functions, &mut self.room.density);
         self.rule.stretch(b);
         self.rule.values_into(&self.room.density, at, out);
     }
@@ -298,23 +288,24 @@ impl Family {
     pub(crate) fn tilt_over(&mut self, b: f64, grid: &Arc<Vec<Node>>, out: &mut Vec<f64>) {
         if !self.tilt_over.as_ref().is_some_and(|(known, _)| Arc::ptr_eq(known, grid)) {
             let at: Vec<Station> = grid.iter().map(|node| Station { x: node.from_lower, gap: node.to_upper }).collect();
-            let mut numbers = vec![0.0; self.blend.functions() * at.len()];
+            let mut numbers = vec![0.0; self.pressed.blend.functions() * at.len()];
             self.rule.stretch(1.0);
-            let rows = self.tilt.numbers.chunks_exact(self.tilt.width).zip(numbers.chunks_exact_mut(at.len()));
+            let rows =
+                self.pressed.tilt.numbers.chunks_exact(self.pressed.tilt.width).zip(numbers.chunks_exact_mut(at.len()));
             rows.for_each(|(row, out)| self.rule.values_into(row, &at, out));
             self.tilt_over = Some((Arc::clone(grid), Table { width: at.len(), numbers }));
         }
         let (_, table) = self.tilt_over.as_ref().expect("made before");
         self.meter.count_multiplications(table.numbers.len());
-        self.blend.functions_at(b, &mut self.room.functions);
+        self.pressed.blend.functions_at(b, &mut self.room.functions);
         table.blend_into(&self.room.functions, out);
     }
 
     /// Pressure of a member at points within it.
     pub(crate) fn pressure_into(&mut self, b: f64, at: &[Station], out: &mut [f64]) {
-        self.count(self.pressure.width, at.len());
-        self.blend.functions_at(b, &mut self.room.functions);
-        self.pressure.blend_into(&self.room.functions, &mut self.room.density);
+        self.count(self.pressed.pressure.width, at.len());
+        self.pressed.blend.functions_at(b, &mut self.room.functions);
+        self.pressed.pressure.blend_into(&self.room.functions, &mut self.room.density);
         self.stage.normal.values_of(b, &self.room.density, at, out);
         for p in out {
             *p /= b;
@@ -323,7 +314,7 @@ impl Family {
 
     /// Takes note of a member that is blended and told at so many points.
     fn count(&self, width: usize, points: usize) {
-        let members = self.blend.half_widths().len();
+        let members = self.pressed.blend.half_widths().len();
         self.meter.count_multiplications(members * width + points * width);
     }
 

@@ -213,7 +213,9 @@ impl Growing {
             rubbing.report(&mut numbers);
         }
         let lost = self.stack.as_ref().map_or((0.0, 0.0), |stack| (stack.lost(), stack.lost_at_kinks()));
-        Outcome::new(numbers, rubbing, Some(size), pressure, lost)
+        let [of_pressure, of_shear] = self.family.as_ref().map_or([0.0; 2], Family::left);
+        let left = [if self.is_kinked { of_pressure } else { 0.0 }, of_shear];
+        Outcome::new(numbers, rubbing, Some(size), pressure, lost, left)
     }
 
     /// Whether it knows the flat punches that a contact of about that half-width is a stack of.
@@ -410,7 +412,8 @@ impl Growing {
             Some(numbers)
         };
         let points: Option<_> = loads.iter().map(&mut point).collect();
-        Some((points?, stack.lost()))
+        let [of_pressure, of_shear] = family.left();
+        Some((points?, stack.lost() + of_pressure.max(of_shear)))
     }
 
     /// Checks the conditions of friction where no coarser resolution has.

@@ -1,6 +1,6 @@
 //! How sure a solved contact is.
 
-use super::error_estimate::ROUNDING;
+use super::error_estimate::{ROUNDING, SAFETY};
 use super::half_plane_shear::HalfPlaneShear;
 use super::layer::Layer;
 use super::problem::Problem;
@@ -63,6 +63,9 @@ impl Judged {
     pub(super) fn conclude(&mut self, problem: &Problem, layer: &Layer, tolerance: f64) {
         if let Some(of_shear) = self.of_shear {
             self.errors.set(Quantity::Shear, of_shear.max(left_by_sticking(&self.outcome)));
+        }
+        if let Some(of_shear) = self.errors.get(Quantity::Shear) {
+            self.errors.set(Quantity::Shear, of_shear + SAFETY * self.outcome.left[1]);
         }
         let errors = self.errors;
         for (quantity, error) in errors.iter().filter(|(quantity, _)| quantity.is_of_shear()) {
@@ -151,7 +154,7 @@ pub(super) fn with_the_rest(
     let missed = if missed > ROUNDING { missed } else { 0.0 };
     let of_kernels = layer.kernel_error(half_width).unwrap_or(0.0);
     let of_depth = layer.depth_error(half_width).unwrap_or(0.0);
-    let mut rest = of_kernels + missed + left_out;
+    let mut rest = of_kernels + missed + left_out + SAFETY * outcome.left[0];
     if problem.is_pressed_by_depth() {
         rest += of_depth;
     }

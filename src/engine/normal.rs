@@ -137,6 +137,13 @@ impl Normal {
         Ok(())
     }
 
+    /// Takes the pressure of a unit force under a flat face with sharp corners for solved.
+    pub(crate) fn take_flat(&mut self, half_width: f64, unknowns: impl Iterator<Item = f64>) {
+        self.stretch(half_width);
+        self.system.take(unknowns);
+        (self.solved_at, self.is_flat) = (Some(half_width), true);
+    }
+
     /// Takes what was solved for unsolved: it was with other kernels.
     pub(crate) fn forget(&mut self) {
         self.solved_at = None;
@@ -188,6 +195,11 @@ impl Normal {
     /// The unknowns of the pressure.
     pub(crate) fn unknowns(&self) -> &[f64] {
         &self.unknowns
+    }
+
+    /// `lim p sqrt(b^2 - x^2)/b` of a pressure of other unknowns.
+    pub(crate) fn edge_factor_of(&self, unknowns: &[f64]) -> f64 {
+        self.rule.edge_factor(unknowns) / self.half_width
     }
 
     /// A pressure of other unknowns and another half-width, at points strictly inside that contact.

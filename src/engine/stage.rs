@@ -56,6 +56,8 @@ pub(crate) struct Outcome {
     pub(crate) lost: Option<f64>,
     /// The same of a pressure exactly at a kink of the shape.
     pub(crate) lost_at_kinks: f64,
+    /// What series over the half-width leave of a stacked pressure, and of its shear. Two resolutions may leave the same.
+    pub(crate) left: [f64; 2],
 }
 
 impl Outcome {
@@ -66,13 +68,14 @@ impl Outcome {
         size: Option<Size>,
         pressure: [f64; Traces::AT.len()],
         (lost, lost_at_kinks): (f64, f64),
+        left: [f64; 2],
     ) -> Self {
-        Self { numbers, rubbing, size, pressure, lost: Some(lost), lost_at_kinks }
+        Self { numbers, rubbing, size, pressure, lost: Some(lost), lost_at_kinks, left }
     }
 
     /// An outcome of which only the stick zone is known.
     pub(crate) fn of_rubbing(rubbing: Rubbing) -> Self {
-        Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()], (0.0, 0.0))
+        Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()], (0.0, 0.0), [0.0; 2])
     }
 
     /// What it tells of the next resolution.
@@ -181,7 +184,8 @@ impl Stage {
         let mean = self.normal.mean();
         let mut pressure = [0.0; Traces::AT.len()];
         self.normal.values_into(&Traces::stations(self.normal.half_width), &mut pressure);
-        Outcome { numbers, rubbing, size, pressure: pressure.map(|p| p / mean), lost: None, lost_at_kinks: 0.0 }
+        let pressure = pressure.map(|p| p / mean);
+        Outcome { numbers, rubbing, size, pressure, ..Outcome::default() }
     }
 
     /// Solves another load of a punch whose contact grows, no wider than the one given, from what is known of others and what a
@@ -291,5 +295,10 @@ impl Stage {
             (self.sampled, self.rubbed, self.shown) = (None, None, None);
         }
         self.normal.press_sharp(layer, task.problem, half_width)
+    }
+
+    /// Takes the pressure of a unit force under a flat punch for solved, with the kernels tabulated last.
+    pub(crate) fn take_pressure(&mut self, half_width: f64, unknowns: impl Iterator<Item = f64>) {
+        self.normal.take_flat(half_width, unknowns);
     }
 }

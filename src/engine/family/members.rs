@@ -1,7 +1,9 @@
 //! The members of a family, solved one by one.
 
-use super::rubbed::{Approach, Found, Member};
+use super::pressed::Pressed;
+use super::rubbed::{Approach, Found, Member, Rubbed};
 use super::{CHECKED, Family, Unfit, during, member};
+use crate::engine::blend::Blend;
 use crate::engine::layer::Layer;
 use crate::engine::problem::Problem;
 use crate::engine::rubbing::{Rubbing, Verdict};
@@ -14,19 +16,79 @@ const NEAR: f64 = 0.3;
 /// Error of the members' stick zones over the tolerance.
 const REFINED: f64 = 0.1;
 
+/// By how much a coarser family was wrong about members of this one, each in proportion to its half-width: narrow ones bear little.
+#[derive(Default)]
+struct Wrong(Option<f64>);
+
+impl Wrong {
+    fn add(&mut self, half_width: f64, apart: f64) {
+        self.0 = self.0.into_iter().chain([half_width * apart]).reduce(f64::max);
+    }
+
+    fn add_apart(&mut self, coarse: Option<&Rubbed>, member: &Member, half_width: f64) {
+        if let Some(coarse) = coarse.filter(|coarse| coarse.tells(half_width)) {
+            self.add(half_width, coarse.apart_from(member, half_width));
+        }
+    }
+
+    /// Infinite where nothing was compared.
+    fn over(&self, widest: f64) -> f64 {
+        self.0.map_or(f64::INFINITY, |most| most / widest)
+    }
+}
+
 impl Family {
-    /// Solves all members.
-    pub(super) fn solve(
+    /// Solves the pressures of all members; `coarse` is the family of a coarser resolution.
+    pub(super) fn solve_pressures(
+        &mut self,
+        layer: &mut Layer,
+        task: Task,
+        coarse: Option<&Family>,
+    ) -> Result<(), Refusal> {
+        let mut wrong = Wrong::default();
+        for b in self.pressed.blend.half_widths().to_vec() {
+            let flat = member(task.problem, b, false);
+            self.stage.press(layer, Task { problem: &flat, ..task }, b)?;
+            self.keep_pressure(layer, &flat, b)?;
+            if let Some(coarse) = coarse.filter(|coarse| b <= coarse.widest()) {
+                wrong.add(b, self.apart_at_edge(coarse, b));
+            }
+        }
+        self.pressed.blended(coarse.map(|coarse| (coarse.pressed.told, wrong.over(self.widest()))));
+        Ok(())
+    }
+
+    /// By how much pressure and `W` of the member solved last differ at the edge, relative, from what a coarser resolution tells of
+    /// them: resolutions agree there long before they do elsewhere.
+    fn apart_at_edge(&self, coarse: &Family, b: f64) -> f64 {
+        let (mut functions, mut unknowns) = (Vec::new(), Vec::new());
+        let Pressed { blend, pressure, tilt, .. } = &coarse.pressed;
+        blend.functions_at(b, &mut functions);
+        pressure.blend_into(&functions, &mut unknowns);
+        let normal = &self.stage.normal;
+        let here = normal.edge_factor_of(normal.unknowns()) * b;
+        let of_pressure = (coarse.stage.normal.edge_factor_of(&unknowns) / here - 1.0).abs();
+        tilt.blend_into(&functions, &mut unknowns);
+        let here = self.edge_factor_of_tilt(self.system.column(0));
+        of_pressure.max((coarse.edge_factor_of_tilt(&unknowns) / here - 1.0).abs())
+    }
+
+    /// `lim W sqrt(b^2 - x^2)/b`.
+    fn edge_factor_of_tilt(&self, unknowns: &[f64]) -> f64 {
+        self.rule.edge_factor(unknowns) / self.rule.half_width()
+    }
+
+    /// Solves the pressures of all members, and the shears of those of a blend of their own.
+    pub(super) fn solve_under_friction(
         &mut self,
         layer: &mut Layer,
         task: Task,
         contact: f64,
-        coarse: Option<&Family>,
+        (blend, coarse): (Blend, Option<&Family>),
     ) -> Result<(), Unfit> {
-        let half_widths = self.blend.half_widths().to_vec();
         let mut before: Option<Root> = None;
         let mut sticks = coarse.is_some_and(Family::sticks);
-        if self.friction.is_some() && coarse.as_ref().is_none_or(|coarse| coarse.rubbed.is_none()) {
+        if coarse.is_none_or(|coarse| coarse.rubbed.is_none()) {
             // The contact itself, by a search of its own: the others follow.
             let flat = member(task.problem, contact, true);
             let outcome = self.stage.solve(layer, Task { problem: &flat, ..task }, None, None)?;
@@ -37,17 +99,17 @@ impl Family {
                 return Err(Unfit::Friction(contact, Box::new(found.clone())));
             }
         }
+        self.solve_pressures(layer, task, coarse)?;
         // What a coarser resolution found to hold is not checked again; without one, nothing is known well enough.
         let (is_first, known) = (coarse.is_none(), coarse.is_some_and(Family::is_checked));
         let mut found = Found::new(coarse.and_then(Family::moves), !is_first);
+        let half_widths = blend.half_widths();
+        let coarse_zones = coarse.and_then(|coarse| coarse.rubbed.as_ref());
+        let mut wrong = Wrong::default();
         for (k, b) in half_widths.iter().copied().enumerate() {
-            let flat = member(task.problem, b, self.friction.is_some());
+            let flat = member(task.problem, b, true);
             let task = Task { problem: &flat, ..task };
-            if self.friction.is_none() {
-                self.stage.press(layer, task, b)?;
-                self.keep_pressure(layer, &flat, b)?;
-                continue;
-            }
+            self.take_pressure(b);
             let asked = !is_first && !known && k % CHECKED == 0;
             if sticks {
                 let member = match self.stick_member(layer, task, b, asked) {
@@ -57,7 +119,7 @@ impl Family {
                     }
                     member => member?,
                 };
-                self.keep_pressure(layer, &flat, b)?;
+                wrong.add_apart(coarse_zones, &member, b);
                 found.add(member);
                 continue;
             }
@@ -68,26 +130,31 @@ impl Family {
                 Err(why) => return Err(Unfit::Friction(b, why)),
             };
             found.checked &= checked || !asked;
-            self.keep_pressure(layer, &flat, b)?;
             let root = member.root;
+            wrong.add_apart(coarse_zones, &member, b);
             if !found.add(member) {
                 let turned = "the direction of slip turns while the contact grows".into();
                 return Err(Unfit::Friction(b, Box::new(Rubbing::expected(root, b, false).failing(turned))));
             }
         }
-        self.pressure = std::mem::take(&mut self.pressure).blended(&self.blend);
-        self.tilt = std::mem::take(&mut self.tilt).blended(&self.blend);
-        self.depth = self.blend.coefficients(&self.depth, 1);
-        self.rubbed = self.friction.map(|_| found.blended(&self.of_shear));
+        let told = coarse_zones.map(|coarse| (coarse.told, wrong.over(blend.widest())));
+        self.rubbed = Some(found.blended(blend, told));
         Ok(())
+    }
+
+    /// Gives the stage the pressure of a member, as it is told between those solved.
+    fn take_pressure(&mut self, b: f64) {
+        self.pressed.blend.functions_at(b, &mut self.room.functions);
+        self.pressed.pressure.blend_into(&self.room.functions, &mut self.room.density);
+        self.stage.take_pressure(b, self.room.density.iter().map(|p| p / b));
     }
 
     /// Keeps what the pressure of the member solved last tells.
     fn keep_pressure(&mut self, layer: &Layer, flat: &Problem, b: f64) -> Result<(), Refusal> {
-        self.pressure.push(self.stage.normal.unknowns().iter().map(|p| p * b));
+        self.pressed.pressure.push(self.stage.normal.unknowns().iter().map(|p| p * b));
         self.tilted(layer, b)?;
         let depth = self.stage.normal.depth(layer, flat);
-        self.depth.push(depth.map_or(0.0, |depth| depth / flat.elastic.a0() - self.on_half_plane.at(b)));
+        self.pressed.depth.push(depth.map_or(0.0, |depth| depth / flat.elastic.a0() - self.on_half_plane.at(b)));
         Ok(())
     }
 
@@ -104,7 +171,7 @@ impl Family {
             }
             1
         })?;
-        self.tilt.push(self.system.column(0).iter().copied());
+        self.pressed.tilt.push(self.system.column(0).iter().copied());
         Ok(())
     }
 

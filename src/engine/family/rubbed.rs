@@ -1,7 +1,8 @@
 //! What friction makes of the flat punches of a family: their stick zones, and what their shear lacks to that of full
 //! sliding.
 
-use crate::engine::blend::{Blend, LANES, Lanes, add_rows};
+use super::told::Told;
+use crate::engine::blend::{Blend, LANES, Lanes, add_rows, largest};
 use crate::engine::sheet::{Places, Sheet};
 use crate::engine::stage::Stage;
 use crate::engine::stick_search::Root;
@@ -10,6 +11,12 @@ use std::sync::Arc;
 
 /// The stick zones of a family.
 pub(super) struct Rubbed {
+    /// Where they are known, and how they are told in between.
+    pub(super) blend: Arc<Blend>,
+    /// How well.
+    pub(super) told: Told,
+    /// By how much more slowly what the shear lacks falls off than the zone.
+    slower: f64,
     /// `ln(a/(b' - a))` of each member.
     pub(super) lambda: Vec<f64>,
     /// How much of each function of the half-width there is in it, and in the slope of the friction coefficient over it.
@@ -19,7 +26,7 @@ pub(super) struct Rubbed {
     pub(super) branch: f64,
     /// Where everything sticks: how much of each function of the half-width there is in the friction coefficient from which on it
     /// does, with the sign of the shear at the edge.
-    pub(super) of_least: Option<Vec<f64>>,
+    of_least: Option<Vec<f64>>,
     /// What the shear lacks in the stick zone, times the half-width.
     pub(super) lack: Sheet,
     /// By how much that moves with `lambda`, here or at a coarser resolution.
@@ -30,14 +37,40 @@ pub(super) struct Rubbed {
 
 impl Rubbed {
     /// The stick zone under a half-width.
-    pub(super) fn lambda_at(&self, blend: &Blend, half_width: f64) -> f64 {
-        blend.sum(half_width, &self.of_lambda)
+    pub(super) fn lambda_at(&self, half_width: f64) -> f64 {
+        self.blend.sum(half_width, &self.of_lambda)
     }
 
     /// The same, and how the friction coefficient rises there.
-    pub(super) fn root_at(&self, blend: &Blend, half_width: f64, doubt: f64) -> Root {
-        let slope = blend.sum(half_width, &self.of_slope);
-        Root { lambda: self.lambda_at(blend, half_width), branch: self.branch, slope, doubt }
+    pub(super) fn root_at(&self, half_width: f64, doubt: f64) -> Root {
+        let slope = self.blend.sum(half_width, &self.of_slope);
+        Root { lambda: self.lambda_at(half_width), branch: self.branch, slope, doubt }
+    }
+
+    /// By how much a member of that half-width, of a finer resolution, differs from what is told of it, as far as that is the series: by
+    /// its stick zone, on which resolutions agree long before they do on the shear, or where everything sticks by the friction
+    /// coefficient from which on it does.
+    pub(super) fn apart_from(&self, member: &Member, half_width: f64) -> f64 {
+        let of_zone = match (self.least_at(half_width), member.least) {
+            (Some(told), Some(least)) => told / least - 1.0,
+            _ => self.lambda_at(half_width) - member.root.lambda,
+        };
+        self.slower * of_zone.abs()
+    }
+
+    /// Whether a half-width is between its members.
+    pub(super) fn tells(&self, half_width: f64) -> bool {
+        (self.blend.narrowest()..=self.blend.widest()).contains(&half_width)
+    }
+
+    /// Whether everything sticks.
+    pub(super) fn sticks(&self) -> bool {
+        self.of_least.is_some()
+    }
+
+    /// Where everything sticks, the friction coefficient from which on it does under a half-width.
+    pub(super) fn least_at(&self, half_width: f64) -> Option<f64> {
+        Some(self.blend.sum(half_width, self.of_least.as_ref()?))
     }
 
     /// The stick zones under half-widths side by side, from the blend's functions there.
@@ -132,23 +165,37 @@ impl Found {
     }
 
     /// All members were found.
-    pub(super) fn blended(self, blend: &Arc<Blend>) -> Rubbed {
+    pub(super) fn blended(self, blend: Blend, coarse: Option<(Told, f64)>) -> Rubbed {
+        let blend = Arc::new(blend);
         let is_known = self.moves.len() == self.lack.len();
         let (lack, width) = side_by_side(self.lack);
         let moves = is_known.then(|| {
             let (moves, width) = side_by_side(self.moves);
             let coefficients = blend.coefficients(&moves, width);
-            Arc::new(Moves { blend: Arc::clone(blend), coefficients, doubt: self.doubt })
+            Arc::new(Moves { blend: Arc::clone(&blend), coefficients, doubt: self.doubt })
         });
+        let of_lambda = blend.coefficients(&self.lambda, 1);
+        let lack = blend.coefficients(&lack, width);
+        let of_least = (!self.least.is_empty()).then(|| blend.coefficients(&self.least, 1));
+        // A zone is a logarithm.
+        let of_zone = match &of_least {
+            Some(of_least) => blend.last(of_least, 1) / largest(of_least),
+            None => blend.last(&of_lambda, 1),
+        };
+        let of_lack = blend.last(&lack, width) / largest(&lack);
+        let told = Told::new(blend.functions(), of_lack.max(of_zone), coarse);
         Rubbed {
-            of_lambda: blend.coefficients(&self.lambda, 1),
+            told,
+            of_lambda,
             of_slope: blend.coefficients(&self.slope, 1),
             lambda: self.lambda,
             branch: self.branch,
-            of_least: (!self.least.is_empty()).then(|| blend.coefficients(&self.least, 1)),
-            lack: Sheet::new(blend.coefficients(&lack, width), width),
+            slower: (of_lack / of_zone).max(1.0),
+            of_least,
+            lack: Sheet::new(lack, width),
             moves: moves.or(self.known),
             checked: self.checked,
+            blend,
         }
     }
 

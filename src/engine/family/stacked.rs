@@ -15,7 +15,7 @@ impl Family {
     pub(crate) fn stacked_pressure(&mut self, slices: &[Slice], x: f64) -> f64 {
         self.spread_pressure();
         let sheet = self.pressure_at.as_ref().expect("made before");
-        self.meter.count_multiplications(slices.len() * self.pressure.numbers.len());
+        self.meter.count_multiplications(slices.len() * self.pressed.pressure.numbers.len());
         let (mut places, mut factors) = ([0.0; LANES], [0.0; LANES]);
         let mut sum = 0.0;
         for slices in slices.chunks(LANES) {
@@ -27,7 +27,7 @@ impl Family {
                 *place = sheet::place(Station { x, gap: *beyond }).min(1.0);
                 *factor = if root > 0.0 { force / root } else { 0.0 };
             }
-            self.blend.functions_into(&half_widths(slices), &mut self.room.side_by_side);
+            self.pressed.blend.functions_into(&half_widths(slices), &mut self.room.side_by_side);
             let mut values = [0.0; LANES];
             sheet.values_into(&self.room.side_by_side, &places, &mut self.room.polynomials, &mut values);
             sum += values.iter().zip(&factors).map(|(value, factor)| value * factor).sum::<f64>();
@@ -39,10 +39,10 @@ impl Family {
     pub(crate) fn presses(&mut self) -> bool {
         self.spread_pressure();
         let sheet = self.pressure_at.as_ref().expect("made before");
-        self.blend.half_widths().chunks(LANES).all(|members| {
+        self.pressed.blend.half_widths().chunks(LANES).all(|members| {
             let mut half_widths = [members[0]; LANES];
             half_widths[..members.len()].copy_from_slice(members);
-            self.blend.functions_into(&half_widths, &mut self.room.side_by_side);
+            self.pressed.blend.functions_into(&half_widths, &mut self.room.side_by_side);
             (0..LOOKED_AT).all(|i| {
                 let mut values = [0.0; LANES];
                 let place = [i as f64 / LOOKED_AT as f64; LANES];
@@ -57,10 +57,10 @@ impl Family {
         if self.pressure_at.is_some() {
             return;
         }
-        let places = Places::of(self.pressure.width as f64);
+        let places = Places::of(self.pressed.pressure.width as f64);
         let stations = &places.stations;
-        let mut rows = Vec::with_capacity(self.blend.functions() * stations.len());
-        for row in self.pressure.numbers.chunks_exact(self.pressure.width) {
+        let mut rows = Vec::with_capacity(self.pressed.blend.functions() * stations.len());
+        for row in self.pressed.pressure.numbers.chunks_exact(self.pressed.pressure.width) {
             let first = rows.len();
             rows.resize(first + stations.len(), 0.0);
             self.stage.normal.values_of(1.0, row, stations, &mut rows[first..]);
@@ -72,11 +72,11 @@ impl Family {
     /// What the shear of slices lacks to that of full sliding, `eta p - q`, at a point.
     pub(crate) fn stacked_lack(&mut self, slices: &[Slice], x: f64) -> f64 {
         let rubbed = self.rubbed.as_ref().expect("a family with friction");
-        self.meter.count_multiplications(slices.len() * self.of_shear.functions() * rubbed.lack.width());
+        self.meter.count_multiplications(slices.len() * rubbed.blend.functions() * rubbed.lack.width());
         let (mut places, mut factors) = ([0.0; LANES], [0.0; LANES]);
         let mut sum = 0.0;
         for slices in slices.chunks(LANES) {
-            self.of_shear.functions_into(&half_widths(slices), &mut self.room.side_by_side);
+            rubbed.blend.functions_into(&half_widths(slices), &mut self.room.side_by_side);
             let lambda = rubbed.lambda_in_lanes(&self.room.side_by_side);
             factors.fill(0.0);
             let lanes = slices.iter().zip(&lambda).zip(places.iter_mut().zip(&mut factors));
