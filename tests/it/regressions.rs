@@ -1249,6 +1249,8 @@ fn what_is_missed_between_flat_punches_is_in_the_errors() {
     for (h, ratio, nu, eta, tolerance) in [
         (1.622_841_014_468_784, 0.115_960_075_7, 0.112_687_550_373_557_78, 0.128_430_678_538_468_54, 1e-4),
         (0.383_710_767_334_617_5, 0.808_345_811_4, 0.094_698_140_104_087_89, 0.897_991_453_601_399, 1e-8),
+        // Off by three estimates where what the series leave is not added to what the differences tell.
+        (1.591_396_960_199_756_6, 0.060_049_002_5, 0.335_424_284_991_289_8, 0.226_097_876_956_337_8, 1e-3),
     ] {
         let (found, exact) = (wedge(h, ratio, nu, eta, tolerance), wedge(h, ratio, nu, eta, 1e-3 * tolerance));
         for name in ["load.force", "load.indentation"] {
