@@ -4,7 +4,7 @@
 //! logarithm first with `b` (stick zone) or `b^2` (pressure). Polynomials alone tell `b^p log b` no better than
 //! `n^-(2 p + 1)`; the first few of these terms beside them cost nothing.
 
-use super::chebyshev::Points;
+use super::chebyshev::{Points, largest};
 use super::dense::Dense;
 use arrayvec::ArrayVec;
 use pulp::{Arch, Simd, WithSimd};
@@ -129,11 +129,6 @@ impl Blend {
         self.functions.values_into(self.share(half_width), values);
         values.iter().zip(coefficients).map(|(value, coefficient)| value * coefficient).sum()
     }
-}
-
-/// The largest of some numbers, whatever its sign.
-pub(crate) fn largest(numbers: &[f64]) -> f64 {
-    numbers.iter().fold(0.0, |most, number| most.max(number.abs()))
 }
 
 /// Points on `(0, 1)` that tell logarithms at 0 from polynomials, descending.

@@ -296,9 +296,4 @@ impl Stage {
         }
         self.normal.press_sharp(layer, task.problem, half_width)
     }
-
-    /// Takes the pressure of a unit force under a flat punch for solved, with the kernels tabulated last.
-    pub(crate) fn take_pressure(&mut self, half_width: f64, unknowns: impl Iterator<Item = f64>) {
-        self.normal.take_flat(half_width, unknowns);
-    }
 }

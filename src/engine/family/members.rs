@@ -2,8 +2,9 @@
 
 use super::pressed::Pressed;
 use super::rubbed::{Approach, Found, Member, Rubbed};
-use super::{CHECKED, Family, Unfit, during, member};
+use super::{CHECKED, Family, Room, Unfit, during, member};
 use crate::engine::blend::Blend;
+use crate::engine::error_estimate::apart;
 use crate::engine::layer::Layer;
 use crate::engine::problem::Problem;
 use crate::engine::rubbing::{Rubbing, Verdict};
@@ -60,17 +61,17 @@ impl Family {
 
     /// By how much pressure and `W` of the member solved last differ at the edge, relative, from what a coarser resolution tells of
     /// them: resolutions agree there long before they do elsewhere.
-    fn apart_at_edge(&self, coarse: &Family, b: f64) -> f64 {
-        let (mut functions, mut unknowns) = (Vec::new(), Vec::new());
+    fn apart_at_edge(&mut self, coarse: &Family, b: f64) -> f64 {
+        let Room { functions, density, .. } = &mut self.room;
         let Pressed { blend, pressure, tilt, .. } = &coarse.pressed;
-        blend.functions_at(b, &mut functions);
-        pressure.blend_into(&functions, &mut unknowns);
+        blend.functions_at(b, functions);
+        pressure.blend_into(functions, density);
+        let told = coarse.stage.normal.edge_factor_of(density);
+        tilt.blend_into(functions, density);
+        let told = [told, coarse.edge_factor_of_tilt(density)];
         let normal = &self.stage.normal;
-        let here = normal.edge_factor_of(normal.unknowns()) * b;
-        let of_pressure = (coarse.stage.normal.edge_factor_of(&unknowns) / here - 1.0).abs();
-        tilt.blend_into(&functions, &mut unknowns);
-        let here = self.edge_factor_of_tilt(self.system.column(0));
-        of_pressure.max((coarse.edge_factor_of_tilt(&unknowns) / here - 1.0).abs())
+        let here = [b * normal.edge_factor_of(normal.unknowns()), self.edge_factor_of_tilt(self.system.column(0))];
+        apart(&[told[0] / here[0], told[1] / here[1]], &[1.0; 2], 1.0)
     }
 
     /// `lim W sqrt(b^2 - x^2)/b`.
@@ -146,7 +147,7 @@ impl Family {
     fn take_pressure(&mut self, b: f64) {
         self.pressed.blend.functions_at(b, &mut self.room.functions);
         self.pressed.pressure.blend_into(&self.room.functions, &mut self.room.density);
-        self.stage.take_pressure(b, self.room.density.iter().map(|p| p / b));
+        self.stage.normal.take_flat(b, self.room.density.iter().map(|p| p / b));
     }
 
     /// Keeps what the pressure of the member solved last tells.

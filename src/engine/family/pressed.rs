@@ -1,7 +1,8 @@
 //! What is told of the pressures under the flat punches of a family.
 
 use super::told::Told;
-use crate::engine::blend::{Blend, add_rows, largest};
+use crate::engine::blend::{Blend, add_rows};
+use crate::engine::chebyshev::largest;
 
 /// Pressures under unit forces, as one resolution knows them.
 pub(super) struct Pressed {

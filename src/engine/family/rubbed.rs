@@ -2,7 +2,8 @@
 //! sliding.
 
 use super::told::Told;
-use crate::engine::blend::{Blend, LANES, Lanes, add_rows, largest};
+use crate::engine::blend::{Blend, LANES, Lanes, add_rows};
+use crate::engine::chebyshev::largest;
 use crate::engine::sheet::{Places, Sheet};
 use crate::engine::stage::Stage;
 use crate::engine::stick_search::Root;
