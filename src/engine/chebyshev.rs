@@ -2,7 +2,8 @@
 //!
 //! L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013), chapters 3 to 5 and 8.
 
-use super::blend::add_rows;
+use super::blend::{LANES, Lanes, add_rows};
+use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Shelf;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::{Arc, OnceLock};
@@ -70,6 +71,11 @@ impl Series {
         (first + x * b1 - b2, 2.0 * (b1 + x * d1 - d2))
     }
 
+    /// The same at some points.
+    pub(crate) fn values_and_slopes(&self, s: &Lanes) -> (Lanes, Lanes) {
+        Arch::new().dispatch(InLanes { series: self, s })
+    }
+
     /// Its number of coefficients.
     pub(crate) fn len(&self) -> usize {
         self.0.len()
@@ -84,6 +90,31 @@ impl Series {
     /// How large the last few are.
     pub(crate) fn last(&self) -> f64 {
         largest(&self.0[self.0.len().saturating_sub(3)..])
+    }
+}
+
+/// See [`Series::values_and_slopes`].
+struct InLanes<'a> {
+    series: &'a Series,
+    s: &'a Lanes,
+}
+
+impl WithSimd for InLanes<'_> {
+    type Output = (Lanes, Lanes);
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> (Lanes, Lanes) {
+        let x = self.s.map(|s| 2.0 * s - 1.0);
+        let ([mut b1, mut b2], [mut d1, mut d2]) = ([[0.0; LANES]; 2], [[0.0; LANES]; 2]);
+        for c in self.series.0.iter().skip(1).rev() {
+            for i in 0..LANES {
+                (d1[i], d2[i]) = (2.0 * (b1[i] + x[i] * d1[i]) - d2[i], d1[i]);
+                (b1[i], b2[i]) = (c + 2.0 * x[i] * b1[i] - b2[i], b1[i]);
+            }
+        }
+        let first = self.series.0.first().copied().unwrap_or(0.0);
+        let value = std::array::from_fn(|i| first + x[i] * b1[i] - b2[i]);
+        (value, std::array::from_fn(|i| 2.0 * (b1[i] + x[i] * d1[i] - d2[i])))
     }
 }
 
@@ -107,6 +138,9 @@ mod tests {
             let (value, slope) = series.value_and_slope(s);
             let exact = 2.0 * f(s) - f(s) / (1.0 + s);
             assert!((value - f(s)).abs() < 1e-12 && (slope - exact).abs() < 1e-10, "{value}, {slope} at {s}");
+            let (values, slopes) = series.values_and_slopes(&std::array::from_fn(|i| s / (1 + i) as f64));
+            assert_eq!((values[0], slopes[0]), (value, slope), "the same side by side with others");
+            assert_eq!((values[2], slopes[2]), series.value_and_slope(s / 3.0));
         }
         assert!((points.at[0] - (0.5 * FRAC_PI_2 / 18.0).cos().powi(2)).abs() < 1e-15);
     }

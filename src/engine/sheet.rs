@@ -3,6 +3,7 @@
 use super::blend::{LANES, Lanes, polynomials_in_lanes};
 use super::chebyshev::Points;
 use pulp::{Arch, Simd, WithSimd};
+use slipzone_api::elementary::{asinh, ln_1p};
 use slipzone_api::{Shelf, Station};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
@@ -97,7 +98,7 @@ impl Places {
 
 /// The place of a point in a contact; above 1 so close to its end that it is as good as there.
 pub(super) fn place(Station { x, gap }: Station) -> f64 {
-    ((2.0 * x / gap).ln_1p() / PI).asinh() / END
+    asinh(ln_1p(2.0 * x / gap) / PI) / END
 }
 
 struct Values<'a> {

@@ -16,6 +16,7 @@ use super::ways::{self, Ways};
 use basin::Toms748Root;
 use force::{Made, Piece};
 use slipzone_api::double_exponential::Node;
+use slipzone_api::elementary::sinh;
 use slipzone_api::{Refusal, Station};
 use std::sync::Arc;
 
@@ -46,6 +47,8 @@ const ROUNDING: f64 = 1e-14;
 const LONGEST_PIECE: f64 = 2.5;
 /// By how much a half-width is narrower from which the growth of a load is measured, relative.
 const BESIDE: f64 = 1e-3;
+/// As many slices as most points have.
+const USUAL_SLICES: usize = 128;
 /// Half-widths at which the force is looked at.
 const RISING: usize = 32;
 /// The way in `ln b'` over which a depth is looked at for its first rise to a load's.
@@ -263,7 +266,7 @@ impl Stack {
     pub(crate) fn force(&self, problem: &Problem, b: f64) -> f64 {
         let last = self.pieces.last().expect("one piece at least");
         let piece = self.pieces.iter().find(|piece| b <= piece.to).unwrap_or(last);
-        piece.force_and_rate(problem, b, b - piece.from).0
+        piece.force(problem, b)
     }
 
     /// Whether the force grows all the way to a half-width, as far as a few of them tell.
@@ -342,44 +345,57 @@ impl Stack {
 
     /// What integrals over the force from `from` to `b` are summed of, seen from `x <= from`.
     fn slices(&self, problem: &Problem, ways: &Ways, x: f64, (from, b): (f64, f64)) -> Vec<Slice> {
-        let mut slices = Vec::new();
+        let (mut slices, mut distances) = (Vec::with_capacity(USUAL_SLICES), Vec::with_capacity(USUAL_SLICES));
         for piece in &self.pieces {
             let (lower, upper) = (piece.from.max(from), piece.to.min(b));
             if lower >= upper {
                 continue;
             }
-            let to_piece = lower - piece.from;
+            let (first, to_piece) = (slices.len(), lower - piece.from);
             // A half-width, by how much it lies beyond `x` and beyond the lower end, and its weight.
-            let mut add = |half_width: f64, beyond: f64, from_lower: f64, weight: f64| {
-                let rate = piece.force_and_rate(problem, half_width, to_piece + from_lower).1;
-                slices.push(Slice { half_width, beyond, force: weight * rate });
+            let add = |half_width: f64, beyond: f64, from_lower: f64, weight: f64| {
+                slices.push(Slice { half_width, beyond, force: weight });
+                distances.push(to_piece + from_lower);
             };
-            if x > 0.0 {
-                let each = |at: Beyond| add(at.member, at.gap, at.from_lower, at.weight);
-                nodes_beyond(ways, x, piece.from, (lower, upper), each);
-                continue;
-            }
-            let mut start = lower;
-            if lower == 0.0 {
-                let Some(power) = pointed(problem, upper) else {
-                    for node in self.grid.iter() {
-                        let member = upper * node.from_lower;
-                        add(member, member, member, upper * node.weight);
-                    }
-                    continue;
-                };
-                // `dP/b'` of all that is nearer to the tip, in one place.
-                start = TIP[1] * upper;
-                add(start, start, start, start / power);
-            }
-            // In proportion.
-            ways.along((upper / start).ln(), LONGEST_PIECE, |passed, weight| {
-                let from_start = start * passed.exp_m1();
-                let member = start + from_start;
-                add(member, member, start - lower + from_start, weight * member);
-            });
+            self.nodes_of_piece(problem, ways, (x, piece.from), (lower, upper), add);
+            piece.weigh(problem, &mut slices[first..], &distances[first..]);
         }
         slices
+    }
+
+    /// Nodes of an integral over a part of a piece that begins `from` there or before, seen from `x`.
+    fn nodes_of_piece(
+        &self,
+        problem: &Problem,
+        ways: &Ways,
+        (x, from): (f64, f64),
+        (lower, upper): (f64, f64),
+        mut add: impl FnMut(f64, f64, f64, f64),
+    ) {
+        if x > 0.0 {
+            let each = |at: Beyond| add(at.member, at.gap, at.from_lower, at.weight);
+            nodes_beyond(ways, x, from, (lower, upper), each);
+            return;
+        }
+        let mut start = lower;
+        if lower == 0.0 {
+            let Some(power) = pointed(problem, upper) else {
+                for node in self.grid.iter() {
+                    let member = upper * node.from_lower;
+                    add(member, member, member, upper * node.weight);
+                }
+                return;
+            };
+            // `dP/b'` of all that is nearer to the tip, in one place.
+            start = TIP[1] * upper;
+            add(start, start, start, start / power);
+        }
+        // In proportion.
+        ways.along((upper / start).ln(), LONGEST_PIECE, |passed, weight| {
+            let from_start = start * passed.exp_m1();
+            let member = start + from_start;
+            add(member, member, start - lower + from_start, weight * member);
+        });
     }
 
     /// Pressure at points of a contact.
@@ -485,7 +501,7 @@ fn nodes_beyond(ways: &Ways, x: f64, from: f64, (lower, upper): (f64, f64), mut 
     if from > 0.0 && apart > 0.0 {
         let end = ((upper - lower) / apart).sqrt().asinh();
         ways.along(end, LONGEST, |t, weight| {
-            let root = t.sinh();
+            let root = sinh(t);
             let from_lower = apart * root * root;
             let (member, gap) = (lower + from_lower, (lower - x) + from_lower);
             each(Beyond { member, gap, from_lower, weight: weight * apart * twice(root) });
@@ -495,10 +511,9 @@ fn nodes_beyond(ways: &Ways, x: f64, from: f64, (lower, upper): (f64, f64), mut 
     let parameter = |member: f64| 2.0 * ((member - x).max(0.0) / (2.0 * x)).sqrt().asinh();
     let (start, end) = (parameter(lower), parameter(upper));
     ways.along(end - start, LONGEST, |passed, weight| {
-        let root = (0.5 * (start + passed)).sinh();
+        let root = sinh(0.5 * (start + passed));
         let gap = 2.0 * x * root * root;
-        let from_lower =
-            if start == 0.0 { gap } else { 2.0 * x * (start + 0.5 * passed).sinh() * (0.5 * passed).sinh() };
+        let from_lower = if start == 0.0 { gap } else { 2.0 * x * sinh(start + 0.5 * passed) * sinh(0.5 * passed) };
         each(Beyond { member: lower + from_lower, gap, from_lower, weight: weight * x * twice(root) });
     });
 }

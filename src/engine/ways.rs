@@ -2,7 +2,7 @@
 
 use slipzone_api::Shelf;
 use slipzone_api::double_exponential::{self, Node};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Sets of nodes.
 const WAYS: usize = 6;
@@ -23,18 +23,28 @@ static ROUGH_GRIDS: Shelf<usize, Vec<Node>> = Shelf::new(KEPT, Vec::len);
 /// Parts of a way, and their weights.
 type Way = Vec<[f64; 2]>;
 
-/// Nodes for ways of every length, more of them for longer ones.
-pub(super) struct Ways([Arc<Way>; WAYS]);
+/// Nodes for ways of every length, more of them for longer ones; made when first asked for.
+pub(super) struct Ways {
+    /// How many they are, and where they are kept.
+    nodes: [usize; WAYS],
+    kept: &'static Shelf<usize, Way>,
+    make: fn(usize) -> Way,
+    made: [OnceLock<Arc<Way>>; WAYS],
+}
 
 impl Ways {
     /// Where what is integrated begins like a power.
     pub(super) fn gathered(nodes: usize) -> Self {
-        Self(std::array::from_fn(|i| way(&GATHERED_WAYS, nodes * (5 + i) / 3, gathered)))
+        Self::new(std::array::from_fn(|i| nodes * (5 + i) / 3), &GATHERED_WAYS, gathered)
     }
 
     /// Where something may happen just before the way begins.
     pub(super) fn crowded(nodes: usize) -> Self {
-        Self(std::array::from_fn(|i| way(&CROWDED_WAYS, nodes * (2 + i) / 2, crowded)))
+        Self::new(std::array::from_fn(|i| nodes * (2 + i) / 2), &CROWDED_WAYS, crowded)
+    }
+
+    fn new(nodes: [usize; WAYS], kept: &'static Shelf<usize, Way>, make: fn(usize) -> Way) -> Self {
+        Self { nodes, kept, make, made: [const { OnceLock::new() }; WAYS] }
     }
 
     /// Shows `each` how far along a way its nodes lie, and their weights: in as many equal parts as keep each within `longest`.
@@ -53,13 +63,9 @@ impl Ways {
     /// The nodes for a way so long.
     fn for_length(&self, length: f64) -> &[[f64; 2]] {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most WAYS
-        &self.0[((length / FARTHER) as usize).min(WAYS - 1)]
+        let i = ((length / FARTHER) as usize).min(WAYS - 1);
+        self.made[i].get_or_init(|| self.kept.get(self.nodes[i], || (self.make)(self.nodes[i])))
     }
-}
-
-/// One way of so many nodes.
-fn way(kept: &Shelf<usize, Way>, nodes: usize, make: fn(usize) -> Way) -> Arc<Way> {
-    kept.get(nodes, || make(nodes))
 }
 
 /// A double-exponential grid of unit length.

@@ -3,7 +3,7 @@
 //! A logarithm of the standard library is a call for each number. These have the same value in a loop and on
 //! their own: nothing in them depends on what the machine has.
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, LOG2_E, PI};
 
 /// Euler's constant.
 pub const EULER_GAMMA: f64 = 0.577_215_664_901_532_9;
@@ -15,6 +15,8 @@ pub const LANES: usize = 4;
 const EXPONENT_BITS: u32 = 52;
 /// The bits of 1.
 const ONE: u64 = 1.0_f64.to_bits();
+/// The exponent's bits of 1.
+const EXPONENT_OF_ONE: u64 = ONE >> EXPONENT_BITS;
 /// About `sqrt(1/2)`, in bits: mantissas are taken from here to twice as much.
 const LEAST_MANTISSA: u64 = 0x3fe6_a09e_0000_0000;
 /// `2^52`: added to a small whole number, it leaves that number in the lowest bits.
@@ -61,6 +63,24 @@ const ARC_TANGENT: [f64; 11] = [
     -0.036_531_572_744_216_916,
     0.016_285_820_115_365_782,
 ];
+/// Of `(exp(r) - 1 - r)/r^2` in powers of `r`, for `|r| <= ln(2)/2` to `2^-57`: `1/(k + 2)!`.
+const EXPONENTIAL: [f64; 12] = [
+    1.0 / 2.0,
+    1.0 / 6.0,
+    1.0 / 24.0,
+    1.0 / 120.0,
+    1.0 / 720.0,
+    1.0 / 5_040.0,
+    1.0 / 40_320.0,
+    1.0 / 362_880.0,
+    1.0 / 3_628_800.0,
+    1.0 / 39_916_800.0,
+    1.0 / 479_001_600.0,
+    1.0 / 6_227_020_800.0,
+];
+/// `1.5 2^52`: added to a number of either sign that is small beside it, it rounds that number to a whole one, and leaves it in the
+/// lowest bits.
+const ROUND: f64 = 6_755_399_441_055_744.0;
 /// `cot(pi/8)`; `tan(pi/8)` is less by 2.
 const STEEP: f64 = 2.414_213_562_373_095;
 
@@ -88,6 +108,31 @@ pub fn ln_1p(y: f64) -> f64 {
     let sum = 1.0 + y;
     // What rounding took off the sum.
     ln(sum) + (y - (sum - 1.0)) / sum
+}
+
+/// `asinh y` for `0 <= y < 1e154`, to four units in the last place.
+#[inline(always)]
+pub fn asinh(y: f64) -> f64 {
+    let square = y * y;
+    ln_1p(y + square / (1.0 + (1.0 + square).sqrt()))
+}
+
+/// `sinh x` for `|x| <= 700`, to three units in the last place.
+#[inline(always)]
+pub fn sinh(x: f64) -> f64 {
+    let size = x.abs();
+    let rounded = size * LOG2_E + ROUND;
+    let k = rounded - ROUND;
+    let r = (size - k * LN_2.0) - k * LN_2.1;
+    let mut sum = EXPONENTIAL[EXPONENTIAL.len() - 1];
+    for c in EXPONENTIAL[..EXPONENTIAL.len() - 1].iter().rev() {
+        sum = sum * r + c;
+    }
+    // exp(x) - 1 = 2^k [exp(r) - 1 + (1 - 2^-k)] keeps the digits of a small number.
+    let exponent = rounded.to_bits().wrapping_add(EXPONENT_OF_ONE) << EXPONENT_BITS;
+    let inverse = EXPONENT_OF_ONE.wrapping_sub(rounded.to_bits()) << EXPONENT_BITS;
+    let less = f64::from_bits(exponent) * (r + r * r * sum + (1.0 - f64::from_bits(inverse)));
+    (0.5 * (less + less / (1.0 + less))).copysign(x)
 }
 
 /// `sin(pi d)` for `|d| <= 1/2`, to two units in the last place.
@@ -164,6 +209,25 @@ mod tests {
         }
         assert!(ln(1.0).abs() < f64::MIN_POSITIVE);
         assert!((ln(0.0) - f64::MIN_POSITIVE.ln()).abs() < 1e-12, "no infinity");
+    }
+
+    #[test]
+    fn hyperbolic_sines_have_all_their_digits() {
+        let near = (1..4000).map(|i| f64::from(i) * 1e-3);
+        for x in near.chain((1..7000).map(|i| f64::from(i) * 0.1)).chain((1..690).map(|i| 0.35_f64.powi(i))) {
+            for x in [x, -x] {
+                assert!(units(sinh(x), x.sinh()) <= 3.0, "sinh {x:e}: {} for {}", sinh(x), x.sinh());
+            }
+        }
+        assert!(sinh(0.0).abs() < f64::MIN_POSITIVE);
+    }
+
+    #[test]
+    fn so_have_their_inverses() {
+        for y in numbers().filter(|y| *y < 1e154).chain((1..700).map(|i| 0.37_f64.powi(i))) {
+            assert!(units(asinh(y), y.asinh()) <= 4.0, "asinh {y:e}: {} for {}", asinh(y), y.asinh());
+        }
+        assert!(asinh(0.0).abs() < f64::MIN_POSITIVE);
     }
 
     #[test]

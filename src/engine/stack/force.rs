@@ -1,6 +1,7 @@
 //! The force of a stack over its half-widths, as series piece by piece.
 
-use super::{ROUNDING, Stack};
+use super::{ROUNDING, Slice, Stack};
+use crate::engine::blend::LANES;
 use crate::engine::chebyshev::{Points, Series};
 use crate::engine::family::Family;
 use crate::engine::problem::Problem;
@@ -140,26 +141,55 @@ impl Stack {
 }
 
 impl Piece {
-    /// The force at a half-width and its rate `dP/db'`; the distance to the lower end is not left to a difference.
-    pub(super) fn force_and_rate(&self, problem: &Problem, b: f64, from_lower: f64) -> (f64, f64) {
-        let width = self.to - self.from;
-        let s = (from_lower / width).sqrt();
+    /// The force at a half-width.
+    pub(super) fn force(&self, problem: &Problem, b: f64) -> f64 {
+        let s = self.variable(b - self.from);
+        let (series, kappa) = self.series();
+        self.told(problem, (b, s), series.value_and_slope(s), kappa.map_or(0.0, |kappa| kappa.value_and_slope(s).0)).0
+    }
+
+    /// Multiplies what slices weigh by the rate `dP/db'` of the force there; their distances to the lower end are not left to
+    /// differences.
+    pub(super) fn weigh(&self, problem: &Problem, slices: &mut [Slice], from_lower: &[f64]) {
+        let (series, kappa) = self.series();
+        for (slices, from_lower) in slices.chunks_mut(LANES).zip(from_lower.chunks(LANES)) {
+            let mut s = [0.0; LANES];
+            s.iter_mut().zip(from_lower).for_each(|(s, from_lower)| *s = self.variable(*from_lower));
+            let (values, rises) = series.values_and_slopes(&s);
+            let kappas = kappa.map_or([0.0; LANES], |kappa| kappa.values_and_slopes(&s).0);
+            for (i, slice) in slices.iter_mut().enumerate() {
+                slice.force *= self.told(problem, (slice.half_width, s[i]), (values[i], rises[i]), kappas[i]).1;
+            }
+        }
+    }
+
+    /// What the series go with.
+    fn variable(&self, from_lower: f64) -> f64 {
+        (from_lower / (self.to - self.from)).sqrt()
+    }
+
+    /// The series, and that of `kappa`.
+    fn series(&self) -> (&Series, Option<&Series>) {
         match &self.force {
-            Force::OfHeight { rho, kappa } => {
-                let (rho, rise) = rho.value_and_slope(s);
+            Force::OfHeight { rho, kappa } => (rho, Some(kappa)),
+            Force::FromFace(series) | Force::Plain { series, .. } => (series, None),
+        }
+    }
+
+    /// The force at a half-width and its rate, of the series there.
+    fn told(&self, problem: &Problem, (b, s): (f64, f64), (value, rise): (f64, f64), kappa: f64) -> (f64, f64) {
+        let width = self.to - self.from;
+        match &self.force {
+            Force::OfHeight { .. } => {
                 let slope = problem.slope(b);
-                let height = kappa.value_and_slope(s).0 * b * slope;
-                (height * rho, slope * rho + height * rise * s / (2.0 * b))
+                let height = kappa * b * slope;
+                (height * value, slope * value + height * rise * s / (2.0 * b))
             }
-            Force::FromFace(series) => {
-                let (share, rise) = series.value_and_slope(s);
-                (s * s * share, (share + 0.5 * s * rise) / width)
-            }
+            Force::FromFace(_) => (s * s * value, (value + 0.5 * s * rise) / width),
             Force::Plain { series, feigned } => {
-                let (force, slope) = series.value_and_slope(s);
                 // As far as the first of the points, as they crowd.
                 let unseen = (-s * (series.len() as f64).powi(2)).exp();
-                (force, (slope - feigned * unseen) / (2.0 * s * width))
+                (value, (rise - feigned * unseen) / (2.0 * s * width))
             }
         }
     }

@@ -7,10 +7,11 @@ use super::series::alternating;
 use super::sums::dot;
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Edge;
-use slipzone_api::elementary::{EULER_GAMMA, LANES};
+use slipzone_api::elementary::{EULER_GAMMA, LANES, ln};
 use spec_math::cephes64::sici;
 use std::f64::consts::{FRAC_2_PI, PI};
 use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
 
 /// Distances and product weights from each staggered point, and from the end as one more row, to each fine
 /// node `u_k = k step/factor >= 0` and to its mirror image. With a whole number and a half of fine steps
@@ -75,21 +76,27 @@ impl Fine {
             .collect();
         // Half-integers up to d = n factor - factor/2 + n factor, and beyond for what fills up.
         let halves = 2 * n * factor + LANES;
-        let (sign_ascending, cosine): (Vec<f64>, Vec<f64>) =
-            (0..halves).map(|m| sici(PI * (m as f64 + 0.5))).map(|(si, ci)| (FRAC_2_PI * si, ci)).unzip();
+        let (sign_ascending, cosine_ascending) = integrals(&AT_HALVES, 0.5, halves);
         let nearest = n * factor - factor / 2;
         let sign_descending = sign_ascending[..nearest].iter().rev().copied();
         let sign_descending = sign_descending.chain(sign_ascending.iter().map(|s| -s)).collect();
+        let cosine_descending: Vec<f64> =
+            cosine_ascending[..nearest].iter().rev().chain(&cosine_ascending).copied().collect();
+        let (centre_sign, centre_cosine) = integrals(&AT_WHOLES, 1.0, filled - 1);
+        // At `d = 0` the limit of `log|x'(0) d step| - Ci(pi d)`.
+        let at_middle = (places[0].slope * fine_step / PI).ln() - EULER_GAMMA;
+        let others = places[1..].iter().zip(&centre_cosine).map(|(place, cosine)| place.x.ln() - cosine);
+        let centre_log = [at_middle].into_iter().chain(others).collect();
 
         let mut fine = Self {
             factor,
             x: places.iter().map(|p| p.x).collect(),
             from: grid.staggered.iter().map(|v| v.x).chain([1.0]).collect(),
-            table: Vec::with_capacity((n + 1) * 3 * filled),
+            table: vec![0.0; (n + 1) * 3 * filled],
             sign_descending,
             sign_ascending,
             ones: vec![1.0; filled],
-            centre: places.iter().enumerate().map(|(k, place)| centre_weights(k, place, fine_step)).unzip(),
+            centre: ([0.0].into_iter().chain(centre_sign).collect(), centre_log),
             reach: Vec::with_capacity(n + 1),
             weight: grid.nodes.iter().map(|u| fine_step * u.slope).collect(),
             between: between(grid, factor),
@@ -103,20 +110,23 @@ impl Fine {
             let matter = places[..count].iter().take_while(|p| slope * p.slope > NEGLIGIBLE).count();
             matter.next_multiple_of(LANES)
         };
-        let apart = Apart::new(n, factor, grid.step);
-        for (i, v) in grid.staggered.iter().enumerate() {
-            let d = (2 * i + 1) * factor; // in halves
-            let nodes = || places.iter().enumerate();
-            let minus: Vec<f64> = nodes().map(|(k, place)| apart.minus((i, v), (k.min(last), place))).collect();
-            let log_minus = nodes().zip(&minus).map(|((k, _), minus)| minus.abs().ln() - cosine[d.abs_diff(2 * k) / 2]);
-            let log_plus = nodes().map(|(k, place)| (v.x + place.x).ln() - cosine[d / 2 + k]);
-            fine.table.extend(minus.iter().copied().chain(log_minus).chain(log_plus));
-            fine.reach.push(reach(v.slope));
-        }
+        let sech: Vec<f64> = places.iter().map(|p| p.sech).collect();
+        Arch::new().dispatch(Distances {
+            apart: Apart::new(n, factor, grid.step),
+            staggered: &grid.staggered,
+            x: &fine.x[..count],
+            sech: &sech,
+            cosine: (&cosine_descending, &cosine_ascending),
+            factor,
+            table: (&mut fine.table[..3 * n * filled], filled),
+        });
+        fine.reach.extend(grid.staggered.iter().map(|v| reach(v.slope)));
         // The end lies infinitely many steps away: no correction.
-        let log_minus = places.iter().map(|p| p.gap.ln());
-        let log_plus = places.iter().map(|p| (1.0 + p.x).ln());
-        fine.table.extend(places.iter().map(|p| p.gap).chain(log_minus).chain(log_plus));
+        let of_end = &mut fine.table[3 * n * filled..];
+        for (k, place) in places.iter().enumerate() {
+            (of_end[k], of_end[filled + k]) = (place.gap, place.gap.ln());
+            of_end[2 * filled + k] = (1.0 + place.x).ln();
+        }
         fine.reach.push(reach(1.0));
         fine
     }
@@ -191,6 +201,47 @@ impl Fine {
     }
 }
 
+/// What [`Fine`] holds of the staggered points.
+struct Distances<'a> {
+    apart: Apart,
+    staggered: &'a [Place],
+    /// Of the fine nodes.
+    x: &'a [f64],
+    sech: &'a [f64],
+    /// `Ci(pi d)` like the weights of the sign.
+    cosine: (&'a [f64], &'a [f64]),
+    factor: usize,
+    /// And the length of a row of one kind.
+    table: (&'a mut [f64], usize),
+}
+
+impl WithSimd for Distances<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { apart, staggered, x, sech, cosine: (descending, ascending), factor, table: (table, filled) } = self;
+        let (n, count) = (staggered.len(), x.len());
+        for ((i, v), row) in staggered.iter().enumerate().zip(table.chunks_exact_mut(3 * filled)) {
+            let (minus, logs) = row.split_at_mut(filled);
+            let (log_minus, log_plus) = logs.split_at_mut(filled);
+            apart.minus_into((i, v), sech, &mut minus[..count]);
+            let near = minus[..count].iter().zip(&descending[(n - 1 - i) * factor..]);
+            for (log, (minus, cosine)) in log_minus.iter_mut().zip(near) {
+                *log = ln(minus.abs()) - cosine;
+            }
+            let far = x.iter().zip(&ascending[i * factor + factor / 2..]);
+            for (log, (x, cosine)) in log_plus.iter_mut().zip(far) {
+                *log = ln(v.x + x) - cosine;
+            }
+            for part in [minus, log_minus, log_plus] {
+                let at_last = part[count - 1];
+                part[count..].fill(at_last);
+            }
+        }
+    }
+}
+
 /// See [`Fine::gather`].
 struct Gather<'a> {
     fine: &'a Fine,
@@ -255,14 +306,23 @@ impl WithSimd for Gather<'_> {
     }
 }
 
-/// Weights of the sign and of the logarithm of the distance `x_k` from the middle, `k` fine steps away. At
-/// `k = 0` that of the logarithm is the limit of `log|x'(0) d step| - Ci(pi d)`.
-fn centre_weights(k: usize, place: &Place, fine_step: f64) -> (f64, f64) {
-    if k == 0 {
-        return (0.0, (place.slope * fine_step / PI).ln() - EULER_GAMMA);
-    }
-    let (si, ci) = sici(PI * k as f64);
-    (FRAC_2_PI * si, place.x.ln() - ci)
+/// `(2/pi) Si(pi d)` and `Ci(pi d)` at distances so far apart by 1: the same for all grids.
+type Integrals = Mutex<Vec<(f64, f64)>>;
+
+/// At `d = 1/2, 3/2, ...` and at `d = 1, 2, ...`.
+static AT_HALVES: Integrals = Mutex::new(Vec::new());
+static AT_WHOLES: Integrals = Mutex::new(Vec::new());
+
+/// The first `count` of those known, which begin at `d = first`; as many are made known.
+fn integrals(known: &Integrals, first: f64, count: usize) -> (Vec<f64>, Vec<f64>) {
+    let mut known = known.lock().unwrap_or_else(PoisonError::into_inner);
+    let next = |m: usize| {
+        let (si, ci) = sici(PI * (m as f64 + first));
+        (FRAC_2_PI * si, ci)
+    };
+    let missing = known.len()..count;
+    known.extend(missing.map(next));
+    known[..count].iter().copied().unzip()
 }
 
 /// `(step/factor) slope_j [sinc(k/factor - j) +- sinc(k/factor + j)]` for the fine nodes `k` that are no nodes.

@@ -3,8 +3,9 @@
 use super::apart::Apart;
 use super::map::Place;
 use super::series::alternating;
+use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Edge;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
 /// `n + 1` nodes `u_j = j step` and `n` staggered points `v_i = (i + 1/2) step` on half of `[-1, 1]`.
 ///
@@ -37,8 +38,8 @@ pub(super) struct Grid {
 /// From here on `F` of a sharp edge is its own limit to rounding: what is left is `gap log gap`,
 /// `gap/c = 2 exp(-2 w)`.
 const PLATEAU: f64 = 20.0;
-/// From this `u` on `x'/sqrt(1 - x^2)` is below the smallest number.
-const LAST_SLOPE: f64 = 6.9;
+/// From this `u` on `x'/sqrt(1 - x^2)` is a rounding of what it is where the widest grid ends.
+const LAST_SLOPE: f64 = 6.1;
 
 impl Grid {
     /// Numbers held, about.
@@ -122,7 +123,7 @@ impl Grid {
         // the rest's rounding would be multiplied by 1/scale.
         let points = self.staggered.len();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few times the number of points
-        let vanished = points + (LAST_SLOPE / self.step) as usize;
+        let vanished = (LAST_SLOPE / self.step) as usize;
         let next = |i: usize| Place::new((i as f64 + 0.5) * self.step).slope;
         let beyond = self.step * (points..vanished).map(next).sum::<f64>();
         let last = points - 1;
@@ -137,25 +138,48 @@ impl Grid {
     }
 }
 
-/// `(1/pi) scale_i step P_j [1/(x_i - x_j) +- 1/(x_i + x_j)]` per unit of `F_j`.
-///
-/// With `x_i - x_j = sinh(w_i - w_j)/(cosh w_i cosh w_j)` and the bracket as one fraction that is
-/// `(pi/2) step cosh u_j cosh v_i x/[sinh(w_i - w_j) (x_i + x_j)]`, `x` being `x_i` or, where odd, `x_j`.
+/// `(1/pi) scale_i step P_j [1/(x_i - x_j) +- 1/(x_i + x_j)]` per unit of `F_j`: with the bracket as one fraction
+/// `(2/pi) scale_i step slope_j x/[(x_i - x_j) (x_i + x_j)]`, `x` being `x_i` or, where odd, `x_j`.
 fn cauchy(nodes: &[Place], staggered: &[Place], step: f64, odd: bool) -> Vec<f64> {
+    let of_each = |what: fn(&Place) -> f64| nodes.iter().map(what).collect::<Vec<f64>>();
+    let (x, sech, mut slope) = (of_each(|u| u.x), of_each(|u| u.sech), of_each(|u| u.slope));
+    // The middle node has no mirror image.
+    slope[0] *= 0.5;
     let apart = Apart::new(staggered.len(), 1, step);
-    let (first, cosh) = (usize::from(odd), |place: &Place| place.u.cosh());
-    let nodes: Vec<(usize, &Place, f64)> = nodes.iter().enumerate().skip(first).map(|(j, u)| (j, u, cosh(u))).collect();
-    let mut rows = Vec::with_capacity(staggered.len() * nodes.len());
-    for (i, v) in staggered.iter().enumerate() {
-        let of_row = FRAC_PI_2 * step * cosh(v);
-        rows.extend(nodes.iter().map(|(j, u, cosh)| {
-            let x = if odd { u.x } else { v.x };
-            // The middle node has no mirror image.
-            let share = if *j == 0 { 0.5 } else { 1.0 };
-            share * of_row * cosh * x / (apart.sinh(i, *j) * (v.x + u.x))
-        }));
-    }
+    let mut rows = vec![0.0; staggered.len() * (nodes.len() - usize::from(odd))];
+    Arch::new().dispatch(Cauchy { apart, staggered, x: &x, sech: &sech, slope: &slope, step, odd, rows: &mut rows });
     rows
+}
+
+/// See [`cauchy`].
+struct Cauchy<'a> {
+    apart: Apart,
+    staggered: &'a [Place],
+    x: &'a [f64],
+    sech: &'a [f64],
+    slope: &'a [f64],
+    step: f64,
+    odd: bool,
+    rows: &'a mut [f64],
+}
+
+impl WithSimd for Cauchy<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { apart, staggered, x, sech, slope, step, odd, rows } = self;
+        let first = usize::from(odd);
+        let mut minus = vec![0.0; x.len()];
+        for ((i, v), row) in staggered.iter().enumerate().zip(rows.chunks_exact_mut(x.len() - first)) {
+            apart.minus_into((i, v), sech, &mut minus);
+            let of_row = FRAC_2_PI * step * v.slope;
+            let each = minus[first..].iter().zip(&x[first..]).zip(&slope[first..]);
+            for (entry, ((minus, x), slope)) in row.iter_mut().zip(each) {
+                *entry = of_row * slope * (if odd { *x } else { v.x }) / (minus * (v.x + x));
+            }
+        }
+    }
 }
 
 fn ending(x: f64, odd: bool) -> f64 {

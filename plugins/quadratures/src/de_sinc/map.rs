@@ -1,14 +1,12 @@
 //! The double-exponential map `x = c tanh w`, `w = (pi/2) sinh u` (H. Takahasi, M. Mori 1974).
 
 use slipzone_api::Station;
-use slipzone_api::elementary::ln_1p;
+use slipzone_api::elementary::{asinh, ln_1p, sinh};
 use std::f64::consts::FRAC_PI_2;
 
-/// Where a node stands on `[-1, 1]`, `u >= 0`.
+/// Where a node `u >= 0` stands on `[-1, 1]`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
-    /// `u`.
-    pub(super) u: f64,
     /// `w = (pi/2) sinh u`.
     pub(super) w: f64,
     /// `tanh w`.
@@ -22,10 +20,17 @@ pub(super) struct Place {
 }
 
 impl Place {
+    /// The place at `u <= 6.1`.
     pub(super) fn new(u: f64) -> Self {
-        let w = FRAC_PI_2 * u.sinh();
-        let sech = 1.0 / w.cosh();
-        Self { u, w, x: w.tanh(), gap: (-w).exp() * sech, sech, slope: FRAC_PI_2 * u.cosh() * sech }
+        let sinh_u = sinh(u);
+        let w = FRAC_PI_2 * sinh_u;
+        let sinh_w = sinh(w);
+        let cosh_w = (1.0 + sinh_w * sinh_w).sqrt();
+        let sech = 1.0 / cosh_w;
+        let gap = sech / (cosh_w + sinh_w);
+        // Whichever keeps its digits, so that places ascend.
+        let x = if w < 1.0 { sinh_w * sech } else { 1.0 - gap };
+        Self { w, x, gap, sech, slope: FRAC_PI_2 * (1.0 + sinh_u * sinh_u).sqrt() * sech }
     }
 }
 
@@ -34,9 +39,7 @@ impl Place {
 pub(super) fn locate(at: Station) -> f64 {
     // With x + gap = c all digits are kept: tanh w = x/c is exp(2 w) = 1 + 2 x/gap.
     let w = 0.5 * ln_1p(2.0 * at.x.abs() / at.gap);
-    let sinh = w / FRAC_PI_2;
-    let square = sinh * sinh;
-    ln_1p(sinh + square / (1.0 + (1.0 + square).sqrt()))
+    asinh(w / FRAC_PI_2)
 }
 
 #[cfg(test)]
