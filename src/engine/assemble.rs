@@ -17,6 +17,8 @@ use crate::plan::Plan;
 use crate::scene::{Load, Model, Scene};
 use slipzone_api::{Base, Refusal, Station};
 
+/// Where the pressure stands in a result.
+const PRESSURE: &str = "profile.pressure";
 /// Where the strain left stands in a result.
 const STRAIN: &str = "profile.strain";
 /// Points at which tractions are told before the budget is looked at again.
@@ -68,11 +70,14 @@ pub(super) fn solution(
     });
     let told = of_pressure(scene, plan, problem, numbers, &judged.errors, how(judged));
     let mut solution = Solution { status, reason, stick, profile, ..told };
+    let of_pressure = judged
+        .of_pressure
+        .map(|error| (PRESSURE, error, "the pressure between the nodes", "what it is there, or of its mean"));
     let of_shear = judged
         .of_shear
         .map(|error| (Quantity::Shear.path(), error, "the shear in the stick zone", "its largest value"));
     let of_strain = of_strain.map(|error| (STRAIN, error, "the strain left in the stick zone", "A0 eta P/(2b)"));
-    for (path, error, what, scale) in of_shear.into_iter().chain(of_strain) {
+    for (path, error, what, scale) in of_pressure.into_iter().chain(of_shear).chain(of_strain) {
         solution.error.each.insert(path.into(), error);
         if error > SAID * scene.solver.tolerance.get() {
             solution.assumptions.push(format!("{what} is known to {error:.0e} of {scale}"));

@@ -12,7 +12,9 @@ use slipzone_api::Refusal;
 /// Error of the shear, over the tolerance, from which it takes finer steps. Of 700 random contacts the true one was below a tenth of the estimate in
 /// three of four, above all of it in one of fifty.
 pub(super) const SHEAR: f64 = 6.0;
-/// Error of the shear, and of the strain left, over the tolerance, from which it is said among the assumptions.
+/// The same of the pressure between its nodes.
+pub(super) const BETWEEN: f64 = 3.0;
+/// Error of the pressure, of the shear, and of the strain left, over the tolerance, from which it is said among the assumptions.
 pub(super) const SAID: f64 = 3.0;
 /// Error of the shear under a contact that grew and sticks everywhere: what the slip zones left out would change, of the order of the
 /// root of their width, and what the stack misses so near to its edge.
@@ -45,6 +47,8 @@ pub(super) struct Judged {
     pub(super) errors: Numbers,
     /// How uncertain the shear itself is, over its largest value, where it is asked for.
     pub(super) of_shear: Option<f64>,
+    /// How uncertain the pressure is between the nodes, over the pressure there or its mean, where it is asked for.
+    pub(super) of_pressure: Option<f64>,
     /// How uncertain the pressure itself is; `None` where no number tells.
     pub(super) doubt: Option<f64>,
     pub(super) how: How,
@@ -56,7 +60,17 @@ pub(super) struct Judged {
 
 impl Judged {
     pub(super) fn new(outcome: Outcome, stage: usize, errors: Numbers, how: How) -> Self {
-        Self { outcome, stage, errors, of_shear: None, doubt: None, how, of_model: 0.0, stopped: None }
+        Self {
+            outcome,
+            stage,
+            errors,
+            of_shear: None,
+            of_pressure: None,
+            doubt: None,
+            how,
+            of_model: 0.0,
+            stopped: None,
+        }
     }
 
     /// Completes what the resolutions told: errors that their differences do not see, and which of them count.
@@ -81,6 +95,7 @@ impl Judged {
         }
         self.errors = self.errors.telling();
         self.doubt = doubt(problem, &self.errors);
+        self.of_pressure = self.of_pressure.map(|between| SAFETY * between + self.doubt.unwrap_or(0.0));
         let has_shear = self.outcome.numbers.get(Quantity::StickHalfWidth).is_some();
         self.of_shear = self.errors.take(Quantity::Shear).filter(|_| problem.wishes.profile && has_shear);
         self.errors = self.errors.judged_by(problem.wishes);

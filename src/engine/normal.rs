@@ -231,6 +231,13 @@ impl Normal {
         }
     }
 
+    /// About how far it is off between the nodes, over the pressure there or its mean; `None` where the rule does not tell.
+    pub(crate) fn lost_between(&self) -> Option<f64> {
+        // Close to a sharp edge the pressure is the limit's.
+        let limit = if self.is_sharp() { self.edge_factor / self.half_width } else { f64::INFINITY };
+        Some(self.rule.lost_between(&self.unknowns)? / self.mean().min(limit).abs())
+    }
+
     /// The numbers of the pressure.
     pub(crate) fn numbers(&mut self, layer: &Layer, problem: &Problem) -> Numbers {
         let mut numbers = Numbers::default();

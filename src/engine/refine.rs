@@ -4,8 +4,8 @@ use super::error_estimate::{Pace, ROUNDING, SAFETY, SLIP_ROUNDING, Seen, extrapo
 use super::family::Family;
 use super::growing::Growing;
 use super::judged::{
-    How, Judged, ROUNDED, SHEAR, has_details, hidden_details, left_by_sticking, meets, share_in_middle, share_in_shear,
-    with_the_rest, worst_judged,
+    BETWEEN, How, Judged, ROUNDED, SHEAR, has_details, hidden_details, left_by_sticking, meets, share_in_middle,
+    share_in_shear, with_the_rest, worst_judged,
 };
 use super::layer::{Layer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
@@ -47,8 +47,8 @@ const UNSEEN: f64 = 3.0;
 const LEFT: f64 = 0.1;
 /// Steps that a loading curve may take beyond those of its last load.
 const MORE: usize = 1;
-/// Steps that the shear may take beyond those of the numbers.
-const FOR_THE_SHEAR: usize = 2;
+/// Steps that pressure and shear may take beyond those of the numbers.
+const FOR_THE_TRACTIONS: usize = 4;
 /// Share of the tolerance that the kernels may use up.
 const KERNEL_SHARE: f64 = 0.2;
 /// A pressure in the middle below this share of the mean, or of what it was thought to be, wants kernels finer by as much; so does what
@@ -194,7 +194,8 @@ impl Ladder {
         if let Some((traced, apart)) = errors.get(Quantity::Shear).zip(self.stages[0].shear_apart(&self.stages[1])) {
             errors.set(Quantity::Shear, traced.max(SAFETY * apart));
         }
-        Ok(Judged::new(outcome, 0, errors, How::Twin))
+        let of_pressure = self.lost_between(aim, 0);
+        Ok(Judged { of_pressure, ..Judged::new(outcome, 0, errors, How::Twin) })
     }
 
     /// Takes finer steps until the estimate meets the tolerance.
@@ -272,9 +273,10 @@ impl Ladder {
         };
         let Estimate { mut history, errors, of_shear, met, .. } = estimate;
         let how = How::Sequence { count: 0, kernels_proven: false };
-        let mut found = Judged { of_shear, stopped, ..Judged::new(outcome, stage, errors, how) };
+        let of_pressure = self.lost_between(aim, stage);
+        let mut found = Judged { of_shear, of_pressure, stopped, ..Judged::new(outcome, stage, errors, how) };
         if met && found.stopped.is_none() {
-            self.refine_for_the_shear(layer, aim, first, &mut found, &mut history);
+            self.refine_for_the_tractions(layer, aim, first, &mut found, &mut history);
         }
         layer.meter().conclude();
         let Judged { outcome, stage, errors, of_shear, stopped, .. } = &mut found;
@@ -296,9 +298,14 @@ impl Ladder {
         Ok(found)
     }
 
-    /// Takes resolutions more than the numbers need: the shear may want a finer pressure, or finer flat punches. What is found stays
-    /// where they cannot be had, or are no better.
-    fn refine_for_the_shear(
+    /// How far off the pressure of a stage is between its nodes, where that is asked for, see [`Stage::lost_between`].
+    fn lost_between(&self, aim: Aim, stage: usize) -> Option<f64> {
+        self.stages[stage].lost_between().filter(|_| aim.problem.wishes.profile)
+    }
+
+    /// Takes resolutions more than the numbers need: between the nodes the pressure is known later, and the shear may want a finer one,
+    /// or finer flat punches. What is found stays where they cannot be had, or are no better.
+    fn refine_for_the_tractions(
         &mut self,
         layer: &mut Layer,
         aim: Aim,
@@ -306,38 +313,41 @@ impl Ladder {
         found: &mut Judged,
         history: &mut ArrayVec<Seen, { FINEST + 1 }>,
     ) {
-        for _ in 0..FOR_THE_SHEAR {
+        let (mut seen, mut passed) = (history.clone(), None);
+        for stage in (found.stage + 1..).take(FOR_THE_TRACTIONS) {
             // That everything sticks, coarse resolutions cannot tell: they have no shear to compare with.
             let unknown =
                 aim.problem.wishes.profile && found.outcome.rubbing.as_ref().is_some_and(|rubbing| rubbing.is_full);
             let error = found.of_shear.unwrap_or(if unknown { 1.0 } else { 0.0 });
-            if error <= left_by_sticking(&found.outcome).max(SHEAR * aim.tolerance) {
+            if is_known_between(found.of_pressure, aim.tolerance)
+                && error <= left_by_sticking(&found.outcome).max(SHEAR * aim.tolerance)
+            {
                 return;
             }
-            if history.is_full() {
+            if seen.is_full() {
                 return;
             }
-            let stage = found.stage + 1;
             let level = level(first, stage);
             let task = self.task(aim, level);
-            let coarse = Some(&found.outcome);
-            let Ok(mut outcome) = self.solve(layer, aim, (stage, level, level), coarse) else {
+            let coarse = passed.as_ref().unwrap_or(&found.outcome);
+            let Ok(mut outcome) = self.solve(layer, aim, (stage, level, level), Some(coarse)) else {
                 return;
             };
-            let mut seen = history.clone();
             seen.push(outcome.seen());
             let unseen = is_unseen(layer, &outcome, self.stages[stage].unknowns());
             let Some(mut errors) = extrapolated(&seen, unseen) else { return };
             let told = errors.take(Quantity::Shear);
             let all = with_the_rest(aim.problem, layer, &outcome, aim.tolerance, errors);
             if !meets(aim.problem, &all, aim.tolerance) {
-                // What was found before looked better than it was.
+                // What was found before looked better than it was, and this may.
                 found.of_shear = found.of_shear.into_iter().chain(told).reduce(f64::max);
-                return;
+                passed = Some(outcome);
+                continue;
             }
             let Ok(Settled::Here { shear }) = self.settle(layer, task, (&mut outcome, stage), &errors) else { return };
             (found.outcome, found.stage, found.errors, found.of_shear) = (outcome, stage, errors, shear.or(told));
-            *history = seen;
+            found.of_pressure = self.lost_between(aim, stage);
+            (*history, passed) = (seen.clone(), None);
         }
     }
 
@@ -362,13 +372,14 @@ impl Ladder {
             return Ok(Settled::Elsewhere);
         }
         let wishes = task.problem.wishes;
-        if !wishes.profile {
+        if !wishes.profile || outcome.rubbing.is_none() {
             return Ok(Settled::Here { shear: None });
         }
         let is_of_pressure = |quantity: Quantity| !quantity.is_of_shear() && quantity != Quantity::Indentation;
         let known = errors.judged_by(wishes);
-        let of_pressure = known.iter().filter(|(quantity, _)| is_of_pressure(*quantity)).map(|(_, error)| error);
-        let shear = stage.sharpen(layer, task, outcome, of_pressure.fold(0.0, f64::max), coarser.last())?;
+        let at_nodes = known.iter().filter(|(quantity, _)| is_of_pressure(*quantity)).map(|(_, error)| error);
+        let of_pressure = at_nodes.fold(SAFETY * stage.lost_between().unwrap_or(0.0), f64::max);
+        let shear = stage.sharpen(layer, task, outcome, of_pressure, coarser.last())?;
         Ok(Settled::Here { shear })
     }
 
@@ -389,13 +400,15 @@ impl Ladder {
         let mut outcome = solve(stage, Some(&coarse))?;
         let errors = pace.judge(&coarse.seen(), &outcome.seen());
         let all = with_the_rest(aim.problem, layer, &outcome, aim.tolerance, errors);
-        if !meets(aim.problem, &all, aim.tolerance) {
+        let of_pressure = self.lost_between(aim, stage);
+        if !meets(aim.problem, &all, aim.tolerance) || !is_known_between(of_pressure, aim.tolerance) {
             return None;
         }
         layer.meter().conclude();
         let task = self.task(aim, u32::try_from(stage).ok()?);
         self.stages[stage].settle(layer, task, &mut outcome).ok()?;
-        Some(Judged::new(outcome, stage, errors, How::Again { kernels_proven: layer.is_proven() }))
+        let how = How::Again { kernels_proven: layer.is_proven() };
+        Some(Judged { of_pressure, ..Judged::new(outcome, stage, errors, how) })
     }
 
     /// The first of the last three steps that another contact took on this layer, where the coarsest one finds this one among
@@ -523,6 +536,11 @@ impl Ladder {
             && self.stages[step - 1..=step].iter().all(Stage::is_broken)
             && is_shown(errors)
     }
+}
+
+/// Whether a pressure is known between its nodes, as far as anything tells.
+fn is_known_between(lost: Option<f64>, tolerance: f64) -> bool {
+    lost.is_none_or(|lost| SAFETY * lost <= BETWEEN * tolerance)
 }
 
 /// Whether a pressure is known well enough to be shown.

@@ -41,21 +41,27 @@ pub(crate) fn sharpen(
     // The shear is driven by `beta p`.
     let driven = of_pressure * (beta * normal.mean() / largest).abs();
     let enough = (SHARE * tolerance).max(driven).max(SLIP_ROUNDING);
+    let between = |shear: &Shear| SAFETY * shear.lost_between() / largest;
+    let is_known = |along: f64, between: f64| along <= enough && between <= enough.max(tolerance);
+    let mut is_done = shear.along.is_some_and(|along| along <= enough.max(tolerance));
     let mut earlier = 1.0;
     if let Some(coarser) = coarser {
         // Their grids over the slip zone are nearly the same: the finer may be no better than their difference.
         let late = apart(&before, &sampled(coarser, &points), largest);
-        let along = (SAFETY * late).max(SLIP_ROUNDING);
-        shear.along = shear.along.or((along <= enough).then_some(along));
+        let (along, between) = ((SAFETY * late).max(SLIP_ROUNDING), between(shear));
+        if shear.along.is_none() && is_known(along, between) {
+            (shear.along, is_done) = (Some(along.max(between)), true);
+        }
         earlier = late;
     }
     for step in 1..=MOST_STEPS {
-        if shear.along.is_some_and(|along| along <= enough) || !shear.refine(layer, normal, beta, (zone, step))? {
+        if is_done || !shear.refine(layer, normal, beta, (zone, step))? {
             break;
         }
         let now = sampled(shear, &points);
         let late = apart(&now, &before, largest);
-        shear.along = Some(of_traces((earlier, late), FASTEST_SHARPENED));
+        let (along, between) = (of_traces((earlier, late), FASTEST_SHARPENED), between(shear));
+        (shear.along, is_done) = (Some(along.max(between)), is_known(along, between));
         (before, earlier) = (now, late);
     }
     Ok(shear.along.map(|along| along.max(driven)))

@@ -182,6 +182,7 @@ impl Solver {
             *numerical += bound;
         }
         found.of_model = bound.worst().map_or(0.0, |(_, bound)| bound);
+        found.of_pressure = found.of_pressure.map(|numerical| numerical + found.of_model);
         if !stand_in.is_forced && found.errors.worst().is_some_and(|(_, error)| error > tolerance) {
             // Guessed too narrow a contact, or a scene that is hard for the numbers.
             self.solve_in_full()?;

@@ -218,6 +218,12 @@ impl Stage {
         }
     }
 
+    /// About how far off it is between its nodes, see [`Normal::lost_between`]; `None` where nothing tells.
+    pub(crate) fn lost_between(&self) -> Option<f64> {
+        let is_stacked = self.growing.as_ref().is_some_and(|growing| growing.is_solver);
+        if is_stacked { None } else { self.normal.lost_between() }
+    }
+
     /// Shear at such points, where the pressures are `pressure`; `None` where there is none to tell.
     pub(crate) fn shear(&mut self, problem: &Problem, at: &[Station], pressure: &[f64]) -> Option<Vec<f64>> {
         match stacking(&mut self.growing) {

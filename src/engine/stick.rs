@@ -314,6 +314,11 @@ impl Shear {
         }
     }
 
+    /// About how far it is off between the nodes of the grid used last; 0 where the rule does not tell.
+    pub(crate) fn lost_between(&self) -> f64 {
+        self.grids[self.used].rule.lost_between(&self.unknowns).unwrap_or(0.0)
+    }
+
     /// The shear at [`Traces::AT`] and at the end of the stick zone, over a mean pressure.
     pub(crate) fn trace(&self, mean: f64) -> ShearTrace {
         let mut at = [self.at_edge; ShearTrace::POINTS];

@@ -159,7 +159,7 @@ const RUBBING: &str = "[friction]\ntype = \"goodman\"\ncoefficient = 0.3\n";
 /// Compares with a contact solved for itself and a hundred times as well.
 fn is_as_sure_as_it_says(found: &Solution, exact: &Solution, tolerance: f64, case: &str) {
     assert_eq!(found.status, Status::Converged, "{case}: {:?}", found.reason);
-    for (path, error) in found.error.each.iter().filter(|(path, error)| **error > 0.0 && *path != "profile.shear") {
+    for (path, error) in found.error.each.iter().filter(|(path, error)| **error > 0.0 && !path.starts_with("profile")) {
         let truth = exact.number(path).expect("the same numbers");
         let off = (found.number(path).expect("a number") / truth - 1.0).abs();
         assert!(off <= *error, "{case}: {path} is off by {off:e}, {error:e} was claimed");

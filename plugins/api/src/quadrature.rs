@@ -160,6 +160,12 @@ pub trait Rule: Send + Sync {
         value[0]
     }
 
+    /// About how far values between the nodes are off beside those at nodes: in `f sqrt(1 - (x/c)^2)` where the edge is
+    /// [`Edge::Sharp`], in `f` otherwise. `None` where the rule does not tell.
+    fn lost_between(&self, _unknowns: &[f64]) -> Option<f64> {
+        None
+    }
+
     /// `lim f sqrt(gap (c2 - c1 - gap))` at the upper end; 0 unless the edge is [`Edge::Sharp`].
     fn edge_factor(&self, unknowns: &[f64]) -> f64;
 

@@ -173,6 +173,11 @@ impl Rule for DeSincRule {
         shape.values_into(at, self.half_width, out);
     }
 
+    fn lost_between(&self, unknowns: &[f64]) -> Option<f64> {
+        let mut room = self.room.lock().unwrap_or_else(PoisonError::into_inner);
+        Some(Shape::new(&self.grid, unknowns, &mut room).lost_between())
+    }
+
     fn edge_factor(&self, unknowns: &[f64]) -> f64 {
         match self.grid.edge {
             Edge::Sharp => self.half_width * dot(&self.grid.edge_row, unknowns),

@@ -48,6 +48,42 @@ fn values_between_the_nodes() {
     }
 }
 
+/// Told from the values at the nodes alone, how far those between are off: at most by three times that, and by a tenth of it at least.
+#[test]
+fn what_is_lost_between_the_nodes_is_told() {
+    let c = 2.0;
+    for (parity, edge, power) in [
+        (Parity::Even, Edge::Sharp, -1),
+        (Parity::Even, Edge::Smooth, 1),
+        (Parity::Odd, Edge::Sharp, -1),
+        (Parity::Odd, Edge::Continued, 1),
+    ] {
+        // Poles across from the middle and from near the ends, as thin layers have them.
+        for (real, imaginary) in [(0.1, 0.3), (0.5, 0.2), (0.9, 0.3)] {
+            for n in [24, 33, 48] {
+                let pole = |t: f64| 1.0 / ((t - real).powi(2) + imaginary * imaginary);
+                let told = |t: f64| if parity == Parity::Odd { pole(t) - pole(-t) } else { pole(t) + pole(-t) };
+                let rule = rule(c, parity, edge, n);
+                let density = nodes(parity, edge, n).into_iter().map(|(x, s)| told(x) * s.powi(power + 1));
+                let unknowns: Vec<f64> = density.collect();
+                let off = |i: u32| {
+                    let t = f64::from(i) / 400.0;
+                    let gap = c * (1.0 - t);
+                    let s = (gap * (2.0 * c - gap)).sqrt() / c;
+                    let scale = if edge == Edge::Sharp { s } else { 1.0 };
+                    scale * (value(rule.as_ref(), &unknowns, c * t, gap) - told(t) * s.powi(power)).abs()
+                };
+                let off = (0..400).map(off).fold(0.0, f64::max);
+                let lost = rule.lost_between(&unknowns).expect("told");
+                let case = format!("{parity:?} {edge:?}, poles at {real} + {imaginary} i, {n} steps");
+                assert!(off <= 3.0 * lost && lost <= 10.0 * off, "{off:.1e} off, {lost:.1e} told: {case}");
+            }
+        }
+        let rule = rule(c, parity, edge, 12);
+        assert_eq!(rule.lost_between(&vec![0.0; rule.unknowns()]), Some(0.0), "of nothing nothing is lost");
+    }
+}
+
 #[test]
 fn a_continued_density_is_a_root_and_more() {
     // f = t (1 - t^2)^(1/2) (1 + (1 - t^2)^(1/2)/2): both parts of what is left in a stick zone.
