@@ -48,9 +48,10 @@ pub(crate) fn sharpen(
     if let Some(coarser) = coarser {
         // Their grids over the slip zone are nearly the same: the finer may be no better than their difference.
         let late = apart(&before, &sampled(coarser, &points), largest);
-        let (along, between) = ((SAFETY * late).max(SLIP_ROUNDING), between(shear));
-        if shear.along.is_none() && is_known(along, between) {
-            (shear.along, is_done) = (Some(along.max(between)), true);
+        if shear.along.is_none() {
+            let (along, between) = ((SAFETY * late).max(SLIP_ROUNDING), between(shear));
+            is_done = is_known(along, between);
+            shear.along = is_done.then_some(along.max(between));
         }
         earlier = late;
     }
