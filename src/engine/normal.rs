@@ -15,6 +15,9 @@ const DATUM_NODES: f64 = 24.0;
 /// and more of them for each unit of its variable: the kernel's singularities lie `pi/2` off it.
 const DATUM_NODES_PER_UNIT: f64 = 6.0;
 
+/// An edge factor that is a smaller part of the mean pressure shows only closer to the edge than a two-hundredth of the half-width.
+const FAINT_EDGE: f64 = 0.1;
+
 /// The pressure under one punch, in layer units; solved again for each load, in the same memory.
 pub(crate) struct Normal {
     pub(crate) half_width: f64,
@@ -233,9 +236,12 @@ impl Normal {
 
     /// About how far it is off between the nodes, over the pressure there or its mean; `None` where the rule does not tell.
     pub(crate) fn lost_between(&self) -> Option<f64> {
+        let mean = self.mean().abs();
         // Close to a sharp edge the pressure is the limit's.
-        let limit = if self.is_sharp() { self.edge_factor / self.half_width } else { f64::INFINITY };
-        Some(self.rule.lost_between(&self.unknowns)? / self.mean().min(limit).abs())
+        let limit = if self.is_sharp() { (self.edge_factor / self.half_width).abs() } else { mean };
+        let lost = self.rule.lost_between(&self.unknowns)? / limit.min(mean).max(FAINT_EDGE * mean);
+        // No number is no agreement.
+        Some(if lost.is_finite() { lost.min(1.0) } else { 1.0 })
     }
 
     /// The numbers of the pressure.

@@ -47,8 +47,9 @@ const UNSEEN: f64 = 3.0;
 const LEFT: f64 = 0.1;
 /// Steps that a loading curve may take beyond those of its last load.
 const MORE: usize = 1;
-/// Steps that pressure and shear may take beyond those of the numbers.
+/// Steps that pressure and shear may take beyond those of the numbers, and those of a stack of flat punches, each of which is many.
 const FOR_THE_TRACTIONS: usize = 4;
+const FOR_STACKED_SHEAR: usize = 2;
 /// Share of the tolerance that the kernels may use up.
 const KERNEL_SHARE: f64 = 0.2;
 /// A pressure in the middle below this share of the mean, or of what it was thought to be, wants kernels finer by as much; so does what
@@ -313,8 +314,9 @@ impl Ladder {
         found: &mut Judged,
         history: &mut ArrayVec<Seen, { FINEST + 1 }>,
     ) {
+        let most = if aim.problem.is_stacked() { FOR_STACKED_SHEAR } else { FOR_THE_TRACTIONS };
         let (mut seen, mut passed) = (history.clone(), None);
-        for stage in (found.stage + 1..).take(FOR_THE_TRACTIONS) {
+        for stage in (found.stage + 1..).take(most) {
             // That everything sticks, coarse resolutions cannot tell: they have no shear to compare with.
             let unknown =
                 aim.problem.wishes.profile && found.outcome.rubbing.as_ref().is_some_and(|rubbing| rubbing.is_full);
