@@ -2,7 +2,7 @@
 //!
 //! L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013), chapters 3 to 5 and 8.
 
-use super::blend::{LANES, Lanes, add_rows};
+use super::blend::{Lanes, add_rows};
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Shelf;
 use std::f64::consts::FRAC_PI_2;
@@ -61,19 +61,29 @@ pub(crate) struct Series(Vec<f64>);
 impl Series {
     /// Value and derivative (Clenshaw's recurrence).
     pub(crate) fn value_and_slope(&self, s: f64) -> (f64, f64) {
-        let x = 2.0 * s - 1.0;
-        let (mut b1, mut b2, mut d1, mut d2) = (0.0, 0.0, 0.0, 0.0);
-        for c in self.0.iter().skip(1).rev() {
-            (d1, d2) = (2.0 * (b1 + x * d1) - d2, d1);
-            (b1, b2) = (c + 2.0 * x * b1 - b2, b1);
-        }
-        let first = self.0.first().copied().unwrap_or(0.0);
-        (first + x * b1 - b2, 2.0 * (b1 + x * d1 - d2))
+        let ([value], [slope]) = self.side_by_side(&[s]);
+        (value, slope)
     }
 
     /// The same at some points.
     pub(crate) fn values_and_slopes(&self, s: &Lanes) -> (Lanes, Lanes) {
         Arch::new().dispatch(InLanes { series: self, s })
+    }
+
+    /// Compiled for the vectors of whoever asks.
+    #[inline(always)]
+    fn side_by_side<const N: usize>(&self, s: &[f64; N]) -> ([f64; N], [f64; N]) {
+        let x = s.map(|s| 2.0 * s - 1.0);
+        let ([mut b1, mut b2], [mut d1, mut d2]) = ([[0.0; N]; 2], [[0.0; N]; 2]);
+        for c in self.0.iter().skip(1).rev() {
+            for i in 0..N {
+                (d1[i], d2[i]) = (2.0 * (b1[i] + x[i] * d1[i]) - d2[i], d1[i]);
+                (b1[i], b2[i]) = (c + 2.0 * x[i] * b1[i] - b2[i], b1[i]);
+            }
+        }
+        let first = self.0.first().copied().unwrap_or(0.0);
+        let value = std::array::from_fn(|i| first + x[i] * b1[i] - b2[i]);
+        (value, std::array::from_fn(|i| 2.0 * (b1[i] + x[i] * d1[i] - d2[i])))
     }
 
     /// Its number of coefficients.
@@ -104,17 +114,7 @@ impl WithSimd for InLanes<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> (Lanes, Lanes) {
-        let x = self.s.map(|s| 2.0 * s - 1.0);
-        let ([mut b1, mut b2], [mut d1, mut d2]) = ([[0.0; LANES]; 2], [[0.0; LANES]; 2]);
-        for c in self.series.0.iter().skip(1).rev() {
-            for i in 0..LANES {
-                (d1[i], d2[i]) = (2.0 * (b1[i] + x[i] * d1[i]) - d2[i], d1[i]);
-                (b1[i], b2[i]) = (c + 2.0 * x[i] * b1[i] - b2[i], b1[i]);
-            }
-        }
-        let first = self.series.0.first().copied().unwrap_or(0.0);
-        let value = std::array::from_fn(|i| first + x[i] * b1[i] - b2[i]);
-        (value, std::array::from_fn(|i| 2.0 * (b1[i] + x[i] * d1[i] - d2[i])))
+        self.series.side_by_side(self.s)
     }
 }
 

@@ -95,7 +95,7 @@ impl Judged {
         }
         self.errors = self.errors.telling();
         self.doubt = doubt(problem, &self.errors);
-        self.of_pressure = self.of_pressure.map(|between| SAFETY * between + self.doubt.unwrap_or(0.0));
+        self.of_pressure = self.of_pressure.map(|between| between + self.doubt.unwrap_or(0.0));
         let has_shear = self.outcome.numbers.get(Quantity::StickHalfWidth).is_some();
         self.of_shear = self.errors.take(Quantity::Shear).filter(|_| problem.wishes.profile && has_shear);
         self.errors = self.errors.judged_by(problem.wishes);

@@ -299,7 +299,7 @@ impl Ladder {
         Ok(found)
     }
 
-    /// How far off the pressure of a stage is between its nodes, where that is asked for, see [`Stage::lost_between`].
+    /// [`Stage::lost_between`], where the tractions are asked for.
     fn lost_between(&self, aim: Aim, stage: usize) -> Option<f64> {
         self.stages[stage].lost_between().filter(|_| aim.problem.wishes.profile)
     }
@@ -380,7 +380,7 @@ impl Ladder {
         let is_of_pressure = |quantity: Quantity| !quantity.is_of_shear() && quantity != Quantity::Indentation;
         let known = errors.judged_by(wishes);
         let at_nodes = known.iter().filter(|(quantity, _)| is_of_pressure(*quantity)).map(|(_, error)| error);
-        let of_pressure = at_nodes.fold(SAFETY * stage.lost_between().unwrap_or(0.0), f64::max);
+        let of_pressure = at_nodes.fold(stage.lost_between().unwrap_or(0.0), f64::max);
         let shear = stage.sharpen(layer, task, outcome, of_pressure, coarser.last())?;
         Ok(Settled::Here { shear })
     }
@@ -542,7 +542,7 @@ impl Ladder {
 
 /// Whether a pressure is known between its nodes, as far as anything tells.
 fn is_known_between(lost: Option<f64>, tolerance: f64) -> bool {
-    lost.is_none_or(|lost| SAFETY * lost <= BETWEEN * tolerance)
+    lost.is_none_or(|lost| lost <= BETWEEN * tolerance)
 }
 
 /// Whether a pressure is known well enough to be shown.

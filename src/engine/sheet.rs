@@ -3,9 +3,8 @@
 use super::blend::{LANES, Lanes, polynomials_in_lanes};
 use super::chebyshev::Points;
 use pulp::{Arch, Simd, WithSimd};
-use slipzone_api::elementary::{asinh, ln_1p};
-use slipzone_api::{Shelf, Station};
-use std::f64::consts::{FRAC_PI_2, PI};
+use slipzone_api::{Shelf, Station, double_exponential};
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 /// Where places end in the variable `u` of `x = c tanh((pi/2) sinh u)`: `1.7e-12 c` is left beyond it.
@@ -97,8 +96,8 @@ impl Places {
 }
 
 /// The place of a point in a contact; above 1 so close to its end that it is as good as there.
-pub(super) fn place(Station { x, gap }: Station) -> f64 {
-    asinh(ln_1p(2.0 * x / gap) / PI) / END
+pub(super) fn place(at: Station) -> f64 {
+    double_exponential::locate(at) / END
 }
 
 struct Values<'a> {

@@ -4,7 +4,7 @@ mod friction;
 
 use super::checks::{self, SlipCheck};
 use super::contact_size::{self, Size};
-use super::error_estimate::Seen;
+use super::error_estimate::{SAFETY, Seen};
 use super::family::Family;
 use super::growing::Growing;
 use super::layer::{Layer, Wanted};
@@ -218,10 +218,10 @@ impl Stage {
         }
     }
 
-    /// About how far off it is between its nodes, see [`Normal::lost_between`]; `None` where nothing tells.
+    /// Error estimate of the pressure between its nodes, see [`Normal::lost_between`]; `None` where nothing tells.
     pub(crate) fn lost_between(&self) -> Option<f64> {
         let is_stacked = self.growing.as_ref().is_some_and(|growing| growing.is_solver);
-        if is_stacked { None } else { self.normal.lost_between() }
+        if is_stacked { None } else { self.normal.lost_between().map(|lost| SAFETY * lost) }
     }
 
     /// Shear at such points, where the pressures are `pressure`; `None` where there is none to tell.

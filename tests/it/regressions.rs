@@ -1,6 +1,6 @@
 //! Scenes that once went wrong.
 
-use crate::sketch::Sketch;
+use crate::sketch::{Sketch, pressure_apart};
 use slipzone::api::reference::power::Power;
 use slipzone::engine::{Solution, Solver, Status, solve};
 
@@ -629,15 +629,6 @@ fn the_shear_is_as_good_all_along_as_the_stick_zone() {
             "{apart:e} apart, {claimed:e} claimed of {tolerance:e}"
         );
     }
-}
-
-/// The largest difference of the pressures over that there or its mean, and what was claimed for the first.
-fn pressure_apart(found: &Solution, exact: &Solution) -> [f64; 2] {
-    let mean = exact.pressure.mean.expect("a force");
-    let pairs =
-        found.profile.pressure.iter().zip(&exact.profile.pressure).filter_map(|(p, truth)| Some(((*p)?, (*truth)?)));
-    let apart = pairs.map(|(p, truth)| (p - truth).abs() / truth.max(mean)).fold(0.0, f64::max);
-    [apart, found.error.each["profile.pressure"]]
 }
 
 /// Between its nodes a pressure is known later than all its numbers: it was off by up to 14 tolerances, and nothing said so. The shear

@@ -1,6 +1,6 @@
 //! What a second load on a known layer costs: no flexibility, no memory.
 
-use crate::sketch::Sketch;
+use crate::sketch::{Sketch, pressure_apart};
 use slipzone::api::{Friction, Positive};
 use slipzone::engine::{Solution, Solver, Status};
 use slipzone::scene::{Load, Scene};
@@ -159,10 +159,15 @@ const RUBBING: &str = "[friction]\ntype = \"goodman\"\ncoefficient = 0.3\n";
 /// Compares with a contact solved for itself and a hundred times as well.
 fn is_as_sure_as_it_says(found: &Solution, exact: &Solution, tolerance: f64, case: &str) {
     assert_eq!(found.status, Status::Converged, "{case}: {:?}", found.reason);
-    for (path, error) in found.error.each.iter().filter(|(path, error)| **error > 0.0 && !path.starts_with("profile")) {
+    for (path, error) in found.error.each.iter().filter(|(path, error)| **error > 0.0 && !path.starts_with("profile."))
+    {
         let truth = exact.number(path).expect("the same numbers");
         let off = (found.number(path).expect("a number") / truth - 1.0).abs();
         assert!(off <= *error, "{case}: {path} is off by {off:e}, {error:e} was claimed");
+    }
+    if found.error.each.contains_key("profile.pressure") {
+        let [apart, claimed] = pressure_apart(found, exact);
+        assert!(apart <= claimed, "{case}: p is off by {apart:e}, {claimed:e} was claimed");
     }
     let (Some(q), Some(truth)) = (&found.profile.shear, &exact.profile.shear) else { return };
     let largest = truth.iter().flatten().fold(0.0_f64, |most, q| most.max(q.abs()));

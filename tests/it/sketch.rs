@@ -101,3 +101,12 @@ pub(crate) fn numbers(solution: &Solution) -> Vec<(&'static str, f64)> {
         .filter_map(|path| Some((path, solution.number(path)?)))
         .collect()
 }
+
+/// The largest difference of the pressures over that there or its mean, and what was claimed for the first.
+pub(crate) fn pressure_apart(found: &Solution, exact: &Solution) -> [f64; 2] {
+    let mean = exact.pressure.mean.expect("a force");
+    let pairs =
+        found.profile.pressure.iter().zip(&exact.profile.pressure).filter_map(|(p, truth)| Some(((*p)?, (*truth)?)));
+    let apart = pairs.map(|(p, truth)| (p - truth).abs() / truth.max(mean)).fold(0.0, f64::max);
+    [apart, found.error.each["profile.pressure"]]
+}

@@ -7,6 +7,8 @@
 //! ends far more closely than floating point numbers do, which is why a node says how far it is from
 //! each end and not where it is.
 
+use crate::Station;
+use crate::elementary::{asinh, ln_1p};
 use std::f64::consts::PI;
 
 /// A quadrature node: `int f dx = sum weight f`.
@@ -69,6 +71,13 @@ fn upper_half_node(length: f64, step: f64, j: usize) -> Node {
     let to_upper = from_lower * ratio;
     // dx/du = pi cosh(u) from_lower to_upper / length
     Node { from_lower, to_upper, weight: step * PI * u.cosh() * fraction * to_upper }
+}
+
+/// `u` of `|x|` on an interval `[-c, c]` with that gap, `x = c tanh((pi/2) sinh u)`; beyond all grids at the end.
+#[inline(always)]
+pub fn locate(at: Station) -> f64 {
+    // With x + gap = c all digits are kept: tanh w = x/c is exp(2 w) = 1 + 2 x/gap.
+    asinh(ln_1p(2.0 * at.x.abs() / at.gap) / PI)
 }
 
 #[cfg(test)]

@@ -80,7 +80,7 @@ const EXPONENTIAL: [f64; 12] = [
 ];
 /// `1.5 2^52`: added to a number of either sign that is small beside it, it rounds that number to a whole one, and leaves it in the
 /// lowest bits.
-const ROUND: f64 = 6_755_399_441_055_744.0;
+pub const ROUND: f64 = 6_755_399_441_055_744.0;
 /// `cot(pi/8)`; `tan(pi/8)` is less by 2.
 const STEEP: f64 = 2.414_213_562_373_095;
 

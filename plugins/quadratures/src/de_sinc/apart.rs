@@ -20,10 +20,8 @@ impl Apart {
         let unit = step / (4 * factor) as f64;
         let sinh: Vec<f64> = (0..2 * n * factor).map(|m| sinh((2 * m + 1) as f64 * unit)).collect();
         let cosh = sinh.iter().map(|sinh| (1.0 + sinh * sinh).sqrt()).collect();
-        let farthest = n * factor - factor / 2;
-        let positive = sinh[..farthest].iter().rev().map(|sinh| PI * sinh);
-        let sinh = positive.chain(sinh.iter().map(|sinh| -PI * sinh)).collect();
-        Self { factor, cosh, sinh }
+        let pi_sinh: Vec<f64> = sinh.iter().map(|sinh| PI * sinh).collect();
+        Self { factor, cosh, sinh: descending(&pi_sinh, n * factor - factor / 2, -1.0) }
     }
 
     /// Writes `x_i - x_k` for the first fine nodes, of which the factors `sech w_k` are given, to full relative precision also where
@@ -36,6 +34,13 @@ impl Apart {
             *out = sinh(pi_sinh * cosh) * v.sech * sech;
         }
     }
+}
+
+/// What is given at half-integer distances `1/2, 3/2, ...`, from the `farthest` of them down and on to negative ones, where it is
+/// `mirror` times as much.
+pub(super) fn descending(ascending: &[f64], farthest: usize, mirror: f64) -> Vec<f64> {
+    let positive = ascending[..farthest].iter().rev().copied();
+    positive.chain(ascending.iter().map(|value| mirror * value)).collect()
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Where the kernel part is summed: the nodes, or a grid an odd number of times as fine.
 
-use super::apart::Apart;
+use super::apart::{Apart, descending};
 use super::grid::{Grid, tail};
 use super::map::Place;
 use super::series::alternating;
@@ -77,11 +77,9 @@ impl Fine {
         // Half-integers up to d = n factor - factor/2 + n factor, and beyond for what fills up.
         let halves = 2 * n * factor + LANES;
         let (sign_ascending, cosine_ascending) = integrals(&AT_HALVES, 0.5, halves);
-        let nearest = n * factor - factor / 2;
-        let sign_descending = sign_ascending[..nearest].iter().rev().copied();
-        let sign_descending = sign_descending.chain(sign_ascending.iter().map(|s| -s)).collect();
-        let cosine_descending: Vec<f64> =
-            cosine_ascending[..nearest].iter().rev().chain(&cosine_ascending).copied().collect();
+        let farthest = n * factor - factor / 2;
+        let sign_descending = descending(&sign_ascending, farthest, -1.0);
+        let cosine_descending = descending(&cosine_ascending, farthest, 1.0);
         let (centre_sign, centre_cosine) = integrals(&AT_WHOLES, 1.0, filled - 1);
         // At `d = 0` the limit of `log|x'(0) d step| - Ci(pi d)`.
         let at_middle = (places[0].slope * fine_step / PI).ln() - EULER_GAMMA;

@@ -1,7 +1,6 @@
 //! The double-exponential map `x = c tanh w`, `w = (pi/2) sinh u` (H. Takahasi, M. Mori 1974).
 
-use slipzone_api::Station;
-use slipzone_api::elementary::{asinh, ln_1p, sinh};
+use slipzone_api::elementary::sinh;
 use std::f64::consts::FRAC_PI_2;
 
 /// Where a node `u >= 0` stands on `[-1, 1]`.
@@ -34,17 +33,11 @@ impl Place {
     }
 }
 
-/// `u` of `|x|` on an interval with that gap, beyond all grids at the end.
-#[inline(always)]
-pub(super) fn locate(at: Station) -> f64 {
-    // With x + gap = c all digits are kept: tanh w = x/c is exp(2 w) = 1 + 2 x/gap.
-    let w = 0.5 * ln_1p(2.0 * at.x.abs() / at.gap);
-    asinh(w / FRAC_PI_2)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use slipzone_api::Station;
+    use slipzone_api::double_exponential::locate;
 
     #[test]
     fn places_are_found_again() {

@@ -1,9 +1,9 @@
 //! The potential between the staggered points.
 
-use super::map::locate;
 use super::series::{BATCH, Series};
 use pulp::{Simd, WithSimd};
 use slipzone_api::Station;
+use slipzone_api::double_exponential::locate;
 
 /// A potential at some points: what it is at the end, `edge` (times `x` where it is odd), and a sum of sinc functions.
 pub(super) struct Potential<'a> {

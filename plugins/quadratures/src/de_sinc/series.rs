@@ -1,7 +1,7 @@
 //! Sums of sinc functions over a grid that is its own mirror image.
 
 use pulp::Simd;
-use slipzone_api::elementary::sin_pi;
+use slipzone_api::elementary::{ROUND, sin_pi};
 use std::f64::consts::FRAC_2_PI;
 
 /// Points that are evaluated at a time.
@@ -9,9 +9,6 @@ pub(super) const BATCH: usize = 64;
 
 /// Vectors of points that are summed side by side.
 const WIDE: usize = 2;
-
-/// Added to a small number it rounds that to a whole one, whose last bit it leaves in the last place: `1.5 2^52`.
-const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
 /// `sum_h y_h sinc(t - h)` over all `h = j + offset`, `y_-h = y_h` (or `-y_h` when `odd`).
 #[derive(Clone, Copy)]
@@ -41,8 +38,8 @@ impl Series<'_> {
         for (out, t) in out.iter_mut().zip(t).take(count) {
             // sin(pi (t - h)) = (-1)^j sin(pi (t - h_j)) whichever j, and best the nearest.
             let place = t - self.offset;
-            let rounded = place + ROUNDING;
-            let sine = sin_pi(place - (rounded - ROUNDING));
+            let rounded = place + ROUND;
+            let sine = sin_pi(place - (rounded - ROUND));
             let signed = f64::from_bits((FRAC_2_PI * sine * *out).to_bits() ^ (rounded.to_bits() << 63));
             *out = if *t >= last { 0.0 } else { signed };
         }

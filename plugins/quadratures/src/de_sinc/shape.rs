@@ -1,11 +1,11 @@
 //! The density between its nodes.
 
 use super::grid::Grid;
-use super::map::locate;
 use super::series::{BATCH, Series};
 use super::sums::dot;
 use num_complex::Complex64;
 use pulp::{Arch, Simd, WithSimd};
+use slipzone_api::double_exponential::locate;
 use slipzone_api::{Edge, Station};
 use std::f64::consts::PI;
 
