@@ -8,18 +8,22 @@ use slipzone_flexibilities::{ClosedForm, Compliance};
 use slipzone_gradings::Homogeneous;
 use slipzone_kernels::{Moments, Split};
 use slipzone_quadratures::DeSinc;
+use std::borrow::Cow;
+
+/// Reasons that a plan most often has.
+const USUAL_REASONS: usize = 4;
 
 /// How the numbers were got.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Plan {
     /// Grading, by its `type`.
-    pub grading: String,
+    pub grading: &'static str,
     /// Flexibility, by its `type`.
-    pub flexibility: String,
+    pub flexibility: &'static str,
     /// Kernel strategy, by its `type`.
-    pub kernel: String,
+    pub kernel: &'static str,
     /// Quadrature, by its `type`.
-    pub quadrature: String,
+    pub quadrature: &'static str,
     /// Unknowns of the finest pressure problem.
     pub unknowns: usize,
     /// Wave numbers at which the flexibility was evaluated, all resolutions together.
@@ -42,7 +46,7 @@ pub struct Plan {
     /// that can be told: what Goodman's approximation costs. It is no part of the errors; `None` without a stick zone.
     pub coupling_neglected: Option<f64>,
     /// Why each choice was made.
-    pub reasons: Vec<String>,
+    pub reasons: Vec<Cow<'static, str>>,
 }
 
 /// The methods that solve a scene.
@@ -71,22 +75,22 @@ impl Chosen {
     pub(crate) fn with(mut self, model: Model, modelled: &Layer, because: String) -> Self {
         if self.is_open {
             let (flexibility, reason) = flexibility_for(modelled);
-            self.plan.flexibility = flexibility.typetag_name().into();
+            self.plan.flexibility = flexibility.typetag_name();
             self.scene.solver.flexibility = Some(flexibility.clone());
             self.methods.flexibility = flexibility;
             // What was said of the flexibility is said of the model's.
-            reason.clone_into(&mut self.plan.reasons[0]);
+            self.plan.reasons[0] = reason.into();
             if model == Model::CorrectedHalfPlane {
                 self.methods.kernel = Box::new(Moments {});
                 self.scene.solver.kernel = Some(self.methods.kernel.clone());
-                self.plan.kernel = self.methods.kernel.typetag_name().into();
-                "moments: first terms of the kernels in powers of b/h, what they leave out bounded"
-                    .clone_into(&mut self.plan.reasons[1]);
+                self.plan.kernel = self.methods.kernel.typetag_name();
+                self.plan.reasons[1] =
+                    "moments: first terms of the kernels in powers of b/h, what they leave out bounded".into();
             }
         }
         self.scene.solver.model = Some(model);
         self.plan.model = model;
-        self.plan.reasons.insert(0, because);
+        self.plan.reasons.insert(0, because.into());
         self
     }
 
@@ -107,9 +111,9 @@ impl Chosen {
 pub(crate) fn choose(scene: &Scene) -> Chosen {
     let mut scene = scene.clone();
     let solver = &mut scene.solver;
-    let mut reasons = Vec::new();
+    let mut reasons = Vec::with_capacity(USUAL_REASONS);
     let is_open = solver.flexibility.is_none() && solver.kernel.is_none() && solver.quadrature.is_none();
-    let mut because = |reason: &str| reasons.push(reason.to_owned());
+    let mut because = |reason: &'static str| reasons.push(Cow::Borrowed(reason));
 
     let flexibility = solver.flexibility.get_or_insert_with(|| {
         let (flexibility, reason) = flexibility_for(&scene.layer);
@@ -127,10 +131,10 @@ pub(crate) fn choose(scene: &Scene) -> Chosen {
     let methods = Methods { flexibility: flexibility.clone(), kernel: kernel.clone(), quadrature: quadrature.clone() };
     reasons.extend(left_out(&scene));
     let plan = Plan {
-        grading: scene.layer.grading.typetag_name().into(),
-        flexibility: methods.flexibility.typetag_name().into(),
-        kernel: methods.kernel.typetag_name().into(),
-        quadrature: methods.quadrature.typetag_name().into(),
+        grading: scene.layer.grading.typetag_name(),
+        flexibility: methods.flexibility.typetag_name(),
+        kernel: methods.kernel.typetag_name(),
+        quadrature: methods.quadrature.typetag_name(),
         reasons,
         ..Plan::default()
     };
@@ -138,7 +142,7 @@ pub(crate) fn choose(scene: &Scene) -> Chosen {
 }
 
 /// What is not computed because nobody asks for it.
-fn left_out(scene: &Scene) -> Vec<String> {
+fn left_out(scene: &Scene) -> Vec<Cow<'static, str>> {
     if scene.output.quantities.is_none() {
         return Vec::new();
     }
@@ -157,7 +161,7 @@ fn left_out(scene: &Scene) -> Vec<String> {
     if !scene.output.asks("profile") {
         reasons.push("no samples of the tractions: no profile is asked for");
     }
-    reasons.into_iter().map(str::to_owned).collect()
+    reasons.into_iter().map(Cow::Borrowed).collect()
 }
 
 /// The flexibility of a layer that leaves it open, and why.

@@ -109,9 +109,9 @@ fn choices(text: &mut String, scene: &Scene, plan: &Plan) -> std::fmt::Result {
     let methods = [
         ("grading", scene.layer.grading.typetag_name(), true),
         ("punch", scene.punch.typetag_name(), true),
-        ("flexibility", plan.flexibility.as_str(), solver.flexibility.is_some()),
-        ("kernel", plan.kernel.as_str(), solver.kernel.is_some()),
-        ("quadrature", plan.quadrature.as_str(), solver.quadrature.is_some()),
+        ("flexibility", plan.flexibility, solver.flexibility.is_some()),
+        ("kernel", plan.kernel, solver.kernel.is_some()),
+        ("quadrature", plan.quadrature, solver.quadrature.is_some()),
     ];
     for (family, name, is_named) in methods {
         let by = if is_named { "named in the scene" } else { "chosen by the solver" };

@@ -16,6 +16,7 @@ use super::stick_zone::StickZone;
 use crate::plan::Plan;
 use crate::scene::{Load, Model, Scene};
 use slipzone_api::{Base, Refusal, Station};
+use std::borrow::Cow;
 
 /// Where the pressure stands in a result.
 const PRESSURE: &str = "profile.pressure";
@@ -78,9 +79,9 @@ pub(super) fn solution(
         .map(|error| (Quantity::Shear.path(), error, "the shear in the stick zone", "its largest value"));
     let of_strain = of_strain.map(|error| (STRAIN, error, "the strain left in the stick zone", "A0 eta P/(2b)"));
     for (path, error, what, scale) in of_pressure.into_iter().chain(of_shear).chain(of_strain) {
-        solution.error.each.insert(path.into(), error);
+        solution.error.each.insert(path, error);
         if error > SAID * scene.solver.tolerance.get() {
-            solution.assumptions.push(format!("{what} is known to {error:.0e} of {scale}"));
+            solution.assumptions.push(format!("{what} is known to {error:.0e} of {scale}").into());
         }
     }
     if let Some(neglected) = solution.plan.coupling_neglected {
@@ -89,8 +90,8 @@ pub(super) fn solution(
             percent(neglected.abs()),
             if neglected < 0.0 { "large" } else { "small" }
         );
-        solution.assumptions.push(reason.clone());
-        solution.plan.reasons.push(reason);
+        solution.assumptions.push(reason.clone().into());
+        solution.plan.reasons.push(reason.into());
     }
     finite(solution)
 }
@@ -139,7 +140,7 @@ fn of_pressure(
         },
         error: ErrorReport {
             estimate: errors.worst().map(|(_, error)| error),
-            each: each.map(|(quantity, error)| (quantity.path().to_owned(), error)).collect(),
+            each: each.map(|(quantity, error)| (quantity.path(), error)).collect(),
             how,
         },
         ..Solution::refused(scene, plan, String::new())
@@ -153,20 +154,20 @@ fn of_pressure(
         Model::Homogeneous => Some("the layer taken for one of its surface's material throughout"),
         Model::Thin => Some("the layer taken for thin: each point of it yields by what presses on it, edges shifted"),
     };
-    solution.assumptions.extend(stand_in.map(String::from));
+    solution.assumptions.extend(stand_in.map(Cow::Borrowed));
     if let Some(noise) = problem.noise() {
         let rest =
             format!("the punch's heights scatter by {noise:.1e} (root mean square) around the smooth shape taken");
-        solution.assumptions.push(rest);
+        solution.assumptions.push(rest.into());
     }
     let rounded = problem.smoothing_errors(numbers).worst().map_or(0.0, |(_, error)| error);
     if rounded > 0.0 {
         let why = format!(
             "the grading is rounded at the surface, where it has too few derivatives: up to {rounded:.0e} of the errors"
         );
-        solution.assumptions.push(why);
+        solution.assumptions.push(why.into());
     }
-    solution.assumptions.extend(large_strains(problem, numbers));
+    solution.assumptions.extend(large_strains(problem, numbers).map(Cow::Owned));
     solution
 }
 
@@ -242,16 +243,14 @@ fn how(judged: &Judged) -> String {
     let of_kernels = |proven| if proven { "; kernels by their own bound" } else { "" };
     let numerical = match judged.how {
         How::Twin => "resolution fixed by the scene, compared with a finer twin".into(),
-        How::Sequence { count, kernels_proven } => {
-            let resolutions =
-                format!("differences between {count} resolutions, each finer than the one before, extrapolated");
-            resolutions + of_kernels(kernels_proven)
-        }
-        How::Again { kernels_proven } => {
-            let resolutions =
-                "difference between two resolutions, extrapolated at the pace seen under another load or punch";
-            resolutions.to_owned() + of_kernels(kernels_proven)
-        }
+        How::Sequence { count, kernels_proven } => format!(
+            "differences between {count} resolutions, each finer than the one before, extrapolated{}",
+            of_kernels(kernels_proven)
+        ),
+        How::Again { kernels_proven } => format!(
+            "difference between two resolutions, extrapolated at the pace seen under another load or punch{}",
+            of_kernels(kernels_proven)
+        ),
     };
     if judged.of_model > 0.0 { numerical + "; the model of the solid by its bound" } else { numerical }
 }

@@ -51,6 +51,12 @@ impl Dense {
         &self.columns[k * n..(k + 1) * n]
     }
 
+    /// Solution of the first of two right-hand sides, and the room of the other.
+    pub(crate) fn single(&mut self) -> (&[f64], &mut [f64]) {
+        let (solution, room) = self.columns.split_at_mut(self.size);
+        (solution, room)
+    }
+
     /// Takes a solution that is known for the only one.
     pub(crate) fn take(&mut self, solution: impl Iterator<Item = f64>) {
         self.columns.fill(0.0);

@@ -249,7 +249,7 @@ mod tests {
             plant(|s| s.stick.as_mut().unwrap().one_minus_ratio = Some(f64::NAN)),
             "`stick.one_minus_ratio` is NaN"
         );
-        assert_eq!(plant(|s| s.error.each.extend([("edge.ratio".into(), f64::NAN)])), "`error.each.edge.ratio` is NaN");
+        assert_eq!(plant(|s| s.error.each.extend([("edge.ratio", f64::NAN)])), "`error.each.edge.ratio` is NaN");
         assert_eq!(plant(|s| s.scene.output.x = Some(vec![0.0, f64::NAN])), "`scene.output.x[1]` is NaN");
     }
 }

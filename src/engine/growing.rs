@@ -131,12 +131,12 @@ impl Growing {
         let room = room.min(problem.reach() / size.half_width).max(1.0);
         self.provide(layer, task, size.half_width, room, coarse_family)?;
         let size = if self.is_kinked { self.widen(layer, task, size)? } else { size };
-        let numbers = self.sized(layer, problem, normal, size);
+        let (numbers, pressure) = self.sized(layer, problem, normal, size);
         let rubbing = match problem.friction {
             Some(_) => Some(self.rub(layer, task, normal)?),
             None => None,
         };
-        let pressure = self.pressure_traced(problem, normal);
+        let pressure = pressure.unwrap_or_else(|| self.pressure_traced(problem));
         Ok(self.outcome(size, numbers, pressure, rubbing))
     }
 
@@ -179,26 +179,37 @@ impl Growing {
             return Ok(None);
         }
         let rubbing = family.rubbing_between(size.half_width);
-        let numbers = self.sized(layer, problem, normal, size);
+        let (numbers, pressure) = self.sized(layer, problem, normal, size);
         // A stacked pressure is as good as the flat punches known.
-        let pressure = if self.is_kinked { Traces::default().pressure } else { self.pressure_traced(problem, normal) };
+        let pressure = pressure.unwrap_or_default();
         Ok(Some(self.outcome(size, numbers, pressure, rubbing)))
     }
 
-    /// Takes a size; the numbers of the pressure there.
-    fn sized(&mut self, layer: &Layer, problem: &Problem, normal: &mut Normal, size: Size) -> Numbers {
+    /// Takes a size; the numbers of the pressure there, and the pressure at [`Traces::AT`] over its mean unless it is stacked.
+    fn sized(
+        &mut self,
+        layer: &Layer,
+        problem: &Problem,
+        normal: &mut Normal,
+        size: Size,
+    ) -> (Numbers, Option<[f64; Traces::AT.len()]>) {
         self.half_width = size.half_width;
-        let numbers =
-            if self.is_kinked { self.stacked_numbers(layer, problem) } else { normal.numbers(layer, problem) };
+        let (numbers, pressure) = if self.is_kinked {
+            (self.stacked_numbers(layer, problem), None)
+        } else {
+            let (numbers, pressure) = normal.numbers(layer, problem);
+            (numbers, Some(pressure))
+        };
         self.force = numbers.get(Quantity::Force).expect("every contact has one");
-        numbers
+        (numbers, pressure)
     }
 
-    /// The pressure at [`Traces::AT`] over its mean.
-    fn pressure_traced(&mut self, problem: &Problem, normal: &Normal) -> [f64; Traces::AT.len()] {
-        let mean = self.force / (2.0 * self.half_width);
+    /// A stacked pressure at [`Traces::AT`] over its mean.
+    fn pressure_traced(&mut self, problem: &Problem) -> [f64; Traces::AT.len()] {
+        let (Some(family), Some(stack)) = (&mut self.family, &self.stack) else { unreachable!("provided before") };
+        let (b, mean) = (self.half_width, self.force / (2.0 * self.half_width));
         let mut pressure = [0.0; Traces::AT.len()];
-        self.pressure_into(problem, normal, &Traces::stations(self.half_width), &mut pressure);
+        stack.pressure_into(problem, family, b, &Traces::stations(b), &mut pressure);
         pressure.map(|p| p / mean)
     }
 
@@ -215,7 +226,7 @@ impl Growing {
         let lost = self.stack.as_ref().map_or((0.0, 0.0), |stack| (stack.lost(), stack.lost_at_kinks()));
         let [of_pressure, of_shear] = self.family.as_ref().map_or([0.0; 2], Family::left);
         let left = [if self.is_kinked { of_pressure } else { 0.0 }, of_shear];
-        Outcome::new(numbers, rubbing, Some(size), pressure, lost, left)
+        Outcome::new(numbers, rubbing.map(Box::new), Some(size), pressure, lost, left)
     }
 
     /// Whether it knows the flat punches that a contact of about that half-width is a stack of.
@@ -425,7 +436,7 @@ impl Growing {
         let failed = if family.is_checked() { None } else { family.check(layer, task, self.half_width)? };
         let is_overloaded = family.is_overloaded();
         if let Some(what) = failed.or_else(|| if is_overloaded { self.overload(task.problem) } else { None }) {
-            *rubbing = rubbing.clone().failing(what);
+            **rubbing = Rubbing::clone(rubbing).failing(what);
         }
         Ok(())
     }

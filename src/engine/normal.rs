@@ -4,7 +4,7 @@ use super::dense::Dense;
 use super::layer::Layer;
 use super::lookout::Lookout;
 use super::problem::{LoadInLayerUnits, Problem};
-use super::quantity::{Numbers, Quantity};
+use super::quantity::{Numbers, Quantity, Traces};
 use super::work::Work;
 use slipzone_api::double_exponential::{self, Node};
 use slipzone_api::{Component, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
@@ -27,7 +27,6 @@ pub(crate) struct Normal {
     edge: Edge,
     rule: Box<dyn Rule>,
     system: Dense,
-    resultant: Vec<f64>,
     unknowns: Vec<f64>,
     /// The half-width at which the system of a sharp punch was solved.
     solved_at: Option<f64>,
@@ -47,7 +46,6 @@ impl Normal {
             edge,
             rule,
             system: Dense::new(n, 2),
-            resultant: vec![0.0; n],
             unknowns: vec![0.0; n],
             solved_at: None,
             is_flat: false,
@@ -108,9 +106,10 @@ impl Normal {
             }
             1
         })?;
-        self.unknowns.copy_from_slice(self.system.column(0));
-        self.rule.resultant_into(&mut self.resultant);
-        self.force = self.resultant.iter().zip(&self.unknowns).map(|(r, u)| r * u).sum();
+        let (solution, resultant) = self.system.single();
+        self.unknowns.copy_from_slice(solution);
+        self.rule.resultant_into(resultant);
+        self.force = resultant.iter().zip(&self.unknowns).map(|(r, u)| r * u).sum();
         self.edge_factor = 0.0;
         Ok(())
     }
@@ -244,17 +243,20 @@ impl Normal {
         Some(if lost.is_finite() { lost.min(1.0) } else { 1.0 })
     }
 
-    /// The numbers of the pressure.
-    pub(crate) fn numbers(&mut self, layer: &Layer, problem: &Problem) -> Numbers {
+    /// The numbers of the pressure, and the pressure at [`Traces::AT`] over its mean.
+    pub(crate) fn numbers(&mut self, layer: &Layer, problem: &Problem) -> (Numbers, [f64; Traces::AT.len()]) {
         let mut numbers = Numbers::default();
         let depth = if problem.wants_depth() { self.depth(layer, problem) } else { None };
-        let b = self.half_width;
+        let (b, mean) = (self.half_width, self.mean());
+        let ([first, second, third], mut pressure) = (Traces::stations(b), [0.0; 1 + Traces::AT.len()]);
+        self.values_into(&[Station { x: 0.0, gap: b }, first, second, third], &mut pressure);
+        let [centre, traced @ ..] = pressure;
         numbers.set(Quantity::Force, self.force);
         numbers.set(Quantity::HalfWidth, b);
         if problem.wishes.judges(Quantity::Centre) {
-            numbers.set(Quantity::Centre, self.at(Station { x: 0.0, gap: b }));
+            numbers.set(Quantity::Centre, centre);
         }
-        numbers.set(Quantity::Mean, self.mean());
+        numbers.set(Quantity::Mean, mean);
         numbers.set(Quantity::StressIntensity, self.edge_factor / b.sqrt());
         numbers.set(Quantity::EdgeRatio, self.edge_factor / self.force);
         if let Some(depth) = depth {
@@ -267,7 +269,7 @@ impl Normal {
             });
             numbers.set(Quantity::Peak, peak);
         }
-        numbers
+        (numbers, traced.map(|p| p / mean))
     }
 
     /// Mean pressure.

@@ -6,6 +6,7 @@ use crate::plan::Plan;
 use crate::scene::{Load, LoadKind, Scene, Units};
 use serde::Serialize;
 use slipzone_api::{Base, Friction, FrozenStrain, Plane};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// How a solve ended.
@@ -55,7 +56,7 @@ pub struct Solution {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub path: Option<Curve>,
     /// What the model takes for granted.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Cow<'static, str>>,
 }
 
 /// Name and version of the program.
@@ -130,7 +131,7 @@ pub struct ErrorReport {
     /// The largest of `each`; `None` when refused.
     pub estimate: Option<f64>,
     /// One estimate for each number reported, by its path, such as `edge.ratio`.
-    pub each: BTreeMap<String, f64>,
+    pub each: BTreeMap<&'static str, f64>,
     /// How they were got, in words.
     pub how: String,
 }
@@ -220,7 +221,7 @@ impl Solution {
 }
 
 /// What the numbers rest on.
-fn assumptions(scene: &Scene) -> Vec<String> {
+fn assumptions(scene: &Scene) -> Vec<Cow<'static, str>> {
     let plane = match scene.layer.plane {
         Plane::Strain => "plane strain",
         Plane::Stress => "plane stress",
@@ -232,8 +233,8 @@ fn assumptions(scene: &Scene) -> Vec<String> {
         Base::Infinite => "no base: the solid goes on for ever",
     };
     let depths = match scene.layer.datum {
-        Some(datum) => format!("indentation counted from depth {} below the middle of the contact", datum.get()),
-        None if scene.layer.has_depths() => String::new(),
+        Some(datum) => format!("indentation counted from depth {} below the middle of the contact", datum.get()).into(),
+        None if scene.layer.has_depths() => Cow::Borrowed(""),
         None => "the indentation is undefined on an elastic half-plane: no datum is named".into(),
     };
     let friction = match scene.friction {
@@ -250,8 +251,8 @@ fn assumptions(scene: &Scene) -> Vec<String> {
         None => "no friction",
     };
     let common = "linear elasticity, small strains, rigid punch, symmetric normal load";
-    let parts = [plane, base, &depths, friction, common].into_iter().filter(|part| !part.is_empty());
-    parts.map(String::from).collect()
+    let parts = [plane.into(), base.into(), depths, friction.into(), common.into()];
+    parts.into_iter().filter(|part| !part.is_empty()).collect()
 }
 
 #[cfg(test)]

@@ -311,10 +311,13 @@ impl Solver {
             model: Model::Thin,
             bound: Some(worst),
             flexibility_evaluations: thin::EVALUATIONS,
-            reasons: vec![format!(
-                "thin: each point of the surface yields by what presses on it, edges shifted, to within {worst:.0e}; no \
-                 kernel and no system is needed"
-            )],
+            reasons: vec![
+                format!(
+                    "thin: each point of the surface yields by what presses on it, edges shifted, to within {worst:.0e}; \
+                     no kernel and no system is needed"
+                )
+                .into(),
+            ],
             ..chosen.plan.clone()
         };
         match assemble::in_closed_form(&chosen.scene, plan, problem, (&numbers, &errors), judgement) {

@@ -22,10 +22,11 @@ use slipzone_api::{Edge, Quadrature, Refusal, Station};
 pub(crate) struct Stage {
     pub(crate) normal: Normal,
     /// Under a flat punch with friction.
-    pub(crate) shear: Option<Shear>,
+    pub(crate) shear: Option<Box<Shear>>,
     /// Of a contact that grows with the load.
     pub(crate) growing: Option<Box<Growing>>,
-    slip_check: SlipCheck,
+    /// Made when first asked for.
+    slip_check: Option<Box<SlipCheck>>,
     /// Whether it solves slices of contacts that grow. Friction bears their sum: it need not bear each of them.
     pub(crate) of_slices: bool,
     /// Whether it does not bear one of those examined.
@@ -34,7 +35,7 @@ pub(crate) struct Stage {
     sampled: Option<(f64, Samples)>,
     /// The stick zones found last, and the half-width and the friction coefficient that they belong to: they
     /// depend on no load either.
-    rubbed: Option<(f64, f64, Rubbing)>,
+    rubbed: Option<(f64, f64, Box<Rubbing>)>,
     /// Half-width and force of the pressure that `shear` was shown last.
     shown: Option<(f64, f64)>,
     /// [`Layer::fineness`] of the kernels that all of that was found with.
@@ -48,7 +49,7 @@ pub(crate) struct Stage {
 pub(crate) struct Outcome {
     /// The numbers reported, in layer units.
     pub(crate) numbers: Numbers,
-    pub(crate) rubbing: Option<Rubbing>,
+    pub(crate) rubbing: Option<Box<Rubbing>>,
     pub(crate) size: Option<Size>,
     /// The pressure at [`Traces::AT`] over its mean.
     pressure: [f64; Traces::AT.len()],
@@ -64,7 +65,7 @@ impl Outcome {
     /// Of a contact that grew; the pressure is that at [`Traces::AT`], over its mean.
     pub(crate) fn new(
         numbers: Numbers,
-        rubbing: Option<Rubbing>,
+        rubbing: Option<Box<Rubbing>>,
         size: Option<Size>,
         pressure: [f64; Traces::AT.len()],
         (lost, lost_at_kinks): (f64, f64),
@@ -75,7 +76,7 @@ impl Outcome {
 
     /// An outcome of which only the stick zone is known.
     pub(crate) fn of_rubbing(rubbing: Rubbing) -> Self {
-        Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()], (0.0, 0.0), [0.0; 2])
+        Self::new(Numbers::default(), Some(Box::new(rubbing)), None, [0.0; Traces::AT.len()], (0.0, 0.0), [0.0; 2])
     }
 
     /// What it tells of the next resolution.
@@ -114,15 +115,17 @@ impl Stage {
         let growing = grows.then(|| Box::new(Growing::new(problem, quadrature.clone())));
         let shear = match problem.friction {
             // The kink of a strain `C|x|` is resolved late.
-            Some(_) if problem.is_linear && !quadrature.is_pinned() => Some(Shear::new(quadrature.refined(1))?),
-            Some(_) if !problem.is_stacked() => Some(Shear::new(quadrature)?),
+            Some(_) if problem.is_linear && !quadrature.is_pinned() => {
+                Some(Box::new(Shear::new(quadrature.refined(1))?))
+            }
+            Some(_) if !problem.is_stacked() => Some(Box::new(Shear::new(quadrature)?)),
             _ => None,
         };
         Ok(Self {
             normal,
             shear,
             growing,
-            slip_check: SlipCheck::default(),
+            slip_check: None,
             of_slices: false,
             is_overloaded: false,
             sampled: None,
@@ -154,9 +157,9 @@ impl Stage {
         };
         let rubbing = match problem.friction {
             Some(eta) if problem.is_linear => {
-                Some(self.rub_linearly(layer, task, eta, coarse.and_then(|c| c.rubbing.as_ref()))?)
+                Some(Box::new(self.rub_linearly(layer, task, eta, coarse.and_then(|c| c.rubbing.as_deref()))?))
             }
-            Some(eta) => Some(self.rub(layer, task, eta, coarse.and_then(|c| c.rubbing.as_ref()))?),
+            Some(eta) => Some(self.rub(layer, task, eta, coarse.and_then(|c| c.rubbing.as_deref()))?),
             None => None,
         };
         let mut outcome = self.outcome(layer, problem, size, rubbing);
@@ -176,15 +179,17 @@ impl Stage {
     }
 
     /// What the pressure solved last tells, and the stick zone found for it.
-    fn outcome(&mut self, layer: &Layer, problem: &Problem, size: Option<Size>, rubbing: Option<Rubbing>) -> Outcome {
-        let mut numbers = self.normal.numbers(layer, problem);
+    fn outcome(
+        &mut self,
+        layer: &Layer,
+        problem: &Problem,
+        size: Option<Size>,
+        rubbing: Option<Box<Rubbing>>,
+    ) -> Outcome {
+        let (mut numbers, pressure) = self.normal.numbers(layer, problem);
         if let Some(rubbing) = &rubbing {
             rubbing.report(&mut numbers);
         }
-        let mean = self.normal.mean();
-        let mut pressure = [0.0; Traces::AT.len()];
-        self.normal.values_into(&Traces::stations(self.normal.half_width), &mut pressure);
-        let pressure = pressure.map(|p| p / mean);
         Outcome { numbers, rubbing, size, pressure, ..Outcome::default() }
     }
 
@@ -285,7 +290,7 @@ impl Stage {
 
     /// Work in its systems so far.
     pub(crate) fn work(&self) -> Work {
-        let of_shear = self.shear.as_ref().map_or(Work::default(), Shear::work);
+        let of_shear = self.shear.as_deref().map_or(Work::default(), Shear::work);
         let of_members = self.growing.as_ref().map_or(Work::default(), |growing| growing.work());
         self.normal.work() + of_shear + of_members
     }

@@ -58,14 +58,14 @@ pub(crate) fn flat(a: f64, eta: f64, slip: Slip, points: u32) -> Solution {
         }),
         error: ErrorReport {
             estimate: Some(1e-6),
-            each: each.map(|(path, estimate)| (path.into(), estimate)).into(),
+            each: each.map(|(path, estimate)| (path, estimate)).into(),
             how: "difference from the next finer resolution".into(),
         },
         plan: Plan {
-            grading: "exponential".into(),
-            flexibility: "transfer-matrix".into(),
-            kernel: "split".into(),
-            quadrature: "de-sinc".into(),
+            grading: "exponential",
+            flexibility: "transfer-matrix",
+            kernel: "split",
+            quadrature: "de-sinc",
             unknowns: 40,
             flexibility_evaluations: 120,
             factorisations: 3,
@@ -104,7 +104,7 @@ pub(crate) fn cylinder_without_friction() -> Solution {
         edge: EdgeReport { stress_intensity: Some(0.0), ratio: Some(0.0) },
         error: ErrorReport {
             estimate: Some(1e-4),
-            each: [("pressure.centre".into(), 1e-4), ("pressure.peak".into(), 1e-4)].into(),
+            each: [("pressure.centre", 1e-4), ("pressure.peak", 1e-4)].into(),
             how: String::new(),
         },
         profile: Profile {

@@ -5,6 +5,7 @@ use crate::report::labels::{Labels, one_line, with_unit};
 use crate::report::number::{digits, short, significant};
 use crate::report::scene_line::{ASCII, scene_parts};
 use crate::scene::Asked;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -116,7 +117,7 @@ fn rows(solution: &Solution) -> Vec<Row> {
 }
 
 /// Rows in five columns: name, symbol, value, unit, relative error.
-fn table(page: &mut String, rows: &[Row], each: &BTreeMap<String, f64>) {
+fn table(page: &mut String, rows: &[Row], each: &BTreeMap<&'static str, f64>) {
     let mut cells = vec![["", "", "value", "unit", "relative error"].map(String::from)];
     cells.extend(rows.iter().map(|row| {
         let estimate = each.get(row.path).copied();
@@ -188,8 +189,8 @@ fn path(page: &mut String, curve: &Curve, labels: &Labels) {
 /// Methods, counts of work, how the errors were got.
 fn work(page: &mut String, solution: &Solution) {
     let plan = &solution.plan;
-    let methods = [&plan.grading, &plan.flexibility, &plan.kernel, &plan.quadrature];
-    let methods: Vec<_> = methods.into_iter().filter(|name| !name.is_empty()).map(|name| one_line(name)).collect();
+    let methods = [plan.grading, plan.flexibility, plan.kernel, plan.quadrature];
+    let methods: Vec<_> = methods.into_iter().filter(|name| !name.is_empty()).map(one_line).collect();
     pair(page, "methods", &methods.join(", "));
     pair(
         page,
@@ -204,7 +205,7 @@ fn work(page: &mut String, solution: &Solution) {
     }
 }
 
-fn list(page: &mut String, name: &str, items: &[String]) {
+fn list(page: &mut String, name: &str, items: &[Cow<'static, str>]) {
     for (i, item) in items.iter().enumerate() {
         pair(page, if i == 0 { name } else { "" }, &one_line(item));
     }
@@ -277,7 +278,7 @@ assumptions  plane strain
         let mut solution = samples::flat_with_friction();
         assert!(!text(&solution).contains("strain rate"), "no other strain has one");
         solution.stick.as_mut().expect("friction").strain_rate = Some(-0.125);
-        solution.error.each.insert("stick.strain_rate".into(), 2e-4);
+        solution.error.each.insert("stick.strain_rate", 2e-4);
         let page = text(&solution);
         let row = page.lines().find(|row| row.starts_with("strain rate")).expect("a row");
         assert_eq!(row.split_whitespace().collect::<Vec<_>>(), ["strain", "rate", "C", "-0.1250", "1/mm", "2e-4"]);
@@ -314,7 +315,7 @@ assumptions  plane strain
     fn nan_never_reaches_the_reader() {
         let mut solution = samples::flat_with_friction();
         solution.pressure.centre = Some(f64::NAN);
-        solution.error.each.insert("edge.ratio".into(), f64::INFINITY);
+        solution.error.each.insert("edge.ratio", f64::INFINITY);
         let page = text(&solution);
         assert!(!page.contains("NaN") && !page.contains("inf\n"), "{page}");
         assert_eq!(page.matches("not finite").count(), 2, "{page}");

@@ -175,7 +175,7 @@ impl Question<'_> {
     /// The relative error of the number that decides.
     fn number_error(&self, solution: &Solution) -> f64 {
         let tolerance = solution.scene.solver.tolerance.get();
-        solution.error.each.get(&self.find.quantity).copied().unwrap_or(tolerance)
+        solution.error.each.get(self.find.quantity.as_str()).copied().unwrap_or(tolerance)
     }
 
     /// Where the number is as wanted, over the range taken as 0 to 1.

@@ -25,7 +25,7 @@ use singular::Singular;
 use slipzone_api::{
     Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Positive, Refusal, SurfaceFlexibility,
 };
-use spectrum::Spectrum;
+use spectrum::{Spectrum, surface_gradient};
 use std::f64::consts::FRAC_PI_2;
 use std::num::NonZeroU8;
 use table::Table;
@@ -194,20 +194,20 @@ impl Split {
     ) -> Result<Draft, Refusal> {
         let reach = request.reach;
         let mut plan = self.plan(response, request, depth, (accuracy, roughness), FEW_TERMS);
-        let short = plan.settled && power_series::serve(&plan.columns, plan.cut, depth, reach);
+        let mut short = plan.settled && power_series::serve(&plan.columns, plan.cut, depth, reach);
         if !short {
             plan = self.plan(response, request, depth, (accuracy, roughness), MOST_TERMS);
+            short = power_series::serve(&plan.columns, plan.cut, depth, reach);
         }
-        let short = power_series::serve(&plan.columns, plan.cut, depth, reach);
-        let Integral { columns, cut, .. } = plan;
+        let Integral { columns, cut, gradient, .. } = plan;
         let (beyond_error, at_cutoff) = cut.rest(&columns, response, depth)?;
         let slow = cut.cutoff * reach <= SLOW;
-        let spectrum = Spectrum::new(&columns, response, (cut.cutoff, at_cutoff), reach, short || slow)?;
+        let spectrum = Spectrum::new(&columns, response, (cut.cutoff, at_cutoff), (reach, gradient), short || slow)?;
         let beyond = Beyond::new(cut, &columns);
         let mut rounded: Vec<f64> = (0..columns.len())
             .map(|i| {
                 let phase = if slow && !short { PHASE * cut.cutoff * reach } else { 0.0 };
-                (FLEXIBILITY + phase) * spectrum.size[i].whole
+                (FLEXIBILITY + phase) * spectrum.kernels[i].size.whole
                     + ROUNDING * beyond.size(i)
                     + 2.0 * f64::EPSILON * cut.cutoff
             })
@@ -225,10 +225,11 @@ impl Split {
         let (mut error, mut rounding, mut left, mut roughened) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
         for (i, column) in columns.iter().enumerate() {
             let scale = if column.component == Component::Depth { 1.0 } else { reach };
-            rounding = rounding.max(scale * (rounded[i] + pieces.kernels[i].noise + spectrum.noise[i]));
+            let of_spectrum = &spectrum.kernels[i];
+            rounding = rounding.max(scale * (rounded[i] + pieces.kernels[i].noise + of_spectrum.noise));
             left = left.max(scale * beyond_error[i]);
-            roughened = roughened.max(scale * spectrum.size[i].roughened);
-            let of_all = beyond_error[i] + spectrum.error[i] + spectrum.size[i].roughened + pieces.kernels[i].error;
+            roughened = roughened.max(scale * of_spectrum.size.roughened);
+            let of_all = beyond_error[i] + of_spectrum.error + of_spectrum.size.roughened + pieces.kernels[i].error;
             error = error.max(scale * (of_all + rounded[i]));
         }
         Ok(Draft {
@@ -247,6 +248,8 @@ impl Split {
 struct Integral {
     columns: Vec<Column>,
     cut: Cut,
+    /// `mu'/mu` at the surface.
+    gradient: f64,
     /// Whether as many terms of the series as were asked for are enough.
     settled: bool,
 }
@@ -276,7 +279,7 @@ impl Split {
         if let Some(terms) = self.terms {
             cut.terms = usize::from(terms.get()).min(tail.len());
         }
-        Integral { columns, cut, settled: settled && !self.is_pinned() }
+        Integral { columns, cut, gradient: surface_gradient(&tail), settled: settled && !self.is_pinned() }
     }
 }
 

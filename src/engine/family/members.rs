@@ -97,7 +97,7 @@ impl Family {
             before = found.reported();
             sticks = found.verdict == Verdict::Sticks;
             if before.is_none() && !sticks {
-                return Err(Unfit::Friction(contact, Box::new(found.clone())));
+                return Err(Unfit::Friction(contact, found.clone()));
             }
         }
         self.solve_pressures(layer, task, coarse)?;
@@ -195,7 +195,7 @@ impl Family {
         let start = start.map(|start| Outcome::of_rubbing(Rubbing::expected(start, b, !asked)));
         let outcome = self.stage.solve(layer, task, start.as_ref(), None)?;
         let rubbing = outcome.rubbing.expect("a stick zone, or why there is none");
-        let Some(root) = rubbing.reported() else { return Ok(Err(Box::new(rubbing))) };
+        let Some(root) = rubbing.reported() else { return Ok(Err(rubbing)) };
         let member = if let Some(member) = self.approach(layer, task, b, root, found)? {
             member
         } else {

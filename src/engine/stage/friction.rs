@@ -37,7 +37,7 @@ impl Stage {
         task: Task,
         eta: f64,
         coarse: Option<&Rubbing>,
-    ) -> Result<Rubbing, Refusal> {
+    ) -> Result<Box<Rubbing>, Refusal> {
         let b = self.normal.half_width;
         if let Some((half_width, friction, rubbing)) = &self.rubbed
             && self.normal.is_flat
@@ -45,7 +45,7 @@ impl Stage {
         {
             return Ok(rubbing.clone());
         }
-        let mut rubbing = self.find(layer, task, eta, coarse)?;
+        let mut rubbing = Box::new(self.find(layer, task, eta, coarse)?);
         if let Some(lambda) = rubbing.solved() {
             self.examine(layer, task, lambda, &mut rubbing, coarse.and_then(Rubbing::root))?;
         }
@@ -290,7 +290,7 @@ impl Stage {
                 // This resolution may see what the one that was scanned did not.
                 let again = self.scan(layer, task, eta)?;
                 if let Some(again) = self.followed(layer, task, eta, &again)? {
-                    *rubbing = Rubbing { scanned: true, ..again };
+                    **rubbing = Rubbing { scanned: true, ..again };
                     self.choose(layer, task, rubbing)?;
                 }
             }
@@ -341,10 +341,10 @@ impl Stage {
     ) -> Result<Option<f64>, Refusal> {
         let is_solved =
             |rubbing: &&Rubbing| matches!(rubbing.verdict, Verdict::Holds | Verdict::Sticks | Verdict::Fails(_));
-        let found = outcome.rubbing.as_ref().filter(is_solved).filter(|_| !task.problem.is_linear);
+        let found = outcome.rubbing.as_deref().filter(is_solved).filter(|_| !task.problem.is_linear);
         let shear = self.shear.as_mut().filter(|shear| shear.is_solved);
         let Some((shear, found)) = shear.zip(found) else { return Ok(None) };
-        let coarser = coarser.and_then(|stage| stage.shear.as_ref()).filter(|shear| shear.is_solved);
+        let coarser = coarser.and_then(|stage| stage.shear.as_deref()).filter(|shear| shear.is_solved);
         let (beta, wanted) = (task.problem.elastic.beta(), (of_pressure, task.tolerance));
         sharpen((shear, coarser), layer, &mut self.normal, beta, found.zone, wanted)
     }
@@ -358,14 +358,14 @@ impl Stage {
 
     /// Where the shear solved last is more than a friction coefficient bears, though everything sticks.
     pub(crate) fn overload(&mut self, layer: &Layer, eta: f64) -> Option<String> {
-        let (x, load) = checks::overload(layer, &self.normal, self.shear.as_ref()?, eta)?;
+        let (x, load) = checks::overload(layer, &self.normal, self.shear.as_deref()?, eta)?;
         self.is_overloaded = true;
         (!self.of_slices).then(|| format!("where everything sticks |q| reaches {load:.3} eta p at x = {x:.4} b"))
     }
 
     /// The condition of friction that the stick zone solved last fails, and where.
     fn violation(&mut self, layer: &Layer, problem: &Problem) -> Option<String> {
-        let (normal, shear) = (&mut self.normal, self.shear.as_ref()?);
+        let (normal, shear) = (&mut self.normal, self.shear.as_deref()?);
         let direction = if shear.friction < 0.0 { "outward" } else { "inward" };
         let ratio = shear.zone.ratio();
         if let Some((x, load)) = checks::overload(layer, normal, shear, shear.friction.abs()) {
@@ -377,7 +377,8 @@ impl Stage {
                 ));
             }
         }
-        self.slip_check.wrong_slip(layer, problem, normal, shear).map(|x| {
+        let slip_check = self.slip_check.get_or_insert_default();
+        slip_check.wrong_slip(layer, problem, normal, shear).map(|x| {
             format!("with {direction} slip and a/b = {ratio:.6}, the surface slides the other way at x = {x:.4} b")
         })
     }

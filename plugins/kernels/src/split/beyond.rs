@@ -3,6 +3,7 @@
 use super::column::Column;
 use super::exponential_integral;
 use super::piece::LARGEST_LOG;
+use arrayvec::ArrayVec;
 use num_complex::Complex64;
 use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
 
@@ -106,8 +107,8 @@ impl Cut {
 fn shortest(tail: &[SurfaceFlexibility], cutoff: f64, enough: f64) -> (usize, f64) {
     let mut power = 1.0;
     // Terms of the integral of the series.
-    let sizes: Vec<f64> = (1..)
-        .zip(tail)
+    let sizes: ArrayVec<f64, MOST_TERMS> = (1..)
+        .zip(&tail[..tail.len().min(MOST_TERMS)])
         .map(|(k, c)| {
             let size = c.vv.abs().max(c.uu.abs()).max(c.uv.abs()) * power / f64::from((k - 1).max(1));
             power /= cutoff;

@@ -1,6 +1,7 @@
 //! The Legendre series of one panel of wave numbers, and what it leaves unresolved.
 
 use super::column::Column;
+use arrayvec::ArrayVec;
 use bilby::GaussLegendre;
 use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
 use std::sync::OnceLock;
@@ -86,11 +87,14 @@ pub(super) struct Legendre {
 
 /// The rules made so far, by half their number of nodes: they are the same for every layer.
 static RULES: [OnceLock<Legendre>; MOST_RULES] = [const { OnceLock::new() }; MOST_RULES];
-/// Rules that are kept.
-const MOST_RULES: usize = 64;
+/// Most nodes of a rule.
+pub(super) const MOST: usize = 56;
+const MOST_RULES: usize = MOST / 2 + 1;
+/// Orders of a wave that are looked at, over the number of nodes.
+const ORDERS: usize = 4;
 
 impl Legendre {
-    /// The rule of an even number of nodes below 128, made when first asked for.
+    /// The rule of an even number of nodes, up to [`MOST`], made when first asked for.
     pub(super) fn of(nodes: usize) -> &'static Self {
         RULES[nodes / 2].get_or_init(|| Self::new(nodes))
     }
@@ -100,23 +104,21 @@ impl Legendre {
         let (nodes, weights) = (gauss.rule().nodes.clone(), gauss.rule().weights.clone());
         let scaled = |(l, p): (usize, f64)| (l as f64 + 0.5) * p;
         let (count, half) = (nodes.len(), nodes.len() / 2);
-        let polynomials =
-            nodes[..half].iter().flat_map(|x| values(*x, count).into_iter().enumerate().map(scaled)).collect();
-        let largest = (0..4 * nodes.len()).map(|l| (LANDAU * (l as f64 + 0.5).powf(-5.0 / 6.0)).min(1.0)).collect();
+        let polynomials = nodes[..half].iter().flat_map(|x| values(*x).take(count).enumerate().map(scaled)).collect();
+        let largest =
+            (0..ORDERS * nodes.len()).map(|l| (LANDAU * (l as f64 + 0.5).powf(-5.0 / 6.0)).min(1.0)).collect();
         Self { nodes, weights, polynomials, largest }
     }
 
     /// Bounds on `|j_l|` up to a phase, as long as they matter: `phase^l/(2l+1)!!`, and their largest values.
-    fn waves(&self, phase: f64) -> Vec<f64> {
+    fn waves(&self, phase: f64) -> ArrayVec<f64, { ORDERS * MOST }> {
         let mut small = 1.0;
         let bound = |(l, largest): (usize, &f64)| {
             let bound = largest.min(small);
             small *= phase / (2 * l + 3) as f64;
             bound
         };
-        let mut waves = Vec::with_capacity(self.largest.len());
-        waves.extend(self.largest.iter().enumerate().map(bound).take_while(|wave| *wave > NO_WAVE));
-        waves
+        self.largest.iter().enumerate().map(bound).take_while(|wave| *wave > NO_WAVE).collect()
     }
 
     /// Writes the Legendre coefficients of a function, from its values at the nodes times the weights.
@@ -146,13 +148,16 @@ impl Legendre {
         let (middle, half) = (f64::midpoint(lower.s, upper.s), 0.5 * (upper.s - lower.s));
         let nodes: Vec<f64> = self.nodes.iter().map(|x| middle + half * x).collect();
         let count = nodes.len();
-        let mut f = vec![SurfaceFlexibility::default(); count];
-        response.surface_into(&nodes, &mut f)?;
+        let mut room = [SurfaceFlexibility::default(); MOST];
+        let f = &mut room[..count];
+        response.surface_into(&nodes, f)?;
         let all = count * columns.len();
-        let (mut weighted, mut coefficients) = (Vec::with_capacity(all), vec![0.0; count]);
+        let (mut weighted, mut coefficients) = (Vec::with_capacity(all), [0.0; MOST]);
+        let coefficients = &mut coefficients[..count];
         let mut told = Vec::with_capacity(if summed { 0 } else { all });
         let waves = self.waves(half * reach);
-        let ends = [lower, upper].map(|end| (end, values((end.at - middle) / half, count)));
+        let polynomials = |end: End| values((end.at - middle) / half).take(count).collect::<ArrayVec<f64, MOST>>();
+        let ends = [lower, upper].map(|end| (end, polynomials(end)));
         let resolve = |column: &Column| {
             let mut size = 0.0;
             let weigh = |((s, f), weight): ((&f64, &SurfaceFlexibility), &f64)| {
@@ -161,12 +166,12 @@ impl Legendre {
                 value
             };
             let first = weighted.len();
-            weighted.extend(nodes.iter().zip(&f).zip(&self.weights).map(weigh));
-            self.coefficients_into(&weighted[first..], &mut coefficients);
+            weighted.extend(nodes.iter().zip(&*f).zip(&self.weights).map(weigh));
+            self.coefficients_into(&weighted[first..], coefficients);
             // What the flexibility's error may make of the integral over [-1, 1].
             let mut rough = 0.0;
             if column.roughness > 0.0 {
-                let nodes = nodes.iter().zip(&f).zip(&self.weights);
+                let nodes = nodes.iter().zip(&*f).zip(&self.weights);
                 let exposed: f64 = nodes.map(|((s, f), weight)| weight * column.exposed(*s, f)).sum();
                 rough = column.roughness * exposed;
             }
@@ -176,7 +181,7 @@ impl Legendre {
                 most.max((sum - column.weight(end.at, &end.flexibility)).abs())
             });
             let noise = NOISE.max(0.5 * rough);
-            let (error, ratio, noisy) = unresolved(&coefficients, (seen, noise), &waves, lower.s == 0.0, summed);
+            let (error, ratio, noisy) = unresolved(coefficients, (seen, noise), &waves, lower.s == 0.0, summed);
             if !summed {
                 let signed = |(l, c): (usize, &f64)| c * if l % 4 < 2 { 2.0 * half } else { -2.0 * half };
                 told.extend(coefficients.iter().enumerate().map(signed));
@@ -248,16 +253,15 @@ fn unresolved(
     (sum, ratio, false)
 }
 
-/// `P_l(x)` for the first `count` of them.
-fn values(x: f64, count: usize) -> Vec<f64> {
+/// `P_0(x)`, `P_1(x)`, ...
+fn values(x: f64) -> impl Iterator<Item = f64> {
     let (mut before, mut p) = (0.0, 1.0);
-    let value = |l: usize| {
+    (0..).map(move |l: usize| {
         let here = p;
         let a = (2 * l + 1) as f64 / (l + 1) as f64;
         (before, p) = (p, a * x * p - (a - 1.0) * before);
         here
-    };
-    (0..count).map(value).collect()
+    })
 }
 
 /// Waves below this matter to no coefficient.

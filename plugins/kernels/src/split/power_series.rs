@@ -7,8 +7,12 @@ use super::pieces::{Kernel, Pieces};
 use super::polynomial;
 use super::singular::{Singular, signed_taylor};
 use super::spectrum::Spectrum;
+use arrayvec::ArrayVec;
 use slipzone_api::elementary::EULER_GAMMA;
 use std::f64::consts::FRAC_PI_2;
+
+/// Powers of one parity.
+type Powers = ArrayVec<f64, { polynomial::MOST }>;
 
 /// Most powers of `t`.
 const MOST_POWERS: usize = 2 * polynomial::MOST;
@@ -57,7 +61,7 @@ fn kernel(i: usize, column: &Column, spectrum: &Spectrum, beyond: &Beyond, reach
     let phase = cutoff * reach;
     let mut power = if odd { phase } else { 1.0 };
     let mut harmonic = first as f64;
-    let (mut smooth, mut rounding, mut left) = (Vec::with_capacity(MOST_POWERS / 2), 0.0, f64::INFINITY);
+    let (mut smooth, mut rounding, mut left) = (Powers::new(), 0.0, f64::INFINITY);
     let logarithm = EULER_GAMMA + cutoff.ln();
     let mut moments = spectrum.moments(i, odd, cutoff);
     for m in (first..MOST_POWERS).step_by(2) {
@@ -79,20 +83,18 @@ fn kernel(i: usize, column: &Column, spectrum: &Spectrum, beyond: &Beyond, reach
             break;
         }
     }
-    let (mut rows, mut error) = (Vec::<[f64; 3]>::new(), left);
+    let (mut rows, mut error) = (Vec::<[f64; 3]>::with_capacity(smooth.len()), left);
     // Jump and logarithm: the even and the odd powers of P, in units of the reach.
-    let mut taylor = signed_taylor(column, &column.series[..scaled.len()], scaled.len());
-    let mut unit = 1.0;
-    for c in &mut taylor {
-        *c *= unit;
+    let (mut sign, mut log) = (Powers::new(), Powers::new());
+    let (jump, mut unit) = (if odd { FRAC_PI_2 } else { -FRAC_PI_2 }, 1.0);
+    for (j, c) in signed_taylor(column, &column.series[..scaled.len()], scaled.len()).enumerate() {
+        if odd == j.is_multiple_of(2) {
+            sign.push(jump * (c * unit));
+        } else {
+            log.push(-(c * unit));
+        }
         unit *= reach;
     }
-    let every_other = |from: usize| taylor.iter().skip(from).step_by(2).copied();
-    let (sign, log): (Vec<f64>, Vec<f64>) = if odd {
-        (every_other(0).map(|c| FRAC_PI_2 * c).collect(), every_other(1).map(|c| -c).collect())
-    } else {
-        (every_other(1).map(|c| -FRAC_PI_2 * c).collect(), every_other(0).map(|c| -c).collect())
-    };
     // (t/r) |log t| is below the first, |log t| below the second.
     let logarithm = if odd { 1.0 + reach.ln().abs() } else { LARGEST_LOG };
     for (part, (powers, weight)) in [(smooth, 1.0), (sign, 1.0), (log, logarithm)].into_iter().enumerate() {

@@ -38,7 +38,7 @@ impl Singular {
     pub(super) fn new(column: &Column, depth: f64, reach: f64) -> Self {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most 16
         let digits = (-column.aim.log10()).clamp(0.0, 16.0) as usize;
-        let taylor = signed_taylor(column, &column.series, DEGREE + digits);
+        let taylor: Vec<f64> = signed_taylor(column, &column.series, DEGREE + digits).collect();
         let allowed = MODERATE * taylor[0].abs().max(1.0);
         let open = Self::windowed(column, &taylor, 0.0);
         // What does not grow needs no window, unless the kernel is to end as it does far away.
@@ -61,7 +61,7 @@ impl Singular {
     /// Whether the parts of the first `terms` of a series, as they are, do not outgrow the kernel on `[0, reach]` by more than
     /// what a smooth rest undoes without loss.
     pub(super) fn is_tame(column: &Column, terms: usize, reach: f64) -> bool {
-        let taylor = signed_taylor(column, column.used(terms), terms);
+        let taylor: Vec<f64> = signed_taylor(column, column.used(terms), terms).collect();
         Self::windowed(column, &taylor, 0.0).stays_below(TAME * taylor[0].abs().max(1.0), reach)
     }
 
@@ -116,13 +116,11 @@ impl Singular {
 
 /// `P = sum_j i^j p_j t^j`, `p_j = c_(j+1)/j!`, up to `degree`, with the sign of `i^j` put in: the even terms
 /// are its real part, the odd ones its imaginary part. The pole's jump is among them.
-pub(super) fn signed_taylor(column: &Column, series: &[f64], degree: usize) -> Vec<f64> {
+pub(super) fn signed_taylor(column: &Column, series: &[f64], degree: usize) -> impl Iterator<Item = f64> {
     let mut factorial = 1.0;
-    (0..=degree)
-        .map(|j| {
-            let p = series.get(j).map_or(0.0, |c| c / factorial) + if j == 0 { column.pole } else { 0.0 };
-            factorial *= (j + 1) as f64;
-            if j % 4 < 2 { p } else { -p }
-        })
-        .collect()
+    (0..=degree).map(move |j| {
+        let p = series.get(j).map_or(0.0, |c| c / factorial) + if j == 0 { column.pole } else { 0.0 };
+        factorial *= (j + 1) as f64;
+        if j % 4 < 2 { p } else { -p }
+    })
 }

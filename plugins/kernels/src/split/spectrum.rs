@@ -1,7 +1,7 @@
 //! The integral over `[0, S]`: Legendre series of what stands before the wave, panel by panel.
 
 use super::column::Column;
-use super::legendre::{End, LARGEST_NOISE, Legendre, Panel, Size};
+use super::legendre::{self, End, LARGEST_NOISE, Legendre, Panel, Size};
 use super::spherical_bessel;
 use num_complex::Complex64;
 use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
@@ -14,14 +14,19 @@ use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
 #[derive(Clone, Debug, Default)]
 pub(super) struct Spectrum {
     panels: Vec<Panel>,
-    /// Bound on what is unresolved, per kernel.
-    pub(super) error: Vec<f64>,
-    /// What of it is the flexibility's own noise.
-    pub(super) noise: Vec<f64>,
-    /// Per kernel.
-    pub(super) size: Vec<Size>,
+    pub(super) kernels: Vec<Told>,
     /// Wave numbers asked for, the failed panels' included.
     pub(super) evaluations: usize,
+}
+
+/// What all panels tell of one kernel.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Told {
+    /// Bound on what is unresolved.
+    pub(super) error: f64,
+    /// What of it is the flexibility's own noise.
+    pub(super) noise: f64,
+    pub(super) size: Size,
 }
 
 /// Part of the error that each panel may have: most often there are two.
@@ -45,7 +50,7 @@ const SECOND: Guess = Guess { least: 6.0, digit: 1.38, stiff: 0.08, soft: 0.025,
 const NODES_BY_PHASE: f64 = 0.7;
 const FAST: f64 = 1.7;
 /// Fewest and most nodes of a panel.
-const NODES: (usize, usize) = (8, 56);
+const NODES: (usize, usize) = (8, legendre::MOST);
 /// A panel that fails is sampled anew where up to this many times its nodes should do, and divided otherwise.
 const ANEW: f64 = 1.7;
 /// Beyond this distance the waves are fast for every panel, or the kernel is nothing but `-1/t`: a surface 1e4 times
@@ -79,25 +84,20 @@ struct Moment {
 const MOST_SAMPLES: usize = 4096;
 
 impl Spectrum {
-    /// Samples `[0, cutoff]`, where the flexibility is `at_cutoff`.
+    /// Samples `[0, cutoff]`, where the flexibility is `at_cutoff`; `gradient` is the surface's `mu'/mu`.
     pub(super) fn new(
         columns: &[Column],
         response: &dyn LayerResponse,
         (cutoff, at_cutoff): (f64, SurfaceFlexibility),
-        reach: f64,
+        (reach, gradient): (f64, f64),
         summed: bool,
     ) -> Result<Self, Refusal> {
-        let mut spectrum = Self {
-            panels: Vec::with_capacity(2),
-            error: vec![0.0; columns.len()],
-            noise: vec![0.0; columns.len()],
-            size: vec![Size::default(); columns.len()],
-            evaluations: 1,
-        };
+        let mut spectrum =
+            Self { panels: Vec::with_capacity(2), kernels: vec![Told::default(); columns.len()], evaluations: 1 };
         let aim = columns.iter().map(|column| column.aim).fold(f64::INFINITY, f64::min);
         let reach = reach.min(FAR);
         let digits = -aim.log10();
-        let (gradient, beta) = (surface_gradient(&response.tail(1)), response.elastic().beta());
+        let beta = response.elastic().beta();
         let nodes = |width: f64, guess: Guess| {
             let by_digit =
                 guess.digit + guess.stiff * (-gradient).max(0.0) - guess.soft * gradient.max(0.0) - guess.beta * beta;
@@ -122,11 +122,11 @@ impl Spectrum {
             let given_up = spectrum.evaluations + nodes > MOST_SAMPLES || upper.s - lower.s < cutoff * 1e-6;
             if worst <= SHARE || stalled || given_up {
                 spectrum.panels.push(panel);
-                for (i, resolved) in resolved.iter().enumerate() {
-                    spectrum.error[i] += resolved.error;
-                    spectrum.noise[i] += if resolved.noisy || stalled { resolved.error } else { 0.0 };
-                    spectrum.size[i].whole += resolved.size.whole;
-                    spectrum.size[i].roughened += resolved.size.roughened;
+                for (told, resolved) in spectrum.kernels.iter_mut().zip(&resolved) {
+                    told.error += resolved.error;
+                    told.noise += if resolved.noisy || stalled { resolved.error } else { 0.0 };
+                    told.size.whole += resolved.size.whole;
+                    told.size.roughened += resolved.size.roughened;
                 }
                 continue;
             }
@@ -201,7 +201,7 @@ impl Spectrum {
 const STALL: f64 = 0.3;
 
 /// `mu'/mu` at the surface, as far as the series tells: the first coefficient of `s Fuu/A0` is `-mu'/(2 mu)`.
-fn surface_gradient(tail: &[SurfaceFlexibility]) -> f64 {
+pub(super) fn surface_gradient(tail: &[SurfaceFlexibility]) -> f64 {
     tail.first().map_or(0.0, |c| -2.0 * c.uu)
 }
 

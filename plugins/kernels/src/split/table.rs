@@ -19,7 +19,9 @@ struct Kernel {
 
 impl Kernel {
     fn new(component: Component, pieces: &[Vec<[f64; 3]>]) -> Self {
-        let mut kernel = Self { component, coefficients: Vec::new(), starts: Vec::with_capacity(3 * pieces.len() + 1) };
+        let most = pieces.iter().map(|rows| 3 * rows.len()).sum();
+        let (coefficients, starts) = (Vec::with_capacity(most), Vec::with_capacity(3 * pieces.len() + 1));
+        let mut kernel = Self { component, coefficients, starts };
         kernel.starts.push(0);
         for rows in pieces {
             for part in 0..3 {

@@ -10,8 +10,9 @@ use super::shape::Shape;
 use super::sums::{dot, dots};
 use pulp::Arch;
 use slipzone_api::{Component, Densities, Edge, KernelTable, Rule, Station};
+use std::cell::Cell;
 use std::f64::consts::PI;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 /// Rows that are gathered from the fine grid together.
 const ROWS: usize = 8;
@@ -23,9 +24,12 @@ pub(super) struct DeSincRule {
     /// Where the kernel is summed, and the interval over the kernel's length that it serves.
     fine: Option<(f64, Arc<Fine>)>,
     stations: Vec<Station>,
-    scratch: Scratch,
-    /// Room for a density made ready for evaluation: whoever evaluates has only a shared rule.
-    room: Mutex<Vec<f64>>,
+}
+
+thread_local! {
+    /// Those of this thread, unless they are in use: one rule after another takes the same.
+    static SCRATCH: Cell<Scratch> = Cell::default();
+    static DENSITY: Cell<Vec<f64>> = const { Cell::new(Vec::new()) };
 }
 
 /// Room for the kernel part.
@@ -42,10 +46,8 @@ struct Scratch {
 
 impl DeSincRule {
     pub(super) fn new(half_width: f64, resolution: Resolution, grid: Arc<Grid>) -> Self {
-        let scratch = Scratch::default();
-        let mut rule =
-            Self { half_width, resolution, grid, fine: None, stations: Vec::new(), scratch, room: Mutex::default() };
-        rule.stations = vec![Station { x: 0.0, gap: 0.0 }; rule.grid.staggered.len()];
+        let stations = vec![Station { x: 0.0, gap: 0.0 }; grid.staggered.len()];
+        let mut rule = Self { half_width, resolution, grid, fine: None, stations };
         rule.stretch(half_width);
         rule
     }
@@ -75,6 +77,24 @@ impl DeSincRule {
             kernel,
             whole: false,
         }
+    }
+
+    /// Lends a density made ready for evaluation.
+    fn shaped<T>(&self, unknowns: &[f64], work: impl FnOnce(Shape) -> T) -> T {
+        let mut room = DENSITY.take();
+        let done = work(Shape::new(&self.grid, unknowns, &mut room));
+        DENSITY.set(room);
+        done
+    }
+}
+
+impl Scratch {
+    /// Lends that of this thread.
+    fn lend<T>(work: impl FnOnce(&mut Self) -> T) -> T {
+        let mut scratch = SCRATCH.take();
+        let done = work(&mut scratch);
+        SCRATCH.set(scratch);
+        done
     }
 }
 
@@ -120,17 +140,18 @@ impl Rule for DeSincRule {
         };
         let fine = self.fine(kernel.0.length());
         let folding = self.folding(&fine, kernel);
-        let Scratch { folded, .. } = &mut self.scratch;
         let mut scale = [0.0; ROWS];
-        for (block, rows) in rows.chunks_mut(ROWS * length).enumerate() {
-            let here = block * ROWS..block * ROWS + rows.len() / length;
-            for (scale, row) in scale.iter_mut().zip(&self.grid.scale[here.clone()]) {
-                *scale = self.half_width / PI * row;
+        Scratch::lend(|Scratch { folded, .. }| {
+            for (block, rows) in rows.chunks_mut(ROWS * length).enumerate() {
+                let here = block * ROWS..block * ROWS + rows.len() / length;
+                for (scale, row) in scale.iter_mut().zip(&self.grid.scale[here.clone()]) {
+                    *scale = self.half_width / PI * row;
+                }
+                let cauchy = &self.grid.cauchy[here.start * n..here.end * n];
+                folding.fold(here, folded);
+                fine.gather(&self.grid, (cauchy, folded), &scale, (rows, length));
             }
-            let cauchy = &self.grid.cauchy[here.start * n..here.end * n];
-            folding.fold(here, folded);
-            fine.gather(&self.grid, (cauchy, folded), &scale, (rows, length));
-        }
+        });
     }
 
     fn applied_into(
@@ -141,22 +162,23 @@ impl Rule for DeSincRule {
         out: &mut [[f64; 2]],
     ) {
         let (n, length) = (self.unknowns(), rows.len() / self.stations.len());
-        let Scratch { spread, nodes, given, .. } = &mut self.scratch;
         let inner = &self.grid.nodes[self.grid.first..][..n];
-        nodes.clear();
-        nodes.extend(inner.iter().map(|u| Station { x: self.half_width * u.x, gap: self.half_width * u.gap }));
-        given.resize(n, [0.0; 2]);
-        densities(nodes, given);
-        spread.clear();
-        for part in 0..2 {
-            spread.extend(inner.iter().zip(&*given).map(|(u, given)| u.sech * given[part]));
-        }
-        let (one, other) = spread.split_at(n);
-        // What the operator is beside its Cauchy part.
-        let rows = rows.chunks_exact(length).zip(self.grid.cauchy.chunks_exact(n));
-        for (out, (row, cauchy)) in out.iter_mut().zip(rows) {
-            *out = dots((&row[..n], cauchy), [one, other]);
-        }
+        Scratch::lend(|Scratch { spread, nodes, given, .. }| {
+            nodes.clear();
+            nodes.extend(inner.iter().map(|u| Station { x: self.half_width * u.x, gap: self.half_width * u.gap }));
+            given.resize(n, [0.0; 2]);
+            densities(nodes, given);
+            spread.clear();
+            for part in 0..2 {
+                spread.extend(inner.iter().zip(&*given).map(|(u, given)| u.sech * given[part]));
+            }
+            let (one, other) = spread.split_at(n);
+            // What the operator is beside its Cauchy part.
+            let rows = rows.chunks_exact(length).zip(self.grid.cauchy.chunks_exact(n));
+            for (out, (row, cauchy)) in out.iter_mut().zip(rows) {
+                *out = dots((&row[..n], cauchy), [one, other]);
+            }
+        });
     }
 
     fn resultant_into(&self, row: &mut [f64]) {
@@ -168,14 +190,11 @@ impl Rule for DeSincRule {
 
     fn values_into(&self, unknowns: &[f64], at: &[Station], out: &mut [f64]) {
         assert_eq!(at.len(), out.len(), "one value per point");
-        let mut room = self.room.lock().unwrap_or_else(PoisonError::into_inner);
-        let shape = Shape::new(&self.grid, unknowns, &mut room);
-        shape.values_into(at, self.half_width, out);
+        self.shaped(unknowns, |shape| shape.values_into(at, self.half_width, out));
     }
 
     fn lost_between(&self, unknowns: &[f64]) -> Option<f64> {
-        let mut room = self.room.lock().unwrap_or_else(PoisonError::into_inner);
-        Some(Shape::new(&self.grid, unknowns, &mut room).lost_between())
+        Some(self.shaped(unknowns, |shape| shape.lost_between()))
     }
 
     fn edge_factor(&self, unknowns: &[f64]) -> f64 {
@@ -189,15 +208,17 @@ impl Rule for DeSincRule {
         assert_eq!(unknowns.len(), self.unknowns(), "one number per unknown");
         let fine = self.fine(kernel.0.length());
         let folding = Folding { whole: true, ..self.folding(&fine, kernel) };
-        let Scratch { folded, spread, .. } = &mut self.scratch;
-        fine.spread(&self.grid, unknowns, spread);
-        let (end, count) = (self.stations.len(), spread.len());
+        let end = self.stations.len();
         samples.clear();
         samples.reserve(end + 1);
-        for first in (0..=end).step_by(ROWS) {
-            folding.fold(first..(end + 1).min(first + ROWS), folded);
-            samples.extend(folded.chunks_exact(count).map(|row| self.half_width / PI * dot(row, spread)));
-        }
+        Scratch::lend(|Scratch { folded, spread, .. }| {
+            fine.spread(&self.grid, unknowns, spread);
+            for first in (0..=end).step_by(ROWS) {
+                folding.fold(first..(end + 1).min(first + ROWS), folded);
+                let rows = folded.chunks_exact(spread.len());
+                samples.extend(rows.map(|row| self.half_width / PI * dot(row, spread)));
+            }
+        });
         let odd = self.grid.odd != kernel.1.is_odd();
         let edge = samples[end];
         for (i, (sample, v)) in samples.iter_mut().zip(&self.grid.staggered).enumerate() {
@@ -212,10 +233,11 @@ impl Rule for DeSincRule {
         }
         let fine = self.fine(table.length());
         let folding = self.folding(&fine, (table, component));
-        let Scratch { folded, spread, .. } = &mut self.scratch;
-        fine.spread(&self.grid, unknowns, spread);
-        folding.fold_centre(folded);
-        2.0 * self.half_width / PI * dot(folded, spread)
+        Scratch::lend(|Scratch { folded, spread, .. }| {
+            fine.spread(&self.grid, unknowns, spread);
+            folding.fold_centre(folded);
+            2.0 * self.half_width / PI * dot(folded, spread)
+        })
     }
 
     fn potential_into(
