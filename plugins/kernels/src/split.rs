@@ -8,6 +8,7 @@ mod piece;
 mod pieces;
 mod polynomial;
 mod power_series;
+mod powers;
 mod singular;
 mod spectrum;
 mod spherical_bessel;

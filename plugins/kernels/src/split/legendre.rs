@@ -3,6 +3,8 @@
 use super::column::Column;
 use arrayvec::ArrayVec;
 use bilby::GaussLegendre;
+use pulp::{Arch, Simd, WithSimd};
+use slipzone_api::elementary::LANES;
 use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
 use std::sync::OnceLock;
 
@@ -79,7 +81,8 @@ impl End {
 pub(super) struct Legendre {
     nodes: Vec<f64>,
     weights: Vec<f64>,
-    /// `(l + 1/2) P_l` for all `l` at one node after the other, the negative half: the nodes are symmetric.
+    /// `(l + 1/2) P_l` for all `l` at one node after the other, the negative half, each filled up with zeros to whole vectors: the
+    /// nodes are symmetric.
     polynomials: Vec<f64>,
     /// `largest[l]` is a bound on `|j_l|` everywhere.
     largest: Vec<f64>,
@@ -104,7 +107,11 @@ impl Legendre {
         let (nodes, weights) = (gauss.rule().nodes.clone(), gauss.rule().weights.clone());
         let scaled = |(l, p): (usize, f64)| (l as f64 + 0.5) * p;
         let (count, half) = (nodes.len(), nodes.len() / 2);
-        let polynomials = nodes[..half].iter().flat_map(|x| values(*x).take(count).enumerate().map(scaled)).collect();
+        let filled = count.next_multiple_of(LANES);
+        let mut polynomials = vec![0.0; half * filled];
+        for (row, x) in polynomials.chunks_exact_mut(filled).zip(&nodes) {
+            row.iter_mut().zip(values(*x).take(count).enumerate().map(scaled)).for_each(|(to, p)| *to = p);
+        }
         let largest =
             (0..ORDERS * nodes.len()).map(|l| (LANDAU * (l as f64 + 0.5).powf(-5.0 / 6.0)).min(1.0)).collect();
         Self { nodes, weights, polynomials, largest }
@@ -119,21 +126,6 @@ impl Legendre {
             bound
         };
         self.largest.iter().enumerate().map(bound).take_while(|wave| *wave > NO_WAVE).collect()
-    }
-
-    /// Writes the Legendre coefficients of a function, from its values at the nodes times the weights.
-    fn coefficients_into(&self, weighted: &[f64], coefficients: &mut [f64]) {
-        let count = weighted.len();
-        coefficients.fill(0.0);
-        for (i, polynomials) in self.polynomials.chunks_exact(count).enumerate() {
-            let (left, right) = (weighted[i], weighted[count - 1 - i]);
-            // P_l(-x) = (-1)^l P_l(x).
-            let (even, odd) = (left + right, left - right);
-            for (sums, p) in coefficients.as_chunks_mut::<2>().0.iter_mut().zip(polynomials.as_chunks::<2>().0) {
-                sums[0] += even * p[0];
-                sums[1] += odd * p[1];
-            }
-        }
     }
 
     /// Samples the panel between two ends for waves up to `reach`, which are `summed` over the nodes or told by their orders.
@@ -153,7 +145,6 @@ impl Legendre {
         response.surface_into(&nodes, f)?;
         let all = count * columns.len();
         let (mut weighted, mut coefficients) = (Vec::with_capacity(all), [0.0; MOST]);
-        let coefficients = &mut coefficients[..count];
         let mut told = Vec::with_capacity(if summed { 0 } else { all });
         let waves = self.waves(half * reach);
         let polynomials = |end: End| values((end.at - middle) / half).take(count).collect::<ArrayVec<f64, MOST>>();
@@ -167,7 +158,9 @@ impl Legendre {
             };
             let first = weighted.len();
             weighted.extend(nodes.iter().zip(&*f).zip(&self.weights).map(weigh));
-            self.coefficients_into(&weighted[first..], coefficients);
+            let polynomials = &self.polynomials;
+            Arch::new().dispatch(Coefficients { polynomials, weighted: &weighted[first..], out: &mut coefficients });
+            let coefficients = &coefficients[..count];
             // What the flexibility's error may make of the integral over [-1, 1].
             let mut rough = 0.0;
             if column.roughness > 0.0 {
@@ -191,6 +184,39 @@ impl Legendre {
         };
         let resolved = columns.iter().map(resolve).collect();
         Ok((Panel { middle, half, nodes, waves: told, weighted }, resolved))
+    }
+}
+
+/// Writes the Legendre coefficients of a function, from its values at the nodes times the weights.
+struct Coefficients<'a> {
+    polynomials: &'a [f64],
+    weighted: &'a [f64],
+    out: &'a mut [f64; MOST],
+}
+
+impl WithSimd for Coefficients<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        const { assert!(LANES.is_multiple_of(S::F64_LANES) && MOST.is_multiple_of(LANES), "rows of whole vectors") };
+        let Self { polynomials, weighted, out } = self;
+        let (count, vectors) = (weighted.len(), LANES / S::F64_LANES);
+        let filled = count.next_multiple_of(LANES);
+        let sums = S::as_mut_simd_f64s(&mut out[..filled]).0;
+        sums.fill(simd.splat_f64s(0.0));
+        for (i, polynomials) in polynomials.chunks_exact(filled).enumerate() {
+            let (left, right) = (weighted[i], weighted[count - 1 - i]);
+            // P_l(-x) = (-1)^l P_l(x).
+            let factors: [f64; LANES] =
+                std::array::from_fn(|l| if l.is_multiple_of(2) { left + right } else { left - right });
+            let (factors, polynomials) = (S::as_simd_f64s(&factors).0, S::as_simd_f64s(polynomials).0);
+            for (sums, p) in sums.chunks_exact_mut(vectors).zip(polynomials.chunks_exact(vectors)) {
+                for j in 0..vectors {
+                    sums[j] = simd.mul_add_e_f64s(factors[j], p[j], sums[j]);
+                }
+            }
+        }
     }
 }
 

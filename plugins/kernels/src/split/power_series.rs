@@ -97,9 +97,9 @@ fn kernel(i: usize, column: &Column, spectrum: &Spectrum, beyond: &Beyond, reach
     }
     // (t/r) |log t| is below the first, |log t| below the second.
     let logarithm = if odd { 1.0 + reach.ln().abs() } else { LARGEST_LOG };
-    for (part, (powers, weight)) in [(smooth, 1.0), (sign, 1.0), (log, logarithm)].into_iter().enumerate() {
+    for (part, (powers, weight)) in [(&smooth, 1.0), (&sign, 1.0), (&log, logarithm)].into_iter().enumerate() {
         let has_odd_powers = odd != (part == 1);
-        let (polynomial, count, dropped) = polynomial::shortened(&powers, enough / weight);
+        let (polynomial, count, dropped) = polynomial::shortened(powers, enough / weight);
         error += weight * dropped;
         rows.resize(rows.len().max(count), [0.0; 3]);
         for (row, c) in rows.iter_mut().zip(&polynomial[..count]) {

@@ -2,6 +2,7 @@
 
 use super::column::Column;
 use super::legendre::{self, End, LARGEST_NOISE, Legendre, Panel, Size};
+use super::powers::Moments;
 use super::spherical_bessel;
 use num_complex::Complex64;
 use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
@@ -60,26 +61,6 @@ const FAR: f64 = 400.0;
 const FIRST_SPLIT: f64 = 0.2;
 /// Where the first panel is looked at beside its nodes, over its width.
 const BESIDE_ORIGIN: f64 = 1e-4;
-/// Sums side by side.
-const LANES: usize = 4;
-
-/// A moment and the sum of its terms' sizes; the terms go on to the next but one.
-fn next_moment(terms: &mut [Moment]) -> (f64, f64) {
-    let (mut sum, mut size) = ([0.0; LANES], [0.0; LANES]);
-    for Moment { term, square } in terms {
-        sum = std::array::from_fn(|i| sum[i] + term[i]);
-        size = std::array::from_fn(|i| size[i] + term[i].abs());
-        *term = std::array::from_fn(|i| term[i] * square[i]);
-    }
-    (sum.iter().sum(), size.iter().sum())
-}
-
-/// Terms of a moment at some nodes, and what leads from one to the next but one.
-struct Moment {
-    term: [f64; LANES],
-    square: [f64; LANES],
-}
-
 /// Most wave numbers for one table.
 const MOST_SAMPLES: usize = 4096;
 
@@ -152,22 +133,15 @@ impl Spectrum {
 
     /// `int_0^S W(s) (s/S)^m ds` of one kernel as its nodes give it, and the sum of the terms' sizes: for each odd or
     /// each even `m`.
-    pub(super) fn moments(&self, column: usize, odd: bool, cutoff: f64) -> impl Iterator<Item = (f64, f64)> {
-        let mut terms: Vec<Moment> =
-            Vec::with_capacity(self.panels.iter().map(|panel| panel.nodes.len() / LANES + 1).sum());
-        for panel in &self.panels {
-            let weighted = panel.weighted(column);
-            for (nodes, weighted) in panel.nodes.chunks(LANES).zip(weighted.chunks(LANES)) {
-                let mut moment = Moment { term: [0.0; LANES], square: [0.0; LANES] };
-                for (i, (s, weighted)) in nodes.iter().zip(weighted).enumerate() {
-                    let x = s / cutoff;
-                    moment.square[i] = x * x;
-                    moment.term[i] = panel.half * weighted * if odd { x } else { 1.0 };
-                }
-                terms.push(moment);
-            }
-        }
-        std::iter::repeat_with(move || next_moment(&mut terms))
+    pub(super) fn moments(&self, column: usize, odd: bool, cutoff: f64) -> Moments {
+        let first = self.panels.iter().flat_map(|panel| {
+            let weighted = panel.weighted(column).iter().map(|weighted| panel.half * weighted);
+            panel.nodes.iter().zip(weighted).map(|(s, weighted)| {
+                let x = s / cutoff;
+                (x, if odd { weighted * x } else { weighted })
+            })
+        });
+        Moments::new(self.panels.iter().map(|panel| panel.nodes.len()).sum(), first)
     }
 
     /// The panels, in no order.

@@ -52,11 +52,14 @@ struct Batch {
 }
 
 impl Folding<'_> {
-    /// For each of the `rows` writes as many numbers as there are fine nodes, filled up: `k` there and `mirror k` at
+    /// For each of the `rows` as many numbers as there are fine nodes, filled up: `k` there and `mirror k` at
     /// the mirror image, product weights included, as far as the row reaches and zeros beyond.
-    pub(super) fn fold(self, rows: Range<usize>, out: &mut Vec<f64>) {
+    pub(super) fn fold(self, rows: Range<usize>, room: &mut Vec<f64>) -> &[f64] {
         let count = self.fine.x.len();
-        out.resize(rows.len() * count, 0.0);
+        if room.len() < rows.len() * count {
+            room.resize(rows.len() * count, 0.0);
+        }
+        let out = &mut room[..rows.len() * count];
         Room::lend(|room| {
             let mut row = rows.start;
             while row < rows.end {
@@ -82,6 +85,7 @@ impl Folding<'_> {
                 }
             }
         });
+        out
     }
 
     /// Folds a batch, which takes `asked` distances; the first number of `out` belongs to row `first`.

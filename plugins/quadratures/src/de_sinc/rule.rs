@@ -148,7 +148,7 @@ impl Rule for DeSincRule {
                     *scale = self.half_width / PI * row;
                 }
                 let cauchy = &self.grid.cauchy[here.start * n..here.end * n];
-                folding.fold(here, folded);
+                let folded = folding.fold(here, folded);
                 fine.gather(&self.grid, (cauchy, folded), &scale, (rows, length));
             }
         });
@@ -214,8 +214,7 @@ impl Rule for DeSincRule {
         Scratch::lend(|Scratch { folded, spread, .. }| {
             fine.spread(&self.grid, unknowns, spread);
             for first in (0..=end).step_by(ROWS) {
-                folding.fold(first..(end + 1).min(first + ROWS), folded);
-                let rows = folded.chunks_exact(spread.len());
+                let rows = folding.fold(first..(end + 1).min(first + ROWS), folded).chunks_exact(spread.len());
                 samples.extend(rows.map(|row| self.half_width / PI * dot(row, spread)));
             }
         });
