@@ -1,6 +1,7 @@
 //! Double-exponential sinc collocation.
 
 mod apart;
+mod between;
 mod fine;
 mod fold;
 mod grid;

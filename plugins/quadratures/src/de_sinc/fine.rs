@@ -1,10 +1,9 @@
 //! Where the kernel part is summed: the nodes, or a grid an odd number of times as fine.
 
 use super::apart::{Apart, descending};
+use super::between::Between;
 use super::grid::{Grid, tail};
 use super::map::Place;
-use super::series::alternating;
-use super::sums::dot;
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Edge;
 use slipzone_api::elementary::{EULER_GAMMA, LANES, ln};
@@ -41,8 +40,8 @@ pub(super) struct Fine {
     reach: Vec<usize>,
     /// `step/factor P_k` per unit of `F_j`, where the fine node is a node.
     pub(super) weight: Vec<f64>,
-    /// The same for the fine nodes between, a row of unknowns each.
-    between: Vec<f64>,
+    /// The same for the fine nodes between.
+    between: Between,
 }
 
 /// A term this small beside the largest of its kind is left out: it stands for `1e-13` of a rounding even
@@ -60,7 +59,7 @@ pub(super) struct Row<'a> {
 impl Fine {
     /// Numbers held, about.
     pub(super) fn numbers(&self) -> usize {
-        self.table.len() + self.between.len() + 2 * self.x.len()
+        self.table.len() + self.between.numbers() + 2 * self.x.len()
     }
 
     pub(super) fn new(grid: &Grid, factor: usize) -> Self {
@@ -97,7 +96,7 @@ impl Fine {
             centre: ([0.0].into_iter().chain(centre_sign).collect(), centre_log),
             reach: Vec::with_capacity(n + 1),
             weight: grid.nodes.iter().map(|u| fine_step * u.slope).collect(),
-            between: between(grid, factor),
+            between: Between::new(grid, factor),
         };
         // The middle node is its own mirror image, and both are summed.
         fine.weight[0] *= 0.5;
@@ -141,34 +140,30 @@ impl Fine {
         self.reach[i]
     }
 
-    /// `rows[i][j] = cauchy[i][j] + scale[i] sum_k folded[i][k] (step/factor) dP_k/dF_j` for a few rows of that length and all
-    /// unknowns `j`.
+    /// `rows[i][j] = cauchy[i][j] + scale[i] sum_k folded[i][k] (step/factor) dP_k/dF_j` for a few rows of that length, from row `first`
+    /// on, and all unknowns `j`.
     pub(super) fn gather(
         &self,
         grid: &Grid,
         (cauchy, folded): (&[f64], &[f64]),
         scale: &[f64],
-        rows: (&mut [f64], usize),
+        (first, rows, length): (usize, &mut [f64], usize),
     ) {
-        Arch::new().dispatch(Gather { fine: self, grid, cauchy, folded, scale, rows });
+        Arch::new().dispatch(Gather { fine: self, grid, cauchy, folded, scale, rows: (rows, length) });
+        // Those that come have no farther reach.
+        let reach = self.reach(first);
+        self.between.add((folded, self.x.len()), &scale[..rows.len() / length], (rows, length), reach);
     }
 
     /// `out[k] = (step/factor) P_k` from the unknowns, filled up with zeros.
     pub(super) fn spread(&self, grid: &Grid, unknowns: &[f64], out: &mut Vec<f64>) {
-        let count = (grid.nodes.len() - 1) * self.factor + 1;
         out.clear();
-        out.extend((0..count).map(|k| {
-            let (node, off) = (k / self.factor, k % self.factor);
-            if off != 0 {
-                let between = &self.between[(k - node - 1) * unknowns.len()..][..unknowns.len()];
-                dot(between, unknowns)
-            } else if node >= grid.first {
-                self.weight[node] * unknowns[node - grid.first]
-            } else {
-                0.0
-            }
-        }));
         out.resize(self.x.len(), 0.0);
+        let at_nodes = out.iter_mut().step_by(self.factor).zip(&self.weight).skip(grid.first);
+        for ((out, weight), unknown) in at_nodes.zip(unknowns) {
+            *out = weight * unknown;
+        }
+        self.between.spread(unknowns, out);
     }
 
     /// `x_i`, or 1 at the end, and its distances from some nodes.
@@ -282,25 +277,6 @@ impl WithSimd for Gather<'_> {
                 }
             }
         }
-        // A pair of fine nodes for all rows, then the next: the pair's own rows stay in the fastest memory.
-        for (pair, between) in fine.between.chunks_exact(2 * n).enumerate() {
-            let (cell, within) = (2 * pair / (factor - 1), 2 * pair % (factor - 1));
-            let k = cell * factor + within + 1;
-            let (p, q) = between.split_at(n);
-            let ((p, p_rest), (q, q_rest)) = (S::as_simd_f64s(p), S::as_simd_f64s(q));
-            for ((row, folded), scale) in rows.chunks_exact_mut(length).zip(folded.chunks_exact(count)).zip(scale) {
-                let row = &mut row[..n];
-                let (a, b) = (scale * folded[k], scale * folded[k + 1]);
-                let (row, rest) = S::as_mut_simd_f64s(row);
-                let (wide_a, wide_b) = (simd.splat_f64s(a), simd.splat_f64s(b));
-                for (entry, (p, q)) in row.iter_mut().zip(p.iter().zip(q)) {
-                    *entry = simd.mul_add_e_f64s(wide_b, *q, simd.mul_add_e_f64s(wide_a, *p, *entry));
-                }
-                for (entry, (p, q)) in rest.iter_mut().zip(p_rest.iter().zip(q_rest)) {
-                    *entry += a * p + b * q;
-                }
-            }
-        }
     }
 }
 
@@ -321,25 +297,4 @@ fn integrals(known: &Integrals, first: f64, count: usize) -> (Vec<f64>, Vec<f64>
     let missing = known.len()..count;
     known.extend(missing.map(next));
     known[..count].iter().copied().unzip()
-}
-
-/// `(step/factor) slope_j [sinc(k/factor - j) +- sinc(k/factor + j)]` for the fine nodes `k` that are no nodes.
-fn between(grid: &Grid, factor: usize) -> Vec<f64> {
-    let last = (grid.nodes.len() - 1) * factor;
-    let mut table = Vec::with_capacity((last - last / factor) * grid.unknowns());
-    for k in (0..last).filter(|k| k % factor != 0) {
-        let t = k as f64 / factor as f64;
-        // sin(pi (t -+ j)) = (-1)^j sin(pi t), and whole turns are dropped first.
-        let sine = (PI * (k % (2 * factor)) as f64 / factor as f64).sin() * grid.step / (PI * factor as f64);
-        table.extend(grid.nodes.iter().enumerate().skip(grid.first).map(|(j, u)| {
-            let at = j as f64;
-            let sincs = match (j, grid.odd) {
-                (0, _) => 1.0 / t,
-                (_, false) => 2.0 * t / ((t - at) * (t + at)),
-                (_, true) => 2.0 * at / ((t - at) * (t + at)),
-            };
-            alternating(j) * sine * u.slope * sincs
-        }));
-    }
-    table
 }

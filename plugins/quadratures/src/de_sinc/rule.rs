@@ -149,7 +149,7 @@ impl Rule for DeSincRule {
                 }
                 let cauchy = &self.grid.cauchy[here.start * n..here.end * n];
                 let folded = folding.fold(here, folded);
-                fine.gather(&self.grid, (cauchy, folded), &scale, (rows, length));
+                fine.gather(&self.grid, (cauchy, folded), &scale, (block * ROWS, rows, length));
             }
         });
     }

@@ -1,0 +1,180 @@
+//! The fine nodes that are no nodes: what a density is there, and sums over them as sums over its unknowns.
+
+use super::grid::Grid;
+use super::series::alternating;
+use super::sums::dot;
+use pulp::{Arch, Simd, WithSimd};
+use slipzone_api::elementary::LANES;
+use std::f64::consts::PI;
+
+/// Rows, and vectors of unknowns, that are summed side by side: more sums than these do not stay where the processor adds.
+const ROWS: usize = 4;
+const WIDE: usize = 2;
+/// Numbers of the table that all rows go through before the next: they stay in the fastest memory.
+const AT_ONCE: usize = 1 << 12;
+
+/// `(step/factor) slope_j [sinc(k/factor - j) +- sinc(k/factor + j)]` for the fine nodes `k` that are no nodes: `factor - 1` from each
+/// node to the next.
+pub(super) struct Between {
+    /// A row of unknowns for each, filled up with zeros.
+    table: Vec<f64>,
+    unknowns: usize,
+    factor: usize,
+}
+
+impl Between {
+    pub(super) fn new(grid: &Grid, factor: usize) -> Self {
+        let (unknowns, cells) = (grid.unknowns(), grid.nodes.len() - 1);
+        let width = unknowns.next_multiple_of(LANES);
+        let mut table = vec![0.0; cells * (factor - 1) * width];
+        let nodes = (0..cells * factor).filter(|k| k % factor != 0);
+        for (row, k) in table.chunks_exact_mut(width).zip(nodes) {
+            let t = k as f64 / factor as f64;
+            // sin(pi (t -+ j)) = (-1)^j sin(pi t), and whole turns are dropped first.
+            let sine = (PI * (k % (2 * factor)) as f64 / factor as f64).sin() * grid.step / (PI * factor as f64);
+            for (entry, (j, u)) in row.iter_mut().zip(grid.nodes.iter().enumerate().skip(grid.first)) {
+                let at = j as f64;
+                let sincs = match (j, grid.odd) {
+                    (0, _) => 1.0 / t,
+                    (_, false) => 2.0 * t / ((t - at) * (t + at)),
+                    (_, true) => 2.0 * at / ((t - at) * (t + at)),
+                };
+                *entry = alternating(j) * sine * u.slope * sincs;
+            }
+        }
+        Self { table, unknowns, factor }
+    }
+
+    /// Numbers held.
+    pub(super) fn numbers(&self) -> usize {
+        self.table.len()
+    }
+
+    /// Length of a row.
+    #[inline(always)]
+    fn width(&self) -> usize {
+        self.unknowns.next_multiple_of(LANES)
+    }
+
+    /// Adds what the density of these unknowns is there, times the fine step, to what `out` has for all fine nodes.
+    pub(super) fn spread(&self, unknowns: &[f64], out: &mut [f64]) {
+        for (k, row) in self.table.chunks_exact(self.width()).enumerate() {
+            let (node, beyond) = (k / (self.factor - 1), k % (self.factor - 1) + 1);
+            out[node * self.factor + beyond] += dot(&row[..self.unknowns], unknowns);
+        }
+    }
+
+    /// Adds to each of the rows of unknowns its scale times the sum of what it has `folded` at these nodes times the density there. `rows`
+    /// are of the length given, and so is what is folded; fine nodes from `reach` on have nothing.
+    pub(super) fn add(&self, folded: (&[f64], usize), scale: &[f64], rows: (&mut [f64], usize), reach: usize) {
+        if self.factor > 1 {
+            Arch::new().dispatch(Add { between: self, folded, scale, rows, reach });
+        }
+    }
+}
+
+/// See [`Between::add`].
+struct Add<'a> {
+    between: &'a Between,
+    folded: (&'a [f64], usize),
+    scale: &'a [f64],
+    rows: (&'a mut [f64], usize),
+    reach: usize,
+}
+
+impl WithSimd for Add<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        const { assert!(LANES.is_multiple_of(S::F64_LANES), "rows are filled up to whole vectors") };
+        let Self { between, folded: (folded, count), scale, rows: (rows, length), reach } = self;
+        let (width, factor) = (between.width(), between.factor);
+        let of_cell = (factor - 1) * width;
+        let (cells, at_once) = (reach.div_ceil(factor), (AT_ONCE / of_cell).max(1));
+        let table = &between.table[..between.table.len().min(cells * of_cell)];
+        for (chunk, table) in table.chunks(at_once * of_cell).enumerate() {
+            let cells = Cells { table, width, factor, unknowns: between.unknowns };
+            let from = chunk * at_once * factor;
+            let each = rows.chunks_mut(ROWS * length).zip(folded.chunks(ROWS * count)).zip(scale.chunks(ROWS));
+            for ((rows, folded), scale) in each {
+                let folded = |r: usize| &folded[r * count + from..(r + 1) * count];
+                if let Some(scale) = scale.first_chunk::<ROWS>() {
+                    cells.add_to::<S, ROWS>(simd, std::array::from_fn(folded), *scale, (rows, length));
+                    continue;
+                }
+                for (r, (row, scale)) in rows.chunks_mut(length).zip(scale).enumerate() {
+                    cells.add_to::<S, 1>(simd, [folded(r)], [*scale], (row, length));
+                }
+            }
+        }
+    }
+}
+
+/// Some of the table, from one node to another.
+struct Cells<'a> {
+    table: &'a [f64],
+    width: usize,
+    factor: usize,
+    unknowns: usize,
+}
+
+impl Cells<'_> {
+    /// [`Between::add`] for a few rows; `folded` begins with the first of these nodes.
+    #[inline(always)]
+    fn add_to<S: Simd, const R: usize>(
+        &self,
+        simd: S,
+        folded: [&[f64]; R],
+        scale: [f64; R],
+        (rows, length): (&mut [f64], usize),
+    ) {
+        let vectors = self.width / S::F64_LANES;
+        for first in (0..vectors).step_by(WIDE) {
+            let mut sums = [[simd.splat_f64s(0.0); WIDE]; R];
+            if first + WIDE <= vectors {
+                self.sum::<S, R, WIDE>(simd, folded, first, &mut sums);
+            } else {
+                self.sum::<S, R, 1>(simd, folded, first, &mut sums);
+            }
+            for ((row, sums), scale) in rows.chunks_exact_mut(length).zip(sums).zip(scale) {
+                let (row, rest) = S::as_mut_simd_f64s(&mut row[..self.unknowns]);
+                let wide = simd.splat_f64s(scale);
+                for (at, sum) in (first..vectors).zip(sums) {
+                    if let Some(entry) = row.get_mut(at) {
+                        *entry = simd.mul_add_e_f64s(wide, sum, *entry);
+                        continue;
+                    }
+                    let mut last = [0.0; LANES];
+                    S::as_mut_simd_f64s(&mut last).0[0] = sum;
+                    rest.iter_mut().zip(last).for_each(|(entry, sum)| *entry += scale * sum);
+                }
+            }
+        }
+    }
+
+    /// The sums for the first `W` vectors of unknowns from one on.
+    #[inline(always)]
+    fn sum<S: Simd, const R: usize, const W: usize>(
+        &self,
+        simd: S,
+        folded: [&[f64]; R],
+        first: usize,
+        sums: &mut [[S::f64s; WIDE]; R],
+    ) {
+        let Self { table, width, factor, .. } = *self;
+        for (cell, table) in table.chunks_exact((factor - 1) * width).enumerate() {
+            // Cut to one length that the compiler knows: no index is checked in the loop.
+            let folded = folded.map(|folded| &folded[cell * factor + 1..][..factor - 1]);
+            for (k, densities) in (0..factor - 1).zip(table.chunks_exact(width)) {
+                let densities = &S::as_simd_f64s(densities).0[first..first + W];
+                for r in 0..R {
+                    let value = simd.splat_f64s(folded[r][k]);
+                    for w in 0..W {
+                        sums[r][w] = simd.mul_add_e_f64s(value, densities[w], sums[r][w]);
+                    }
+                }
+            }
+        }
+    }
+}
