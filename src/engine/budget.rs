@@ -4,10 +4,12 @@ use super::work::elimination;
 use slipzone_api::Refusal;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-/// Work that a scene may take, in multiplications: those of eliminations and of blended flat punches as they are, a kernel
-/// read off its table as 10, a wave number as 10,000. Some ten seconds at the most. A loading curve may take twice as much
+/// Work that a scene may take, in multiplications: those of eliminations and of blended flat punches as they are, four in sums
+/// over a grid finer than the unknowns as one, a kernel read off its table as 10, a wave number as 10,000. Some ten seconds at the most. A loading curve may take twice as much
 /// again: its flat punches, and then its loads one by one where those do not tell it.
 pub const BUDGET: u64 = 20_000_000_000;
+/// So many multiplications in sums over a finer grid count as one: they run side by side.
+const SUMMED: u64 = 4;
 /// What one reading of a kernel counts as. Roughly: 15 to 40 instructions, to one or two of a multiplication.
 const READING: u64 = 10;
 /// What the flexibility at one wave number counts as: 1e3 instructions in closed form, 1e4 to 1e5 by panels.
@@ -87,10 +89,10 @@ impl Meter {
         self.limit.store(end - budget / TOLD, Ordering::Relaxed);
     }
 
-    /// Takes note of a system of so many equations and right-hand sides that is to be solved; refuses it where it would
-    /// exceed the budget.
-    pub(super) fn system(&self, n: usize, right: usize) -> Result<(), Refusal> {
-        let work = elimination(n, right);
+    /// Takes note of a system of so many equations and right-hand sides that is to be filled in, with so many multiplications `beside` the
+    /// kernel's readings, and solved; refuses it where it would exceed the budget.
+    pub(super) fn system(&self, (n, right): (usize, usize), beside: u64) -> Result<(), Refusal> {
+        let work = elimination(n, right) + beside / SUMMED;
         self.room_for(work)?;
         self.multiplied.fetch_add(work, Ordering::Relaxed);
         Ok(())
@@ -125,7 +127,7 @@ mod tests {
     #[test]
     fn a_budget_ends_refinement_and_leaves_room_to_tell() {
         let meter = Meter::default();
-        assert!(meter.system(100_000, 1).is_ok(), "nothing is bounded before it begins");
+        assert!(meter.system((100_000, 1), 0).is_ok(), "nothing is bounded before it begins");
         meter.begin(BUDGET);
         #[allow(clippy::cast_possible_truncation)] // of 64 bits
         meter.count_multiplications(BUDGET as usize / 2 + 1);
@@ -140,9 +142,11 @@ mod tests {
         assert!(meter.within().is_err(), "there is no more to conclude");
         meter.begin(BUDGET);
         assert!(meter.within().is_ok(), "another scene on the same layer has its own");
+        assert!(meter.system((1, 1), SUMMED * BUDGET).is_err(), "what fills it in counts");
+        meter.begin(BUDGET);
         let before = meter.spent();
-        assert!(meter.system(1_000_000, 1).is_err());
+        assert!(meter.system((1_000_000, 1), 0).is_err());
         assert_eq!(meter.spent(), before, "what is refused is not done");
-        assert!(meter.system(1, 1).is_err(), "nor is what comes after it");
+        assert!(meter.system((1, 1), 0).is_err(), "nor is what comes after it");
     }
 }

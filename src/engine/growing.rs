@@ -226,7 +226,7 @@ impl Growing {
         let lost = self.stack.as_ref().map_or((0.0, 0.0), |stack| (stack.lost(), stack.lost_at_kinks()));
         let [of_pressure, of_shear] = self.family.as_ref().map_or([0.0; 2], Family::left);
         let left = [if self.is_kinked { of_pressure } else { 0.0 }, of_shear];
-        Outcome::new(numbers, rubbing.map(Box::new), Some(size), pressure, lost, left)
+        Outcome::new(numbers, rubbing, Some(size), pressure, lost, left)
     }
 
     /// Whether it knows the flat punches that a contact of about that half-width is a stack of.
@@ -436,7 +436,7 @@ impl Growing {
         let failed = if family.is_checked() { None } else { family.check(layer, task, self.half_width)? };
         let is_overloaded = family.is_overloaded();
         if let Some(what) = failed.or_else(|| if is_overloaded { self.overload(task.problem) } else { None }) {
-            **rubbing = Rubbing::clone(rubbing).failing(what);
+            *rubbing = rubbing.clone().failing(what);
         }
         Ok(())
     }

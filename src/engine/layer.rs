@@ -6,9 +6,11 @@ use super::refine::FlatPunches;
 use super::work::Counted;
 use crate::plan::{Methods, choose};
 use crate::scene::Scene;
-use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal};
+use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal, Rule};
 use std::sync::Arc;
 
+/// Half-width over the kernels' length from which on it counts how much finer than its unknowns a rule sums them.
+const COUNTED: f64 = 8.0;
 /// Wave numbers that a strategy counts as having asked for before it gives up: a fortieth of the budget.
 const GIVEN_UP: usize = 50_000;
 
@@ -185,6 +187,14 @@ impl Layer {
     /// The work on it, and its bound.
     pub(crate) fn meter(&self) -> &Arc<Meter> {
         &self.meter
+    }
+
+    /// Asks whether the budget has room for a system of so many equations and right-hand sides, filled in by a rule on a contact, or a
+    /// stick zone, of that half-width.
+    pub(crate) fn room_for(&self, (n, right): (usize, usize), rule: &dyn Rule, half_width: f64) -> Result<(), Refusal> {
+        let thinness = half_width / self.length();
+        let beside = if thinness > COUNTED { rule.multiplications_beside(thinness) } else { 0 };
+        self.meter.system((n, right), beside)
     }
 
     /// A kernel for the quadratures; `None` on a homogeneous half-plane, which has none, and for the depth where that

@@ -58,7 +58,7 @@ impl Normal {
         if self.solved_at != Some(half_width) {
             self.solved_at = None;
             let n = self.size();
-            layer.meter().system(n, 2)?;
+            layer.room_for((n, 2), &*self.rule, half_width)?;
             self.stretch(half_width);
             let Self { rule, system, is_flat, .. } = self;
             system.solve(|rows, columns| {
@@ -95,7 +95,7 @@ impl Normal {
     /// The pressure under a punch whose contact ends smoothly.
     pub(crate) fn press_smooth(&mut self, layer: &Layer, problem: &Problem, half_width: f64) -> Result<(), Refusal> {
         let n = self.size();
-        layer.meter().system(n, 1)?;
+        layer.room_for((n, 1), &*self.rule, half_width)?;
         self.stretch(half_width);
         let Self { rule, system, .. } = self;
         system.solve(|rows, columns| {
@@ -123,7 +123,7 @@ impl Normal {
         slope: impl Fn(usize) -> f64,
     ) -> Result<(), Refusal> {
         let n = self.size();
-        layer.meter().system(n, 1)?;
+        layer.room_for((n, 1), &*self.rule, half_width)?;
         self.solved_at = None;
         self.stretch(half_width);
         let Self { rule, system, .. } = self;

@@ -35,7 +35,7 @@ pub(crate) struct Stage {
     sampled: Option<(f64, Samples)>,
     /// The stick zones found last, and the half-width and the friction coefficient that they belong to: they
     /// depend on no load either.
-    rubbed: Option<(f64, f64, Box<Rubbing>)>,
+    rubbed: Option<(f64, f64, Rubbing)>,
     /// Half-width and force of the pressure that `shear` was shown last.
     shown: Option<(f64, f64)>,
     /// [`Layer::fineness`] of the kernels that all of that was found with.
@@ -49,7 +49,7 @@ pub(crate) struct Stage {
 pub(crate) struct Outcome {
     /// The numbers reported, in layer units.
     pub(crate) numbers: Numbers,
-    pub(crate) rubbing: Option<Box<Rubbing>>,
+    pub(crate) rubbing: Option<Rubbing>,
     pub(crate) size: Option<Size>,
     /// The pressure at [`Traces::AT`] over its mean.
     pressure: [f64; Traces::AT.len()],
@@ -65,7 +65,7 @@ impl Outcome {
     /// Of a contact that grew; the pressure is that at [`Traces::AT`], over its mean.
     pub(crate) fn new(
         numbers: Numbers,
-        rubbing: Option<Box<Rubbing>>,
+        rubbing: Option<Rubbing>,
         size: Option<Size>,
         pressure: [f64; Traces::AT.len()],
         (lost, lost_at_kinks): (f64, f64),
@@ -76,7 +76,7 @@ impl Outcome {
 
     /// An outcome of which only the stick zone is known.
     pub(crate) fn of_rubbing(rubbing: Rubbing) -> Self {
-        Self::new(Numbers::default(), Some(Box::new(rubbing)), None, [0.0; Traces::AT.len()], (0.0, 0.0), [0.0; 2])
+        Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()], (0.0, 0.0), [0.0; 2])
     }
 
     /// What it tells of the next resolution.
@@ -157,9 +157,9 @@ impl Stage {
         };
         let rubbing = match problem.friction {
             Some(eta) if problem.is_linear => {
-                Some(Box::new(self.rub_linearly(layer, task, eta, coarse.and_then(|c| c.rubbing.as_deref()))?))
+                Some(self.rub_linearly(layer, task, eta, coarse.and_then(|c| c.rubbing.as_ref()))?)
             }
-            Some(eta) => Some(self.rub(layer, task, eta, coarse.and_then(|c| c.rubbing.as_deref()))?),
+            Some(eta) => Some(self.rub(layer, task, eta, coarse.and_then(|c| c.rubbing.as_ref()))?),
             None => None,
         };
         let mut outcome = self.outcome(layer, problem, size, rubbing);
@@ -179,13 +179,7 @@ impl Stage {
     }
 
     /// What the pressure solved last tells, and the stick zone found for it.
-    fn outcome(
-        &mut self,
-        layer: &Layer,
-        problem: &Problem,
-        size: Option<Size>,
-        rubbing: Option<Box<Rubbing>>,
-    ) -> Outcome {
+    fn outcome(&mut self, layer: &Layer, problem: &Problem, size: Option<Size>, rubbing: Option<Rubbing>) -> Outcome {
         let (mut numbers, pressure) = self.normal.numbers(layer, problem);
         if let Some(rubbing) = &rubbing {
             rubbing.report(&mut numbers);

@@ -207,7 +207,7 @@ impl Shear {
     ) -> Result<f64, Refusal> {
         let StickGrid { rule, .. } = &mut self.grids[used];
         // Refused, the zone solved last stays as it is.
-        layer.meter().system(rule.unknowns() + 1, 1)?;
+        layer.room_for((rule.unknowns() + 1, 1), &**rule, zone.half_width)?;
         (self.used, self.is_solved, self.along) = (used, false, None);
         let known = HalfPlaneShear::new(zone);
         self.known = known;

@@ -127,6 +127,13 @@ pub trait Rule: Send + Sync {
         0.0
     }
 
+    /// Multiplications that [`Self::operator_into`] takes beside reading the kernel and a few for each entry, where the kernel's length is
+    /// `1/thinness` of the half-width: what a finer grid for the kernel costs.
+    fn multiplications_beside(&self, thinness: f64) -> u64 {
+        let _ = thinness;
+        0
+    }
+
     /// The operator: a row for each collocation point, an entry for each unknown; each row times its
     /// [`Self::row_scale`]. `kernel` is `None` on a half-plane, where only the Cauchy part is left.
     ///

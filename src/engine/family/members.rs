@@ -97,7 +97,7 @@ impl Family {
             before = found.reported();
             sticks = found.verdict == Verdict::Sticks;
             if before.is_none() && !sticks {
-                return Err(Unfit::Friction(contact, found.clone()));
+                return Err(Unfit::Friction(contact, Box::new(found.clone())));
             }
         }
         self.solve_pressures(layer, task, coarse)?;
@@ -161,7 +161,7 @@ impl Family {
 
     /// Solves for `W`.
     fn tilted(&mut self, layer: &Layer, b: f64) -> Result<(), Refusal> {
-        layer.meter().system(self.rule.unknowns(), 1)?;
+        layer.room_for((self.rule.unknowns(), 1), &*self.rule, b)?;
         let Self { rule, system, .. } = self;
         rule.stretch(b);
         system.solve(|rows, right| {
@@ -195,7 +195,7 @@ impl Family {
         let start = start.map(|start| Outcome::of_rubbing(Rubbing::expected(start, b, !asked)));
         let outcome = self.stage.solve(layer, task, start.as_ref(), None)?;
         let rubbing = outcome.rubbing.expect("a stick zone, or why there is none");
-        let Some(root) = rubbing.reported() else { return Ok(Err(rubbing)) };
+        let Some(root) = rubbing.reported() else { return Ok(Err(Box::new(rubbing))) };
         let member = if let Some(member) = self.approach(layer, task, b, root, found)? {
             member
         } else {

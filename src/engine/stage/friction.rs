@@ -37,7 +37,7 @@ impl Stage {
         task: Task,
         eta: f64,
         coarse: Option<&Rubbing>,
-    ) -> Result<Box<Rubbing>, Refusal> {
+    ) -> Result<Rubbing, Refusal> {
         let b = self.normal.half_width;
         if let Some((half_width, friction, rubbing)) = &self.rubbed
             && self.normal.is_flat
@@ -45,7 +45,7 @@ impl Stage {
         {
             return Ok(rubbing.clone());
         }
-        let mut rubbing = Box::new(self.find(layer, task, eta, coarse)?);
+        let mut rubbing = self.find(layer, task, eta, coarse)?;
         if let Some(lambda) = rubbing.solved() {
             self.examine(layer, task, lambda, &mut rubbing, coarse.and_then(Rubbing::root))?;
         }
@@ -290,7 +290,7 @@ impl Stage {
                 // This resolution may see what the one that was scanned did not.
                 let again = self.scan(layer, task, eta)?;
                 if let Some(again) = self.followed(layer, task, eta, &again)? {
-                    **rubbing = Rubbing { scanned: true, ..again };
+                    *rubbing = Rubbing { scanned: true, ..again };
                     self.choose(layer, task, rubbing)?;
                 }
             }
@@ -341,7 +341,7 @@ impl Stage {
     ) -> Result<Option<f64>, Refusal> {
         let is_solved =
             |rubbing: &&Rubbing| matches!(rubbing.verdict, Verdict::Holds | Verdict::Sticks | Verdict::Fails(_));
-        let found = outcome.rubbing.as_deref().filter(is_solved).filter(|_| !task.problem.is_linear);
+        let found = outcome.rubbing.as_ref().filter(is_solved).filter(|_| !task.problem.is_linear);
         let shear = self.shear.as_mut().filter(|shear| shear.is_solved);
         let Some((shear, found)) = shear.zip(found) else { return Ok(None) };
         let coarser = coarser.and_then(|stage| stage.shear.as_deref()).filter(|shear| shear.is_solved);

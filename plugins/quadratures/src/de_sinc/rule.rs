@@ -103,6 +103,11 @@ impl Rule for DeSincRule {
         self.resolution.lost_for_room(thinness)
     }
 
+    fn multiplications_beside(&self, thinness: f64) -> u64 {
+        let (rows, finer) = (self.stations.len(), self.resolution.oversampling(thinness) - 1);
+        (rows * rows * finer * self.unknowns()) as u64
+    }
+
     fn unknowns(&self) -> usize {
         self.grid.unknowns()
     }
