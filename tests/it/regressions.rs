@@ -416,6 +416,21 @@ fn lengths_beyond_compare_do_not_panic() {
     }
 }
 
+/// Under 2,000 thicknesses a pinned resolution sums its kernels over a grid a hundred times as fine: that counted nothing, and ten
+/// seconds of budget took a minute.
+#[test]
+fn what_a_finer_grid_costs_counts() {
+    let text = "format = 1\n[layer]\nthickness = 5.0\npoisson = 0.3\n\
+                grading = { type = \"exponential\", surface = 1.0, base = 8.0 }\n\
+                [punch]\ntype = \"flat\"\nhalf_width = 1e4\n[load]\nforce = 1.0\n\
+                [solver]\nquadrature = { type = \"de-sinc\", n = 100 }\n";
+    // Enough for its readings, 8 million at first, and for elimination, but for nothing beside them.
+    let budget = 120_000_000;
+    let solution = slipzone::engine::solve_within(&slipzone::scene::parse("wide", text).unwrap(), budget);
+    let reason = solution.reason.unwrap_or_default();
+    assert!(solution.status == Status::Refused && reason.contains("budget, 1e8"), "{:?}: {reason}", solution.status);
+}
+
 /// Found by random scenes: each load of a curve tried again what the budget had refused, and a refused system was counted as
 /// done (98,280 loads, three minutes, 3,400 times the budget); a stick zone refused between two grids was told on the wrong one,
 /// which panicked.

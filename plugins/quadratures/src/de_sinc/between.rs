@@ -178,3 +178,69 @@ impl Cells<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::grid::Grid;
+    use super::super::resolution::reach;
+    use super::*;
+    use pulp::Scalar;
+    use slipzone_api::Edge;
+
+    /// Against sums one by one: rows and unknowns that fill no block, one cell and many, a reach that ends within one.
+    #[test]
+    fn sums_are_those_one_by_one() {
+        for (n, factor, odd) in [(2, 3, false), (7, 5, true), (13, 3, false), (24, 55, true)] {
+            let grid = Grid::new(n, reach(n, Edge::Sharp), odd, Edge::Sharp);
+            let between = Between::new(&grid, factor);
+            let (unknowns, count, length) = (grid.unknowns(), n * factor + 5, grid.unknowns() + 2);
+            let entry = |i: usize| ((i * 7919 + 13) % 1009) as f64 / 504.5 - 1.0;
+            for (rows, nodes) in [(1, n * factor), (3, n * factor), (8, n * factor), (9, (n * factor) / 2)] {
+                let folded: Vec<f64> =
+                    (0..rows * count).map(|i| if i % count < nodes { entry(i) } else { 0.0 }).collect();
+                let scale: Vec<f64> = (0..rows).map(|i| 1.0 + i as f64).collect();
+                let before: Vec<f64> = (0..rows * length).map(entry).collect();
+                let (mut with_vectors, mut without) = (before.clone(), before.clone());
+                between.add((&folded, count), &scale, (&mut with_vectors, length), nodes);
+                let rows = (without.as_mut_slice(), length);
+                let add = Add { between: &between, folded: (&folded, count), scale: &scale, rows, reach: nodes };
+                add.with_simd(Scalar::new());
+                for (i, before) in before.iter().enumerate() {
+                    let (row, j) = (i / length, i % length);
+                    let mut sum = 0.0;
+                    // What follows the unknowns in a row is left alone.
+                    if j < unknowns {
+                        for k in (0..nodes).filter(|k| k % factor != 0) {
+                            let place = k / factor * (factor - 1) + k % factor - 1;
+                            sum += folded[row * count + k] * between.table[place * between.width() + j];
+                        }
+                    }
+                    let expected = before + scale[row] * sum;
+                    for got in [with_vectors[i], without[i]] {
+                        assert!((got - expected).abs() < 1e-12, "{n}, {factor}: {got} for {expected} at {row}, {j}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// One unknown is spread as its own column.
+    #[test]
+    fn a_density_is_spread_as_its_unknowns_say() {
+        let (n, factor) = (6, 5);
+        let grid = Grid::new(n, reach(n, Edge::Sharp), false, Edge::Sharp);
+        let between = Between::new(&grid, factor);
+        for j in 0..grid.unknowns() {
+            let mut unknowns = vec![0.0; grid.unknowns()];
+            unknowns[j] = 2.0;
+            let mut out = vec![1.0; n * factor + 1];
+            between.spread(&unknowns, &mut out);
+            for (k, out) in out.into_iter().enumerate() {
+                let column = |place: usize| between.table[place * between.width() + j];
+                let added =
+                    if k % factor == 0 { 0.0 } else { 2.0 * column(k / factor * (factor - 1) + k % factor - 1) };
+                assert!((out - 1.0 - added).abs() < 1e-15, "node {k}: {out}");
+            }
+        }
+    }
+}
