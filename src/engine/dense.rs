@@ -6,7 +6,7 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::{factor, solve};
 use faer::perm::PermRef;
 use faer::{MatMut, Par};
-use slipzone_api::Refusal;
+use slipzone_api::{Refusal, lend};
 use std::cell::Cell;
 
 /// So many equations at most are eliminated one by one: factorising in blocks takes more instructions below about
@@ -72,15 +72,15 @@ impl Dense {
             blocks.solve(&mut self.columns[..n * right]);
             right
         } else {
-            let mut room = ROOM.take();
-            if room.len() < n * n {
-                room.resize(FEW * FEW, 0.0);
-            }
-            let rows = &mut room[..n * n];
-            let right = fill(rows, &mut self.columns);
-            elimination::solve(rows, &mut self.columns[..n * right], n);
-            ROOM.set(room);
-            right
+            lend(&ROOM, |room| {
+                if room.len() < n * n {
+                    room.resize(FEW * FEW, 0.0);
+                }
+                let rows = &mut room[..n * n];
+                let right = fill(rows, &mut self.columns);
+                elimination::solve(rows, &mut self.columns[..n * right], n);
+                right
+            })
         };
         self.work.count(n, right);
         let columns = &self.columns[..n * right];

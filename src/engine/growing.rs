@@ -136,7 +136,7 @@ impl Growing {
             Some(_) => Some(self.rub(layer, task, normal)?),
             None => None,
         };
-        let pressure = pressure.unwrap_or_else(|| self.pressure_traced(problem));
+        let pressure = pressure.unwrap_or_else(|| self.pressure_traced(problem, normal));
         Ok(self.outcome(size, numbers, pressure, rubbing))
     }
 
@@ -204,12 +204,11 @@ impl Growing {
         (numbers, pressure)
     }
 
-    /// A stacked pressure at [`Traces::AT`] over its mean.
-    fn pressure_traced(&mut self, problem: &Problem) -> [f64; Traces::AT.len()] {
-        let (Some(family), Some(stack)) = (&mut self.family, &self.stack) else { unreachable!("provided before") };
-        let (b, mean) = (self.half_width, self.force / (2.0 * self.half_width));
+    /// The pressure at [`Traces::AT`] over its mean.
+    fn pressure_traced(&mut self, problem: &Problem, normal: &Normal) -> [f64; Traces::AT.len()] {
+        let mean = self.force / (2.0 * self.half_width);
         let mut pressure = [0.0; Traces::AT.len()];
-        stack.pressure_into(problem, family, b, &Traces::stations(b), &mut pressure);
+        self.pressure_into(problem, normal, &Traces::stations(self.half_width), &mut pressure);
         pressure.map(|p| p / mean)
     }
 

@@ -189,8 +189,8 @@ impl Layer {
         &self.meter
     }
 
-    /// Asks whether the budget has room for a system of so many equations and right-hand sides, filled in by a rule on a contact, or a
-    /// stick zone, of that half-width.
+    /// Takes what a system of so many equations and right-hand sides costs, filled in by a rule on a contact, or a stick zone, of that
+    /// half-width, from the budget; refuses it where that has no room.
     pub(crate) fn room_for(&self, (n, right): (usize, usize), rule: &dyn Rule, half_width: f64) -> Result<(), Refusal> {
         let thinness = half_width / self.length();
         let beside = if thinness > COUNTED { rule.multiplications_beside(thinness) } else { 0 };

@@ -2,7 +2,7 @@
 
 use super::climb::{NEARLY, highest};
 use super::ways;
-use slipzone_api::Station;
+use slipzone_api::{Station, lend};
 use std::cell::Cell;
 
 /// Points on either side of the middle of a part of the contact between places where the pressure is not analytic, and where there
@@ -30,10 +30,7 @@ pub(crate) struct Lookout {
 impl Lookout {
     /// Lends that of this thread.
     pub(crate) fn lend<T>(work: impl FnOnce(&mut Self) -> T) -> T {
-        let mut lookout = ROOM.take();
-        let done = work(&mut lookout);
-        ROOM.set(lookout);
-        done
+        lend(&ROOM, work)
     }
 
     /// Points between places where a pressure is not analytic, the middle and the edge at `b` among them, and at all of these but the

@@ -9,7 +9,7 @@ use super::normal::Normal;
 use super::stick_zone::StickZone;
 use rows::Nodes;
 use slipzone_api::elementary::LANES;
-use slipzone_api::{Component, NEAREST_POLE, Station};
+use slipzone_api::{Component, NEAREST_POLE, Station, lend};
 use std::cell::Cell;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -102,19 +102,19 @@ impl SlipGrid {
 
         let per_station = self.nodes.distances();
         let stations = (BATCH / per_station).clamp(1, at.len().max(1));
-        let [mut all_distances, mut all_kernel] = ROOM.take();
-        if all_distances.len() < stations * per_station {
-            all_distances.resize(stations * per_station, 0.0);
-            all_kernel.resize(stations * per_station, 0.0);
-        }
-        for (at, out) in at.chunks(stations).zip(out.chunks_mut(stations)) {
-            let distances = &mut all_distances[..at.len() * per_station];
-            let kernel = &mut all_kernel[..at.len() * per_station];
-            self.nodes.distances_into(at, distances);
-            layer.kernel_values(Component::ShearStrain, distances, kernel);
-            self.nodes.sums_into(at, distances, kernel, out);
-        }
-        ROOM.set([all_distances, all_kernel]);
+        lend(&ROOM, |[all_distances, all_kernel]| {
+            if all_distances.len() < stations * per_station {
+                all_distances.resize(stations * per_station, 0.0);
+                all_kernel.resize(stations * per_station, 0.0);
+            }
+            for (at, out) in at.chunks(stations).zip(out.chunks_mut(stations)) {
+                let distances = &mut all_distances[..at.len() * per_station];
+                let kernel = &mut all_kernel[..at.len() * per_station];
+                self.nodes.distances_into(at, distances);
+                layer.kernel_values(Component::ShearStrain, distances, kernel);
+                self.nodes.sums_into(at, distances, kernel, out);
+            }
+        });
         for (out, at) in out.iter_mut().zip(at) {
             let [by_friction, beside] = known.strain(*at);
             *out = [out[0] / PI + at_end * by_friction, out[1] / PI + beside];

@@ -11,7 +11,7 @@ use super::quantity::{ShearTrace, Traces};
 use super::slip_grid::SlipGrid;
 use super::stick_zone::StickZone;
 use super::work::Work;
-use slipzone_api::{Component, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
+use slipzone_api::{Component, Edge, Parity, Quadrature, Refusal, Rule, Span, Station, lend};
 use std::cell::Cell;
 
 /// Points at which what is known of the shear is told at a time.
@@ -66,10 +66,7 @@ struct Room {
 impl Room {
     /// Lends the room of this thread.
     fn lend<T>(work: impl FnOnce(&mut Self) -> T) -> T {
-        let mut room = ROOM.take().unwrap_or_default();
-        let done = work(&mut room);
-        ROOM.set(Some(room));
-        done
+        lend(&ROOM, |room| work(room.get_or_insert_default()))
     }
 }
 

@@ -58,7 +58,7 @@ pub(crate) fn flat(a: f64, eta: f64, slip: Slip, points: u32) -> Solution {
         }),
         error: ErrorReport {
             estimate: Some(1e-6),
-            each: each.map(|(path, estimate)| (path, estimate)).into(),
+            each: each.into(),
             how: "difference from the next finer resolution".into(),
         },
         plan: Plan {

@@ -108,7 +108,8 @@ fn shortest(tail: &[SurfaceFlexibility], cutoff: f64, enough: f64) -> (usize, f6
     let mut power = 1.0;
     // Terms of the integral of the series.
     let sizes: ArrayVec<f64, MOST_TERMS> = (1..)
-        .zip(&tail[..tail.len().min(MOST_TERMS)])
+        .zip(tail)
+        .take(MOST_TERMS)
         .map(|(k, c)| {
             let size = c.vv.abs().max(c.uu.abs()).max(c.uv.abs()) * power / f64::from((k - 1).max(1));
             power /= cutoff;

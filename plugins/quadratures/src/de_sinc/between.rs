@@ -24,11 +24,10 @@ pub(super) struct Between {
 
 impl Between {
     pub(super) fn new(grid: &Grid, factor: usize) -> Self {
-        let (unknowns, cells) = (grid.unknowns(), grid.nodes.len() - 1);
-        let width = unknowns.next_multiple_of(LANES);
-        let mut table = vec![0.0; cells * (factor - 1) * width];
-        let nodes = (0..cells * factor).filter(|k| k % factor != 0);
-        for (row, k) in table.chunks_exact_mut(width).zip(nodes) {
+        let mut between = Self { table: Vec::new(), unknowns: grid.unknowns(), factor };
+        let (width, cells) = (between.width(), grid.nodes.len() - 1);
+        between.table.resize(cells * (factor - 1) * width, 0.0);
+        for (row, k) in between.table.chunks_exact_mut(width).zip(no_nodes(factor)) {
             let t = k as f64 / factor as f64;
             // sin(pi (t -+ j)) = (-1)^j sin(pi t), and whole turns are dropped first.
             let sine = (PI * (k % (2 * factor)) as f64 / factor as f64).sin() * grid.step / (PI * factor as f64);
@@ -42,7 +41,7 @@ impl Between {
                 *entry = alternating(j) * sine * u.slope * sincs;
             }
         }
-        Self { table, unknowns, factor }
+        between
     }
 
     /// Numbers held.
@@ -58,9 +57,8 @@ impl Between {
 
     /// Adds what the density of these unknowns is there, times the fine step, to what `out` has for all fine nodes.
     pub(super) fn spread(&self, unknowns: &[f64], out: &mut [f64]) {
-        for (k, row) in self.table.chunks_exact(self.width()).enumerate() {
-            let (node, beyond) = (k / (self.factor - 1), k % (self.factor - 1) + 1);
-            out[node * self.factor + beyond] += dot(&row[..self.unknowns], unknowns);
+        for (row, k) in self.table.chunks_exact(self.width()).zip(no_nodes(self.factor)) {
+            out[k] += dot(&row[..self.unknowns], unknowns);
         }
     }
 
@@ -71,6 +69,11 @@ impl Between {
             Arch::new().dispatch(Add { between: self, folded, scale, rows, reach });
         }
     }
+}
+
+/// The fine nodes that are no nodes, without end; of a grid that is no finer none may be asked for.
+fn no_nodes(factor: usize) -> impl Iterator<Item = usize> {
+    (0..).filter(move |k| k % factor != 0)
 }
 
 /// See [`Between::add`].
@@ -89,12 +92,12 @@ impl WithSimd for Add<'_> {
     fn with_simd<S: Simd>(self, simd: S) {
         const { assert!(LANES.is_multiple_of(S::F64_LANES), "rows are filled up to whole vectors") };
         let Self { between, folded: (folded, count), scale, rows: (rows, length), reach } = self;
-        let (width, factor) = (between.width(), between.factor);
-        let of_cell = (factor - 1) * width;
+        let factor = between.factor;
+        let of_cell = (factor - 1) * between.width();
         let (cells, at_once) = (reach.div_ceil(factor), (AT_ONCE / of_cell).max(1));
         let table = &between.table[..between.table.len().min(cells * of_cell)];
         for (chunk, table) in table.chunks(at_once * of_cell).enumerate() {
-            let cells = Cells { table, width, factor, unknowns: between.unknowns };
+            let cells = Cells { between, table };
             let from = chunk * at_once * factor;
             let each = rows.chunks_mut(ROWS * length).zip(folded.chunks(ROWS * count)).zip(scale.chunks(ROWS));
             for ((rows, folded), scale) in each {
@@ -113,10 +116,8 @@ impl WithSimd for Add<'_> {
 
 /// Some of the table, from one node to another.
 struct Cells<'a> {
+    between: &'a Between,
     table: &'a [f64],
-    width: usize,
-    factor: usize,
-    unknowns: usize,
 }
 
 impl Cells<'_> {
@@ -129,7 +130,7 @@ impl Cells<'_> {
         scale: [f64; R],
         (rows, length): (&mut [f64], usize),
     ) {
-        let vectors = self.width / S::F64_LANES;
+        let vectors = self.between.width() / S::F64_LANES;
         for first in (0..vectors).step_by(WIDE) {
             let mut sums = [[simd.splat_f64s(0.0); WIDE]; R];
             if first + WIDE <= vectors {
@@ -138,7 +139,7 @@ impl Cells<'_> {
                 self.sum::<S, R, 1>(simd, folded, first, &mut sums);
             }
             for ((row, sums), scale) in rows.chunks_exact_mut(length).zip(sums).zip(scale) {
-                let (row, rest) = S::as_mut_simd_f64s(&mut row[..self.unknowns]);
+                let (row, rest) = S::as_mut_simd_f64s(&mut row[..self.between.unknowns]);
                 let wide = simd.splat_f64s(scale);
                 for (at, sum) in (first..vectors).zip(sums) {
                     if let Some(entry) = row.get_mut(at) {
@@ -162,8 +163,8 @@ impl Cells<'_> {
         first: usize,
         sums: &mut [[S::f64s; WIDE]; R],
     ) {
-        let Self { table, width, factor, .. } = *self;
-        for (cell, table) in table.chunks_exact((factor - 1) * width).enumerate() {
+        let (width, factor) = (self.between.width(), self.between.factor);
+        for (cell, table) in self.table.chunks_exact((factor - 1) * width).enumerate() {
             // Cut to one length that the compiler knows: no index is checked in the loop.
             let folded = folded.map(|folded| &folded[cell * factor + 1..][..factor - 1]);
             for (k, densities) in (0..factor - 1).zip(table.chunks_exact(width)) {
@@ -210,9 +211,9 @@ mod tests {
                     let mut sum = 0.0;
                     // What follows the unknowns in a row is left alone.
                     if j < unknowns {
-                        for k in (0..nodes).filter(|k| k % factor != 0) {
-                            let place = k / factor * (factor - 1) + k % factor - 1;
-                            sum += folded[row * count + k] * between.table[place * between.width() + j];
+                        let entries = between.table[j..].iter().step_by(between.width());
+                        for (entry, k) in entries.zip((1..nodes).filter(|k| k % factor != 0)) {
+                            sum += folded[row * count + k] * entry;
                         }
                     }
                     let expected = before + scale[row] * sum;
@@ -235,10 +236,9 @@ mod tests {
             unknowns[j] = 2.0;
             let mut out = vec![1.0; n * factor + 1];
             between.spread(&unknowns, &mut out);
+            let mut column = between.table[j..].iter().step_by(between.width());
             for (k, out) in out.into_iter().enumerate() {
-                let column = |place: usize| between.table[place * between.width() + j];
-                let added =
-                    if k % factor == 0 { 0.0 } else { 2.0 * column(k / factor * (factor - 1) + k % factor - 1) };
+                let added = if k % factor == 0 { 0.0 } else { 2.0 * column.next().expect("a row for each") };
                 assert!((out - 1.0 - added).abs() < 1e-15, "node {k}: {out}");
             }
         }

@@ -3,7 +3,7 @@
 use super::fine::{Fine, Row};
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::elementary::LANES;
-use slipzone_api::{Component, KernelTable, PartsVec};
+use slipzone_api::{Component, KernelTable, PartsVec, lend};
 use std::cell::Cell;
 use std::ops::Range;
 
@@ -37,10 +37,8 @@ struct Room {
 impl Room {
     /// Lends the room of this thread.
     fn lend(work: impl FnOnce(&mut Self)) {
-        let kept = ROOM.take();
-        let mut room = kept.unwrap_or_else(|| Box::new(Self { distances: [0.0; BATCH], parts: PartsVec::new(BATCH) }));
-        work(&mut room);
-        ROOM.set(Some(room));
+        let new = || Box::new(Self { distances: [0.0; BATCH], parts: PartsVec::new(BATCH) });
+        lend(&ROOM, |room| work(room.get_or_insert_with(new)));
     }
 }
 

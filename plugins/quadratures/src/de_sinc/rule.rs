@@ -9,7 +9,7 @@ use super::series::alternating;
 use super::shape::Shape;
 use super::sums::{dot, dots};
 use pulp::Arch;
-use slipzone_api::{Component, Densities, Edge, KernelTable, Rule, Station};
+use slipzone_api::{Component, Densities, Edge, KernelTable, Rule, Station, lend};
 use std::cell::Cell;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -81,20 +81,7 @@ impl DeSincRule {
 
     /// Lends a density made ready for evaluation.
     fn shaped<T>(&self, unknowns: &[f64], work: impl FnOnce(Shape) -> T) -> T {
-        let mut room = DENSITY.take();
-        let done = work(Shape::new(&self.grid, unknowns, &mut room));
-        DENSITY.set(room);
-        done
-    }
-}
-
-impl Scratch {
-    /// Lends that of this thread.
-    fn lend<T>(work: impl FnOnce(&mut Self) -> T) -> T {
-        let mut scratch = SCRATCH.take();
-        let done = work(&mut scratch);
-        SCRATCH.set(scratch);
-        done
+        lend(&DENSITY, |room| work(Shape::new(&self.grid, unknowns, room)))
     }
 }
 
@@ -146,7 +133,7 @@ impl Rule for DeSincRule {
         let fine = self.fine(kernel.0.length());
         let folding = self.folding(&fine, kernel);
         let mut scale = [0.0; ROWS];
-        Scratch::lend(|Scratch { folded, .. }| {
+        lend(&SCRATCH, |Scratch { folded, .. }| {
             for (block, rows) in rows.chunks_mut(ROWS * length).enumerate() {
                 let here = block * ROWS..block * ROWS + rows.len() / length;
                 for (scale, row) in scale.iter_mut().zip(&self.grid.scale[here.clone()]) {
@@ -168,7 +155,7 @@ impl Rule for DeSincRule {
     ) {
         let (n, length) = (self.unknowns(), rows.len() / self.stations.len());
         let inner = &self.grid.nodes[self.grid.first..][..n];
-        Scratch::lend(|Scratch { spread, nodes, given, .. }| {
+        lend(&SCRATCH, |Scratch { spread, nodes, given, .. }| {
             nodes.clear();
             nodes.extend(inner.iter().map(|u| Station { x: self.half_width * u.x, gap: self.half_width * u.gap }));
             given.resize(n, [0.0; 2]);
@@ -216,7 +203,7 @@ impl Rule for DeSincRule {
         let end = self.stations.len();
         samples.clear();
         samples.reserve(end + 1);
-        Scratch::lend(|Scratch { folded, spread, .. }| {
+        lend(&SCRATCH, |Scratch { folded, spread, .. }| {
             fine.spread(&self.grid, unknowns, spread);
             for first in (0..=end).step_by(ROWS) {
                 let rows = folding.fold(first..(end + 1).min(first + ROWS), folded).chunks_exact(spread.len());
@@ -237,7 +224,7 @@ impl Rule for DeSincRule {
         }
         let fine = self.fine(table.length());
         let folding = self.folding(&fine, (table, component));
-        Scratch::lend(|Scratch { folded, spread, .. }| {
+        lend(&SCRATCH, |Scratch { folded, spread, .. }| {
             fine.spread(&self.grid, unknowns, spread);
             folding.fold_centre(folded);
             2.0 * self.half_width / PI * dot(folded, spread)
