@@ -154,6 +154,11 @@ fn doubt(problem: &Problem, errors: &Numbers) -> Option<f64> {
     of_pressure.map(|(_, error)| error).reduce(f64::max)
 }
 
+/// What the pressures of flat punches told between those solved may be off by, relative.
+pub(super) fn between_members(outcome: &Outcome) -> f64 {
+    SAFETY * outcome.left[0]
+}
+
 /// Errors, and those that differences between resolutions do not see: what the kernels prove of theirs, what a contact misses of
 /// its load, what a smoothed law makes, and what a stack leaves out at all of them, which follows the tolerance.
 pub(super) fn with_the_rest(
@@ -169,7 +174,7 @@ pub(super) fn with_the_rest(
     let missed = if missed > ROUNDING { missed } else { 0.0 };
     let of_kernels = layer.kernel_error(half_width).unwrap_or(0.0);
     let of_depth = layer.depth_error(half_width).unwrap_or(0.0);
-    let mut rest = of_kernels + missed + left_out + SAFETY * outcome.left[0];
+    let mut rest = of_kernels + missed + left_out + between_members(outcome);
     if problem.is_pressed_by_depth() {
         rest += of_depth;
     }

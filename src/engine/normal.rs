@@ -277,10 +277,9 @@ impl Normal {
         self.force / (2.0 * self.half_width)
     }
 
-    /// Distance to the edge of the outermost collocation point over the half-width: what the resolution can
-    /// tell apart there.
+    /// [`Rule::finest_gap`].
     pub(crate) fn finest_gap(&self) -> f64 {
-        self.rule.collocation().last().map_or(1.0, |station| station.gap / self.half_width)
+        self.rule.finest_gap()
     }
 
     /// Number of unknowns.

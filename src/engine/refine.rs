@@ -1,11 +1,11 @@
 //! Refines a scene until its error estimate meets the tolerance.
 
-use super::error_estimate::{Pace, ROUNDING, SAFETY, SLIP_ROUNDING, Seen, extrapolated, judged_by_twin};
+use super::error_estimate::{Fastest, Pace, ROUNDING, SAFETY, SLIP_ROUNDING, Seen, extrapolated, judged_by_twin};
 use super::family::Family;
 use super::growing::Growing;
 use super::judged::{
-    BETWEEN, How, Judged, ROUNDED, SHEAR, has_details, hidden_details, left_by_sticking, meets, share_in_middle,
-    share_in_shear, with_the_rest, worst_judged,
+    BETWEEN, How, Judged, ROUNDED, SHEAR, between_members, has_details, hidden_details, left_by_sticking, meets,
+    share_in_middle, share_in_shear, with_the_rest, worst_judged,
 };
 use super::layer::{Layer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
@@ -336,8 +336,8 @@ impl Ladder {
                 return;
             };
             seen.push(outcome.seen());
-            let unseen = is_unseen(layer, &outcome, self.stages[stage].unknowns());
-            let Some(mut errors) = extrapolated(&seen, unseen) else { return };
+            let fastest = fastest(layer, &outcome, self.stages[stage].unknowns());
+            let Some(mut errors) = extrapolated(&seen, fastest) else { return };
             let told = errors.take(Quantity::Shear);
             let all = with_the_rest(aim.problem, layer, &outcome, aim.tolerance, errors);
             if !meets(aim.problem, &all, aim.tolerance) {
@@ -356,7 +356,7 @@ impl Ladder {
     /// Takes note of how a contact that grew was settled.
     fn remember(&mut self, layer: &Layer, stage: usize, outcome: &Outcome, history: &[Seen]) {
         self.settled = Some(stage);
-        let pace = Pace::seen(history, is_unseen(layer, outcome, self.stages[stage].unknowns()));
+        let pace = Pace::seen(history, fastest(layer, outcome, self.stages[stage].unknowns()));
         self.pace = outcome.numbers.get(Quantity::HalfWidth).zip(pace);
     }
 
@@ -576,10 +576,14 @@ fn level(first: usize, step: usize) -> u32 {
     (first + step) as u32
 }
 
-/// Whether so few unknowns stand too far apart to see the layer.
-fn is_unseen(layer: &Layer, outcome: &Outcome, unknowns: usize) -> bool {
+/// How fast resolutions of so many unknowns may come; few stand too far apart to see the layer.
+fn fastest(layer: &Layer, outcome: &Outcome, unknowns: usize) -> Fastest {
     let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
-    WIDE * half_width > UNSEEN * layer.length() * unknowns as f64
+    match layer.is_proven() {
+        _ if WIDE * half_width > UNSEEN * layer.length() * unknowns as f64 => Fastest::UNSEEN,
+        true => Fastest::PROVEN,
+        false => Fastest::UNPROVEN,
+    }
 }
 
 /// What the resolutions solved so far tell of the error.
@@ -611,8 +615,8 @@ impl Estimate {
     fn add(&mut self, layer: &Layer, aim: Aim, outcome: &Outcome, (unknowns, has_kernels): (usize, bool)) -> bool {
         let Aim { problem, tolerance, .. } = aim;
         self.history.push(outcome.seen());
-        let unseen = is_unseen(layer, outcome, unknowns);
-        let Some(estimate) = extrapolated(&self.history, unseen) else { return false };
+        let fastest = fastest(layer, outcome, unknowns);
+        let Some(estimate) = extrapolated(&self.history, fastest) else { return false };
         // All may agree on what none of them sees.
         let mut estimate = estimate.plus(hidden_details(problem, outcome, unknowns));
         self.of_shear = estimate.take(Quantity::Shear).filter(|_| problem.wishes.profile);
@@ -639,8 +643,10 @@ fn is_vain(
 ) -> bool {
     let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));
     let is_final = has_kernels && outcome.size.is_none_or(|size| size.missed <= ROUNDING);
+    // Finer steps have more flat punches.
+    let between = between_members(outcome);
     let unmended = |(quantity, error): (Quantity, f64)| {
-        let rest = if is_final { all.get(quantity).map_or(0.0, |all| all - error) } else { 0.0 };
+        let rest = if is_final { all.get(quantity).map_or(0.0, |all| all - error - between) } else { 0.0 };
         let least = if quantity.is_of_shear() { SLIP_ROUNDING } else { ROUNDING };
         (lost.get(quantity).unwrap_or(0.0).max(least), rest)
     };

@@ -17,8 +17,6 @@ use slipzone_api::{Refusal, Station};
 const POINTS: usize = 12;
 const FIRST: f64 = 0.7;
 const LAST: f64 = 0.5;
-/// Share of the tolerance that is left to the grid.
-const SHARE: f64 = 0.5;
 /// Most grids.
 const MOST_STEPS: u32 = 6;
 
@@ -40,10 +38,10 @@ pub(crate) fn sharpen(
     let largest = largest(shear, normal, zone, &before);
     // The shear is driven by `beta p`.
     let driven = of_pressure * (beta * normal.mean() / largest).abs();
-    let enough = (SHARE * tolerance).max(driven).max(SLIP_ROUNDING);
+    let enough = tolerance.max(driven).max(SLIP_ROUNDING);
     let between = |shear: &Shear| SAFETY * shear.lost_between() / largest;
-    let is_known = |along: f64, between: f64| along <= enough && between <= enough.max(tolerance);
-    let mut is_done = shear.along.is_some_and(|along| along <= enough.max(tolerance));
+    let is_known = |along: f64, between: f64| along.max(between) <= enough;
+    let mut is_done = shear.along.is_some_and(|along| along <= enough);
     let mut earlier = 1.0;
     if let Some(coarser) = coarser {
         // Their grids over the slip zone are nearly the same: the finer may be no better than their difference.

@@ -120,6 +120,12 @@ pub trait Rule: Send + Sync {
         None
     }
 
+    /// How near to its end, over the half-width, a density is told apart from what it is just there: nearer than that it may be off by
+    /// more than the rule is elsewhere.
+    fn finest_gap(&self) -> f64 {
+        self.collocation().last().map_or(1.0, |station| station.gap / self.half_width())
+    }
+
     /// Relative error, about, of integrals over kernels whose length is `1/thinness` of the half-width, where the rule lacks the
     /// room to do them better; 0 where more unknowns will do.
     fn lost_for_room(&self, thinness: f64) -> f64 {

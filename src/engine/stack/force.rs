@@ -16,6 +16,8 @@ const STALLING: usize = 48;
 const AT_KINK: f64 = 4.0;
 /// Power of the variable in which the force over the first piece is a series.
 const POWER: i32 = 2;
+/// Before the end of a piece, over the half-width there: a few roundings, which is how well a kink there is known.
+const JUST_INSIDE: f64 = 1e-15;
 /// A height below this, beside the others of a shape, is none.
 const FAINTEST: f64 = 1e-290;
 
@@ -181,7 +183,8 @@ impl Piece {
         let width = self.to - self.from;
         match &self.force {
             Force::OfHeight { .. } => {
-                let slope = problem.slope(b);
+                // Where the shape has a kink at the end, its slope before that.
+                let slope = problem.slope(b.min((1.0 - JUST_INSIDE) * self.to));
                 let height = kappa * b * slope;
                 (height * value, slope * value + height * rise * s / (2.0 * b))
             }

@@ -1,6 +1,7 @@
 //! The fine nodes that are no nodes: what a density is there, and sums over them as sums over its unknowns.
 
 use super::grid::Grid;
+use super::map::Place;
 use super::series::alternating;
 use super::sums::dot;
 use pulp::{Arch, Simd, WithSimd};
@@ -26,20 +27,26 @@ impl Between {
     pub(super) fn new(grid: &Grid, factor: usize) -> Self {
         let mut between = Self { table: Vec::new(), unknowns: grid.unknowns(), factor };
         let (width, cells) = (between.width(), grid.nodes.len() - 1);
+        let beyond = grid.beyond(1);
         between.table.resize(cells * (factor - 1) * width, 0.0);
         for (row, k) in between.table.chunks_exact_mut(width).zip(no_nodes(factor)) {
             let t = k as f64 / factor as f64;
             // sin(pi (t -+ j)) = (-1)^j sin(pi t), and whole turns are dropped first.
             let sine = (PI * (k % (2 * factor)) as f64 / factor as f64).sin() * grid.step / (PI * factor as f64);
-            for (entry, (j, u)) in row.iter_mut().zip(grid.nodes.iter().enumerate().skip(grid.first)) {
+            let entry_of = |j: usize, slope: f64| {
                 let at = j as f64;
                 let sincs = match (j, grid.odd) {
                     (0, _) => 1.0 / t,
                     (_, false) => 2.0 * t / ((t - at) * (t + at)),
                     (_, true) => 2.0 * at / ((t - at) * (t + at)),
                 };
-                *entry = alternating(j) * sine * u.slope * sincs;
+                alternating(j) * sine * slope * sincs
+            };
+            for (entry, (j, u)) in row.iter_mut().zip(grid.nodes.iter().enumerate().skip(grid.first)) {
+                *entry = entry_of(j, u.slope);
             }
+            let each = |(m, (u, share)): (usize, &(Place, f64))| entry_of(cells + 1 + m, share * u.slope);
+            row[between.unknowns - 1] += beyond.iter().enumerate().map(each).sum::<f64>();
         }
         between
     }

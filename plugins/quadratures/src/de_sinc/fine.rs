@@ -2,10 +2,9 @@
 
 use super::apart::{Apart, descending};
 use super::between::Between;
-use super::grid::{Grid, tail};
+use super::grid::Grid;
 use super::map::Place;
 use pulp::{Arch, Simd, WithSimd};
-use slipzone_api::Edge;
 use slipzone_api::elementary::{EULER_GAMMA, LANES, ln};
 use spec_math::cephes64::sici;
 use std::f64::consts::{FRAC_2_PI, PI};
@@ -36,6 +35,9 @@ pub(super) struct Fine {
     ones: Vec<f64>,
     /// Weight of the sign and of the logarithm of the distance from the middle, which is a node: `d = 0, 1, ...`.
     pub(super) centre: (Vec<f64>, Vec<f64>),
+    /// What the weights of the sign lack at the last node and at its mirror image, per row and for the end: it stands for the places
+    /// beyond, too.
+    sign_beyond: Vec<[f64; 2]>,
     /// How many fine nodes matter, per row and for the end, filled up.
     reach: Vec<usize>,
     /// `step/factor P_k` per unit of `F_j`, where the fine node is a node.
@@ -54,6 +56,8 @@ pub(super) struct Row<'a> {
     pub(super) log_plus: &'a [f64],
     pub(super) sign_minus: &'a [f64],
     pub(super) sign_plus: &'a [f64],
+    /// The index of the last node among these, if it is, and [`Fine::sign_beyond`].
+    pub(super) beyond: Option<(usize, [f64; 2])>,
 }
 
 impl Fine {
@@ -73,13 +77,14 @@ impl Fine {
             .map(|k| k.min(last))
             .map(|k| if k % factor == 0 { grid.nodes[k / factor] } else { Place::new(k as f64 * fine_step) })
             .collect();
-        // Half-integers up to d = n factor - factor/2 + n factor, and beyond for what fills up.
-        let halves = 2 * n * factor + LANES;
+        let places_beyond = grid.beyond(factor);
+        // Half-integers up to d = n factor - factor/2 + n factor, and beyond for what fills up or lies beyond.
+        let halves = 2 * n * factor + LANES.max(places_beyond.len());
         let (sign_ascending, cosine_ascending) = integrals(&AT_HALVES, 0.5, halves);
         let farthest = n * factor - factor / 2;
         let sign_descending = descending(&sign_ascending, farthest, -1.0);
         let cosine_descending = descending(&cosine_ascending, farthest, 1.0);
-        let (centre_sign, centre_cosine) = integrals(&AT_WHOLES, 1.0, filled - 1);
+        let (centre_sign, centre_cosine) = integrals(&AT_WHOLES, 1.0, last + LANES.max(places_beyond.len()));
         // At `d = 0` the limit of `log|x'(0) d step| - Ci(pi d)`.
         let at_middle = (places[0].slope * fine_step / PI).ln() - EULER_GAMMA;
         let others = places[1..].iter().zip(&centre_cosine).map(|(place, cosine)| place.x.ln() - cosine);
@@ -93,16 +98,16 @@ impl Fine {
             sign_descending,
             sign_ascending,
             ones: vec![1.0; filled],
-            centre: ([0.0].into_iter().chain(centre_sign).collect(), centre_log),
+            centre: ([0.0].into_iter().chain(centre_sign.iter().copied()).collect(), centre_log),
+            sign_beyond: Vec::with_capacity(n + 1),
             reach: Vec::with_capacity(n + 1),
             weight: grid.nodes.iter().map(|u| fine_step * u.slope).collect(),
             between: Between::new(grid, factor),
         };
         // The middle node is its own mirror image, and both are summed.
         fine.weight[0] *= 0.5;
-        if grid.edge == Edge::Sharp {
-            fine.weight[n] += tail(&places[..count], fine_step);
-        }
+        let beyond = Beyond { weight: fine.weight[n], places: places_beyond, fine_step };
+        fine.weight[n] += beyond.weights().sum::<f64>();
         let reach = |slope: f64| {
             let matter = places[..count].iter().take_while(|p| slope * p.slope > NEGLIGIBLE).count();
             matter.next_multiple_of(LANES)
@@ -125,7 +130,37 @@ impl Fine {
             of_end[2 * filled + k] = (1.0 + place.x).ln();
         }
         fine.reach.push(reach(1.0));
+        fine.go_on(grid, &beyond, &cosine_ascending, (&centre_sign, &centre_cosine));
         fine
+    }
+
+    /// Lets the last node's weights of sign and logarithm stand for those of the places beyond it as well, as its weight in the sum does.
+    fn go_on(&mut self, grid: &Grid, beyond: &Beyond, cosine: &[f64], at_centre: (&[f64], &[f64])) {
+        let (filled, rows) = (self.x.len(), self.rows());
+        let last = rows * self.factor;
+        let logs = |apart: &dyn Fn(&Place) -> f64, cosine: &[f64]| -> Vec<f64> {
+            beyond.places.iter().zip(cosine).map(|((u, _), cosine)| apart(u).ln() - cosine).collect()
+        };
+        for (i, (v, row)) in grid.staggered.iter().zip(self.table.chunks_exact_mut(3 * filled)).enumerate() {
+            // Where the distances of the last node stand, on this side and on the other, and from then on.
+            let before = i * self.factor + self.factor / 2;
+            let [near, far] = [last - before - 1, last + before];
+            let [minus, plus] = [near, far].map(|at| {
+                let signs = &self.sign_ascending[at..];
+                beyond.mean(signs[0], &signs[1..]) - signs[0]
+            });
+            self.sign_beyond.push([-minus, plus]);
+            let (log_minus, log_plus) = row[filled..].split_at_mut(filled);
+            log_minus[last] = beyond.mean(log_minus[last], &logs(&|u| v.gap - u.gap, &cosine[near + 1..]));
+            log_plus[last] = beyond.mean(log_plus[last], &logs(&|u| v.x + u.x, &cosine[far + 1..]));
+        }
+        // Seen from the end no step is near, and all beyond is as far from its mirror image.
+        self.sign_beyond.push([0.0; 2]);
+        let of_end = &mut self.table[(3 * rows + 1) * filled + last];
+        *of_end = beyond.mean(*of_end, &logs(&|u| u.gap, &vec![0.0; beyond.places.len()]));
+        let (signs, of_centre) = &mut self.centre;
+        signs[last] = beyond.mean(signs[last], &at_centre.0[last..]);
+        of_centre[last] = beyond.mean(of_centre[last], &logs(&|u| u.x, &at_centre.1[last..]));
     }
 
     /// Number of rows before that of the end.
@@ -185,12 +220,40 @@ impl Fine {
             )
         };
         let table = &self.table[3 * i * filled..3 * (i + 1) * filled];
+        let last = rows * self.factor;
+        let beyond = nodes.contains(&last).then(|| (last - nodes.start, self.sign_beyond[i]));
         Row {
+            beyond,
             log_minus: &table[filled..2 * filled][nodes.clone()],
             log_plus: &table[2 * filled..][nodes.clone()],
             sign_minus: &sign_minus[nodes.clone()],
             sign_plus: &sign_plus[nodes],
         }
+    }
+}
+
+/// The last fine node, and the places beyond it for which it stands.
+struct Beyond {
+    /// What the node weighs by itself.
+    weight: f64,
+    places: Vec<(Place, f64)>,
+    fine_step: f64,
+}
+
+impl Beyond {
+    /// What the places weigh.
+    fn weights(&self) -> impl Iterator<Item = f64> {
+        self.places.iter().map(|(place, share)| self.fine_step * place.slope * share)
+    }
+
+    /// The mean, by weight, of what is given at the node and at the places.
+    fn mean(&self, at_node: f64, at_places: &[f64]) -> f64 {
+        let (mut sum, mut all) = (self.weight * at_node, self.weight);
+        for (weight, at) in self.weights().zip(at_places) {
+            sum += weight * at;
+            all += weight;
+        }
+        sum / all
     }
 }
 

@@ -187,13 +187,16 @@ impl WithSimd for Fold<'_> {
             let nodes = batch.nodes(&folding, row);
             let count = nodes.len();
             let out = &mut out[(row - first) * fine.x.len()..][nodes.clone()];
-            let Row { log_minus, log_plus, sign_minus, sign_plus } = fine.row(row, nodes);
-            let out = S::as_mut_simd_f64s(out).0;
-            let vectors = out.len();
-            let near = Side::new::<S>(parts, start..start + count, sign_minus, log_minus, vectors);
-            let far = Side::new::<S>(parts, start + count..start + 2 * count, sign_plus, log_plus, vectors);
-            for i in 0..vectors {
-                out[i] = simd.mul_add_e_f64s(mirror, far.at(simd, log_c, i), near.at(simd, log_c, i));
+            let Row { log_minus, log_plus, sign_minus, sign_plus, beyond } = fine.row(row, nodes);
+            let wide = S::as_mut_simd_f64s(&mut *out).0;
+            let near = Side::new::<S>(parts, start..start + count, sign_minus, log_minus, wide.len());
+            let far = Side::new::<S>(parts, start + count..start + 2 * count, sign_plus, log_plus, wide.len());
+            for i in 0..wide.len() {
+                wide[i] = simd.mul_add_e_f64s(mirror, far.at(simd, log_c, i), near.at(simd, log_c, i));
+            }
+            if let Some((last, [near, far])) = beyond {
+                let signs = &parts.sign[start..];
+                out[last] += near * signs[last] + folding.mirror * far * signs[count + last];
             }
             start += 2 * count;
         }

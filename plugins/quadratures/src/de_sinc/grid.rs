@@ -40,6 +40,8 @@ pub(super) struct Grid {
 const PLATEAU: f64 = 20.0;
 /// From this `u` on `x'/sqrt(1 - x^2)` is a rounding of what it is where the widest grid ends.
 const LAST_SLOPE: f64 = 6.1;
+/// A share of what the last node weighs.
+const NOTHING: f64 = 1e-17;
 
 impl Grid {
     /// Numbers held, about.
@@ -67,6 +69,7 @@ impl Grid {
         let edge_row = Vec::new();
         let mut grid =
             Self { odd, edge, step, nodes, staggered, first, scale, cauchy, edge_row, series, plateau, resultant };
+        grid.go_on();
         grid.make_exact();
         grid.edge_row = if edge == Edge::Continued { grid.edge_locally() } else { grid.edge_functional() };
         grid
@@ -79,6 +82,31 @@ impl Grid {
     /// Along which curve a density that does not vanish runs into its end, where only the end is known.
     pub(super) fn ending(&self, x: f64) -> f64 {
         ending(x, self.odd)
+    }
+
+    /// The places beyond the last node in steps of a `factor`-th, with `F` there over that at the last node: it goes on as that of
+    /// the simplest density does. Those that weigh less than a rounding are left out.
+    pub(super) fn beyond(&self, factor: usize) -> Vec<(Place, f64)> {
+        let last = self.nodes.len() - 1;
+        let (end, fine_step) = (self.nodes[last], self.step / factor as f64);
+        let of_last = simplest(&end, self.edge, self.odd);
+        (last * factor + 1..)
+            .map(|k| Place::new(k as f64 * fine_step))
+            .map(|place| (place, simplest(&place, self.edge, self.odd) / of_last))
+            .take_while(|(place, share)| place.slope * share > NOTHING * end.slope)
+            .collect()
+    }
+
+    /// Adds to the last column what those places contribute: left out, it would be missed by as much as the density there
+    /// weighs, the root of the last gap at a sharp edge.
+    fn go_on(&mut self) {
+        let (unknowns, beyond) = (self.unknowns(), self.beyond(1));
+        for (v, row) in self.staggered.iter().zip(self.cauchy.chunks_exact_mut(unknowns)) {
+            let each = |(u, share): &(Place, f64)| {
+                share * u.slope * (if self.odd { u.x } else { v.x }) / ((u.gap - v.gap) * (v.x + u.x))
+            };
+            row[unknowns - 1] += FRAC_2_PI * self.step * v.slope * beyond.iter().map(each).sum::<f64>();
+        }
     }
 
     /// Adds to each row a multiple of `F_i + F_i+1` that makes it exact for the simplest density of its kind.

@@ -37,14 +37,16 @@ fn grown(n: usize, level: u32) -> f64 {
 /// `ln(1/eps)` beyond which only rounding is left.
 const MOST_DIGITS: f64 = 36.0;
 
-/// Where a grid of `n` steps ends in `u`: where the pieces left out weigh as much as the steps do.
+/// Where a grid of `n` steps ends in `u`: where what is taken for granted beyond weighs as much as what the steps miss.
 ///
-/// Measured on flat punches (sharp) and stick zones (continued). What lies beyond the end is not lost but taken
-/// for the continuation of the last node, which suits `F ~ 1` at a sharp edge better than `F ~ gap`.
+/// Beyond its end a density goes on as the simplest of its kind does, so that as much as the last gap is missed. Measured on flat punches
+/// (sharp), cylinders (smooth) and stick zones (continued) on a layer of five half-widths: at a sharp edge 12, 17 and 23 steps miss 5e-8, 2e-10 and
+/// 1e-12 of the numbers at the best end, which lies where this says within 0.1. Where nothing is taken to go on the root of the gap is missed:
+/// 6e-7, 5e-9 and 3e-11 at the best ends, farther out.
 pub(super) fn reach(n: usize, edge: Edge) -> f64 {
     match edge {
-        Edge::Sharp => (2.3 + 0.82 * (n as f64 / 6.0).ln()).clamp(2.0, 3.9),
-        Edge::Smooth => (2.6 + 0.7 * (n as f64 / 6.0).ln()).clamp(2.4, 4.0),
+        Edge::Sharp => (1.95 + 0.7 * (n as f64 / 6.0).ln()).clamp(1.7, 3.4),
+        Edge::Smooth => (1.9 + 0.6 * (n as f64 / 6.0).ln()).clamp(1.7, 3.4),
         Edge::Continued => (2.35 + 0.66 * (n as f64 / 8.0).ln()).clamp(2.2, 4.2),
     }
 }

@@ -112,6 +112,15 @@ impl WithSimd for Values<'_> {
     }
 }
 
+/// The factors of two terms which, with a number that is the same at all of them, make what is given at three places.
+fn leading([(s, f), (t, g), (u, h)]: [([f64; 2], f64); 3]) -> [f64; 2] {
+    // By differences, in which the number is gone.
+    let (a, b) = ([s[0] - u[0], s[1] - u[1]], [t[0] - u[0], t[1] - u[1]]);
+    let (of_first, of_second) = ((f - h) / a[0], (g - h) / b[0]);
+    let second = (of_first - of_second) / (a[1] / a[0] - b[1] / b[0]);
+    [of_second - second * b[1] / b[0], second]
+}
+
 /// Takes the noise off `F` and cuts it where nothing else is left; returns `lim F/(1 - x^2)`.
 ///
 /// The singular density that is to be absent is absent up to an error `e` only, and adds nearly the same
@@ -119,17 +128,22 @@ impl WithSimd for Values<'_> {
 /// `e exp(w)` in `f`. The first term left out behind the cut counts as `exp(-2 w)` (continued: `f` is
 /// regular `+ sqrt(gap)`) or `exp(-3 w)` (smooth), which is as much where `F ~ exp(-2 w)` is `e^(2/3)` or `e^(1/2)`.
 fn bound(f: &mut Vec<f64>, grid: &Grid) -> f64 {
-    // The very last nodes feel the missing ones.
+    // The very last node feels the missing ones.
     let n = f.len() - 1;
     let at = n - 1 - n / 16;
-    let noise = f[at];
+    let next = if grid.edge == Edge::Smooth { 2.0 } else { 1.5 };
+    let terms = |j: usize| [grid.nodes[j].gap, grid.nodes[j].gap.powf(next)];
+    let is_rounding = grid.nodes[at - 2].gap < f64::EPSILON;
+    let [first, second] = if is_rounding { [0.0; 2] } else { leading([at - 2, at - 1, at].map(|j| (terms(j), f[j]))) };
+    let known = |j: usize| first * terms(j)[0] + second * terms(j)[1];
+    let noise = f[at] - known(at);
     let mut largest = 0.0_f64;
     for (f, u) in f.iter_mut().zip(&grid.nodes) {
         *f -= noise * grid.ending(u.x);
         largest = largest.max(f.abs());
     }
     // What is all noise may be nothing at one node.
-    let tail = f[at..n].iter().fold(0.5 * noise.abs(), |most, f| most.max(f.abs()));
+    let tail = (at + 1..n).map(|j| (f[j] - known(j)).abs()).fold(0.5 * noise.abs(), f64::max);
     let rest = tail + 0.2 * f64::EPSILON * largest;
     let exponent = if grid.edge == Edge::Smooth { 0.5 } else { 2.0 / 3.0 };
     let least = largest * (rest / largest).powf(exponent);
