@@ -60,7 +60,7 @@ const FINEST_KERNELS: f64 = 1e-14;
 /// Steps in a row that have to stop shrinking.
 const STALLED: usize = 3;
 /// Errors that shrink below this share of what no step mends are not worth another one.
-const BESIDE_REST: f64 = 0.25;
+const BESIDE_REST: f64 = 0.5;
 
 /// The resolutions solved so far, coarsest first.
 #[derive(Default)]

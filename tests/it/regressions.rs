@@ -1265,8 +1265,8 @@ fn more_digits_than_there_are_get_the_digits_that_there_are() {
          punch = { type = \"power\", coefficient = 0.1, exponent = 3.0 }\nfriction = { type = \"goodman\", coefficient = 0.4297 }\n\
          load = { force = 0.2148 }\nsolver = { tolerance = 1e-11 }",
     );
-    // It had taken more than four times as much without another digit.
-    assert!(grown.plan.work < 8_000_000_000, "{:e}", grown.plan.work as f64);
+    // It had taken more than twice as much without another digit.
+    assert!(grown.plan.work < 15_000_000_000, "{:e}", grown.plan.work as f64);
     assert!(!grown.profile.pressure.is_empty());
 }
 
@@ -1313,5 +1313,40 @@ fn what_is_missed_between_flat_punches_is_in_the_errors() {
         }
         let [apart, claimed] = shear_apart(&found, &exact);
         assert!(apart <= claimed, "{apart:e} off, {claimed:e} claimed at {tolerance:e}");
+    }
+}
+
+/// The slope beyond a kink at the very edge of the contact was taken for that before it: twice the force, and 1e-9 claimed.
+#[test]
+fn a_kink_at_the_edge_of_the_contact_is_not_felt() {
+    let layer = "thickness = 5.0, grading = { type = \"exponential\", surface = 1.0, base = 8.0 }";
+    for punch in ["0.05*x^2 + 0.1*max(0, abs(x) - 0.7)", "0.05*x^2 + 0.05*max(0, x^2 - 0.49)", "0.05*x^2"] {
+        let text = format!(
+            "format = 1\nlayer = {{ poisson = 0.3, {layer} }}\npunch = {{ type = \"formula\", height = \"{punch}\" }}\n\
+             load = {{ half_width = 0.7 }}"
+        );
+        let found = solve(&slipzone::scene::parse("kink", &text).unwrap());
+        let smooth = text.replace(punch, "0.05*x^2");
+        let exact = solve(&slipzone::scene::parse("smooth", &smooth).unwrap());
+        within_three_estimates(&found, &exact, &["load.force", "load.indentation", "pressure.centre"]);
+    }
+}
+
+/// Under a corner the pressure is infinite, and resolutions were compared just there, at 0.3, 0.6 and 0.9 of the contact: no tolerance
+/// was ever met.
+#[test]
+fn a_corner_where_pressures_are_compared_is_passed_over() {
+    for (corner, half_width) in [(0.3, 1.0), (0.6, 1.0), (0.9, 1.0), (0.3, 0.5), (1.8, 2.0)] {
+        let text = format!(
+            "format = 1\nlayer = {{ poisson = 0.3, base = {{ type = \"infinite\" }}, grading = {{ type = \"homogeneous\", modulus = 1.0 }} }}\n\
+             punch = {{ type = \"formula\", height = \"0.05*x^2 + 0.01*max(0, abs(x) - {corner})\" }}\n\
+             load = {{ half_width = {half_width:?} }}"
+        );
+        let found = solve(&slipzone::scene::parse("corner", &text).unwrap());
+        assert_eq!(found.status, Status::Converged, "{corner}: {:?}", found.reason);
+        // `(2/A0) int_c^b slope dx/sqrt(b^2 - x^2)`, and that of the parabola.
+        let exact = (0.1 * half_width + 0.02 / std::f64::consts::PI * f64::acosh(half_width / corner)) / 0.7;
+        let error = (found.pressure.centre.unwrap() / exact - 1.0).abs();
+        assert!(error < 1e-8, "{corner}: {error:e}");
     }
 }
