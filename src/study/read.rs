@@ -141,6 +141,22 @@ fn base_file(document: &Document, files: &dyn Files) -> Result<(Option<(String, 
 
 fn read_axis(document: &Document, path: &[&str; 2], axis: AxisTable) -> Result<Axis, SceneError> {
     let AxisTable { field, label, values, names, linear, log, zip, random } = axis;
+    let of_one_field = [
+        ("label", label.is_some()),
+        ("values", values.is_some()),
+        ("names", names.is_some()),
+        ("linear", linear.is_some()),
+        ("log", log.is_some()),
+    ];
+    if let (None, true, Some((key, _))) =
+        (&field, zip.is_some() || random.is_some(), of_one_field.into_iter().find(|(_, is_given)| *is_given))
+    {
+        let at = [path[0], path[1], key];
+        return Err(document
+            .error(document.key(&at), format!("`{key}` belongs to a `field`, and this axis has none"))
+            .found(document.found(&at))
+            .expected(format!("`{key}` with each of the fields of `zip` or `random`")));
+    }
     match (field, zip, random) {
         (Some(field), None, None) => {
             let column = ColumnTable { field, label, values, names, linear, log };
