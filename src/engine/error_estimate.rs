@@ -214,7 +214,7 @@ impl Differences {
 
 /// The largest difference of two traces. Where one of their points is a corner of the punch, both are infinite there.
 pub(crate) fn apart(one: &[f64], other: &[f64], scale: f64) -> f64 {
-    let differing = one.iter().zip(other).filter(|(one, other)| one != other);
+    let differing = one.iter().zip(other).filter(|(one, other)| one.to_bits() != other.to_bits());
     differing.fold(0.0, |most, (one, other)| relative(one - other, scale).max(most))
 }
 

@@ -90,7 +90,9 @@ impl Grid {
         let last = self.nodes.len() - 1;
         let (end, fine_step) = (self.nodes[last], self.step / factor as f64);
         let of_last = simplest(&end, self.edge, self.odd);
-        (last * factor + 1..)
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few times the number of nodes
+        let vanished = (LAST_SLOPE / fine_step) as usize;
+        (last * factor + 1..=vanished)
             .map(|k| Place::new(k as f64 * fine_step))
             .map(|place| (place, simplest(&place, self.edge, self.odd) / of_last))
             .take_while(|(place, share)| place.slope * share > NOTHING * end.slope)

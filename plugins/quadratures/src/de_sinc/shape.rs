@@ -130,7 +130,7 @@ fn leading([(s, f), (t, g), (u, h)]: [([f64; 2], f64); 3]) -> [f64; 2] {
 fn bound(f: &mut Vec<f64>, grid: &Grid) -> f64 {
     // The very last node feels the missing ones.
     let n = f.len() - 1;
-    let at = n - 1 - n / 16;
+    let at = n - 1 - n / 32;
     let next = if grid.edge == Edge::Smooth { 2.0 } else { 1.5 };
     let terms = |j: usize| [grid.nodes[j].gap, grid.nodes[j].gap.powf(next)];
     let is_rounding = grid.nodes[at - 2].gap < f64::EPSILON;

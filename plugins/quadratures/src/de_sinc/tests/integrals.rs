@@ -73,6 +73,44 @@ fn jump_and_logarithm_are_integrated_exactly() {
     }
 }
 
+/// A grid that ends soon misses what the density differs by from what it is at the end: of the order of the last gap, where the root of that weighs
+/// beyond it.
+#[test]
+fn a_density_goes_on_beyond_the_last_node() {
+    let (c, n, u_max) = (2.5, 32, 2.2);
+    let jump = |length| Made { parts: |_| Parts { sign: 1.0, ..Parts::default() }, length };
+    let logarithm = |length| Made { parts: |_| Parts { log: 1.0, ..Parts::default() }, length };
+    let (long_jump, short_jump, long_log, short_log) = (jump(10.0), jump(0.8), logarithm(10.0), logarithm(0.8));
+    let kernels: [(&dyn KernelTable, bool); 4] =
+        [(&long_jump, true), (&short_jump, true), (&long_log, false), (&short_log, false)];
+    for (parity, k) in [(Parity::Even, 2.0), (Parity::Odd, 3.0)] {
+        let grid = resolution::grid(Resolution { n, u_max }, parity == Parity::Odd, Edge::Sharp);
+        let unknowns: Vec<f64> = grid.nodes[grid.first..].iter().map(|u| (k * u.x.acos()).cos()).collect();
+        let least = grid.nodes[n].gap;
+        assert!(least < 1e-5, "the root of the gap is far larger");
+        let quadrature = DeSinc { n: Some(Count(n)), u_max: Some(Reach(u_max)), ..DeSinc::default() };
+        let mut rule = quadrature.rule(&Span::symmetric(c, parity, Edge::Sharp)).expect("a symmetric span");
+        let cauchy = apply(&operator(rule.as_mut(), None), &unknowns);
+        let inside: Vec<(usize, f64)> =
+            rule.collocation().iter().map(|at| at.x / c).take_while(|x| *x < 0.9).enumerate().collect();
+        for (i, x) in inside.iter().copied() {
+            let exact = -(k * x.acos()).sin() / x.acos().sin();
+            let got = cauchy[i] / rule.row_scale().expect("rows are scaled")[i];
+            assert_close(got, exact, 30.0 * least, &format!("{parity:?} Cauchy at {x}"));
+        }
+        for (kernel, jumps) in kernels {
+            let rows = operator(rule.as_mut(), Some((kernel, Component::NormalSlope)));
+            let got = apply(&rows, &unknowns);
+            for (i, x) in inside.iter().copied() {
+                let angle = x.acos();
+                let exact = if jumps { -2.0 * c * (k * angle).sin() / k } else { -PI * c * (k * angle).cos() / k };
+                let got = PI * (got[i] - cauchy[i]) / rule.row_scale().expect("rows are scaled")[i];
+                assert_close(got, exact, 30.0 * c * least, &format!("{parity:?} jump: {jumps} at {x}"));
+            }
+        }
+    }
+}
+
 #[test]
 fn a_rule_stretched_is_a_fresh_rule() {
     let kernel = graded(0.2);
