@@ -15,7 +15,7 @@ const WIDE: usize = 2;
 const AT_ONCE: usize = 1 << 12;
 
 /// `(step/factor) slope_j [sinc(k/factor - j) +- sinc(k/factor + j)]` for the fine nodes `k` that are no nodes: `factor - 1` from each
-/// node to the next.
+/// node to the next. The last unknown stands for the places beyond it as well.
 pub(super) struct Between {
     /// A row of unknowns for each, filled up with zeros.
     table: Vec<f64>,

@@ -230,7 +230,7 @@ fn series_factors(j: usize, u: &Place, edge: Edge, odd: bool) -> [f64; 2] {
 
 /// Weight of all that lies beyond the last of some nodes, where `F` is what it is there: what a trapezoidal sum
 /// leaves of `int_0^1 dx/sqrt(1 - x^2)`.
-pub(super) fn tail(nodes: &[Place], step: f64) -> f64 {
+fn tail(nodes: &[Place], step: f64) -> f64 {
     let sum: f64 = nodes.iter().rev().map(|u| u.slope).sum();
     FRAC_PI_2 - step * (sum - 0.5 * nodes[0].slope)
 }
