@@ -149,16 +149,18 @@ impl Grid {
     /// `C/sqrt(1 - t^2)` for odd ones; the rows of the Cauchy matrix are its samples at the staggered points.
     fn edge_functional(&self) -> Vec<f64> {
         let mut row: Vec<f64> = self.resultant.iter().map(|r| r / PI).collect();
-        // Beyond the last point C is what it is there. Those weights are summed, not taken as the rest of pi/2:
-        // the rest's rounding would be multiplied by 1/scale.
+        // Beyond the last point C goes on with its slope over the root of the gap.
         let points = self.staggered.len();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few times the number of points
         let vanished = (LAST_SLOPE / self.step) as usize;
-        let next = |i: usize| Place::new((i as f64 + 0.5) * self.step).slope;
-        let beyond = self.step * (points..vanished).map(next).sum::<f64>();
-        let last = points - 1;
-        for (i, (v, cauchy)) in self.staggered.iter().zip(self.cauchy.chunks(row.len())).enumerate() {
-            let share = self.step + if i == last { beyond / self.scale[last] } else { 0.0 };
+        let [before, last] = [points - 2, points - 1].map(|i| self.staggered[i].sech);
+        let mut share = vec![self.step; points];
+        for place in (points..vanished).map(|i| Place::new((i as f64 + 0.5) * self.step)) {
+            let rise = (last - place.sech) / (before - last);
+            share[points - 2] -= self.step * place.slope * rise / self.scale[points - 2];
+            share[points - 1] += self.step * place.slope * (1.0 + rise) / self.scale[points - 1];
+        }
+        for ((share, v), cauchy) in share.into_iter().zip(&self.staggered).zip(self.cauchy.chunks(row.len())) {
             let weight = -2.0 / PI * share * if self.odd { 1.0 } else { v.x };
             for (entry, c) in row.iter_mut().zip(cauchy) {
                 *entry += weight * c;

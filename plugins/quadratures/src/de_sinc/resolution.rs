@@ -45,8 +45,8 @@ const MOST_DIGITS: f64 = 36.0;
 /// 6e-7, 5e-9 and 3e-11 at the best ends, farther out.
 pub(super) fn reach(n: usize, edge: Edge) -> f64 {
     match edge {
-        Edge::Sharp => (1.95 + 0.7 * (n as f64 / 6.0).ln()).clamp(1.7, 3.4),
-        Edge::Smooth => (1.9 + 0.6 * (n as f64 / 6.0).ln()).clamp(1.7, 3.4),
+        Edge::Sharp => (1.7 + 0.7 * (n as f64 / 6.0).ln()).clamp(1.5, 3.4),
+        Edge::Smooth => (1.9 + 0.6 * (n as f64 / 6.0).ln()).clamp(1.5, 3.4),
         Edge::Continued => (2.35 + 0.66 * (n as f64 / 8.0).ln()).clamp(2.2, 4.2),
     }
 }
