@@ -30,25 +30,20 @@ impl Between {
         let beyond = grid.beyond(1);
         between.table.resize(cells * (factor - 1) * width, 0.0);
         for (row, k) in between.table.chunks_exact_mut(width).zip(no_nodes(factor)) {
-            let t = k as f64 / factor as f64;
-            // sin(pi (t -+ j)) = (-1)^j sin(pi t), and whole turns are dropped first.
-            let sine = (PI * (k % (2 * factor)) as f64 / factor as f64).sin() * grid.step / (PI * factor as f64);
-            let entry_of = |j: usize, slope: f64| {
-                let at = j as f64;
-                let sincs = match (j, grid.odd) {
-                    (0, _) => 1.0 / t,
-                    (_, false) => 2.0 * t / ((t - at) * (t + at)),
-                    (_, true) => 2.0 * at / ((t - at) * (t + at)),
-                };
-                alternating(j) * sine * slope * sincs
-            };
+            let at = Seen::new(grid, (k, factor));
             for (entry, (j, u)) in row.iter_mut().zip(grid.nodes.iter().enumerate().skip(grid.first)) {
-                *entry = entry_of(j, u.slope);
+                *entry = at.entry(j, u);
             }
-            let each = |(m, (u, share)): (usize, &(Place, f64))| entry_of(cells + 1 + m, share * u.slope);
+            let each = |(m, (u, share)): (usize, &(Place, f64))| share * at.entry(cells + 1 + m, u);
             row[between.unknowns - 1] += beyond.iter().enumerate().map(each).sum::<f64>();
         }
         between
+    }
+
+    /// What a node, or a place beyond the last one, adds to the sum over all these nodes per unit of `F` there.
+    pub(super) fn sum_of(&self, grid: &Grid, (j, u): (usize, &Place)) -> f64 {
+        let count = self.table.len() / self.width();
+        no_nodes(self.factor).take(count).map(|k| Seen::new(grid, (k, self.factor)).entry(j, u)).sum()
     }
 
     /// Numbers held.
@@ -75,6 +70,33 @@ impl Between {
         if self.factor > 1 {
             Arch::new().dispatch(Add { between: self, folded, scale, rows, reach });
         }
+    }
+}
+
+/// A fine node that is no node, in steps of the nodes, and `step/(pi factor) sin(pi t)` there.
+struct Seen {
+    t: f64,
+    sine: f64,
+    odd: bool,
+}
+
+impl Seen {
+    fn new(grid: &Grid, (k, factor): (usize, usize)) -> Self {
+        // Whole turns are dropped first.
+        let turn = PI * (k % (2 * factor)) as f64 / factor as f64;
+        Self { t: k as f64 / factor as f64, sine: turn.sin() * grid.step / (PI * factor as f64), odd: grid.odd }
+    }
+
+    /// What the `j`-th node adds there, see [`Between`]: `sin(pi (t -+ j)) = (-1)^j sin(pi t)`.
+    #[inline(always)]
+    fn entry(&self, j: usize, u: &Place) -> f64 {
+        let (t, at) = (self.t, j as f64);
+        let sincs = match (j, self.odd) {
+            (0, _) => 1.0 / t,
+            (_, false) => 2.0 * t / ((t - at) * (t + at)),
+            (_, true) => 2.0 * at / ((t - at) * (t + at)),
+        };
+        alternating(j) * self.sine * u.slope * sincs
     }
 }
 

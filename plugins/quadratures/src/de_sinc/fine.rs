@@ -5,6 +5,7 @@ use super::between::Between;
 use super::grid::Grid;
 use super::map::Place;
 use pulp::{Arch, Simd, WithSimd};
+use slipzone_api::Edge;
 use slipzone_api::elementary::{EULER_GAMMA, LANES, ln};
 use spec_math::cephes64::sici;
 use std::f64::consts::{FRAC_2_PI, PI};
@@ -44,6 +45,9 @@ pub(super) struct Fine {
     pub(super) weight: Vec<f64>,
     /// The same for the fine nodes between.
     between: Between,
+    /// What of the last two `F` of a density that is finite at the end to take for the last one: its weights stand for the places beyond,
+    /// where such a density goes on otherwise than an unknown one. Of densities that may be singular, or vanish, it is not known.
+    finite_end: [f64; 2],
 }
 
 /// A term this small beside the largest of its kind is left out: it stands for `1e-13` of a rounding even
@@ -103,10 +107,14 @@ impl Fine {
             reach: Vec::with_capacity(n + 1),
             weight: grid.nodes.iter().map(|u| fine_step * u.slope).collect(),
             between: Between::new(grid, factor),
+            finite_end: [0.0, 1.0],
         };
         // The middle node is its own mirror image, and both are summed.
         fine.weight[0] *= 0.5;
         let beyond = Beyond { weight: fine.weight[n], places: places_beyond, fine_step };
+        if grid.edge == Edge::Continued {
+            fine.finite_end = beyond.finite_end(grid, &fine.between);
+        }
         fine.weight[n] += beyond.weights().sum::<f64>();
         let reach = |slope: f64| {
             let matter = places[..count].iter().take_while(|p| slope * p.slope > NEGLIGIBLE).count();
@@ -161,6 +169,12 @@ impl Fine {
         let (signs, of_centre) = &mut self.centre;
         signs[last] = beyond.mean(signs[last], &at_centre.0[last..]);
         of_centre[last] = beyond.mean(of_centre[last], &logs(&|u| u.x, &at_centre.1[last..]));
+    }
+
+    /// Makes the last `F` of a density that is finite at the end one that its weights fit.
+    pub(super) fn end_finite(&self, density: &mut [f64]) {
+        let [.., before, last] = density else { return };
+        *last = self.finite_end[0] * *before + self.finite_end[1] * *last;
     }
 
     /// Number of rows before that of the end.
@@ -244,6 +258,22 @@ impl Beyond {
     /// What the places weigh.
     fn weights(&self) -> impl Iterator<Item = f64> {
         self.places.iter().map(|(place, share)| self.fine_step * place.slope * share)
+    }
+
+    /// [`Fine::finite_end`].
+    fn finite_end(&self, grid: &Grid, between: &Between) -> [f64; 2] {
+        let n = grid.nodes.len() - 1;
+        let own = self.weight + between.sum_of(grid, (n, &grid.nodes[n]));
+        let (mut factors, mut all) = ([0.0, own], own);
+        let mut add = |weight: f64, (u, share): &(Place, f64)| {
+            factors.iter_mut().zip(grid.finite_beyond(u)).for_each(|(sum, factor)| *sum += weight * factor);
+            all += weight * share;
+        };
+        self.places.iter().for_each(|place| add(self.fine_step * place.0.slope, place));
+        for (m, place) in grid.beyond(1).iter().enumerate() {
+            add(between.sum_of(grid, (n + 1 + m, &place.0)), place);
+        }
+        factors.map(|factor| factor / all)
     }
 
     /// The mean, by weight, of what is given at the node and at the places.

@@ -111,6 +111,14 @@ impl Grid {
         }
     }
 
+    /// Factors of the last two `F` that make `F` at a place beyond, of a density that is finite at the end: it goes on with its slope over the
+    /// root of the gap.
+    pub(super) fn finite_beyond(&self, place: &Place) -> [f64; 2] {
+        let [.., before, last] = &self.nodes[..] else { unreachable!("two nodes at least") };
+        let rise = (last.sech - place.sech) / (before.sech - last.sech);
+        [-rise * place.sech / before.sech, (1.0 + rise) * place.sech / last.sech]
+    }
+
     /// Adds to each row a multiple of `F_i + F_i+1` that makes it exact for the simplest density of its kind.
     ///
     /// Seen from a point near an end, `1/(x_i - x(u))` has poles at `w_i + i pi m` besides the one at `w_i`, and

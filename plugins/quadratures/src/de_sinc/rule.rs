@@ -156,12 +156,13 @@ impl Rule for DeSincRule {
 
     fn applied_into(
         &mut self,
-        _: (&dyn KernelTable, Component),
+        kernel: (&dyn KernelTable, Component),
         rows: &[f64],
         densities: &Densities,
         out: &mut [[f64; 2]],
     ) {
         let (n, length) = (self.unknowns(), rows.len() / self.stations.len());
+        let fine = self.fine(kernel.0.length());
         let inner = &self.grid.nodes[self.grid.first..][..n];
         lend(&SCRATCH, |Scratch { spread, nodes, given, .. }| {
             nodes.clear();
@@ -171,6 +172,7 @@ impl Rule for DeSincRule {
             spread.clear();
             for part in 0..2 {
                 spread.extend(inner.iter().zip(&*given).map(|(u, given)| u.sech * given[part]));
+                fine.end_finite(&mut spread[part * n..]);
             }
             let (one, other) = spread.split_at(n);
             // What the operator is beside its Cauchy part.
