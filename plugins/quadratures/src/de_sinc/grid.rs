@@ -141,13 +141,15 @@ impl Grid {
         }
     }
 
-    /// What is not `gap` in the last two `F`: 0 for a density that vanishes.
+    /// What is neither `gap` nor its power 3/2 in the last three `F`: 0 for a density that vanishes.
     fn edge_locally(&self) -> Vec<f64> {
         let mut row = vec![0.0; self.unknowns()];
-        let [.., before, last] = &self.nodes[..] else { unreachable!("two nodes at least") };
-        let n = row.len();
-        row[n - 1] = 1.0;
-        row[n - 2] = -last.gap / before.gap;
+        let (Some(factors), [.., u, v, w]) = (row.last_chunk_mut(), &self.nodes[..]) else {
+            unreachable!("three nodes at least")
+        };
+        let (s, t) = (w.gap / u.gap, w.gap / v.gap);
+        *factors =
+            [-s * (1.0 - t.sqrt()) / (1.0 - (t / s).sqrt()), -t * (1.0 - s.sqrt()) / (1.0 - (s / t).sqrt()), 1.0];
         row
     }
 
