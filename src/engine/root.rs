@@ -12,7 +12,7 @@ const WIDEST: f64 = 1.0;
 
 /// A slope known to within this may move a root without being measured again: what the step misses is this part of
 /// it, and resolutions that converge differ by less from step to step.
-const CERTAIN: f64 = 0.01;
+pub(super) const CERTAIN: f64 = 0.01;
 /// Such a step is no wider than this: the curve's bend over it adds less than that.
 const SHORT: f64 = 1e-3;
 

@@ -19,7 +19,7 @@ use unit::Unit;
 ///
 /// Measured on layers from 1 to 20 half-widths thick, a/b from 0.1 to 0.9999: with two nodes fewer beside the third the stick
 /// zone of a coarse rule loses a digit, with one more it gains none.
-const NODES_BESIDE: usize = 5;
+const NODES_BESIDE: usize = 3;
 /// Fewest and most of those.
 const FEWEST_NODES: usize = 6;
 const MOST_BY_UNKNOWNS: usize = 24;
@@ -55,7 +55,7 @@ pub(crate) struct SlipGrid {
 /// Nodes on either side of the middle beside a stick zone whose rule has that many unknowns, for a slip zone of that width over
 /// the kernel's length.
 fn nodes_for(unknowns: usize, width: f64) -> usize {
-    let plain = (NODES_BESIDE + unknowns / 3).clamp(FEWEST_NODES, MOST_BY_UNKNOWNS);
+    let plain = (NODES_BESIDE + unknowns / 2).clamp(FEWEST_NODES, MOST_BY_UNKNOWNS);
     let per_length = (NODES_PER_LENGTH * unknowns as f64).min(MOST_PER_LENGTH);
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
     let for_kernel = (per_length * width) as usize;

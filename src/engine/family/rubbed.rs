@@ -4,6 +4,7 @@
 use super::told::Told;
 use crate::engine::blend::{Blend, LANES, Lanes, add_rows};
 use crate::engine::chebyshev::largest;
+use crate::engine::root::CERTAIN;
 use crate::engine::sheet::{Places, Sheet};
 use crate::engine::stage::Stage;
 use crate::engine::stick_search::Root;
@@ -23,6 +24,8 @@ pub(super) struct Rubbed {
     /// How much of each function of the half-width there is in it, and in the slope of the friction coefficient over it.
     of_lambda: Vec<f64>,
     of_slope: Vec<f64>,
+    /// How much of the slopes is left to the function that varies fastest, relative: one member's that is none of the others' shows.
+    slope_left: f64,
     /// `+1` where the slip is inward, `-1` where it is outward.
     pub(super) branch: f64,
     /// Where everything sticks: how much of each function of the half-width there is in the friction coefficient from which on it
@@ -45,7 +48,7 @@ impl Rubbed {
     /// The same, and how the friction coefficient rises there.
     pub(super) fn root_at(&self, half_width: f64, doubt: f64) -> Root {
         let slope = self.blend.sum(half_width, &self.of_slope);
-        Root { lambda: self.lambda_at(half_width), branch: self.branch, slope, doubt }
+        Root { lambda: self.lambda_at(half_width), branch: self.branch, slope, doubt: doubt.max(self.slope_left) }
     }
 
     /// By how much a member of that half-width, of a finer resolution, differs from what is told of it, as far as that is the series: by
@@ -176,6 +179,7 @@ impl Found {
             Arc::new(Moves { blend: Arc::clone(&blend), coefficients, doubt: self.doubt })
         });
         let of_lambda = blend.coefficients(&self.lambda, 1);
+        let of_slope = blend.coefficients(&self.slope, 1);
         let lack = blend.coefficients(&lack, width);
         let of_least = (!self.least.is_empty()).then(|| blend.coefficients(&self.least, 1));
         // A zone is a logarithm.
@@ -188,7 +192,8 @@ impl Found {
         Rubbed {
             told,
             of_lambda,
-            of_slope: blend.coefficients(&self.slope, 1),
+            slope_left: blend.last(&of_slope, 1) / largest(&of_slope),
+            of_slope,
             lambda: self.lambda,
             branch: self.branch,
             slower: (of_lack / of_zone).max(1.0),
@@ -266,6 +271,8 @@ impl Found {
         mut one: impl FnMut(Root) -> Result<Option<(Root, Vec<f64>)>, E>,
     ) -> Result<Option<Member>, E> {
         const SYSTEMS: usize = 6;
+        /// A slope that many times another, or less, is no neighbour's: the curve jumps there, or is all rounding.
+        const ALIKE: f64 = 4.0;
         let within = self.known.as_ref().filter(|moves| half_width <= moves.blend.widest());
         let mut known = within.map(|moves| moves.at(half_width));
         let mut before: Option<(f64, f64, Vec<f64>)> = None;
@@ -275,15 +282,17 @@ impl Found {
             }
             let Some((root, mut lack)) = one(from)? else { return Ok(None) };
             let step = root.lambda - from.lambda;
-            // Differences of rounding have no slope; one of another sign is no neighbour's.
+            // Differences of rounding have no slope.
             let measured = before.take().and_then(|(there, first, lacked)| {
                 let (moved, share) = (from.lambda - there, 1.0 - step / first);
-                (moved.abs() > f64::EPSILON.sqrt() && share > 0.0).then_some((moved, share, first, lacked))
+                let is_alike = (1.0 / ALIKE..ALIKE).contains(&share);
+                (moved.abs() > f64::EPSILON.sqrt() && is_alike).then_some((moved, share, first, lacked))
             });
             let Some((moved, share, first, mut lacked)) = measured else {
                 // What known moves miss: the part by which they and the slope differ from those here, and the square.
                 let missed = if known.is_some() { step * (self.doubt + step.abs()) } else { f64::INFINITY };
-                if step.abs() < error || missed.abs() < 0.5 * error {
+                // A step along a slope of which nothing is known says nothing.
+                if from.doubt < CERTAIN && (step.abs() < error || missed.abs() < 0.5 * error) {
                     if let Some(known) = &mut known {
                         make_alike(&mut lack, known);
                         lack.iter_mut().zip(known).for_each(|(lack, moves)| *lack += step * *moves);

@@ -44,14 +44,10 @@ const MOST_DIGITS: f64 = 36.0;
 /// 1e-12 of the numbers at the best end, which lies where this says within 0.1. Where nothing is taken to go on the root of the gap is missed:
 /// 6e-7, 5e-9 and 3e-11 at the best ends, farther out.
 pub(super) fn reach(n: usize, edge: Edge) -> f64 {
-    let var = match edge { Edge::Sharp => "U_SHARP", Edge::Smooth => "U_SMOOTH", Edge::Continued => "U_CONT" };
-    if let Some(u) = std::env::var(var).ok().and_then(|u| u.parse().ok()) {
-        return u;
-    }
     match edge {
         Edge::Sharp => (1.7 + 0.7 * (n as f64 / 6.0).ln()).clamp(1.5, 3.4),
-        Edge::Smooth => (1.9 + 0.6 * (n as f64 / 6.0).ln()).clamp(1.5, 3.4),
-        Edge::Continued => (2.35 + 0.66 * (n as f64 / 8.0).ln()).clamp(2.2, 4.2),
+        Edge::Smooth => (1.9 + 0.6 * (n as f64 / 6.0).ln()).clamp(1.7, 3.4),
+        Edge::Continued => (1.95 + 0.52 * (n as f64 / 8.0).ln()).clamp(1.7, 3.4),
     }
 }
 

@@ -95,7 +95,7 @@ impl Rule for DeSincRule {
     /// The power is that at which stick zones are trusted from the same resolutions on at which they were right to 1e-12 of the contact with
     /// grids that went on until the root of the gap was nothing.
     fn finest_gap(&self) -> f64 {
-        self.grid.staggered.last().map_or(1.0, |last| last.gap * last.gap.sqrt())
+        self.grid.staggered.last().map_or(1.0, |last| last.gap * last.gap)
     }
 
     fn multiplications_beside(&self, thinness: f64) -> u64 {
