@@ -47,7 +47,7 @@ pub(super) fn reach(n: usize, edge: Edge) -> f64 {
     match edge {
         Edge::Sharp => (1.7 + 0.7 * (n as f64 / 6.0).ln()).clamp(1.5, 3.4),
         Edge::Smooth => (1.9 + 0.6 * (n as f64 / 6.0).ln()).clamp(1.7, 3.4),
-        Edge::Continued => (1.95 + 0.52 * (n as f64 / 8.0).ln()).clamp(1.7, 3.4),
+        Edge::Continued => (2.05 + 0.56 * (n as f64 / 8.0).ln()).clamp(1.7, 3.6),
     }
 }
 
