@@ -86,6 +86,13 @@ impl Series {
         (value, std::array::from_fn(|i| 2.0 * (b1[i] + x[i] * d1[i] - d2[i])))
     }
 
+    /// Leaves out the last coefficients that are less than a share of the largest.
+    pub(crate) fn cut(&mut self, share: f64) {
+        let least = share * largest(&self.0);
+        let count = self.0.iter().rposition(|c| c.abs() >= least).map_or(0, |last| last + 1);
+        self.0.truncate(count);
+    }
+
     /// Its number of coefficients.
     pub(crate) fn len(&self) -> usize {
         self.0.len()

@@ -293,15 +293,21 @@ impl Growing {
         let mut widest = guess.half_width;
         for _ in 0..WIDENED {
             let (Some(family), Some(stack)) = (&mut self.family, &mut self.stack) else { break };
-            if let Some(half_width) = stack.under(problem, family, problem.load) {
-                return Ok(Size::exactly(half_width));
-            }
-            if let Some(why) = problem.flaw(widest) {
+            let found = stack.under(problem, family, problem.load);
+            // Beyond a pole a force is found, too, but no contact.
+            let flaw = match found {
+                Some(half_width) => problem.flaw(half_width).filter(|_| !problem.is_finite_within(half_width)),
+                None => problem.flaw(widest),
+            };
+            if let Some(why) = flaw {
                 return Err(Refusal::OutOfReach {
                     method: "punch",
                     why,
                     remedy: "take a smaller load, or mend the shape",
                 });
+            }
+            if let Some(half_width) = found {
+                return Ok(Size::exactly(half_width));
             }
             let before = widest;
             widest = (widest * ROOM_BESIDE_GUESS.powi(2)).min(problem.reach());

@@ -29,6 +29,8 @@ const MOST_PIECES: usize = 96;
 const NEARER: f64 = 2.5;
 /// A place this near to a corner, relative, is on it: rounding of the units of length.
 const CORNER: f64 = 8.0 * f64::EPSILON;
+/// A place this near beyond a kink, relative, is told from the kink by so few digits that a slope which goes with that distance feels it.
+const CLOSE: f64 = 1e-3;
 
 /// What the engine solves.
 pub(crate) struct Problem {
@@ -359,6 +361,32 @@ impl Problem {
         self.shape.slope(x * self.length)
     }
 
+    /// `g'` at a place before a kink, even where rounding has it there.
+    pub(crate) fn slope_before(&self, kink: f64, x: f64) -> f64 {
+        self.slope(x.min(kink * (1.0 - CORNER)))
+    }
+
+    /// `g'` so far beyond an end of a piece, which may be a kink. Close to it numbers tell that distance by few digits: there it is what
+    /// two of them next to each other make of it.
+    pub(crate) fn slope_beyond(&self, lower: f64, distance: f64) -> f64 {
+        if distance >= CLOSE * lower {
+            return self.slope(lower + distance);
+        }
+        let is_here = |kink: &&f64| (*kink / self.length).to_bits() == lower.to_bits();
+        let kink = self.shape.kinks().iter().find(is_here).copied().unwrap_or(lower * self.length);
+        let distance = distance * self.length;
+        let first = (kink + distance).next_down().max(kink * (1.0 + CORNER));
+        let second = first.next_up();
+        let [slope, next] = [first, second].map(|x| self.shape.slope(x));
+        let more = (next - slope) * ((distance - (first - kink)) / (second - first));
+        if more.is_finite() { slope + more } else { slope }
+    }
+
+    /// Whether lengths in layer units are not those of the scene to the last digit.
+    pub(crate) fn rounds_lengths(&self) -> bool {
+        self.length.to_bits().trailing_zeros() < f64::MANTISSA_DIGITS - 1
+    }
+
     /// A length of the punch, in layer units.
     pub(crate) fn natural_length(&self) -> f64 {
         self.shape.natural_length() / self.length
@@ -370,11 +398,21 @@ impl Problem {
         Some((flaw.what, flaw.x / self.length))
     }
 
+    /// Whether the shape has a height and a slope where its first flaw within a half-width is.
+    pub(crate) fn is_finite_within(&self, half_width: f64) -> bool {
+        let flaw = self.shape.flaw(half_width * self.length);
+        flaw.is_none_or(|flaw| self.is_there(flaw.x))
+    }
+
+    /// Whether the shape has a height and a slope at a place, in the scene's unit.
+    fn is_there(&self, x: f64) -> bool {
+        self.shape.height(x).is_finite() && self.shape.slope(x).is_finite()
+    }
+
     /// What keeps a contact as wide as that from being one interval that grew with the load, in words.
     pub(crate) fn flaw(&self, half_width: f64) -> Option<String> {
         let flaw = self.shape.flaw(half_width * self.length)?;
-        let is_there = self.shape.height(flaw.x).is_finite() && self.shape.slope(flaw.x).is_finite();
-        let so = if is_there {
+        let so = if self.is_there(flaw.x) {
             "the contact may break up or tilt, and what is solved is one that is symmetric about x = 0"
         } else {
             "no contact is as wide as that"

@@ -155,28 +155,32 @@ impl Stack {
     /// The largest difference of an integral over the slope from that with more nodes, over the height.
     fn measured(&self, problem: &Problem, nodes: usize) -> f64 {
         let fine = ways::grid(nodes);
-        let height = |grid: &[Node], from: f64, to: f64| {
-            let length = to - from;
-            length * grid.iter().map(|x| x.weight * problem.slope(from + length * x.from_lower)).sum::<f64>()
+        // The rise over the rest of a piece, from so far beyond its beginning.
+        let height = |grid: &[Node], (from, to): (f64, f64), start: f64| {
+            let length = (to - from) - start;
+            let slope = |at: &Node| problem.slope_beyond(from, start + length * at.from_lower);
+            length * grid.iter().map(|at| at.weight * slope(at)).sum::<f64>()
         };
         let mut before = 0.0;
         let mut most = 0.0_f64;
         for ends in self.breaks.windows(2) {
             let (from, to) = (ends[0], ends[1]);
-            let rise = height(&fine, from, to);
+            let rise = height(&fine, (from, to), 0.0);
             let over = before + rise;
             before = over;
             if over == 0.0 {
                 continue;
             }
             let mut differs = |found: f64, told: f64| most = most.max(((found - told) / over).abs());
-            differs(height(&self.grid, from, to), rise);
+            differs(height(&self.grid, (from, to), 0.0), rise);
             for part in MEASURED_FROM {
                 let x = from + part * (to - from);
-                let told = height(&fine, x, to);
+                let start = x - from;
+                let told = height(&fine, (from, to), start);
                 for ways in [&self.ways, &self.crowded_ways] {
                     let mut sum = 0.0;
-                    nodes_beyond(ways, x, from, (x, to), |node| sum += node.weight * problem.slope(node.member));
+                    let slope = |at: &Beyond| problem.slope_beyond(from, start + at.from_lower);
+                    nodes_beyond(ways, x, from, (x, to), |at| sum += at.weight * slope(&at));
                     differs(sum, told);
                 }
             }
@@ -194,52 +198,64 @@ impl Stack {
         self.lost_at_kinks
     }
 
-    /// `2/A0 int_0^b f(x) h(x) dx`, with `f` of a family member and `h` of the shape.
+    /// `2 int_0^b f(x) h(x) dx`, with `f` of a family member, as wide as the last of some ends and by so much wider than the one before
+    /// it, and `h` of the shape.
     fn over_contact(
         &mut self,
-        b: f64,
+        (ends, last): (&[f64], f64),
         member: &mut dyn FnMut(&[Station], &mut [f64]),
-        of_shape: impl Fn(f64) -> f64,
+        of_shape: impl Fn(Place) -> f64,
     ) -> f64 {
-        let ends = self.pressure_ends(b);
         let Room { at, weights, values } = &mut self.room;
         at.clear();
         weights.clear();
-        let nodes = (ends.len() - 1) * self.grid.len();
-        at.reserve(nodes);
-        weights.reserve(nodes);
-        for ends in ends.windows(2) {
-            let length = ends[1] - ends[0];
-            if ends[1] >= b {
+        let parts = ends.len() - 1;
+        at.reserve(parts * self.grid.len());
+        weights.reserve(parts * self.grid.len());
+        let (b, before) = (ends[parts], ends[parts - 1]);
+        for (i, ends) in ends.windows(2).enumerate() {
+            let (lower, upper) = (ends[0], ends[1]);
+            if i + 1 == parts {
                 for node in self.grid.iter() {
-                    at.push(Station { x: ends[0] + length * node.from_lower, gap: length * node.to_upper });
-                    weights.push(length * node.weight);
+                    let from_lower = last * node.from_lower;
+                    let x = lower + from_lower;
+                    at.push(Station { x, gap: last * node.to_upper });
+                    weights.push(last * node.weight * of_shape(Place { x, lower, from_lower, kink: None }));
                 }
                 continue;
             }
             // Up to a kink, which may be close to the edge, by the angle from there: in `x = b cos(angle)` the edge is no
             // singularity.
-            let [far, near] = [ends[0], ends[1]].map(|x| 2.0 * ((b - x) / (2.0 * b)).sqrt().asin());
+            let gaps = [lower, upper].map(|end| (before - end) + last);
+            let [far, near] = gaps.map(|gap| 2.0 * (gap / (2.0 * b)).sqrt().asin());
             let length = far - near;
             for node in self.grid.iter() {
                 let angle = near + length * node.from_lower;
-                let x = ends[0] + 2.0 * b * (0.5 * (angle + far)).sin() * (0.5 * length * node.to_upper).sin();
-                let gap = 2.0 * b * (0.5 * angle).sin().powi(2);
+                let from_lower = 2.0 * b * (0.5 * (angle + far)).sin() * (0.5 * length * node.to_upper).sin();
+                let (x, gap) = (lower + from_lower, 2.0 * b * (0.5 * angle).sin().powi(2));
                 at.push(Station { x, gap });
-                weights.push(length * node.weight * b * angle.sin());
+                let shape = of_shape(Place { x, lower, from_lower, kink: Some(upper) });
+                weights.push(length * node.weight * b * angle.sin() * shape);
             }
         }
         values.resize(at.len(), 0.0);
         member(at, values);
-        let terms = at.iter().zip(weights.iter()).zip(values.iter());
-        2.0 * terms.map(|((at, weight), value)| weight * value * of_shape(at.x)).sum::<f64>()
+        2.0 * weights.iter().zip(values.iter()).map(|(weight, value)| weight * value).sum::<f64>()
     }
 
-    /// The force at a half-width, by reciprocity with the tilted flat punch.
-    fn force_by_tilt(&mut self, problem: &Problem, family: &mut Family, b: f64) -> f64 {
-        if self.breaks[0] > 0.0 || self.breaks[1] < b {
+    /// The force at a half-width so far beyond `from`, an end of a piece, by reciprocity with the tilted flat punch. Just beyond a kink
+    /// it goes with a root of that distance, which a half-width alone does not tell.
+    fn force_by_tilt(&mut self, problem: &Problem, family: &mut Family, (from, beyond): (f64, f64)) -> f64 {
+        let b = from + beyond;
+        if from > 0.0 {
             let tilt = &mut |at: &[Station], out: &mut [f64]| family.tilt_into(b, at, out);
-            return self.over_contact(b, tilt, |x| problem.slope(x)) / problem.elastic.a0();
+            let mut ends = self.pressure_ends(from);
+            ends.push(b);
+            let slope = |place: Place| match place.kink {
+                Some(kink) => problem.slope_before(kink, place.x),
+                None => problem.slope_beyond(place.lower, place.from_lower),
+            };
+            return self.over_contact((&ends, beyond), tilt, slope) / problem.elastic.a0();
         }
         self.force_and_mean_slope(problem, family, b).0
     }
@@ -290,7 +306,10 @@ impl Stack {
             let slices = parts.iter().flatten();
             return slices.map(|slice| slice.force * a0 * family.depth(slice.half_width)).sum();
         }
-        let lifted = self.over_contact(b, &mut |at, out| family.pressure_into(b, at, out), |x| problem.height(x));
+        let ends = self.pressure_ends(b);
+        let last = b - ends[ends.len() - 2];
+        let pressure = &mut |at: &[Station], out: &mut [f64]| family.pressure_into(b, at, out);
+        let lifted = self.over_contact((&ends, last), pressure, |place| problem.height(place.x));
         self.force(problem, b) * a0 * family.depth(b) + lifted
     }
 
@@ -391,7 +410,7 @@ impl Stack {
             add(start, start, start, start / power);
         }
         // In proportion.
-        ways.along((upper / start).ln(), LONGEST_PIECE, |passed, weight| {
+        ways.along(((upper - start) / start).ln_1p(), LONGEST_PIECE, |passed, weight| {
             let from_start = start * passed.exp_m1();
             let member = start + from_start;
             add(member, member, start - lower + from_start, weight * member);
@@ -480,6 +499,16 @@ fn first_rise((from, to): (f64, f64), mut excess: impl FnMut(f64) -> f64) -> f64
         at += step;
     }
     to
+}
+
+/// A place of a contact.
+struct Place {
+    x: f64,
+    /// The end of a piece of the shape before it, and how far beyond that it is.
+    lower: f64,
+    from_lower: f64,
+    /// The end of a piece beyond it; `None` where the contact ends there.
+    kink: Option<f64>,
 }
 
 /// A node of an integral over the half-width.

@@ -18,6 +18,9 @@ const AT_KINK: f64 = 4.0;
 const POWER: i32 = 2;
 /// Before the end of a piece, over the half-width there: a few roundings, which is how well a kink there is known.
 const JUST_INSIDE: f64 = 1e-15;
+/// Over a piece shorter than this, beside where it ends, the force hardly grows: what its series does below rounding would be no small part of
+/// that.
+const SHORT: f64 = 1e-3;
 /// A height below this, beside the others of a shape, is none.
 const FAINTEST: f64 = 1e-290;
 
@@ -72,7 +75,9 @@ impl Stack {
             let is_vain = missed.is_nan() || from == 0.0 && count >= STALLING && missed > 0.5 * before;
             if is_enough || is_vain || 2 * count > MOST_COEFFICIENTS {
                 let at_kink = if is_enough { 0.0 } else { AT_KINK * felt * missed };
-                return Made { piece: Piece { from, to, force }, missed, at_kink };
+                let piece = Piece { from, to, force };
+                let missed = missed.max(piece.felt_of_width(problem));
+                return Made { piece, missed, at_kink };
             }
             (before, count) = (missed, 2 * count);
         }
@@ -122,8 +127,11 @@ impl Stack {
     /// [`Force::Plain`], and what the series leaves out, or what is taken off it.
     fn fit_plain(&mut self, problem: &Problem, family: &mut Family, ends: (f64, f64), points: &Points) -> (Force, f64) {
         let values: Vec<f64> = self.forces(problem, family, ends, points).collect();
-        let series = points.through(&values);
+        let mut series = points.through(&values);
         let tail = series.tail();
+        if ends.1 - ends.0 < SHORT * ends.1 {
+            series.cut(f64::EPSILON);
+        }
         let feigned = if problem.is_corner(ends.0) { 0.0 } else { series.value_and_slope(0.0).1 };
         // With a rate that is all but that of a corner what is taken off was there.
         let taken = (feigned / values.len().pow(2) as f64 / values[0]).abs();
@@ -138,7 +146,7 @@ impl Stack {
         (from, to): (f64, f64),
         points: &'a Points,
     ) -> impl Iterator<Item = f64> + 'a {
-        points.at.iter().map(move |s| self.force_by_tilt(problem, family, from + (to - from) * s * s))
+        points.at.iter().map(move |s| self.force_by_tilt(problem, family, (from, (to - from) * s * s)))
     }
 }
 
@@ -163,6 +171,15 @@ impl Piece {
                 slice.force *= self.told(problem, (slice.half_width, s[i]), (values[i], rises[i]), kappas[i]).1;
             }
         }
+    }
+
+    /// What rounding of the ends makes of the force: between two close to each other it grows all the same.
+    fn felt_of_width(&self, problem: &Problem) -> f64 {
+        if self.from == 0.0 || !problem.rounds_lengths() {
+            return 0.0;
+        }
+        let [first, last] = [self.from, self.to].map(|b| self.force(problem, b));
+        f64::EPSILON * self.to / (self.to - self.from) * ((last - first) / last).abs()
     }
 
     /// What the series go with.
