@@ -99,6 +99,13 @@ impl Layer {
         Ok(Self::new(&Problem::new(&chosen.scene)?, &chosen.methods)?.describing(&chosen.scene))
     }
 
+    /// Whether its kernels can be told, as far as that is known without tabulating any; `deep` is whether the depth's are wanted.
+    pub(super) fn serves(&self, deep: bool) -> Result<(), Refusal> {
+        let response = Some(&*self.response).filter(|_| !self.is_plain());
+        let from_datum = self.against_datum.as_deref().filter(|_| deep);
+        response.into_iter().chain(from_datum).try_for_each(|response| self.strategy.serves(response))
+    }
+
     /// Takes note of the scene whose layer this is.
     pub(super) fn describing(self, scene: &Scene) -> Self {
         Self { described: description(scene), ..self }

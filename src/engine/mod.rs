@@ -61,7 +61,7 @@ pub use solution::{
 pub use solver::Solver;
 
 use crate::plan;
-use crate::scene::Scene;
+use crate::scene::{Model, Scene};
 use problem::Problem;
 use rayon::prelude::*;
 use slipzone_api::Refusal;
@@ -94,10 +94,12 @@ pub fn refusal(scene: &Scene) -> Option<Refusal> {
         Ok(problem) => solver::decided(chosen, problem).map_err(|(refusal, _)| refusal),
         Err(refusal) => Err(refusal),
     };
-    match decided {
-        Ok((chosen, problem, _)) => chosen.methods.flexibility.respond(&problem.layer).err(),
-        Err(refusal) => Some(refusal),
-    }
+    let layer = decided.and_then(|(chosen, problem, _)| Ok((Layer::new(&problem, &chosen.methods)?, problem)));
+    let told = layer.and_then(|(layer, problem)| match scene.solver.model {
+        Some(Model::Thin) => thin::told(&problem, layer.response()).map(|_| ()),
+        _ => layer.serves(problem.wants_depth()),
+    });
+    told.err()
 }
 
 /// Which methods would solve a scene, and why.

@@ -279,22 +279,17 @@ impl Solver {
         if !is_forced && (!is_open || solver.forbid.contains(&Model::Thin)) {
             return None;
         }
-        let refused = |why: &str| {
-            let reason = format!("the model `thin` {why}");
-            is_forced.then(|| Solution::refused(&chosen.scene, chosen.plan.clone(), reason))
-        };
-        let obstacle = thin::obstacle(problem);
-        if let Some(why) = obstacle.or(chosen.scene.path.is_some().then_some("has no loading curve")) {
-            return refused(why);
-        }
-        if !is_forced && !thin::may_serve(problem, stand_in::SHARE * tolerance) {
+        // Where the scene wants it that was asked before.
+        let is_barred = || thin::obstacle(problem, chosen.scene.path.is_some()).is_some();
+        if !is_forced && (is_barred() || !thin::may_serve(problem, stand_in::SHARE * tolerance)) {
             return None;
         }
-        let found = thin::solve(problem, layer.response());
-        let told =
-            found.filter(|(numbers, _)| numbers.get(Quantity::HalfWidth).is_some_and(|b| problem.flaw(b).is_none()));
-        let Some((numbers, errors)) = told else {
-            return refused("tells nothing of a contact narrower than four thicknesses, or of one that may break up");
+        let (numbers, errors) = match thin::told(problem, layer.response()) {
+            Ok(told) => told,
+            Err(refusal) => {
+                let refused = || Solution::refused(&chosen.scene, chosen.plan.clone(), refusal.to_string());
+                return is_forced.then(refused);
+            }
         };
         let worst = errors.worst().map_or(0.0, |(_, error)| error);
         if !is_forced && worst > tolerance {
@@ -445,8 +440,7 @@ pub(super) fn decided(
         Decision::Full => return Ok((chosen, problem, None)),
         Decision::Cheaper(stand_in) => stand_in,
         Decision::Inapplicable(why) => {
-            let remedy = "leave out `solver.model`: the planner takes what applies";
-            return Err((Refusal::OutOfReach { method: "model", why, remedy }, Box::new(chosen)));
+            return Err((Refusal::OutOfReach { method: "model", why, remedy: stand_in::REMEDY }, Box::new(chosen)));
         }
     };
     let modelled = stand_in.modelled(&chosen.scene, &problem);

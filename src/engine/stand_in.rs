@@ -5,12 +5,15 @@
 use super::contact_size;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
+use super::thin;
 use crate::plan::{half_plane, has_closed_form, homogeneous, serves_any_contact};
 use crate::scene::{Model, Scene};
 use slipzone_api::{Base, LayerModel};
 
 /// Share of the tolerance that a model may use up; the rest is the numerical error's.
 pub(super) const SHARE: f64 = 0.5;
+/// What to do about a model that does not apply.
+pub(super) const REMEDY: &str = "leave out `solver.model`: the planner takes what applies";
 /// Half-widths over the thickness up to which the constants below were measured.
 const WIDEST: f64 = 0.25;
 /// Samples of the law in each of its stretches.
@@ -90,8 +93,12 @@ pub(super) fn decide(scene: &Scene, problem: &Problem, open: bool) -> Decision {
     let solver = &scene.solver;
     let thickness = 1.0;
     match solver.model {
-        // Of a thin layer there is nothing to be solved in its place: see `thin`.
-        Some(Model::Full | Model::Thin) => Decision::Full,
+        Some(Model::Full) => Decision::Full,
+        // Of a thin layer there is nothing to be solved in its place.
+        Some(model @ Model::Thin) => match thin::obstacle(problem, scene.path.is_some()) {
+            Some(why) => Decision::Inapplicable(format!("the model `{}` {why}", model.name())),
+            None => Decision::Full,
+        },
         Some(Model::CorrectedHalfPlane) if !open && !has_moments(scene) => Decision::Inapplicable(
             "the model `corrected-half-plane` brings a kernel strategy of its own, and the scene names its methods"
                 .into(),

@@ -7,9 +7,10 @@
 
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
+use super::stand_in;
 use basin::Toms748Root;
 use bilby::QuadratureRule;
-use slipzone_api::LayerResponse;
+use slipzone_api::{LayerResponse, Refusal};
 use std::f64::consts::PI;
 
 /// Nodes in each panel of the integrals, and fewer, to see what they are good to.
@@ -39,8 +40,8 @@ struct Thin {
     errors: (f64, f64),
 }
 
-/// Why no contact can be told in closed form.
-pub(super) fn obstacle(problem: &Problem) -> Option<&'static str> {
+/// Why no contact can be told in closed form, of those on a path to a load or of one alone.
+pub(super) fn obstacle(problem: &Problem, has_path: bool) -> Option<&'static str> {
     let is_smooth = problem.fixed_half_width().is_none() && !problem.is_kinked();
     if !is_smooth {
         Some("takes a punch without corners, flats or kinks")
@@ -50,6 +51,8 @@ pub(super) fn obstacle(problem: &Problem) -> Option<&'static str> {
         Some("has no tractions near the edge: leave `profile` out of `output.quantities`")
     } else if !problem.is_on_rigid_base() {
         Some("takes a layer on a rigid base")
+    } else if has_path {
+        Some("has no loading curve")
     } else {
         None
     }
@@ -68,8 +71,23 @@ pub(super) fn may_serve(problem: &Problem, allowed: f64) -> bool {
     }
 }
 
-/// The numbers of the contact and bounds on their relative errors, in layer units; `None` where they cannot be told.
-pub(super) fn solve(problem: &Problem, response: &dyn LayerResponse) -> Option<(Numbers, Numbers)> {
+/// The numbers of the contact and bounds on their relative errors, in layer units, of a contact that [`obstacle`] lets pass; refuses
+/// what cannot be told.
+pub(super) fn told(problem: &Problem, response: &dyn LayerResponse) -> Result<(Numbers, Numbers), Refusal> {
+    let whole = |b: f64| problem.flaw(b).is_none();
+    let found = solve(problem, response);
+    found.filter(|(numbers, _)| numbers.get(Quantity::HalfWidth).is_some_and(whole)).ok_or_else(|| {
+        Refusal::OutOfReach {
+        method: "model",
+        why: "the model `thin` tells nothing of a contact narrower than four thicknesses, or of one that may break up"
+            .into(),
+        remedy: stand_in::REMEDY,
+    }
+    })
+}
+
+/// The same; `None` where they cannot be told.
+fn solve(problem: &Problem, response: &dyn LayerResponse) -> Option<(Numbers, Numbers)> {
     let layer = Thin::of(response)?;
     let a0 = problem.elastic.a0();
     let stiffness = (a0 * layer.compliance).recip();

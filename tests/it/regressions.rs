@@ -258,6 +258,46 @@ fn a_contact_hardly_wider_than_its_face_is_as_good_as_others() {
     }
 }
 
+/// `check` and `explain` said nothing of what `solve` refuses whatever the numbers.
+#[test]
+fn what_solving_refuses_is_known_before() {
+    let thin = "solver = { model = \"thin\" }";
+    let layer = "thickness = 5.0, poisson = 0.3";
+    let exponential = format!("{layer}, grading = {{ type = \"exponential\", surface = 1.0, base = 8.0 }}");
+    let homogeneous = format!("{layer}, grading = {{ type = \"homogeneous\", modulus = 1.0 }}");
+    let soft = format!("{exponential}, base = {{ type = \"half-plane\", shear = 2.0, poisson = 0.3 }}");
+    let incompressible = exponential.replace("0.3", "0.5");
+    let cylinder = "punch = { type = \"cylinder\", radius = 900.0 }\nload = { half_width = 30.0 }";
+    let flat = "punch = { type = \"flat\", half_width = 1.0 }\nload = { force = 1.0 }";
+    let narrow = "punch = { type = \"cylinder\", radius = 10.0 }\nload = { half_width = 1.0 }";
+    let path = "punch = { type = \"cylinder\", radius = 900.0 }\nload = { until = { half_width = 30.0, points = 3 } }";
+    let dry = "output = { quantities = [\"load.force\"] }";
+    let moments = "solver = { kernel = { type = \"moments\" } }";
+    let transfer = "solver = { flexibility = { type = \"transfer-matrix\" } }";
+    for (layer, contact, rest, word) in [
+        (&exponential, flat, thin, "corners"),
+        (&exponential, cylinder, thin, "profile"),
+        (&soft, cylinder, &format!("{thin}\n{dry}"), "rigid base"),
+        (&exponential, path, &format!("{thin}\n{dry}"), "loading curve"),
+        (&exponential, narrow, &format!("{thin}\n{dry}"), "four thicknesses"),
+        (&exponential, flat, moments, "homogeneous surface"),
+        (&homogeneous, flat, transfer, "double depth exponents"),
+        (&incompressible, flat, transfer, "incompressible"),
+    ] {
+        let text = format!("format = 1\nlayer = {{ {layer} }}\n{contact}\n{rest}");
+        let scene = slipzone::scene::parse("refused", &text).unwrap();
+        let solution = slipzone::engine::solve(&scene);
+        assert_eq!(solution.status, Status::Refused, "{text}");
+        let known = slipzone::engine::refusal(&scene).map(|refusal| refusal.to_string());
+        assert_eq!(known.as_deref(), solution.reason.as_deref(), "{text}");
+        assert!(known.unwrap().contains(word), "{text}");
+    }
+    let served = format!("format = 1\nlayer = {{ {exponential} }}\n{cylinder}\n{thin}\n{dry}");
+    let served = slipzone::scene::parse("served", &served).unwrap();
+    assert_eq!(slipzone::engine::refusal(&served), None);
+    assert_ne!(slipzone::engine::solve(&served).status, Status::Refused);
+}
+
 /// The tip of a wedge had a finite pressure, another one at each resolution.
 #[test]
 fn the_pressure_under_a_sharp_tip_is_unbounded() {

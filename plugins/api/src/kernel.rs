@@ -154,6 +154,15 @@ pub struct KernelRequest<'a> {
 /// Config half: how the kernels are got from the flexibility (such as `truncated`).
 #[typetag::serde(tag = "type")]
 pub trait KernelStrategy: dyn_clone::DynClone + Debug + Send + Sync {
+    /// Whether it tells the kernels of such a flexibility at all, as far as that is known without any table.
+    ///
+    /// # Errors
+    /// What [`Self::tabulate`] refuses whatever the request.
+    fn serves(&self, response: &dyn LayerResponse) -> Result<(), Refusal> {
+        let _ = response;
+        Ok(())
+    }
+
     /// Evaluates the flexibility where it must and builds the tables.
     fn tabulate(&self, response: &dyn LayerResponse, request: &KernelRequest) -> Result<Box<dyn KernelTable>, Refusal>;
 

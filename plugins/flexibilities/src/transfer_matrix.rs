@@ -45,6 +45,9 @@ impl Flexibility for TransferMatrix {
     fn respond(&self, layer: &Arc<LayerModel>) -> Result<Box<dyn LayerResponse>, Refusal> {
         match (layer.base, layer.exponent()) {
             (Base::Rigid, Some(gamma)) => {
+                if let Some(why) = (Route { elastic: layer.elastic, gamma }).obstacle() {
+                    return Err(Refusal::OutOfReach { method: METHOD, why: why.into(), remedy: REMEDY });
+                }
                 let surface =
                     |layer: &Exponential, s: f64| Route { elastic: layer.elastic, gamma: layer.gamma }.surface(s);
                 Ok(Box::new(Exponential { elastic: layer.elastic, gamma, surface }))
@@ -66,6 +69,17 @@ struct Route {
 }
 
 impl Route {
+    /// What ends the route at every wave number.
+    fn obstacle(&self) -> Option<&'static str> {
+        if self.elastic.kappa <= 1.0 {
+            Some("the factor 1/(1 - kappa) of sigma_yy is infinite for an incompressible solid")
+        } else if self.gamma == 0.0 {
+            Some("a homogeneous layer has two double depth exponents, one eigenvector each")
+        } else {
+            None
+        }
+    }
+
     /// Depth exponents `n_j` (CC13 eq. 20), in units of `1/h`.
     fn exponents(&self, s: f64) -> [Complex64; 4] {
         let half = self.gamma / 2.0;
@@ -114,13 +128,6 @@ fn amplification(
 impl Route {
     fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
         let refusal = |why: String| Refusal::WaveNumber { method: METHOD, wave_number: s, why, remedy: REMEDY };
-        let kappa = self.elastic.kappa;
-        if kappa <= 1.0 {
-            return Err(refusal("the factor 1/(1 - kappa) of sigma_yy is infinite for an incompressible solid".into()));
-        }
-        if self.gamma == 0.0 {
-            return Err(refusal("a homogeneous layer has two double depth exponents, one eigenvector each".into()));
-        }
         let exponents = self.exponents(s);
         let largest = exponents.iter().map(|n| n.re.abs()).fold(0.0, f64::max);
         if largest > LARGEST_EXPONENT {
@@ -141,7 +148,7 @@ impl Route {
         // What round-off has left: see `TransferMatrix`. NaN must not pass.
         let size = (vv.re * uu.re).sqrt();
         let seen = (uv - vu).norm() / size + (vv.im / vv.re).abs() + (uu.im / uu.re).abs();
-        let spread = amplification(&top, &bottom, &inverse, &transfer) / (kappa - 1.0).min(1.0);
+        let spread = amplification(&top, &bottom, &inverse, &transfer) / (self.elastic.kappa - 1.0).min(1.0);
         let error = seen + f64::EPSILON * spread;
         if error <= ACCEPTED {
             Ok(SurfaceFlexibility { vv: vv.re, uu: uu.re, uv: f64::midpoint(uv.re, vu.re) })
@@ -221,9 +228,13 @@ mod tests {
             }
             other => panic!("expected a refusal at s = {s}, found {other:?}"),
         };
-        for s in [0.0, 1.0, 100.0] {
-            assert!(why(&exponential(0.0, 0.3), s).contains("homogeneous"));
-            assert!(why(&exponential(1.0, 0.5), s).contains("incompressible"));
+        for (layer, what) in [(exponential(0.0, 0.3), "homogeneous"), (exponential(1.0, 0.5), "incompressible")] {
+            // At every wave number.
+            let Err(Refusal::OutOfReach { method: METHOD, why, remedy: REMEDY }) = TransferMatrix {}.respond(&layer)
+            else {
+                panic!("expected a refusal of what is {what}");
+            };
+            assert!(why.contains(what), "{why}");
         }
         assert!(why(&exponential(1.0, 0.3), 400.0).contains("overflows"));
         for (gamma, nu, s) in [(1.0, 0.3, 0.0), (1.0, 0.3, 1e-7), (1.0, 0.0, 1.0), (1e-6, 0.3, 100.0)] {

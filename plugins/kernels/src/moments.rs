@@ -41,16 +41,12 @@ const SHARE: f64 = 0.1;
 
 #[typetag::serde(name = "moments")]
 impl KernelStrategy for Moments {
+    fn serves(&self, response: &dyn LayerResponse) -> Result<(), Refusal> {
+        depth(response).map(|_| ())
+    }
+
     fn tabulate(&self, response: &dyn LayerResponse, request: &KernelRequest) -> Result<Box<dyn KernelTable>, Refusal> {
-        let zero = SurfaceFlexibility::default();
-        let depth = response.depth().filter(|_| response.tail(4).iter().all(|c| *c == zero));
-        let (Some(depth), true) = (depth, response.surface(0.0)?.vv == 0.0) else {
-            return Err(Refusal::OutOfReach {
-                method: "moments",
-                why: "its kernels are those of a layer with a homogeneous surface on a rigid base".into(),
-                remedy: "take the strategy `split`",
-            });
-        };
+        let depth = depth(response)?;
         let is_coarse = COARSE.left_out(request, depth) <= SHARE * request.accuracy;
         let sums = if is_coarse { COARSE } else { FINE };
         let mut table = Table::new(response, depth, &sums)?;
@@ -64,6 +60,20 @@ impl KernelStrategy for Moments {
 
     fn is_pinned(&self) -> bool {
         false
+    }
+}
+
+/// Depth of a layer with a homogeneous surface on a rigid base.
+fn depth(response: &dyn LayerResponse) -> Result<f64, Refusal> {
+    let zero = SurfaceFlexibility::default();
+    let depth = response.depth().filter(|_| response.tail(4).iter().all(|c| *c == zero));
+    match depth {
+        Some(depth) if response.surface(0.0)?.vv == 0.0 => Ok(depth),
+        _ => Err(Refusal::OutOfReach {
+            method: "moments",
+            why: "its kernels are those of a layer with a homogeneous surface on a rigid base".into(),
+            remedy: "take the strategy `split`",
+        }),
     }
 }
 
