@@ -298,6 +298,26 @@ fn what_solving_refuses_is_known_before() {
     assert_ne!(slipzone::engine::solve(&served).status, Status::Refused);
 }
 
+/// Two branches of a formula meet between two numbers: the face was not seen, and the contact had no force.
+#[test]
+fn a_face_that_ends_between_two_numbers_is_one() {
+    let contact = |height: &str| {
+        let text = format!(
+            "format = 1\nlayer = {{ thickness = 5.0, poisson = 0.3, \
+             grading = {{ type = \"exponential\", surface = 1.0, base = 8.0 }} }}\n\
+             punch = {{ type = \"formula\", height = \"{height}\" }}\nload = {{ half_width = 6.0 }}"
+        );
+        slipzone::engine::solve(&slipzone::scene::parse("face", &text).unwrap())
+    };
+    let [below, level] = ["max(0.05*x^2, 1)", "max(0.05*x^2 - 1, 0)"].map(contact);
+    for solution in [&below, &level] {
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+    }
+    for [found, exact] in [[&below, &level].map(|s| s.load.force), [&below, &level].map(|s| s.pressure.centre)] {
+        assert!((found.unwrap() / exact.unwrap() - 1.0).abs() < 1e-8, "{found:?}, {exact:?}");
+    }
+}
+
 /// The tip of a wedge had a finite pressure, another one at each resolution.
 #[test]
 fn the_pressure_under_a_sharp_tip_is_unbounded() {

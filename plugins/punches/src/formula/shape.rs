@@ -120,7 +120,11 @@ impl Graph {
     fn level(&self) -> f64 {
         let mut face = 0.0;
         for &kink in self.kinks.iter().filter(|kink| **kink > 0.0) {
-            if self.steepness(face + 0.5 * (kink - face)) != 0.0 || self.height(kink) != 0.0 {
+            let middle = face + 0.5 * (kink - face);
+            // Where two branches meet in between two numbers, the other one is higher there, by rounding.
+            let rounding = 4.0 * f64::EPSILON * (self.tip.abs() + kink * self.steepness(kink * (1.0 + 1e-9)).abs());
+            let is_level = |x: f64, by: f64| self.steepness(middle) == 0.0 && self.height(x).abs() <= by;
+            if !is_level(middle, 0.0) || !is_level(kink, rounding) {
                 break;
             }
             face = kink;
