@@ -176,8 +176,13 @@ impl Graph {
                 ("opposite slopes on both sides", "write `x*abs(x)` for `x^2`: a slope changes its sign with x")
             }
         };
+        // With all digits where a few do not tell them apart.
+        let [mut told, mut other] = [right, left].map(short);
+        if told == other && right.to_bits() != left.to_bits() {
+            [told, other] = [right, left].map(|value| value.to_string());
+        }
         Fault::new(&[], format!("the punch is not symmetric at x = {}", short(x)))
-            .found(format!("{key}({0}) = {1}, but {key}(-{0}) = {2}", short(x), short(right), short(left)))
+            .found(format!("{key}({0}) = {told}, but {key}(-{0}) = {other}", short(x)))
             .expected(rule)
             .hint(hint)
     }
