@@ -287,7 +287,9 @@ fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneError {
         }
         _ => (what, expected),
     };
-    let span = error.span().unwrap_or(text.len()..text.len());
+    let is_deep = what == "nested too deeply";
+    let deepest = || if is_deep { first_deep_key(text) } else { None };
+    let span = error.span().or_else(deepest).unwrap_or(text.len()..text.len());
     let found = match text.get(span.clone()) {
         Some(found) if !found.is_empty() => format!("`{}`", clip(found, SHOWN).escape_debug()),
         _ if span.start >= text.trim_end().len() => "the end of the file".into(),
@@ -315,6 +317,19 @@ fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneError {
         _ if is_unclosed => error.hint("is the `}` missing that ends the table before?"),
         _ => not_a_value.map_or_else(|| error.clone(), |hint| error.clone().hint(hint)),
     }
+}
+
+/// The first key of more parts than may be nested: the parser does not say which it is.
+fn first_deep_key(text: &str) -> Option<Range<usize>> {
+    const MOST: usize = 80;
+    let mut start = 0;
+    text.split_inclusive('\n').find_map(|line| {
+        let at = start + (line.len() - line.trim_start().len());
+        start += line.len();
+        let key = line.split('=').next().unwrap_or(line).trim();
+        let is_deep = !key.starts_with('#') && key.matches('.').count() >= MOST;
+        is_deep.then(|| at..at + clip(key, SHOWN).trim_end_matches('.').len())
+    })
 }
 
 /// What to write for a text that is no value.
