@@ -1,5 +1,6 @@
 //! What no single key can show to be wrong.
 
+use super::decode::wrong_type;
 use super::document::{Document, dotted, one_of};
 use super::keys::{ABSCISSAE, LISTED, LONGEST_LABEL, MOST_FRICTION, POINTS, STAND_INS, TOLERANCES};
 use super::{Load, Model, Scene, SceneError};
@@ -278,12 +279,25 @@ fn models(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     })
 }
 
-fn output(document: &Document, scene: &Scene) -> Result<(), SceneError> {
-    let points = document.value(&["output", "points"]);
-    if points.is_some() && !POINTS.contains(&scene.output.points) {
-        return Err(document
-            .not_allowed(&["output", "points"], format!("an integer from {} to {}", POINTS.start(), POINTS.end())));
+/// How many samples are asked for: before it is decoded, which knows of no range.
+pub(super) fn points(document: &Document) -> Result<(), SceneError> {
+    let place = ["output", "points"];
+    let expected = format!("an integer from {} to {}", POINTS.start(), POINTS.end());
+    match document.value(&place).map(Spanned::get_ref) {
+        None => Ok(()),
+        Some(DeValue::Integer(integer)) => {
+            let points = usize::from_str_radix(integer.as_str(), integer.radix());
+            if points.is_ok_and(|points| POINTS.contains(&points)) {
+                Ok(())
+            } else {
+                Err(document.not_allowed(&place, expected))
+            }
+        }
+        Some(_) => Err(wrong_type(document, &place, &expected)),
     }
+}
+
+fn output(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     let Some(x) = &scene.output.x else { return Ok(()) };
     let (from, to) = (ABSCISSAE.start(), ABSCISSAE.end());
     if !LISTED.contains(&x.len()) {

@@ -94,6 +94,7 @@ pub fn parse_with(name: &str, text: &str, files: &dyn Files) -> Result<Scene, Sc
 fn checked(document: &Document, files: &dyn Files) -> Result<Scene, SceneError> {
     decode::format(document)?;
     load_keys::load(document)?;
+    check::points(document)?;
     let mut scene: Scene = decode::decode(document)?;
     scene.layer.grading.read(files).map_err(|fault| document.fault(&["layer", "grading"], fault))?;
     scene.punch.read(files).map_err(|fault| document.fault(&["punch"], fault))?;
