@@ -523,10 +523,11 @@ impl Ladder {
         errors: &Numbers,
     ) -> bool {
         let level = step + first;
-        level >= BOUND_LEVEL && is_bounded(outcome)
-            || level >= BOUND_LEVEL
-                && is_shown(errors)
-                && self.stages[step].tension(layer, aim.problem, outcome).is_some_and(|(_, p)| p < -SHOWN)
+        // Before the pressure is known nothing is told well enough to end with.
+        let is_known = level >= BOUND_LEVEL && is_shown(errors);
+        let mut pulls =
+            || self.stages[step].tension(layer, aim.problem, outcome).is_some_and(|(_, pull)| pull < -SHOWN);
+        is_known && (is_bounded(outcome) || pulls())
             || level == DETAIL_LEVEL && has_details(aim.problem, outcome, aim.tolerance)
     }
 

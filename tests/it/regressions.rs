@@ -318,6 +318,26 @@ fn a_face_that_ends_between_two_numbers_is_one() {
     }
 }
 
+/// A stick zone that two resolutions could only bound ended the solve before three could tell how good the pressure was: its error was 1, and that
+/// was the reason told.
+#[test]
+fn a_bound_of_the_stick_zone_is_told_of_a_pressure_that_is_known() {
+    let text = "format = 1\nlayer = { thickness = 5.0, poisson = 0.3, \
+                grading = { type = \"exponential\", surface = 1.0, base = 8.0 } }\n\
+                punch = { type = \"cylinder\", radius = 10.0 }\nload = { half_width = 1.0 }\n\
+                friction = { type = \"goodman\", coefficient = 3.0 }\n\
+                solver = { tolerance = 1e-10, quadrature = { type = \"gauss-chebyshev\" } }";
+    let solution = slipzone::engine::solve(&slipzone::scene::parse("bound", text).unwrap());
+    assert_eq!(solution.status, Status::NotConverged);
+    let reason = solution.reason.unwrap();
+    assert!(reason.contains("sticks to within"), "{reason}");
+    let error = solution.error.each["load.force"];
+    assert!(error < 1e-4, "{error:e} with three resolutions");
+    // A tenth of the radius.
+    let exact = 0.1 * Sketch::flat(5.0, 0.125, 0.3).cylinder().solve().load.force.unwrap();
+    assert!((solution.load.force.unwrap() / exact - 1.0).abs() < error);
+}
+
 /// The tip of a wedge had a finite pressure, another one at each resolution.
 #[test]
 fn the_pressure_under_a_sharp_tip_is_unbounded() {
