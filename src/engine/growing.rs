@@ -178,7 +178,11 @@ impl Growing {
         if !serves(family, size.half_width) || !is_steady {
             return Ok(None);
         }
-        let rubbing = family.rubbing_between(size.half_width);
+        // The finer of both resolutions solves the zone for itself: between the flat punches it is known to the tolerance only.
+        let rubbing = match known {
+            Some(_) if rubs => family.rubbing(layer, task, size.half_width)?,
+            _ => family.rubbing_between(size.half_width),
+        };
         let (numbers, pressure) = self.sized(layer, problem, normal, size);
         // A stacked pressure is as good as the flat punches known.
         let pressure = pressure.unwrap_or_default();

@@ -14,6 +14,9 @@ use slipzone_api::Refusal;
 pub(super) const SHEAR: f64 = 6.0;
 /// The same of the pressure between its nodes.
 pub(super) const BETWEEN: f64 = 3.0;
+/// Factor on what the series over the half-width are taken to leave of a shear. With 2 one of forty loads under a known punch was off by 1.15
+/// of what was claimed, well within what is allowed.
+const LEFT_OF_SHEAR: f64 = 3.0;
 /// Error of the pressure, of the shear, and of the strain left, over the tolerance, from which it is said among the assumptions.
 pub(super) const SAID: f64 = 3.0;
 /// Error of the shear under a contact that grew and sticks everywhere: what the slip zones left out would change, of the order of the
@@ -79,7 +82,7 @@ impl Judged {
             self.errors.set(Quantity::Shear, of_shear.max(left_by_sticking(&self.outcome)));
         }
         if let Some(of_shear) = self.errors.get(Quantity::Shear) {
-            self.errors.set(Quantity::Shear, of_shear + SAFETY * self.outcome.left[1]);
+            self.errors.set(Quantity::Shear, of_shear + LEFT_OF_SHEAR * self.outcome.left[1]);
         }
         let errors = self.errors;
         for (quantity, error) in errors.iter().filter(|(quantity, _)| quantity.is_of_shear()) {

@@ -49,7 +49,7 @@ const LEFT: f64 = 0.1;
 const MORE: usize = 1;
 /// Steps that pressure and shear may take beyond those of the numbers, and those of a stack of flat punches, each of which is many.
 const FOR_THE_TRACTIONS: usize = 4;
-const FOR_STACKED_SHEAR: usize = 2;
+const FOR_STACKED_SHEAR: usize = 3;
 /// Share of the tolerance that the kernels may use up.
 const KERNEL_SHARE: f64 = 0.2;
 /// A pressure in the middle below this share of the mean, or of what it was thought to be, wants kernels finer by as much; so does what
@@ -390,27 +390,51 @@ impl Ladder {
     /// refused: whether it is, and why, is left to these.
     fn pressed_again(&mut self, layer: &mut Layer, aim: Aim) -> Option<Judged> {
         let (stage, (widest, pace)) = self.settled.zip(self.pace)?;
-        let mut solve = |index: usize, coarse: Option<&Outcome>| {
-            let level = u32::try_from(index).ok()?;
-            self.make(aim, (index, level)).ok()?;
-            let task = self.task(aim, level);
-            let found = self.stages[index].solve_again(layer, task, widest, coarse).ok()??;
-            // A wider contact may take finer steps.
-            found.numbers.get(Quantity::HalfWidth).is_some_and(|b| b <= widest).then_some(found)
-        };
-        let coarse = solve(stage.checked_sub(1)?, None)?;
-        let mut outcome = solve(stage, Some(&coarse))?;
+        let coarse = self.solve_again(layer, aim, (stage.checked_sub(1)?, widest), None)?;
+        let outcome = self.solve_again(layer, aim, (stage, widest), Some(&coarse))?;
         let errors = pace.judge(&coarse.seen(), &outcome.seen());
-        let all = with_the_rest(aim.problem, layer, &outcome, aim.tolerance, errors);
-        let of_pressure = self.lost_between(aim, stage);
-        if !meets(aim.problem, &all, aim.tolerance) || !is_known_between(of_pressure, aim.tolerance) {
-            return None;
+        let kernels_proven = layer.is_proven();
+        let mut found = Judged::new(outcome, stage, errors, How::Again { kernels_proven });
+        if !self.is_sure(layer, aim, &mut found) {
+            if aim.problem.is_stacked() {
+                return None;
+            }
+            // One step more is less than all of them again.
+            let finer = self.solve_again(layer, aim, (stage + 1, widest), Some(&found.outcome))?;
+            let seen = [&coarse, &found.outcome, &finer].map(Outcome::seen);
+            let errors = extrapolated(&seen, fastest(layer, &finer, self.stages[stage + 1].unknowns()))?;
+            found = Judged::new(finer, stage + 1, errors, How::Sequence { count: seen.len(), kernels_proven });
+            if !self.is_sure(layer, aim, &mut found) {
+                return None;
+            }
         }
         layer.meter().conclude();
-        let task = self.task(aim, u32::try_from(stage).ok()?);
-        self.stages[stage].settle(layer, task, &mut outcome).ok()?;
-        let how = How::Again { kernels_proven: layer.is_proven() };
-        Some(Judged { of_pressure, ..Judged::new(outcome, stage, errors, how) })
+        let task = self.task(aim, u32::try_from(found.stage).ok()?);
+        self.stages[found.stage].settle(layer, task, &mut found.outcome).ok()?;
+        Some(found)
+    }
+
+    /// [`Stage::solve_again`]; `None` where the contact would be wider than that given, too: it may take finer steps.
+    fn solve_again(
+        &mut self,
+        layer: &mut Layer,
+        aim: Aim,
+        (index, widest): (usize, f64),
+        coarse: Option<&Outcome>,
+    ) -> Option<Outcome> {
+        let level = u32::try_from(index).ok()?;
+        self.make(aim, (index, level)).ok()?;
+        let task = self.task(aim, level);
+        let found = self.stages[index].solve_again(layer, task, widest, coarse).ok()??;
+        found.numbers.get(Quantity::HalfWidth).is_some_and(|b| b <= widest).then_some(found)
+    }
+
+    /// Whether what was found meets the tolerance, between the nodes, too, which is noted.
+    fn is_sure(&self, layer: &Layer, aim: Aim, found: &mut Judged) -> bool {
+        let Judged { outcome, stage, errors, of_pressure, .. } = found;
+        let all = with_the_rest(aim.problem, layer, outcome, aim.tolerance, *errors);
+        *of_pressure = self.lost_between(aim, *stage);
+        meets(aim.problem, &all, aim.tolerance) && is_known_between(*of_pressure, aim.tolerance)
     }
 
     /// The first of the last three steps that another contact took on this layer, where the coarsest one finds this one among
@@ -644,10 +668,12 @@ fn is_vain(
 ) -> bool {
     let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));
     let is_final = has_kernels && outcome.size.is_none_or(|size| size.missed <= ROUNDING);
-    // Finer steps have more flat punches.
-    let between = between_members(outcome);
+    // Finer steps have more flat punches, and smoother ones.
+    let mended = |quantity: Quantity| {
+        between_members(outcome) + if quantity == Quantity::Peak { outcome.lost_at_kinks } else { 0.0 }
+    };
     let unmended = |(quantity, error): (Quantity, f64)| {
-        let rest = if is_final { all.get(quantity).map_or(0.0, |all| all - error - between) } else { 0.0 };
+        let rest = if is_final { all.get(quantity).map_or(0.0, |all| all - error - mended(quantity)) } else { 0.0 };
         let least = if quantity.is_of_shear() { SLIP_ROUNDING } else { ROUNDING };
         (lost.get(quantity).unwrap_or(0.0).max(least), rest)
     };

@@ -198,12 +198,13 @@ fn friction_bears_what_grew_and_not_each_slice_of_it() {
 /// where slip zones are 1e-11 of the contact, to the root of their width.
 #[test]
 fn everything_sticks_on_layers_as_just_before() {
+    let tolerance = 1e-7;
     for layer in [Sketch::flat(0.5, 1.0, 0.3), Sketch::flat(1.0, 0.25, 0.2)] {
         // The friction of a stick zone rises like beta/pi ln(1/(1 - a/b)).
         let beta = (1.0 - 2.0 * layer.nu) / (2.0 - 2.0 * layer.nu);
         let [nearly, full] = [7.8 * beta, 10.0].map(|eta| {
             let sketch = layer.clone().cylinder().rubbing(eta);
-            sketch.with("[solver]\ntolerance = 1e-7").solve()
+            sketch.with(&format!("[solver]\ntolerance = {tolerance:e}")).solve()
         });
         for solution in [&nearly, &full] {
             assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
@@ -214,7 +215,8 @@ fn everything_sticks_on_layers_as_just_before() {
         let largest = full.iter().flatten().fold(0.0_f64, |most, q| most.max(q.abs()));
         for (one, other) in nearly.iter().zip(&full) {
             let apart = (one.unwrap_or(0.0) - other.unwrap_or(0.0)).abs() / largest;
-            assert!(apart < 3.0 * share.sqrt(), "{apart:e} beside {share:e}");
+            // And six tolerances of either shear.
+            assert!(apart < 3.0 * share.sqrt() + 12.0 * tolerance, "{apart:e} beside {share:e}");
         }
     }
 }

@@ -592,7 +592,7 @@ fn what_the_budget_refused_is_not_tried_again() {
                    layers = [{ thickness = 2.0, grading = { type = \"sigmoid\", above = 100.0, below = 0.2, centre = 2.0, \
                    width = 0.2 } }, { thickness = 4.0, grading = { type = \"homogeneous\", modulus = 1.0 } }, \
                    { thickness = 0.5, grading = { type = \"sigmoid\", above = 0.8, below = 2.0, centre = 2.0, width = 0.9 } }] } }";
-    let budgets = [2_500_000, 5_000_000, 7_500_000, 10_000_000];
+    let budgets = [1_500_000, 3_000_000, 4_500_000, 6_000_000];
     for (text, budget) in [many, between].into_iter().flat_map(|text| budgets.map(|budget| (text, budget))) {
         let solution = slipzone::engine::solve_within(&slipzone::scene::parse("refused", text).unwrap(), budget);
         // Refused where it ends before anything can be said of an error.

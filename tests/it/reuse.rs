@@ -183,8 +183,8 @@ fn is_as_sure_as_it_says(found: &Solution, exact: &Solution, tolerance: f64, cas
     }
 }
 
-/// Systems on two resolutions: one, or up to three where the size has to be found.
-const FEW: usize = 6;
+/// Systems on two resolutions, or on three: one, or up to three where the size has to be found.
+const FEW: usize = 9;
 
 #[test]
 fn another_load_is_as_sure_as_it_says_for_a_few_systems() {
@@ -238,7 +238,7 @@ fn another_punch_is_as_sure_as_it_says_for_a_few_systems() {
             let found = solver.solve();
             let case = format!("h = {h}, {punch:?}");
             // A steep one's pressure may take more than two resolutions.
-            assert!(!known || found.plan.factorisations <= 3 * FEW, "{case}: {} systems", found.plan.factorisations);
+            assert!(!known || found.plan.factorisations <= 18, "{case}: {} systems", found.plan.factorisations);
             let exact = growing(h, ratio, punch, 0.01 * tolerance, RUBBING);
             let exact = Solver::new(&exact).expect("a bonded layer").solve();
             is_as_sure_as_it_says(&found, &exact, tolerance, &case);

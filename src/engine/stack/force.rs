@@ -8,7 +8,7 @@ use crate::engine::problem::Problem;
 
 /// Coefficients of the force over a piece that are tried first; twice as many follow.
 const COEFFICIENTS: usize = 12;
-/// Most of them; over the first piece, fewer where twice as many from so many on are no better.
+/// Most of them; fewer where twice as many from so many on are no better.
 const MOST_COEFFICIENTS: usize = 384;
 const STALLING: usize = 48;
 /// What a pressure exactly at a kink misses, over what the series does of the rate there: one that goes with a low power of the distance has
@@ -72,7 +72,7 @@ impl Stack {
             // A kink at the beginning feels the rate of the force, which a plain series misses by so much more than the force.
             let felt = if matches!(force, Force::Plain { .. }) { (count * count) as f64 } else { 1.0 };
             let is_enough = missed < (digits / felt).max(ROUNDING);
-            let is_vain = missed.is_nan() || from == 0.0 && count >= STALLING && missed > 0.5 * before;
+            let is_vain = missed.is_nan() || count >= STALLING && missed > 0.5 * before;
             if is_enough || is_vain || 2 * count > MOST_COEFFICIENTS {
                 let at_kink = if is_enough { 0.0 } else { AT_KINK * felt * missed };
                 let piece = Piece { from, to, force };
