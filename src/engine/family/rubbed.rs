@@ -328,3 +328,47 @@ fn doubt(known: &[f64], measured: &[f64], share: f64) -> f64 {
     let apart = largest(&mut known.zip(measured).map(|(known, measured)| known - measured));
     (apart / largest(&mut measured.iter().copied())).max((share - 1.0).abs())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::convert::Infallible;
+
+    /// A zone approached along the slope given, where the friction rises by 0.14 per unit to 1 at 7, and jumps by so much at 6.9.
+    fn approached(slope: f64, doubt: f64, jump: f64) -> Option<Member> {
+        let excess = |lambda: f64| 0.14 * (lambda - 7.0) + if lambda > 6.9 { jump } else { 0.0 };
+        let start = Root { lambda: 6.99, branch: 1.0, slope, doubt };
+        let one = |from: Root| {
+            let next = Root { lambda: from.lambda - excess(from.lambda) / from.slope, ..from };
+            Ok::<_, Infallible>(Some((next, vec![1.0])))
+        };
+        let mut found = Found::new(None, true);
+        found.approach(&Approach { error: 1e-7, widest: 28.0 }, 1.0, start, one).unwrap()
+    }
+
+    #[test]
+    fn a_slope_is_not_believed_for_its_steps_alone() {
+        let near = approached(0.15, f64::INFINITY, 0.0).expect("a member");
+        assert!((near.root.lambda - 7.0).abs() < 1e-7, "{:?}", near.root);
+        // A millionth of a step along a slope a million times too steep is none.
+        assert!(approached(1.4e5, f64::INFINITY, 0.0).is_none());
+        // Where the friction jumps past what is wanted there is nothing to be found, and no slope.
+        assert!(approached(0.14, f64::INFINITY, 0.02).is_none());
+    }
+
+    #[test]
+    fn one_slope_that_is_none_of_the_others_puts_all_in_doubt() {
+        let doubt_of = |odd: f64| {
+            let blend = Blend::new((0.0, 3.0), 16, &[]).unwrap();
+            let mut found = Found::new(None, true);
+            for (k, b) in blend.half_widths().iter().enumerate() {
+                let slope = if k == 5 { odd } else { 0.14 + 0.001 * b };
+                let root = Root { lambda: 5.0 + b, branch: 1.0, slope, doubt: 0.0 };
+                found.add(Member { root, lack: vec![1.0], moves: None, least: None });
+            }
+            found.blended(blend, None).root_at(1.0, 0.005).doubt
+        };
+        assert!(doubt_of(0.14) < CERTAIN);
+        assert!(doubt_of(0.3) > CERTAIN && doubt_of(-6.0) > CERTAIN);
+    }
+}
