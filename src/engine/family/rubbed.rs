@@ -334,9 +334,10 @@ mod tests {
     use super::*;
     use std::convert::Infallible;
 
-    /// A zone approached along the slope given, where the friction rises by 0.14 per unit to 1 at 7, and jumps by so much at 6.9.
+    /// A zone approached along the slope given, where the friction rises by 0.14 per unit to what is wanted at 7, and jumps by so much just
+    /// before the start.
     fn approached(slope: f64, doubt: f64, jump: f64) -> Option<Member> {
-        let excess = |lambda: f64| 0.14 * (lambda - 7.0) + if lambda > 6.9 { jump } else { 0.0 };
+        let excess = |lambda: f64| 0.14 * (lambda - 7.0) + if lambda > 6.98995 { jump } else { 0.0 };
         let start = Root { lambda: 6.99, branch: 1.0, slope, doubt };
         let one = |from: Root| {
             let next = Root { lambda: from.lambda - excess(from.lambda) / from.slope, ..from };
@@ -353,7 +354,7 @@ mod tests {
         // A millionth of a step along a slope a million times too steep is none.
         assert!(approached(1.4e5, f64::INFINITY, 0.0).is_none());
         // Where the friction jumps past what is wanted there is nothing to be found, and no slope.
-        assert!(approached(0.14, f64::INFINITY, 0.02).is_none());
+        assert!(approached(0.14, f64::INFINITY, 0.00141).is_none());
     }
 
     #[test]
