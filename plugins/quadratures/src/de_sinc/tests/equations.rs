@@ -33,8 +33,8 @@ fn convergence_is_exponential() {
     let kernel = graded(1.0);
     let exact = flat_numbers(&kernel, 96);
     let digits = [8, 16, 32].map(|n| -worst(&flat_numbers(&kernel, n), &exact).log10());
-    // n/u_max, to which the digits should be proportional, grows by 1.6 and 1.7.
-    assert!(digits[1] > 1.5 * digits[0] && digits[2] > 1.5 * digits[1] && digits[2] > 9.5, "digits {digits:?}");
+    // n/u_max, to which the digits should be proportional, grows by 1.6 and 1.7; the first end costs less than its share.
+    assert!(digits[1] > 1.4 * digits[0] && digits[2] > 1.45 * digits[1] && digits[2] > 11.0, "digits {digits:?}");
 }
 
 /// Kernel of a layer so thin that the whole of it, `(pi/2h)/sinh(pi t/2h)`, is local.
@@ -140,7 +140,7 @@ fn shear_in_the_stick_zone_converges_up_to_its_end() {
     let zone = Stick::from_ratio(0.5);
     let [_, scale] = stick(zone, 90, 0.4);
     // A rounding of the singular density stays, and beyond where the series is cut its first term stands for all.
-    for (gap, tolerance) in [(0.4, 2e-11), (1e-2, 2e-11), (1e-6, 4e-11), (1e-12, 5e-10)] {
+    for (gap, tolerance) in [(0.4, 6e-11), (1e-2, 6e-11), (1e-6, 2e-10), (1e-12, 5e-10)] {
         let [[_, once], [_, twice]] = [45, 90].map(|n| stick(zone, n, gap));
         assert_close(once / scale, twice / scale, tolerance, &format!("q at gap {gap}"));
     }

@@ -157,7 +157,8 @@ fn potentials_of_jump_and_logarithm_anywhere() {
                     (0.5 * c * ((0.5 * c).ln() + t * t - 0.5), c * inside / PI)
                 };
                 assert_close(by_log, log, 1e-12, "logarithm");
-                assert_close(by_jump, sign, 1e-12, "jump");
+                // It goes with the root of the gap, which is cut where the grid ends.
+                assert_close(by_jump, sign, 5e-12, "jump");
             }
             // |t| = sign(t) t: in the middle c^2/pi times 2 (sharp) or 2/3 (smooth); log|t| as above.
             let distance = Made { parts: |t| Parts { sign: t, ..Parts::default() }, length };
