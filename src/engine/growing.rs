@@ -300,7 +300,7 @@ impl Growing {
             let found = stack.under(problem, family, problem.load);
             // Beyond a pole a force is found, too, but no contact.
             let flaw = match found {
-                Some(half_width) => problem.flaw(half_width).filter(|_| !problem.is_finite_within(half_width)),
+                Some(half_width) => problem.end(half_width),
                 None => problem.flaw(widest),
             };
             if let Some(why) = flaw {

@@ -398,25 +398,25 @@ impl Problem {
         Some((flaw.what, flaw.x / self.length))
     }
 
-    /// Whether the shape has a height and a slope where its first flaw within a half-width is.
-    pub(crate) fn is_finite_within(&self, half_width: f64) -> bool {
-        let flaw = self.shape.flaw(half_width * self.length);
-        flaw.is_none_or(|flaw| self.is_there(flaw.x))
-    }
-
-    /// Whether the shape has a height and a slope at a place, in the scene's unit.
-    fn is_there(&self, x: f64) -> bool {
-        self.shape.height(x).is_finite() && self.shape.slope(x).is_finite()
-    }
-
     /// What keeps a contact as wide as that from being one interval that grew with the load, in words.
     pub(crate) fn flaw(&self, half_width: f64) -> Option<String> {
+        self.flaw_and_end(half_width).map(|(what, _)| what)
+    }
+
+    /// The same where the shape ends there: it has no height, or no slope.
+    pub(crate) fn end(&self, half_width: f64) -> Option<String> {
+        self.flaw_and_end(half_width).filter(|(_, is_end)| *is_end).map(|(what, _)| what)
+    }
+
+    /// The first flaw within a half-width in words, and whether the shape ends there.
+    fn flaw_and_end(&self, half_width: f64) -> Option<(String, bool)> {
         let flaw = self.shape.flaw(half_width * self.length)?;
-        let so = if self.is_there(flaw.x) {
-            "the contact may break up or tilt, and what is solved is one that is symmetric about x = 0"
-        } else {
+        let is_end = !(self.shape.height(flaw.x).is_finite() && self.shape.slope(flaw.x).is_finite());
+        let so = if is_end {
             "no contact is as wide as that"
+        } else {
+            "the contact may break up or tilt, and what is solved is one that is symmetric about x = 0"
         };
-        Some(format!("{} at x = {}: {so}", flaw.what, short(flaw.x)))
+        Some((format!("{} at x = {}: {so}", flaw.what, short(flaw.x)), is_end))
     }
 }

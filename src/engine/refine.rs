@@ -154,9 +154,7 @@ impl Ladder {
         let half_width = judged.outcome.numbers.get(Quantity::HalfWidth)?;
         let (_, error) = judged.errors.worst()?;
         let mut told = |index: usize| {
-            let level = u32::try_from(index).ok()?;
-            self.make(aim, (index, level)).ok()?;
-            let task = self.task(aim, level);
+            let task = self.made(aim, index)?;
             self.stages[index].growing.as_mut()?.on_the_way(layer, task, half_width, loads)
         };
         let left = |coarse: &Numbers, fine: &Numbers| error.max(LEFT * fine.change_from(coarse));
@@ -414,6 +412,13 @@ impl Ladder {
         Some(found)
     }
 
+    /// Makes the stages up to one whose level is its index, and tells what it needs to know.
+    fn made<'a>(&mut self, aim: Aim<'a>, index: usize) -> Option<Task<'a>> {
+        let level = u32::try_from(index).ok()?;
+        self.make(aim, (index, level)).ok()?;
+        Some(self.task(aim, level))
+    }
+
     /// [`Stage::solve_again`]; `None` where the contact would be wider than that given, too: it may take finer steps.
     fn solve_again(
         &mut self,
@@ -422,9 +427,7 @@ impl Ladder {
         (index, widest): (usize, f64),
         coarse: Option<&Outcome>,
     ) -> Option<Outcome> {
-        let level = u32::try_from(index).ok()?;
-        self.make(aim, (index, level)).ok()?;
-        let task = self.task(aim, level);
+        let task = self.made(aim, index)?;
         let found = self.stages[index].solve_again(layer, task, widest, coarse).ok()??;
         found.numbers.get(Quantity::HalfWidth).is_some_and(|b| b <= widest).then_some(found)
     }
@@ -549,9 +552,10 @@ impl Ladder {
         let level = step + first;
         // Before the pressure is known nothing is told well enough to end with.
         let is_known = level >= BOUND_LEVEL && is_shown(errors);
-        let mut pulls =
-            || self.stages[step].tension(layer, aim.problem, outcome).is_some_and(|(_, pull)| pull < -SHOWN);
-        is_known && (is_bounded(outcome) || pulls())
+        let stage = &mut self.stages[step];
+        is_known
+            && (is_bounded(outcome)
+                || stage.tension(layer, aim.problem, outcome).is_some_and(|(_, pull)| pull < -SHOWN))
             || level == DETAIL_LEVEL && has_details(aim.problem, outcome, aim.tolerance)
     }
 

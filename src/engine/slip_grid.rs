@@ -15,10 +15,10 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 use unit::Unit;
 
-/// Nodes on either side beside a third of the unknowns of the stick zone's rule.
+/// Nodes on either side beside half of the unknowns of the stick zone's rule.
 ///
-/// Measured on layers from 1 to 20 half-widths thick, a/b from 0.1 to 0.9999: with two nodes fewer beside the third the stick
-/// zone of a coarse rule loses a digit, with one more it gains none.
+/// Measured on layers of one and of five half-widths: the stick zone changes little with two nodes less or more; the shear of a rule of 32 steps
+/// was off by ten times more with 15 nodes, by three times more with 16, than with 19 and more.
 const NODES_BESIDE: usize = 3;
 /// Fewest and most of those.
 const FEWEST_NODES: usize = 6;

@@ -74,16 +74,12 @@ pub(super) fn may_serve(problem: &Problem, allowed: f64) -> bool {
 /// The numbers of the contact and bounds on their relative errors, in layer units, of a contact that [`obstacle`] lets pass; refuses
 /// what cannot be told.
 pub(super) fn told(problem: &Problem, response: &dyn LayerResponse) -> Result<(Numbers, Numbers), Refusal> {
+    const NOTHING: &str =
+        "the model `thin` tells nothing of a contact narrower than four thicknesses, or of one that may break up";
     let whole = |b: f64| problem.flaw(b).is_none();
     let found = solve(problem, response);
-    found.filter(|(numbers, _)| numbers.get(Quantity::HalfWidth).is_some_and(whole)).ok_or_else(|| {
-        Refusal::OutOfReach {
-        method: "model",
-        why: "the model `thin` tells nothing of a contact narrower than four thicknesses, or of one that may break up"
-            .into(),
-        remedy: stand_in::REMEDY,
-    }
-    })
+    let told = found.filter(|(numbers, _)| numbers.get(Quantity::HalfWidth).is_some_and(whole));
+    told.ok_or(Refusal::OutOfReach { method: "model", why: NOTHING.into(), remedy: stand_in::REMEDY })
 }
 
 /// The same; `None` where they cannot be told.

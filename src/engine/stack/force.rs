@@ -16,8 +16,6 @@ const STALLING: usize = 48;
 const AT_KINK: f64 = 4.0;
 /// Power of the variable in which the force over the first piece is a series.
 const POWER: i32 = 2;
-/// Before the end of a piece, over the half-width there: a few roundings, which is how well a kink there is known.
-const JUST_INSIDE: f64 = 1e-15;
 /// Over a piece shorter than this, beside where it ends, the force hardly grows: what its series does below rounding would be no small part of
 /// that.
 const SHORT: f64 = 1e-3;
@@ -201,7 +199,7 @@ impl Piece {
         match &self.force {
             Force::OfHeight { .. } => {
                 // Where the shape has a kink at the end, its slope before that.
-                let slope = problem.slope(b.min((1.0 - JUST_INSIDE) * self.to));
+                let slope = problem.slope_before(self.to, b);
                 let height = kappa * b * slope;
                 (height * value, slope * value + height * rise * s / (2.0 * b))
             }

@@ -123,8 +123,10 @@ impl Graph {
             let middle = face + 0.5 * (kink - face);
             // Where two branches meet in between two numbers, the other one is higher there, by rounding.
             let rounding = 4.0 * f64::EPSILON * (self.tip.abs() + kink * self.steepness(kink * (1.0 + 1e-9)).abs());
-            let is_level = |x: f64, by: f64| self.steepness(middle) == 0.0 && self.height(x).abs() <= by;
-            if !is_level(middle, 0.0) || !is_level(kink, rounding) {
+            let is_level = self.steepness(middle) == 0.0 && self.height(middle) == 0.0;
+            // No number is not level.
+            let is_level = is_level && self.height(kink).abs() <= rounding;
+            if !is_level {
                 break;
             }
             face = kink;

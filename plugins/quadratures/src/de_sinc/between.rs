@@ -40,10 +40,20 @@ impl Between {
         between
     }
 
-    /// What a node, or a place beyond the last one, adds to the sum over all these nodes per unit of `F` there.
-    pub(super) fn sum_of(&self, grid: &Grid, (j, u): (usize, &Place)) -> f64 {
-        let count = self.table.len() / self.width();
-        no_nodes(self.factor).take(count).map(|k| Seen::new(grid, (k, self.factor)).entry(j, u)).sum()
+    /// What the last node, and each of the places beyond it, adds to the sum over all these nodes per unit of `F` there.
+    pub(super) fn sums_from_last<'a>(
+        &self,
+        grid: &'a Grid,
+        places: impl Iterator<Item = &'a Place> + Clone,
+    ) -> Vec<f64> {
+        let last = grid.nodes.len() - 1;
+        let each = (last..).zip(std::iter::once(&grid.nodes[last]).chain(places));
+        let mut sums = vec![0.0; each.clone().count()];
+        for k in no_nodes(self.factor).take(self.table.len() / self.width()) {
+            let at = Seen::new(grid, (k, self.factor));
+            sums.iter_mut().zip(each.clone()).for_each(|(sum, (j, u))| *sum += at.entry(j, u));
+        }
+        sums
     }
 
     /// Numbers held.

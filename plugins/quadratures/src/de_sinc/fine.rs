@@ -262,17 +262,16 @@ impl Beyond {
 
     /// [`Fine::finite_end`].
     fn finite_end(&self, grid: &Grid, between: &Between) -> [f64; 2] {
-        let n = grid.nodes.len() - 1;
-        let own = self.weight + between.sum_of(grid, (n, &grid.nodes[n]));
+        let nodes_beyond = grid.beyond(1);
+        let between = between.sums_from_last(grid, nodes_beyond.iter().map(|(u, _)| u));
+        let own = self.weight + between[0];
         let (mut factors, mut all) = ([0.0, own], own);
         let mut add = |weight: f64, (u, share): &(Place, f64)| {
             factors.iter_mut().zip(grid.finite_beyond(u)).for_each(|(sum, factor)| *sum += weight * factor);
             all += weight * share;
         };
         self.places.iter().for_each(|place| add(self.fine_step * place.0.slope, place));
-        for (m, place) in grid.beyond(1).iter().enumerate() {
-            add(between.sum_of(grid, (n + 1 + m, &place.0)), place);
-        }
+        nodes_beyond.iter().zip(&between[1..]).for_each(|(place, weight)| add(*weight, place));
         factors.map(|factor| factor / all)
     }
 

@@ -90,9 +90,7 @@ impl Grid {
         let last = self.nodes.len() - 1;
         let (end, fine_step) = (self.nodes[last], self.step / factor as f64);
         let of_last = simplest(&end, self.edge, self.odd);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few times the number of nodes
-        let vanished = (LAST_SLOPE / fine_step) as usize;
-        (last * factor + 1..=vanished)
+        (last * factor + 1..=vanished(fine_step))
             .map(|k| Place::new(k as f64 * fine_step))
             .map(|place| (place, simplest(&place, self.edge, self.odd) / of_last))
             .take_while(|(place, share)| place.slope * share > NOTHING * end.slope)
@@ -147,6 +145,7 @@ impl Grid {
         let (Some(factors), [.., u, v, w]) = (row.last_chunk_mut(), &self.nodes[..]) else {
             unreachable!("three nodes at least")
         };
+        // Factors with which `gap` and its power sum to 0, that of the last being 1.
         let (s, t) = (w.gap / u.gap, w.gap / v.gap);
         *factors =
             [-s * (1.0 - t.sqrt()) / (1.0 - (t / s).sqrt()), -t * (1.0 - s.sqrt()) / (1.0 - (s / t).sqrt()), 1.0];
@@ -159,13 +158,12 @@ impl Grid {
     /// `C/sqrt(1 - t^2)` for odd ones; the rows of the Cauchy matrix are its samples at the staggered points.
     fn edge_functional(&self) -> Vec<f64> {
         let mut row: Vec<f64> = self.resultant.iter().map(|r| r / PI).collect();
-        // Beyond the last point C goes on with its slope over the root of the gap.
+        // Beyond the last point C goes on with its slope over the root of the gap. Weights there are summed, not taken as the rest of
+        // pi/2: the rest's rounding would be multiplied by 1/scale.
         let points = self.staggered.len();
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few times the number of points
-        let vanished = (LAST_SLOPE / self.step) as usize;
         let [before, last] = [points - 2, points - 1].map(|i| self.staggered[i].sech);
         let mut share = vec![self.step; points];
-        for place in (points..vanished).map(|i| Place::new((i as f64 + 0.5) * self.step)) {
+        for place in (points..vanished(self.step)).map(|i| Place::new((i as f64 + 0.5) * self.step)) {
             let rise = (last - place.sech) / (before - last);
             share[points - 2] -= self.step * place.slope * rise / self.scale[points - 2];
             share[points - 1] += self.step * place.slope * (1.0 + rise) / self.scale[points - 1];
@@ -222,6 +220,12 @@ impl WithSimd for Cauchy<'_> {
             }
         }
     }
+}
+
+/// Steps up to [`LAST_SLOPE`].
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few times the number of nodes
+fn vanished(step: f64) -> usize {
+    (LAST_SLOPE / step) as usize
 }
 
 fn ending(x: f64, odd: bool) -> f64 {
