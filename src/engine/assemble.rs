@@ -1,7 +1,7 @@
 //! A solved contact in the scene's units.
 
 use super::coupling;
-use super::finite::first_not_finite;
+use super::finite::first_found_not_finite;
 use super::judged::{How, Judged, SAID};
 use super::layer::Layer;
 use super::loading_curve::Point;
@@ -190,7 +190,7 @@ fn large_strains(problem: &Problem, numbers: &Numbers) -> Option<String> {
 
 /// A solution as it is, unless one of its numbers is not finite.
 fn finite(solution: Solution) -> Result<Solution, Refusal> {
-    match first_not_finite(&solution) {
+    match first_found_not_finite(&solution) {
         None => Ok(solution),
         Some(number) => Err(Refusal::OutOfReach {
             method: "engine",
@@ -284,7 +284,10 @@ fn profile(scene: &Scene, layer: &Layer, problem: &Problem, stage: &mut Stage, b
 
 /// The mirror images of the outer `left` values, which are all but that of a point in the middle, and the values.
 fn with_mirror<T: Copy>(right: &[T], left: usize, mirror: impl Fn(T) -> T) -> Vec<T> {
-    right.iter().rev().take(left).map(|value| mirror(*value)).chain(right.iter().copied()).collect()
+    let mut all = Vec::with_capacity(left + right.len());
+    all.extend(right[right.len() - left..].iter().rev().map(|value| mirror(*value)));
+    all.extend_from_slice(right);
+    all
 }
 
 /// Tractions at points in units of the half-width `b`.
@@ -300,9 +303,10 @@ fn tractions(
         Some(value) => value.is_finite().then_some(value * problem.stress),
         None => (!sharp).then_some(0.0),
     };
-    let stations: Vec<Station> = relative.iter().map(|x| Station { x: x * b, gap: (1.0 - x.abs()) * b }).collect();
-    let mut inside = Vec::with_capacity(stations.len());
-    inside.extend(stations.iter().copied().filter(|station| station.gap > 0.0));
+    let station = |x: &f64| Station { x: x * b, gap: (1.0 - x.abs()) * b };
+    let is_inside = |x: &f64| station(x).gap > 0.0;
+    let mut inside = Vec::with_capacity(relative.len());
+    inside.extend(relative.iter().filter(|x| is_inside(x)).map(station));
     let mut pressure = vec![0.0; inside.len()];
     let mut shear = Some(Vec::with_capacity(inside.len()));
     for (at, pressure) in inside.chunks(AT_ONCE).zip(pressure.chunks_mut(AT_ONCE)) {
@@ -317,7 +321,7 @@ fn tractions(
     // Points on the edge or beyond it have no value of their own.
     let spread = |values: Vec<f64>| {
         let mut values = values.into_iter();
-        stations.iter().map(|station| value(if station.gap > 0.0 { values.next() } else { None })).collect()
+        relative.iter().map(|x| value(if is_inside(x) { values.next() } else { None })).collect()
     };
     let shear = shear.map(&spread);
     Ok(Profile {

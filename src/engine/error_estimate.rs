@@ -51,7 +51,7 @@ pub(crate) const ROUNDING: f64 = 1e-13;
 pub(crate) const SLIP_ROUNDING: f64 = 3e-12;
 
 /// Differences of the pressure are not taken to shrink any faster, whatever chance makes of two of them.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Fastest(f64);
 
 impl Fastest {
@@ -75,14 +75,17 @@ pub(crate) struct Seen {
     pub(crate) traces: Traces,
 }
 
-/// Relative error estimates of the last of a sequence of results, each by one step finer; `None` with fewer
-/// than three results.
+/// Relative error estimates of the last of a sequence of results, each by one step finer; `None` where they are too few: with
+/// fewer than three results, or than two where [`told_by_two`] is enough.
 ///
 /// A difference may be small by chance, the largest of many is not: with `d` the largest difference among the
 /// numbers and the traces of the pressure, `r` is the ratio of the last two `d`. Numbers of the shear converge like
 /// shear and pressure, whichever is slower. An algebraic sequence has the error `d r/(1 - r)` left, an exponential
 /// one less.
 pub(crate) fn extrapolated(history: &[Seen], fastest: Fastest) -> Option<Numbers> {
+    if let [coarse, fine] = history {
+        return told_by_two(coarse, fine, fastest);
+    }
     let [early, late] = Differences::last_two(history)?;
     let Pace { of_pressure, of_shear, .. } = Pace::of(&early, &late, fastest);
     let mut errors = Numbers::default();
@@ -111,6 +114,22 @@ pub(crate) fn extrapolated(history: &[Seen], fastest: Fastest) -> Option<Numbers
         let least = if quantity.is_of_shear() { SLIP_ROUNDING } else { ROUNDING };
         errors.set(quantity, (SAFETY * remains).max(least));
     }
+    Some(errors)
+}
+
+/// Relative error estimates of the finer of two results, where the kernels prove theirs and there is no shear, whose stick zone may agree
+/// by chance: twice the largest of all differences, whatever the pace.
+///
+/// Measured on 660 random flat punches and cylinders from one resolution to the next, 3,800 pairs that see the layer: what the finer one missed
+/// was more than the largest difference 15 times, at most 2.0 of it.
+fn told_by_two(coarse: &Seen, fine: &Seen, fastest: Fastest) -> Option<Numbers> {
+    let late = Differences::between(coarse, fine, fine);
+    if fastest != Fastest::PROVEN || late.numbers.iter().any(|(quantity, _)| quantity.is_of_shear()) {
+        return None;
+    }
+    let mut errors = Numbers::default();
+    let error = (SAFETY * late.of_pressure).max(ROUNDING);
+    late.numbers.iter().for_each(|(quantity, _)| errors.set(quantity, error));
     Some(errors)
 }
 
@@ -339,7 +358,24 @@ mod tests {
     fn what_does_not_shrink_is_not_extrapolated() {
         let errors = extrapolated(&history(&[&[1.0, 1.1, 1.0]]), Fastest::PROVEN).unwrap();
         assert!(errors.get(Quantity::Force).unwrap() > 0.1);
-        assert_eq!(extrapolated(&history(&[&[1.0, 1.1]]), Fastest::PROVEN), None);
+    }
+
+    #[test]
+    fn two_results_tell_twice_what_they_differ_by_where_kernels_prove_theirs() {
+        // The pressure in the middle agrees by chance.
+        let two = history(&[&[1.0, 1.1], &[1.0, 1.0]]);
+        let errors = extrapolated(&two, Fastest::PROVEN).unwrap();
+        for (quantity, error) in errors.iter() {
+            assert!((error - 0.2 / 1.1).abs() < 1e-12, "{quantity:?}: {error}");
+        }
+        assert_eq!(errors.iter().count(), 2);
+        for fastest in [Fastest::UNPROVEN, Fastest::UNSEEN] {
+            assert_eq!(extrapolated(&two, fastest), None);
+        }
+        assert_eq!(extrapolated(&two[..1], Fastest::PROVEN), None, "one alone tells nothing");
+        let mut with_shear = two;
+        with_shear.iter_mut().for_each(|seen| seen.numbers.set(Quantity::StickRatio, 0.5));
+        assert_eq!(extrapolated(&with_shear, Fastest::PROVEN), None, "stick zones may agree by chance");
     }
 
     /// Estimate and truth of the last of two results under another load, both of which come at a pace.

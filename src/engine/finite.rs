@@ -2,7 +2,8 @@
 //!
 //! `serde_json` writes both as `null`, and a parsed `null` no longer tells. So the solution is serialised once
 //! into nothing, by a serializer that looks at every number on its way: whatever field is added to a solution,
-//! or to a plugin in its scene, is looked at too. Only the profile, most of the numbers, is looked at by itself first.
+//! or to a plugin in its scene, is looked at too. Only the profile, most of the numbers, is looked at by itself first, and a
+//! solve looks at what it found, not at the scene that it was given.
 
 use super::Solution;
 use serde::ser::{self, Serialize};
@@ -10,8 +11,18 @@ use std::fmt::{self, Display};
 
 /// Path and value of the first number of a solution that is not finite, such as `` `load.force` is NaN ``.
 pub fn first_not_finite(solution: &Solution) -> Option<String> {
-    let known = solution.profile.is_finite().then_some("profile");
-    solution.serialize(Probe { known }).err().map(|found| found.to_string())
+    beside(solution, "")
+}
+
+/// The same among the numbers that were found: all but the scene's.
+pub(super) fn first_found_not_finite(solution: &Solution) -> Option<String> {
+    beside(solution, "scene")
+}
+
+/// The first in a solution that is not in a field known to be finite.
+fn beside(solution: &Solution, known: &'static str) -> Option<String> {
+    let profile = if solution.profile.is_finite() { "profile" } else { "" };
+    solution.serialize(Probe { known: [profile, known] }).err().map(|found| found.to_string())
 }
 
 /// For the writers of formats that have no NaN.
@@ -27,8 +38,8 @@ pub(crate) fn insist(solution: &Solution) {
 /// Walks through a value. Where it is, it learns only on the way out of an error.
 #[derive(Default)]
 struct Probe {
-    /// A field of a struct that is known to be finite.
-    known: Option<&'static str>,
+    /// Fields of a struct that are known to be finite.
+    known: [&'static str; 2],
 }
 
 /// What was found, or what kept the probe from looking; small, since every number passes one on.
@@ -150,7 +161,7 @@ impl ser::Serializer for Probe {
 struct Inside {
     next: usize,
     key: String,
-    known: Option<&'static str>,
+    known: [&'static str; 2],
 }
 
 impl Inside {
@@ -185,7 +196,7 @@ macro_rules! fields {
             type Ok = ();
             type Error = Found;
             fn serialize_field<T: Serialize + ?Sized>(&mut self, name: &'static str, value: &T) -> Result<(), Found> {
-                if self.known == Some(name) { Ok(()) } else { field(name, value) }
+                if self.known.contains(&name) { Ok(()) } else { field(name, value) }
             }
             fn end(self) -> Result<(), Found> {
                 Ok(())

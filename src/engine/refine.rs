@@ -218,20 +218,21 @@ impl Ladder {
             let coarse = last.as_ref().map(|(outcome, _)| outcome);
             let least_share = self.least_share;
             let solved = self.solve(layer, aim, (step, level, level), coarse);
-            let mut outcome =
-                match solved.and_then(|outcome| self.with_room(layer, aim.problem, step, outcome, &estimate)) {
-                    Ok(outcome) => outcome,
-                    Err(refusal) if estimate.is_told() => {
-                        stopped = Some(refusal);
-                        break;
-                    }
-                    // Too coarse for a thin layer: finer steps may do.
-                    Err(refusal @ Refusal::OutOfReach { .. }) if step < SKIPPED => {
-                        stopped = Some(refusal);
-                        continue;
-                    }
-                    Err(refusal) => return Err(refusal),
-                };
+            let lacking =
+                solved.as_ref().ok().and_then(|outcome| self.lacks_room(layer, aim, (step, outcome), &estimate));
+            let mut outcome = match lacking.map_or(solved, Err) {
+                Ok(outcome) => outcome,
+                Err(refusal) if estimate.is_told() => {
+                    stopped = Some(refusal);
+                    break;
+                }
+                // Too coarse for a thin layer: finer steps may do.
+                Err(refusal @ Refusal::OutOfReach { .. }) if step < SKIPPED => {
+                    stopped = Some(refusal);
+                    continue;
+                }
+                Err(refusal) => return Err(refusal),
+            };
             stopped = None;
             if step == 0
                 && let Some(later) = self.known_from(aim, &outcome).or(after_search)
@@ -493,27 +494,26 @@ impl Ladder {
         Ok(outcome)
     }
 
-    /// An outcome, unless its stage lacks the room that its kernels take, and loses more by that than is left of the error told before.
-    fn with_room(
+    /// Why an outcome is none: its stage lacks the room that its kernels take, and loses more by that than is left of the error told before.
+    fn lacks_room(
         &self,
         layer: &Layer,
-        problem: &Problem,
-        stage: usize,
-        outcome: Outcome,
+        aim: Aim,
+        (stage, outcome): (usize, &Outcome),
         estimate: &Estimate,
-    ) -> Result<Outcome, Refusal> {
+    ) -> Option<Refusal> {
         if !estimate.is_told() {
-            return Ok(outcome);
+            return None;
         }
-        let told = worst_judged(problem, &estimate.errors).map_or(0.0, |(_, error)| error);
+        let told = worst_judged(aim.problem, &estimate.errors).map_or(0.0, |(_, error)| error);
         let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
         let lost = |stage: usize| self.stages[stage].normal.lost_for_room(half_width, layer.length());
         let here = lost(stage);
         if here <= told || here <= lost(stage - 1) {
-            return Ok(outcome);
+            return None;
         }
         let (unknowns, short) = (self.stages[stage].unknowns(), layer.length() / half_width);
-        Err(Refusal::OutOfReach {
+        Some(Refusal::OutOfReach {
             method: "quadrature",
             why: format!(
                 "{unknowns} unknowns under kernels as short as {short:.0e} half-widths take more room than there is"
@@ -636,7 +636,7 @@ impl Estimate {
 
     /// Whether the errors are told at all.
     fn is_told(&self) -> bool {
-        self.history.len() >= 3
+        self.errors != Numbers::default()
     }
 
     /// Takes note of a finer resolution; whether it is fine enough, or no finer one would be any better. `has_kernels` is whether those
@@ -649,12 +649,17 @@ impl Estimate {
         // All may agree on what none of them sees.
         let mut estimate = estimate.plus(hidden_details(problem, outcome, unknowns));
         self.of_shear = estimate.take(Quantity::Shear).filter(|_| problem.wishes.profile);
-        let before = worst_judged(problem, &self.errors).map_or(f64::INFINITY, |(_, error)| error);
         let now = worst_judged(problem, &estimate).map_or(0.0, |(_, error)| error);
+        // Two alone do not tell that more of them are vain, nor more than what happens to agree where one number is far less sure than all others.
+        if self.history.len() < 3 && (now > tolerance || share_in_middle(outcome) < FAINT) {
+            return false;
+        }
+        let is_stalled =
+            now < ROUNDED && worst_judged(problem, &self.errors).is_some_and(|(_, before)| now > 0.5 * before);
         self.errors = estimate;
         let all = with_the_rest(problem, layer, outcome, tolerance, estimate);
         self.met = meets(problem, &all, tolerance) || now <= 2.0 * ROUNDING;
-        self.stalled = if now < ROUNDED && now > 0.5 * before { self.stalled + 1 } else { 0 };
+        self.stalled = if is_stalled { self.stalled + 1 } else { 0 };
         let is_vain = is_vain(problem, outcome, tolerance, (&estimate, &all), has_kernels);
         self.met || is_vain || self.stalled >= STALLED
     }

@@ -153,9 +153,11 @@ pub struct Profile {
 impl Profile {
     /// Whether each of its numbers is finite.
     pub(super) fn is_finite(&self) -> bool {
+        // All of them: there is hardly ever one to stop at.
         let mut columns = [Some(&self.pressure), self.shear.as_ref(), self.strain.as_ref()].into_iter().flatten();
-        self.x.iter().all(|x| x.is_finite())
-            && columns.all(|column| column.iter().flatten().all(|value| value.is_finite()))
+        let is_finite = |value: &Option<f64>| value.unwrap_or(0.0).is_finite();
+        self.x.iter().fold(true, |all, x| all & x.is_finite())
+            && columns.all(|column| column.iter().fold(true, |all, value| all & is_finite(value)))
     }
 }
 

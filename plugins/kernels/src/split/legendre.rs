@@ -147,8 +147,10 @@ impl Legendre {
         let (mut weighted, mut coefficients) = (Vec::with_capacity(all), [0.0; MOST]);
         let mut told = Vec::with_capacity(if summed { 0 } else { all });
         let waves = self.waves(half * reach);
-        let polynomials = |end: End| values((end.at - middle) / half).take(count).collect::<ArrayVec<f64, MOST>>();
-        let ends = [lower, upper].map(|end| (end, polynomials(end)));
+        let (ends, mut at_ends) = ([lower, upper], [[0.0; MOST]; 2]);
+        for (polynomials, end) in at_ends.iter_mut().zip(ends) {
+            polynomials[..count].iter_mut().zip(values((end.at - middle) / half)).for_each(|(to, p)| *to = p);
+        }
         let resolve = |column: &Column| {
             let mut size = 0.0;
             let weigh = |((s, f), weight): ((&f64, &SurfaceFlexibility), &f64)| {
@@ -169,7 +171,7 @@ impl Legendre {
                 rough = column.roughness * exposed;
             }
             // The second evaluation: at the ends, where an unresolved P_n is largest.
-            let seen = ends.iter().fold(0.0_f64, |most, (end, p)| {
+            let seen = ends.iter().zip(&at_ends).fold(0.0_f64, |most, (end, p)| {
                 let sum: f64 = coefficients.iter().zip(p).map(|(c, p)| c * p).sum();
                 most.max((sum - column.weight(end.at, &end.flexibility)).abs())
             });

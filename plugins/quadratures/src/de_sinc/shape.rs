@@ -91,22 +91,30 @@ impl WithSimd for Values<'_> {
         let Shape { grid, limit, signed } = *self.shape;
         let series = Series { signed, odd: grid.odd, offset: 0.0 };
         let (per_step, per_width) = (1.0 / grid.step, 1.0 / self.half_width);
-        let (mut t, mut sums) = ([0.0; BATCH], [0.0; BATCH]);
+        let (mut t, mut x, mut root, mut sums) = ([0.0; BATCH], [0.0; BATCH], [0.0; BATCH], [0.0; BATCH]);
         for (at, out) in self.at.chunks(BATCH).zip(self.out.chunks_mut(BATCH)) {
-            for (t, at) in t.iter_mut().zip(at) {
-                *t = locate(*at) * per_step;
+            // Loops without a choice in them, which become vector code.
+            for (((t, x), root), at) in t.iter_mut().zip(&mut x).zip(&mut root).zip(at) {
+                let gap = at.gap * per_width;
+                (*t, *x, *root) = (locate(*at) * per_step, at.x * per_width, (gap * (2.0 - gap)).sqrt());
             }
             series.sums_into(simd, &t, at.len(), &mut sums);
-            for ((out, at), varying) in out.iter_mut().zip(at).zip(&sums) {
-                let (x, gap) = (at.x * per_width, at.gap * per_width);
-                let root = (gap * (2.0 - gap)).sqrt();
-                let (limit, varying) =
-                    if grid.odd { (limit * x, varying * 1.0_f64.copysign(x)) } else { (limit, *varying) };
-                *out = match grid.edge {
-                    Edge::Sharp => (limit + varying) / root,
-                    Edge::Smooth => root * limit + root.sqrt() * varying,
-                    Edge::Continued => root * limit + varying,
-                };
+            let (x, root, sums) = (&mut x[..at.len()], &root[..at.len()], &mut sums[..at.len()]);
+            if grid.odd {
+                for (x, sum) in x.iter_mut().zip(&mut *sums) {
+                    *sum *= 1.0_f64.copysign(*x);
+                    *x *= limit;
+                }
+            } else {
+                x.fill(limit);
+            }
+            let out = out.iter_mut().zip(&*x).zip(&*sums).zip(root);
+            match grid.edge {
+                Edge::Sharp => out.for_each(|(((out, limit), varying), root)| *out = (limit + varying) / root),
+                Edge::Smooth => {
+                    out.for_each(|(((out, limit), varying), root)| *out = root * limit + root.sqrt() * varying);
+                }
+                Edge::Continued => out.for_each(|(((out, limit), varying), root)| *out = root * limit + varying),
             }
         }
     }
