@@ -129,7 +129,9 @@ fn told_by_two(coarse: &Seen, fine: &Seen, fastest: Fastest) -> Option<Numbers> 
     }
     let mut errors = Numbers::default();
     let error = (SAFETY * late.of_pressure).max(ROUNDING);
-    late.numbers.iter().for_each(|(quantity, _)| errors.set(quantity, error));
+    for (quantity, _) in late.numbers.iter() {
+        errors.set(quantity, error);
+    }
     Some(errors)
 }
 
@@ -374,7 +376,9 @@ mod tests {
         }
         assert_eq!(extrapolated(&two[..1], Fastest::PROVEN), None, "one alone tells nothing");
         let mut with_shear = two;
-        with_shear.iter_mut().for_each(|seen| seen.numbers.set(Quantity::StickRatio, 0.5));
+        for seen in &mut with_shear {
+            seen.numbers.set(Quantity::StickRatio, 0.5);
+        }
         assert_eq!(extrapolated(&with_shear, Fastest::PROVEN), None, "stick zones may agree by chance");
     }
 

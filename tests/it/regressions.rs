@@ -1523,3 +1523,35 @@ fn beyond_a_grid_things_go_on_as_they_do() {
         }
     }
 }
+
+/// Where the slip zone is 7e-11 of the contact, the series of the shear was cut where its slope still changes: it came no closer than 1e-7 with up
+/// to 90 unknowns, and at 1e-10 systems of up to 2,048 were solved for it, again and again.
+#[test]
+fn the_shear_beside_a_narrow_slip_zone_takes_few_unknowns() {
+    slipzone::link_plugins();
+    let text = |solver: &str| {
+        format!(
+            "format = 1\nload = {{ force = 2.0 }}\npunch = {{ type = \"flat\", half_width = 1.0 }}\n\
+             friction = {{ type = \"goodman\", coefficient = 1.2433264939 }}\n[solver]\n{solver}\n\
+             [layer]\nthickness = 0.8443917224\npoisson = 0.3819546963\n\
+             grading = {{ type = \"exponential\", surface = 1.0, base = 0.4661024264 }}"
+        )
+    };
+    let solved = |solver: &str| solve(&slipzone::scene::parse("narrow", &text(solver)).unwrap());
+    let shear = |found: &Solution| {
+        let points = found.profile.shear.as_ref().expect("friction");
+        [130, 160, 180, 198].map(|i| points[i].expect("inside"))
+    };
+    let found = solved("tolerance = 1e-10");
+    assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
+    assert!(found.error.each["profile.shear"] < 6e-10, "{:?}", found.error.each);
+    assert!(found.plan.unknowns <= 91, "{} unknowns", found.plan.unknowns);
+    assert!(found.plan.work < 20_000_000, "work {}", found.plan.work);
+    for (n, within) in [(72, 1e-8), (128, 1e-9)] {
+        let pinned = solved(&format!("tolerance = 1e-12\nquadrature = {{ type = \"de-sinc\", n = {n} }}"));
+        for (exact, found) in shear(&found).into_iter().zip(shear(&pinned)) {
+            let off = (found / exact - 1.0).abs();
+            assert!(off < within, "{off:e} at n = {n}");
+        }
+    }
+}

@@ -129,12 +129,59 @@ fn leading([(s, f), (t, g), (u, h)]: [([f64; 2], f64); 3]) -> [f64; 2] {
     [of_second - second * b[1] / b[0], second]
 }
 
+/// Noise is smaller than this over the largest value.
+const NOISY: f64 = 1e-10;
+/// Where `F` is more than so many times what it was where it is no noise, over the gap, it is noise.
+const STEEP: f64 = 10.0;
+/// One value of noise may be so many times another.
+const SPREAD: f64 = 4.0;
+
+/// Where the first value stands that is noise, and about how large it is; nothing where there is none.
+///
+/// `F` goes with the gap at the end, which noise does not. That may be far less than the rounding of the largest value: a stick zone's system
+/// tells small unknowns beside the end as well as large ones.
+fn first_noise(f: &[f64], grid: &Grid, largest: f64) -> Option<(usize, f64)> {
+    let mut steepest = largest;
+    for (j, (f, node)) in f.iter().zip(&grid.nodes).enumerate().skip(grid.first) {
+        let (size, most) = (f.abs(), STEEP * steepest * node.gap);
+        if size >= NOISY * largest {
+            steepest = steepest.max(size / node.gap);
+        } else if size > most || size == 0.0 && most < NOISY * largest {
+            // A zero is a difference of which nothing is left.
+            return Some((j, size.max(most)));
+        }
+    }
+    None
+}
+
+/// The node at which to cut `F`, which is known to within `noise`. With `s` the root of the gap, `f` is off there by `noise/s`, and by `s` times what
+/// `F/gap` still changes by beyond, as far as noise does not explain it: where both together are least.
+///
+/// Under a narrow slip zone `F/gap` changes until the gap is well below its width: cut where `F` is the power 2/3 of its noise, as does where
+/// it goes on with the root of the gap, it took three times as many unknowns.
+fn cut(f: &[f64], grid: &Grid, noise: f64) -> usize {
+    let (mut best, mut least) = (f.len().saturating_sub(1), f64::INFINITY);
+    let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
+    for (j, (f, node)) in f.iter().zip(&grid.nodes).enumerate().skip(1).rev() {
+        let (root, slope, blur) = (node.gap.sqrt(), f / node.gap, noise / node.gap);
+        let changed = (highest - slope).max(slope - lowest).max(0.0);
+        let lost = root * (blur + changed);
+        if lost < least {
+            (best, least) = (j, lost);
+        }
+        (lowest, highest) = (lowest.min(slope + SPREAD * blur), highest.max(slope - SPREAD * blur));
+        // Farther in at least half of that is lost.
+        if 0.5 * root * (highest - lowest) > least {
+            break;
+        }
+    }
+    best
+}
+
 /// Takes the noise off `F` and cuts it where nothing else is left; returns `lim F/(1 - x^2)`.
 ///
 /// The singular density that is to be absent is absent up to an error `e` only, and adds nearly the same
-/// number to `F` at all nodes; what stays of it once that is taken off is half of `e` or less. It counts as
-/// `e exp(w)` in `f`. The first term left out behind the cut counts as `exp(-2 w)` (continued: `f` is
-/// regular `+ sqrt(gap)`) or `exp(-3 w)` (smooth), which is as much where `F ~ exp(-2 w)` is `e^(2/3)` or `e^(1/2)`.
+/// number to `F` at all nodes; what stays of it once that is taken off is half of `e` or less.
 fn bound(f: &mut Vec<f64>, grid: &Grid) -> f64 {
     // The very last node feels the missing ones.
     let n = f.len() - 1;
@@ -152,10 +199,8 @@ fn bound(f: &mut Vec<f64>, grid: &Grid) -> f64 {
     }
     // What is all noise may be nothing at one node.
     let tail = (at + 1..n).map(|j| (f[j] - known(j)).abs()).fold(0.5 * noise.abs(), f64::max);
-    let rest = tail + 0.2 * f64::EPSILON * largest;
-    let exponent = if grid.edge == Edge::Smooth { 0.5 } else { 2.0 / 3.0 };
-    let least = largest * (rest / largest).powf(exponent);
-    let end = (1..n).rev().find(|j| f[*j].abs() > least).unwrap_or(1);
+    let (first, noise) = first_noise(&f[..n], grid, largest).unwrap_or((n, 0.0));
+    let end = cut(&f[..first], grid, tail.max(noise));
     f.truncate(end + 1);
     f[end] / (grid.nodes[end].sech.powi(2) * grid.ending(grid.nodes[end].x))
 }
