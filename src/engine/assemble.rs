@@ -22,8 +22,9 @@ use std::borrow::Cow;
 const PRESSURE: &str = "profile.pressure";
 /// Where the strain left stands in a result.
 const STRAIN: &str = "profile.strain";
-/// Points at which tractions are told before the budget is looked at again.
-const AT_ONCE: usize = 32;
+/// Points at which tractions are told before the budget is looked at again, and those of a stack, each of which is told by many flat punches.
+const AT_ONCE: usize = 1024;
+const STACKED_AT_ONCE: usize = 32;
 /// Indentation over the thickness from which strains are no longer called small.
 const DEEP: f64 = 0.1;
 /// Slope of the punch in contact from which they are not.
@@ -243,6 +244,9 @@ fn how(judged: &Judged) -> String {
     let of_kernels = |proven| if proven { "; kernels by their own bound" } else { "" };
     let numerical = match judged.how {
         How::Twin => "resolution fixed by the scene, compared with a finer twin".into(),
+        How::Sequence { count: 2, kernels_proven } => {
+            format!("twice the largest difference between two resolutions{}", of_kernels(kernels_proven))
+        }
         How::Sequence { count, kernels_proven } => format!(
             "differences between {count} resolutions, each finer than the one before, extrapolated{}",
             of_kernels(kernels_proven)
@@ -305,11 +309,12 @@ fn tractions(
     };
     let station = |x: &f64| Station { x: x * b, gap: (1.0 - x.abs()) * b };
     let is_inside = |x: &f64| station(x).gap > 0.0;
-    let mut inside = Vec::with_capacity(relative.len());
-    inside.extend(relative.iter().filter(|x| is_inside(x)).map(station));
+    let mut inside: Vec<Station> = relative.iter().map(station).collect();
+    inside.retain(|station| station.gap > 0.0);
     let mut pressure = vec![0.0; inside.len()];
     let mut shear = Some(Vec::with_capacity(inside.len()));
-    for (at, pressure) in inside.chunks(AT_ONCE).zip(pressure.chunks_mut(AT_ONCE)) {
+    let at_once = if problem.is_stacked() { STACKED_AT_ONCE } else { AT_ONCE };
+    for (at, pressure) in inside.chunks(at_once).zip(pressure.chunks_mut(at_once)) {
         layer.meter().within()?;
         stage.pressure_into(problem, at, pressure);
         let found = stage.shear(problem, at, pressure);

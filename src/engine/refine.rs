@@ -316,7 +316,7 @@ impl Ladder {
         history: &mut ArrayVec<Seen, { FINEST + 1 }>,
     ) {
         let most = if aim.problem.is_stacked() { FOR_STACKED_SHEAR } else { FOR_THE_TRACTIONS };
-        let (mut seen, mut passed) = (history.clone(), None);
+        let (mut seen, mut passed): (Option<ArrayVec<Seen, { FINEST + 1 }>>, _) = (None, None);
         for stage in (found.stage + 1..).take(most) {
             // That everything sticks, coarse resolutions cannot tell: they have no shear to compare with.
             let unknown =
@@ -327,6 +327,7 @@ impl Ladder {
             {
                 return;
             }
+            let seen = seen.get_or_insert_with(|| history.clone());
             if seen.is_full() {
                 return;
             }
@@ -338,7 +339,7 @@ impl Ladder {
             };
             seen.push(outcome.seen());
             let fastest = fastest(layer, &outcome, self.stages[stage].unknowns());
-            let Some(mut errors) = extrapolated(&seen, fastest) else { return };
+            let Some(mut errors) = extrapolated(seen, fastest) else { return };
             let told = errors.take(Quantity::Shear);
             let all = with_the_rest(aim.problem, layer, &outcome, aim.tolerance, errors);
             if !meets(aim.problem, &all, aim.tolerance) {

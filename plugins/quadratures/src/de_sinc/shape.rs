@@ -131,21 +131,22 @@ fn leading([(s, f), (t, g), (u, h)]: [([f64; 2], f64); 3]) -> [f64; 2] {
 
 /// Noise is smaller than this over the largest value.
 const NOISY: f64 = 1e-10;
-/// Where `F` is more than so many times what it was where it is no noise, over the gap, it is noise.
+/// Where `F` is more than so many times what it was where it is no noise, over `1 - x^2`, it is noise.
 const STEEP: f64 = 10.0;
 /// One value of noise may be so many times another.
 const SPREAD: f64 = 4.0;
 
 /// Where the first value stands that is noise, and about how large it is; nothing where there is none.
 ///
-/// `F` goes with the gap at the end, which noise does not. That may be far less than the rounding of the largest value: a stick zone's system
-/// tells small unknowns beside the end as well as large ones.
+/// `F` goes with `s^2 = 1 - x^2` at the end, which noise does not. That may be far less than the rounding of the largest value: a stick zone's
+/// system tells small unknowns beside the end as well as large ones.
 fn first_noise(f: &[f64], grid: &Grid, largest: f64) -> Option<(usize, f64)> {
     let mut steepest = largest;
     for (j, (f, node)) in f.iter().zip(&grid.nodes).enumerate().skip(grid.first) {
-        let (size, most) = (f.abs(), STEEP * steepest * node.gap);
+        let (size, square) = (f.abs(), node.sech * node.sech);
+        let most = STEEP * steepest * square;
         if size >= NOISY * largest {
-            steepest = steepest.max(size / node.gap);
+            steepest = steepest.max(size / square);
         } else if size > most || size == 0.0 && most < NOISY * largest {
             // A zero is a difference of which nothing is left.
             return Some((j, size.max(most)));
@@ -154,24 +155,25 @@ fn first_noise(f: &[f64], grid: &Grid, largest: f64) -> Option<(usize, f64)> {
     None
 }
 
-/// The node at which to cut `F`, which is known to within `noise`. With `s` the root of the gap, `f` is off there by `noise/s`, and by `s` times what
-/// `F/gap` still changes by beyond, as far as noise does not explain it: where both together are least.
+/// The node at which to cut `F`, which is known to within `noise`: `f` is off there by `noise/s`, and by `s` times what `F/s^2` still changes by
+/// beyond, as far as noise does not explain it. Where both together are least.
 ///
-/// Under a narrow slip zone `F/gap` changes until the gap is well below its width: cut where `F` is the power 2/3 of its noise, as does where
+/// Under a narrow slip zone `F/s^2` changes until the gap is well below its width: cut where `F` is the power 2/3 of its noise, as does where
 /// it goes on with the root of the gap, it took three times as many unknowns.
 fn cut(f: &[f64], grid: &Grid, noise: f64) -> usize {
     let (mut best, mut least) = (f.len().saturating_sub(1), f64::INFINITY);
     let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
     for (j, (f, node)) in f.iter().zip(&grid.nodes).enumerate().skip(1).rev() {
-        let (root, slope, blur) = (node.gap.sqrt(), f / node.gap, noise / node.gap);
-        let changed = (highest - slope).max(slope - lowest).max(0.0);
-        let lost = root * (blur + changed);
+        let per_square = 1.0 / (node.sech * node.sech);
+        let (limit, blur) = (f * per_square, noise * per_square);
+        let changed = (highest - limit).max(limit - lowest).max(0.0);
+        let lost = node.sech * (blur + changed);
         if lost < least {
             (best, least) = (j, lost);
         }
-        (lowest, highest) = (lowest.min(slope + SPREAD * blur), highest.max(slope - SPREAD * blur));
+        (lowest, highest) = (lowest.min(limit + SPREAD * blur), highest.max(limit - SPREAD * blur));
         // Farther in at least half of that is lost.
-        if 0.5 * root * (highest - lowest) > least {
+        if 0.5 * node.sech * (highest - lowest) > least {
             break;
         }
     }
