@@ -4,7 +4,7 @@ use super::error_estimate::{ROUNDING, SAFETY};
 use super::half_plane_shear::HalfPlaneShear;
 use super::layer::Layer;
 use super::problem::Problem;
-use super::quantity::{Numbers, Quantity, ShearTrace};
+use super::quantity::{Numbers, Quantity, ShearTrace, worst};
 use super::rubbing::Verdict;
 use super::stage::Outcome;
 use slipzone_api::Refusal;
@@ -139,7 +139,7 @@ pub(super) fn hidden_details(problem: &Problem, outcome: &Outcome, unknowns: usi
 
 /// The largest error of a number that has to meet the tolerance.
 pub(super) fn worst_judged(problem: &Problem, errors: &Numbers) -> Option<(Quantity, f64)> {
-    errors.judged_by(problem.wishes).worst()
+    worst(errors.iter().filter(|(quantity, _)| problem.wishes.judges(*quantity)))
 }
 
 /// Whether all that has to meet the tolerance does.

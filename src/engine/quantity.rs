@@ -181,8 +181,13 @@ impl Numbers {
 
     /// The largest, and whose it is.
     pub(crate) fn worst(&self) -> Option<(Quantity, f64)> {
-        self.iter().reduce(|worst, next| if next.1 > worst.1 { next } else { worst })
+        worst(self.iter())
     }
+}
+
+/// The largest of some errors, and whose it is.
+pub(crate) fn worst(errors: impl Iterator<Item = (Quantity, f64)>) -> Option<(Quantity, f64)> {
+    errors.reduce(|worst, next| if next.1 > worst.1 { next } else { worst })
 }
 
 /// Tractions at a few points, over the mean pressure. One number may converge by chance for a while, a whole traction

@@ -222,18 +222,21 @@ impl Ladder {
             let solved = self.solve(layer, aim, (step, level, level), coarse);
             let lacking =
                 solved.as_ref().ok().and_then(|outcome| self.lacks_room(layer, aim, (step, outcome), &estimate));
-            let mut outcome = match lacking.map_or(solved, Err) {
-                Ok(outcome) => outcome,
-                Err(refusal) if estimate.is_told() => {
-                    stopped = Some(refusal);
-                    break;
+            let mut outcome = match solved {
+                Ok(outcome) if lacking.is_none() => outcome,
+                other => {
+                    let refusal = lacking.or(other.err()).expect("the one or the other");
+                    if estimate.is_told() {
+                        stopped = Some(refusal);
+                        break;
+                    }
+                    // Too coarse for a thin layer: finer steps may do.
+                    if step < SKIPPED && matches!(refusal, Refusal::OutOfReach { .. }) {
+                        stopped = Some(refusal);
+                        continue;
+                    }
+                    return Err(refusal);
                 }
-                // Too coarse for a thin layer: finer steps may do.
-                Err(refusal @ Refusal::OutOfReach { .. }) if step < SKIPPED => {
-                    stopped = Some(refusal);
-                    continue;
-                }
-                Err(refusal) => return Err(refusal),
             };
             stopped = None;
             if step == 0
@@ -668,8 +671,8 @@ impl Estimate {
         let all = with_the_rest(problem, layer, outcome, tolerance, estimate);
         self.met = meets(problem, &all, tolerance) || now <= 2.0 * ROUNDING;
         self.stalled = if is_stalled { self.stalled + 1 } else { 0 };
-        let is_vain = is_vain(problem, outcome, tolerance, (&estimate, &all), has_kernels);
-        self.met || is_vain || self.stalled >= STALLED
+        let is_done = self.met || self.stalled >= STALLED;
+        is_done || is_vain(problem, outcome, tolerance, (&estimate, &all), has_kernels)
     }
 }
 
