@@ -50,7 +50,7 @@ const MORE: usize = 1;
 /// Steps that pressure and shear may take beyond those of the numbers, and those of a stack of flat punches, each of which is many.
 const FOR_THE_TRACTIONS: usize = 4;
 const FOR_STACKED_SHEAR: usize = 3;
-/// An error of the shear of which a step of these leaves more is not worth another one.
+/// Of an error of the shear a step of these is to leave no more, or another one is not worth it.
 const VAIN: f64 = 0.5;
 /// Share of the tolerance that the kernels may use up.
 const KERNEL_SHARE: f64 = 0.2;
@@ -355,7 +355,7 @@ impl Ladder {
             (found.outcome, found.stage, found.errors, found.of_shear) = (outcome, stage, errors, shear.or(told));
             found.of_pressure = self.lost_between(aim, stage);
             (*history, passed) = (seen.clone(), None);
-            // Under a flat punch it was solved on finer grids yet.
+            // Under a flat punch its finer grids were tried already.
             let is_vain = !aim.problem.is_stacked() && shear.is_some_and(|shear| shear > VAIN * error);
             if is_vain && is_known_between(found.of_pressure, aim.tolerance) {
                 return;
