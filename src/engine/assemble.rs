@@ -308,7 +308,6 @@ fn tractions(
         None => (!sharp).then_some(0.0),
     };
     let station = |x: &f64| Station { x: x * b, gap: (1.0 - x.abs()) * b };
-    let is_inside = |x: &f64| station(x).gap > 0.0;
     let mut inside: Vec<Station> = relative.iter().map(station).collect();
     inside.retain(|station| station.gap > 0.0);
     let mut pressure = vec![0.0; inside.len()];
@@ -326,7 +325,7 @@ fn tractions(
     // Points on the edge or beyond it have no value of their own.
     let spread = |values: Vec<f64>| {
         let mut values = values.into_iter();
-        relative.iter().map(|x| value(if is_inside(x) { values.next() } else { None })).collect()
+        relative.iter().map(|x| value(if station(x).gap > 0.0 { values.next() } else { None })).collect()
     };
     let shear = shear.map(&spread);
     Ok(Profile {

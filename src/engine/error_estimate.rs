@@ -123,10 +123,10 @@ pub(crate) fn extrapolated(history: &[Seen], fastest: Fastest) -> Option<Numbers
 /// Measured on 660 random flat punches and cylinders from one resolution to the next, 3,800 pairs that see the layer: what the finer one missed
 /// was more than the largest difference 15 times, at most 2.0 of it.
 fn told_by_two(coarse: &Seen, fine: &Seen, fastest: Fastest) -> Option<Numbers> {
-    let late = Differences::between(coarse, fine, fine);
-    if fastest != Fastest::PROVEN || late.numbers.iter().any(|(quantity, _)| quantity.is_of_shear()) {
+    if fastest != Fastest::PROVEN || fine.numbers.iter().any(|(quantity, _)| quantity.is_of_shear()) {
         return None;
     }
+    let late = Differences::between(coarse, fine, fine);
     let mut errors = Numbers::default();
     let error = (SAFETY * late.of_pressure).max(ROUNDING);
     for (quantity, _) in late.numbers.iter() {

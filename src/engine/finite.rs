@@ -11,17 +11,17 @@ use std::fmt::{self, Display};
 
 /// Path and value of the first number of a solution that is not finite, such as `` `load.force` is NaN ``.
 pub fn first_not_finite(solution: &Solution) -> Option<String> {
-    beside(solution, "")
+    beside(solution, None)
 }
 
 /// The same among the numbers that were found: all but the scene's.
 pub(super) fn first_found_not_finite(solution: &Solution) -> Option<String> {
-    beside(solution, "scene")
+    beside(solution, Some("scene"))
 }
 
 /// The first in a solution that is not in a field known to be finite.
-fn beside(solution: &Solution, known: &'static str) -> Option<String> {
-    let profile = if solution.profile.is_finite() { "profile" } else { "" };
+fn beside(solution: &Solution, known: Option<&'static str>) -> Option<String> {
+    let profile = solution.profile.is_finite().then_some("profile");
     solution.serialize(Probe { known: [profile, known] }).err().map(|found| found.to_string())
 }
 
@@ -39,7 +39,7 @@ pub(crate) fn insist(solution: &Solution) {
 #[derive(Default)]
 struct Probe {
     /// Fields of a struct that are known to be finite.
-    known: [&'static str; 2],
+    known: [Option<&'static str>; 2],
 }
 
 /// What was found, or what kept the probe from looking; small, since every number passes one on.
@@ -161,7 +161,7 @@ impl ser::Serializer for Probe {
 struct Inside {
     next: usize,
     key: String,
-    known: [&'static str; 2],
+    known: [Option<&'static str>; 2],
 }
 
 impl Inside {
@@ -196,7 +196,7 @@ macro_rules! fields {
             type Ok = ();
             type Error = Found;
             fn serialize_field<T: Serialize + ?Sized>(&mut self, name: &'static str, value: &T) -> Result<(), Found> {
-                if self.known.contains(&name) { Ok(()) } else { field(name, value) }
+                if self.known.contains(&Some(name)) { Ok(()) } else { field(name, value) }
             }
             fn end(self) -> Result<(), Found> {
                 Ok(())

@@ -319,7 +319,8 @@ impl Ladder {
         history: &mut ArrayVec<Seen, { FINEST + 1 }>,
     ) {
         let most = if aim.problem.is_stacked() { FOR_STACKED_SHEAR } else { FOR_THE_TRACTIONS };
-        let (mut seen, mut passed): (Option<ArrayVec<Seen, { FINEST + 1 }>>, _) = (None, None);
+        // How many of the resolutions count: those after the last one taken do not.
+        let (mut counted, mut passed) = (history.len(), None);
         for stage in (found.stage + 1..).take(most) {
             // That everything sticks, coarse resolutions cannot tell: they have no shear to compare with.
             let unknown =
@@ -328,21 +329,20 @@ impl Ladder {
             if is_known_between(found.of_pressure, aim.tolerance)
                 && error <= left_by_sticking(&found.outcome).max(SHEAR * aim.tolerance)
             {
-                return;
+                break;
             }
-            let seen = seen.get_or_insert_with(|| history.clone());
-            if seen.is_full() {
-                return;
+            if history.is_full() {
+                break;
             }
             let level = level(first, stage);
             let task = self.task(aim, level);
             let coarse = passed.as_ref().unwrap_or(&found.outcome);
             let Ok(mut outcome) = self.solve(layer, aim, (stage, level, level), Some(coarse)) else {
-                return;
+                break;
             };
-            seen.push(outcome.seen());
+            history.push(outcome.seen());
             let fastest = fastest(layer, &outcome, self.stages[stage].unknowns());
-            let Some(mut errors) = extrapolated(seen, fastest) else { return };
+            let Some(mut errors) = extrapolated(history, fastest) else { break };
             let told = errors.take(Quantity::Shear);
             let all = with_the_rest(aim.problem, layer, &outcome, aim.tolerance, errors);
             if !meets(aim.problem, &all, aim.tolerance) {
@@ -351,16 +351,17 @@ impl Ladder {
                 passed = Some(outcome);
                 continue;
             }
-            let Ok(Settled::Here { shear }) = self.settle(layer, task, (&mut outcome, stage), &errors) else { return };
+            let Ok(Settled::Here { shear }) = self.settle(layer, task, (&mut outcome, stage), &errors) else { break };
             (found.outcome, found.stage, found.errors, found.of_shear) = (outcome, stage, errors, shear.or(told));
             found.of_pressure = self.lost_between(aim, stage);
-            (*history, passed) = (seen.clone(), None);
+            (counted, passed) = (history.len(), None);
             // Under a flat punch its finer grids were tried already.
             let is_vain = !aim.problem.is_stacked() && shear.is_some_and(|shear| shear > VAIN * error);
             if is_vain && is_known_between(found.of_pressure, aim.tolerance) {
-                return;
+                break;
             }
         }
+        history.truncate(counted);
     }
 
     /// Takes note of how a contact that grew was settled.

@@ -201,8 +201,8 @@ fn bound(f: &mut Vec<f64>, grid: &Grid) -> f64 {
     }
     // What is all noise may be nothing at one node.
     let tail = (at + 1..n).map(|j| (f[j] - known(j)).abs()).fold(0.5 * noise.abs(), f64::max);
-    let (first, noise) = first_noise(&f[..n], grid, largest).unwrap_or((n, 0.0));
-    let end = cut(&f[..first], grid, tail.max(noise));
+    let (first, size) = first_noise(&f[..n], grid, largest).unwrap_or((n, 0.0));
+    let end = cut(&f[..first], grid, tail.max(size));
     f.truncate(end + 1);
     f[end] / (grid.nodes[end].sech.powi(2) * grid.ending(grid.nodes[end].x))
 }
