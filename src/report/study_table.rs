@@ -2,12 +2,9 @@
 
 use super::csv::{cell, line};
 use crate::scene::Asked;
-use crate::study::{Cell, Record, Study, at};
+use crate::study::{ANSWER, Cell, Record, Study, at};
 use serde_json::Value;
 use slipzone_api::{Friction, FrozenStrain};
-
-/// The answer to an inverse question, its error, and whether a least or largest value lies at an end of the range.
-const ANSWER: [&str; 3] = ["found.value", "found.error", "found.is_at_end"];
 
 /// The columns of a study's CSV: `index`, what changed, `status`, the numbers by their paths in a result, the direction of
 /// slip, the largest error estimate, and why a scene failed.

@@ -17,10 +17,10 @@ mod sweep;
 pub use axis::{Axis, Cell, Column};
 pub use find::{Find, Wanted};
 pub use plot::{Line, OneOrMore, Over, Plot, PlotKind, Points, Scale};
-pub(crate) use record::at;
+pub(crate) use record::{ANSWER, at};
 pub use record::{Found, Record, RecordStatus};
 #[cfg(feature = "plot")]
-pub(crate) use shown::{Place, Shown, Source};
+pub(crate) use shown::{FOUND, Place, Shown, Source};
 pub use sweep::sweep;
 
 use crate::scene::{Asked, Replacement, Scene, SceneError, Template};

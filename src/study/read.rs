@@ -5,7 +5,7 @@ use super::files::{Kept, Reading};
 use super::find::{Find, Wanted};
 use super::plot::Plot;
 use super::shown::PlotFault;
-use super::{LARGEST_STUDY, Study};
+use super::{ANSWER, LARGEST_STUDY, Study};
 use crate::scene::document::{Document, dotted, one_of};
 use crate::scene::{Asked, Replacement, SceneError, Template, decode, plain};
 use serde::Deserialize;
@@ -342,8 +342,8 @@ fn empty(document: &Document, path: &[&str], what: &str) -> SceneError {
     document.error(document.key(path), what).found(document.found(path)).expected("at least one")
 }
 
-/// Columns of the table beside the axes and the numbers.
-const RESERVED: [&str; 7] = ["index", "status", "stick.slip", "error", "reason", "found.value", "found.error"];
+/// Columns of the table beside the axes, the numbers and [`ANSWER`].
+const RESERVED: [&str; 5] = ["index", "status", "stick.slip", "error", "reason"];
 
 /// No field is set twice, no two columns have one name.
 fn distinct(document: &Document, axes: &[Axis]) -> Result<(), SceneError> {
@@ -358,7 +358,8 @@ fn distinct(document: &Document, axes: &[Axis]) -> Result<(), SceneError> {
                     .expected("each field once; fields that change together are a `zip`"));
             }
             // The fields themselves may be called as they are: their columns stand for the numbers of that name.
-            let is_reserved = |label: &str| RESERVED.contains(&label) || Asked::named(label).is_some();
+            let is_reserved =
+                |label: &str| RESERVED.contains(&label) || ANSWER.contains(&label) || Asked::named(label).is_some();
             let is_taken = column.label != column.field && is_reserved(&column.label);
             if seen.iter().any(|other| other.label == column.label) || is_taken {
                 let error = document.error(document.key(&place), format!("two columns named `{}`", column.label));

@@ -1,6 +1,6 @@
 //! One line of a sweep's results.
 
-use super::{Cell, Study};
+use super::{Cell, FOUND, Study};
 use crate::engine::{EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Solution, Status, StickReport};
 use crate::scene::SceneError;
 use serde::ser::SerializeMap;
@@ -51,6 +51,9 @@ pub struct Found {
     /// Whether the least or largest value lies at an end of the range: further out there may be a better one.
     pub is_at_end: bool,
 }
+
+/// Columns of the answer: the value, its error, and whether a least or largest one lies at an end of the range.
+pub(crate) const ANSWER: [&str; 3] = [FOUND, "found.error", "found.is_at_end"];
 
 /// How a scene of a study ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

@@ -2,7 +2,7 @@
 
 use crate::report::labels::{Labels, one_line};
 use crate::report::number::{short, typeset};
-use crate::study::{Cell, Column, Place, Source, Study};
+use crate::study::{Cell, Column, FOUND, Place, Source, Study};
 
 /// A number of the result: name and unit.
 fn number(path: &str, labels: &Labels) -> (&'static str, String) {
@@ -50,7 +50,7 @@ fn field(path: &str, labels: &Labels) -> Option<(&'static str, String)> {
 pub(super) fn of(source: Source, study: &Study) -> (String, String) {
     let labels = Labels::new(&study.scene.units);
     match source {
-        Source::Number("found.value") => {
+        Source::Number(FOUND) => {
             let asked = study.find.as_ref().map_or("", |find| find.field.as_str());
             field(asked, &labels).map_or_else(|| (one_line(asked), String::new()), |(name, unit)| (name.into(), unit))
         }
