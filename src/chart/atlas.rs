@@ -14,7 +14,6 @@ use super::{Effort, Ended};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt::Write;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A map of the atlas: two parameters and what depends on them.
 #[derive(Clone, Copy, Debug)]
@@ -96,21 +95,11 @@ impl Cell {
     }
 }
 
-/// How far it has come.
-#[derive(Clone, Copy, Debug)]
-pub struct Progress {
-    /// Cells done, all methods of one place counted once.
-    pub done: usize,
-    /// Cells in all.
-    pub all: usize,
-}
-
-/// Maps, on all cores; tells of each place when all methods were there, from whichever thread.
-pub fn run(maps: &[&Map], effort: Effort, tell: &(dyn Fn(Progress) + Sync)) -> Vec<Sheet> {
+/// Maps, on all cores; tells of each place when all methods were there, from whichever thread, and how many places there are.
+pub fn run(maps: &[&Map], effort: Effort, tell: &(dyn Fn(usize) + Sync)) -> Vec<Sheet> {
     crate::link_plugins();
     let maps: Vec<Map> = maps.iter().map(|map| map.reduced(effort)).collect();
     let all = maps.iter().map(|map| map.x.values.len() * map.y.values.len()).sum();
-    let done = AtomicUsize::new(0);
     let sheet = |map: &Map| {
         let places: Vec<(f64, f64)> =
             map.y.values.iter().flat_map(|y| map.x.values.iter().map(move |x| (*x, *y))).collect();
@@ -123,7 +112,7 @@ pub fn run(maps: &[&Map], effort: Effort, tell: &(dyn Fn(Progress) + Sync)) -> V
                     Subject::Contact(scene) => contacts::cells(&scene(*x, *y)),
                     Subject::Flexibility(layer) => flexibilities::cells(&layer(*x, *y)),
                 };
-                tell(Progress { done: 1 + done.fetch_add(1, Ordering::Relaxed), all });
+                tell(all);
                 cells
             })
             .collect();

@@ -18,8 +18,8 @@ pub(super) fn run(arguments: &Chart) -> Result<Outcome, Failure> {
         }
         let folder = folder(arguments.out.as_deref(), "atlas")?;
         let bar = progress::bar(1, "cells");
-        let sheets = atlas::run(&maps, effort, &|progress| {
-            bar.set_length(progress.all as u64);
+        let sheets = atlas::run(&maps, effort, &|all| {
+            bar.set_length(all as u64);
             bar.inc(1);
         });
         bar.finish_and_clear();

@@ -9,8 +9,8 @@ use std::fmt::{self, Write};
 pub(super) fn run(arguments: &Verify) -> Result<Outcome, Failure> {
     let groups = named("group of checks", &arguments.groups, GROUPS, |group| group.name)?;
     let bar = progress::bar(1, "cases");
-    let report = verify::run(&groups, &|progress| {
-        bar.set_length(progress.all as u64);
+    let report = verify::run(&groups, &|all| {
+        bar.set_length(all as u64);
         bar.inc(1);
     });
     bar.finish_and_clear();

@@ -110,6 +110,13 @@ impl Sheet {
         );
     }
 
+    /// How many of `least` comparisons are missing, where a method may refuse some: one that refuses everything has shown nothing.
+    pub(super) fn compared(&mut self, what: &str, count: usize, least: usize) {
+        let missing = least.saturating_sub(count) as f64;
+        let within = Within::new(0.0, "a method that refuses everything has shown nothing");
+        self.at_most(&format!("{what} of {least} at least: missing"), missing, 0.0, within, "a count");
+    }
+
     /// An error that a case worked out itself, of which 0 is expected.
     pub(super) fn error(&mut self, name: &str, error: f64, within: Within, source: &str) {
         self.absolute(name, error, 0.0, within, source);

@@ -28,7 +28,6 @@ use check::Sheet;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Checks of one kind.
 #[derive(Debug)]
@@ -119,27 +118,18 @@ impl Report {
     }
 }
 
-/// How far a run has come.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Progress {
-    /// Cases done.
-    pub done: usize,
-    /// Cases in all; one may hold several checks.
-    pub all: usize,
-}
-
-/// Runs all checks of some groups on all cores, and tells of each case when it is done, from whichever thread.
-pub fn run(groups: &[&Group], tell: &(dyn Fn(Progress) + Sync)) -> Report {
+/// Runs all checks of some groups on all cores; tells of each case when it is done, from whichever thread, and how many cases there are.
+/// One may hold several checks.
+pub fn run(groups: &[&Group], tell: &(dyn Fn(usize) + Sync)) -> Report {
     crate::link_plugins();
     let cases: Vec<(&'static str, Case)> =
         groups.iter().flat_map(|group| (group.cases)().into_iter().map(|case| (group.name, case))).collect();
-    let done = AtomicUsize::new(0);
     let checks: Vec<Vec<Check>> = cases
         .par_iter()
         .with_max_len(1)
         .map(|(group, case)| {
             let checks = case.checks(group);
-            tell(Progress { done: 1 + done.fetch_add(1, Ordering::Relaxed), all: cases.len() });
+            tell(cases.len());
             checks
         })
         .collect();

@@ -11,6 +11,8 @@ use serde_json::{Value, json};
 use slipzone_api::reference::homogeneous_layer::bonded;
 use slipzone_api::{Elastic, Family, Plane, SurfaceFlexibility};
 
+/// Waves that a method is to give, at least.
+const ENOUGH: usize = 20;
 /// 40 to 100 digits by Taylor steps.
 const TABLE: &str = include_str!("../../../tests/data/flexibilities.json");
 
@@ -24,10 +26,13 @@ pub(super) fn cases() -> Vec<Case> {
                 // A method may refuse a layer or a wave; what it gives must be right.
                 let Ok(response) = respond(&layer, &table) else { continue };
                 let elastic = Elastic::of(Plane::Strain, nu);
-                let errors = WAVES
-                    .into_iter()
-                    .filter_map(|w| response.surface(w).ok().map(|found| distance(found, bonded(elastic, w))));
-                let name = format!("{}: homogeneous bonded layer, nu = {nu}, worst of 15 waves", info.name);
+                let found = |w| response.surface(w).ok().map(|found| distance(found, bonded(elastic, w)));
+                let errors: Vec<f64> = WAVES.into_iter().filter_map(found).collect();
+                if errors.is_empty() {
+                    continue; // the published route; that it gives anything is checked against compliance
+                }
+                let name =
+                    format!("{}: homogeneous bonded layer, nu = {nu}, worst of {} waves", info.name, errors.len());
                 let within = Within::new(1e-12, "slices and exponentials are good to some hundred roundings");
                 sheet.error(&name, worst(errors), within, "Johnson (1985) sec. 5.8, (kappa sinh 2w - 2w)/D");
             }
@@ -68,15 +73,7 @@ fn against_compliance(method: &'static str, table: String) -> Case {
                 sheet.error(&name, worst(errors), promised(method), "another method");
             }
         }
-        let enough = -f64::from(u32::try_from(compared).unwrap_or(u32::MAX));
-        let within = Within::new(0.0, "a method that refuses everything has shown nothing");
-        sheet.at_most(
-            &format!("{method} against compliance: waves compared, negative"),
-            enough,
-            -20.0,
-            within,
-            "a count",
-        );
+        sheet.compared(&format!("{method} against compliance: waves"), compared, ENOUGH);
         Ok(())
     })
 }

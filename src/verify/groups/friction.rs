@@ -22,7 +22,7 @@ fn within() -> Within {
 }
 
 pub(super) fn cases() -> Vec<Case> {
-    let (half_width, compliance) = (1.0, A0);
+    let compliance = A0;
     let mut all: Vec<Case> = [(0.3, 0.2374), (0.3, 0.5), (0.0, 0.3), (0.0, 0.6), (0.45, 0.1), (0.4, 0.05)]
         .map(|(nu, eta)| stick(nu, eta))
         .into();
@@ -39,7 +39,7 @@ pub(super) fn cases() -> Vec<Case> {
     all.push(shear("rounded flat", "type = \"rounded-flat\"\nhalf_width = 0.375\nradius = 5.0", &[0.375], move |b| {
         RoundedFlat { flat: 0.375, radius: 5.0, half_width: b, compliance }.force_rate()
     }));
-    all.extend([(0.2374, half_width), (0.5, half_width)].map(|(eta, _)| frozen(eta)));
+    all.extend([0.2374, 0.5].map(frozen));
     all.push(uncoupled());
     all.push(sliding());
     all

@@ -2,7 +2,7 @@
 
 use crate::engine::Status;
 use crate::verify::Case;
-use crate::verify::check::Within;
+use crate::verify::check::{Sheet, Within};
 use crate::verify::contact::{Contact, claimed, layer, members, number, numbers, open};
 use slipzone_api::Family;
 
@@ -19,37 +19,41 @@ fn contacts() -> [(&'static str, Contact, f64); 6] {
 }
 
 pub(super) fn cases() -> Vec<Case> {
-    let mut all = Vec::new();
-    for family in [Family::Flexibility, Family::Kernel, Family::Quadrature] {
+    let by_family = |family: Family| {
         let usual = match family {
             Family::Flexibility => "compliance",
             Family::Kernel => "split",
             _ => "de-sinc",
         };
-        for info in members(family).filter(|info| info.name != usual) {
-            for (what, contact, tolerance) in contacts() {
-                let table = open(info);
-                all.push(Case::new(format!("{} by {}", what, info.name), move |sheet| {
-                    let own = contact.clone().to(tolerance.min(1e-9)).solve()?;
-                    let other = contact.clone().by(family, &table).to(tolerance).attempt()?;
-                    if other.status == Status::Refused {
-                        // A limit of the method, which says so; other contacts show that it works.
-                        return Ok(());
-                    }
-                    if other.status != Status::Converged {
-                        return Err(other.reason.unwrap_or_default());
-                    }
-                    for (path, value) in numbers(&own) {
-                        let error = claimed(&own, path) + claimed(&other, path);
-                        let why = "twice what both claim of their errors";
-                        let name = format!("{what}: {path} by {usual} and by {}", info.name);
-                        let within = Within::new(2.0 * error + 1e-14, why);
-                        sheet.relative(&name, number(&other, path)?, value, within, &format!("by {usual}"));
-                    }
-                    Ok(())
-                }));
-            }
+        members(family).filter(move |info| info.name != usual).map(move |info| {
+            let table = open(info);
+            Case::new(info.name, move |sheet| against(sheet, family, (info.name, &table), usual))
+        })
+    };
+    [Family::Flexibility, Family::Kernel, Family::Quadrature].into_iter().flat_map(by_family).collect()
+}
+
+/// A method against the usual one of its family.
+fn against(sheet: &mut Sheet, family: Family, (method, table): (&str, &str), usual: &str) -> Result<(), String> {
+    let mut compared = 0;
+    for (what, contact, tolerance) in contacts() {
+        let own = contact.clone().to(tolerance.min(1e-9)).solve()?;
+        let other = contact.by(family, table).to(tolerance).attempt()?;
+        if other.status == Status::Refused {
+            // A limit of the method, which says so.
+            continue;
+        }
+        if other.status != Status::Converged {
+            return Err(format!("{what}: {}", other.reason.unwrap_or_default()));
+        }
+        compared += 1;
+        for (path, value) in numbers(&own) {
+            let error = claimed(&own, path) + claimed(&other, path);
+            let within = Within::new(2.0 * error + 1e-14, "twice what both claim of their errors");
+            let name = format!("{what}: {path} by {usual} and by {method}");
+            sheet.relative(&name, number(&other, path)?, value, within, &format!("by {usual}"));
         }
     }
-    all
+    sheet.compared(&format!("{method} against {usual}: contacts"), compared, 1);
+    Ok(())
 }

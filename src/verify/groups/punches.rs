@@ -66,7 +66,6 @@ fn pair(name: &'static str, one: &'static str, other: &'static str) -> Case {
         if one.contains("formula") && !has(Family::Punch, "formula") {
             return Ok(());
         }
-        // Frictionless: a stack of flat punches, or the smooth contact itself, by the shape.
         let x = [0.1, 0.5, 0.9];
         let solve = |punch: &str| Contact::flat(layer(2.0, 8.0, 0.3)).under(punch).rubbing(0.3).at(&x).to(1e-8).solve();
         let (one, other) = (solve(one)?, solve(other)?);
