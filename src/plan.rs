@@ -1,6 +1,5 @@
 //! Which methods solve a scene: what the scene leaves open, the solver chooses here and says why.
 
-use crate::engine::friction_needed;
 use crate::scene::{Layer, LoadKind, Model, Scene};
 use serde::Serialize;
 use slipzone_api::{Base, Flexibility, KernelStrategy, LayerModel, Poisson, Positive, Quadrature};
@@ -147,7 +146,7 @@ fn left_out(scene: &Scene) -> Vec<Cow<'static, str>> {
         return Vec::new();
     }
     let mut reasons = Vec::new();
-    if scene.friction.is_some() && friction_needed(scene).is_none() {
+    if scene.friction.is_some() && scene.friction_needed().is_none() {
         reasons
             .push("frictionless: nothing that is asked for depends on the shear, which does not change the pressure");
     }

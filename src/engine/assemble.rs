@@ -15,7 +15,7 @@ use super::stage::Stage;
 use super::stick_zone::StickZone;
 use crate::plan::Plan;
 use crate::scene::{Load, Model, Scene};
-use slipzone_api::{Base, Refusal, Station};
+use slipzone_api::{Refusal, Station};
 use std::borrow::Cow;
 
 /// Where the pressure stands in a result.
@@ -174,8 +174,7 @@ fn of_pressure(
 
 /// What is to be said where strains are not small.
 fn large_strains(problem: &Problem, numbers: &Numbers) -> Option<String> {
-    let is_on_rigid = matches!(problem.layer.base, Base::Rigid | Base::Frictionless);
-    let depth = numbers.get(Quantity::Indentation).filter(|_| is_on_rigid);
+    let depth = numbers.get(Quantity::Indentation).filter(|_| problem.is_on_rigid_base());
     // Convex: steepest at the edge.
     let grown = numbers.get(Quantity::HalfWidth).filter(|_| problem.fixed_half_width().is_none());
     let (depth, slope) = (depth.unwrap_or(0.0), grown.map_or(0.0, |b| problem.slope(b)));

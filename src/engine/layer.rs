@@ -245,7 +245,7 @@ impl Layer {
 
     /// Whether all its tables prove their error.
     pub(crate) fn is_proven(&self) -> bool {
-        self.kernel_error(0.0).is_some() && self.depth_error(0.0).is_some()
+        self.tables.as_ref().is_none_or(Tables::prove)
     }
 
     /// The half-width over the distance to a datum, where that is near: what sinks against it is as small, and an error of

@@ -9,6 +9,7 @@
 use super::chebyshev::Points;
 use super::layer::Layer;
 use super::normal::Normal;
+use super::root;
 use super::stick::Shear;
 use super::stick_zone::StickZone;
 use basin::{RootError, Toms748Root};
@@ -122,10 +123,7 @@ impl RateCurve<'_> {
         let lambda = |part: f64| place + RANGE * (2.0 * part - 1.0);
         let rates: Result<Vec<f64>, Refusal> = points.at.iter().map(|part| self.at(lambda(*part))).collect();
         let series = points.through(&rates?);
-        let root = Toms748Root::new(0.0, 1.0)
-            .with_absolute_position_tolerance(f64::EPSILON)
-            .solve(|part| Ok::<_, std::convert::Infallible>(series.value_and_slope(part).1));
-        Ok(root.ok().map(|root| lambda(root.root())))
+        Ok(root::between((0.0, 1.0), f64::EPSILON, |part| series.value_and_slope(part).1).map(lambda))
     }
 
     /// The root between two places where the slope has different signs.

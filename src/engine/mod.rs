@@ -54,14 +54,13 @@ pub(crate) use finite::insist;
 pub use layer::Layer;
 pub use loading_curve::Curve;
 pub use portrait::{DepthProfile, FlexibilityProfile, response};
-pub(crate) use quantity::friction_needed;
 pub use solution::{
     EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Program, Slip, Solution, Status, StickReport,
 };
 pub use solver::Solver;
 
 use crate::plan;
-use crate::scene::{Model, Scene};
+use crate::scene::Scene;
 use problem::Problem;
 use rayon::prelude::*;
 use slipzone_api::Refusal;
@@ -89,17 +88,7 @@ pub fn solve_all(scenes: &[Scene]) -> Vec<Solution> {
 
 /// Why [`solve`] would refuse a scene before computing anything; `None` where it would try.
 pub fn refusal(scene: &Scene) -> Option<Refusal> {
-    let chosen = plan::choose(scene);
-    let decided = match Problem::new(&chosen.scene) {
-        Ok(problem) => solver::decided(chosen, problem).map_err(|(refusal, _)| refusal),
-        Err(refusal) => Err(refusal),
-    };
-    let layer = decided.and_then(|(chosen, problem, _)| Ok((Layer::new(&problem, &chosen.methods)?, problem)));
-    let told = layer.and_then(|(layer, problem)| match scene.solver.model {
-        Some(Model::Thin) => thin::told(&problem, layer.response()).map(|_| ()),
-        _ => layer.serves(problem.wants_depth()),
-    });
-    told.err()
+    Solver::new(scene).map_or_else(Some, |solver| solver.would_refuse())
 }
 
 /// Which methods would solve a scene, and why.

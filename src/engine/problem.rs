@@ -1,7 +1,7 @@
 //! A scene in the layer's own units: lengths in the thickness, stresses in the surface modulus.
 
 use super::chebyshev::{Points, Series};
-use super::quantity::{Numbers, Quantity, Wishes, friction_needed};
+use super::quantity::{Numbers, Quantity, Wishes};
 use crate::scene::{Load, Scene};
 use slipzone_api::{Base, Elastic, Friction, FrozenStrain, LayerModel, PunchShape, Refusal, short};
 use std::sync::Arc;
@@ -92,7 +92,7 @@ impl Problem {
         let length = layer.length()?.unwrap_or_else(|| shape.natural_length());
         let stress = model.surface_shear;
         let load = LoadInLayerUnits::new(scene.load, length, stress);
-        let needed = friction_needed(scene);
+        let needed = scene.friction_needed();
         let friction = needed.map(coefficient);
         let is_linear = matches!(needed, Some(Friction::Goodman { strain: FrozenStrain::Linear, .. }));
         if is_linear && (shape.fixed_half_width().is_some() || shape.face() > 0.0 || !shape.kinks().is_empty()) {

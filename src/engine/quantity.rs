@@ -1,7 +1,7 @@
 //! The numbers that a result reports and that errors are estimated for.
 
 use crate::scene::Scene;
-use slipzone_api::{Friction, Station};
+use slipzone_api::Station;
 
 /// A reported number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,11 +98,6 @@ impl Wishes {
         self.reported[quantity as usize]
     }
 
-    /// Whether a number of the shear, or the shear itself, is.
-    pub(crate) fn needs_friction(self) -> bool {
-        self.profile || self.reports_stick()
-    }
-
     /// Whether a number of the stick zone is reported.
     pub(crate) fn reports_stick(self) -> bool {
         let is_of_stick = |quantity: Quantity| quantity.is_of_shear() && quantity != Quantity::Shear;
@@ -116,11 +111,6 @@ impl Wishes {
         let asked = self.reports(quantity) || self.profile && by_profile || self.curve && on_curve;
         asked && quantity != Quantity::Shear
     }
-}
-
-/// The friction that a scene has to be solved with: none where nothing is asked for that depends on it.
-pub(crate) fn friction_needed(scene: &Scene) -> Option<Friction> {
-    scene.friction.filter(|_| Wishes::of(scene).needs_friction())
 }
 
 /// One number for each quantity that a scene has: values in layer units, or their relative errors.

@@ -1,4 +1,7 @@
-//! A root known nearly, found in one to three evaluations.
+//! Roots: one known nearly, found in one to three evaluations, and one between two places.
+
+use basin::Toms748Root;
+use std::convert::Infallible;
 
 /// By how much a secant step overshoots, so that the root lies between.
 const OVERSHOOT: f64 = 0.02;
@@ -77,10 +80,15 @@ pub(super) fn polish<E>(
     Ok(None)
 }
 
+/// The root of `f` between two places, to within `wanted`; `None` where `f` has the same sign at both.
+pub(super) fn between((lower, upper): (f64, f64), wanted: f64, mut f: impl FnMut(f64) -> f64) -> Option<f64> {
+    let solver = Toms748Root::new(lower, upper).with_absolute_position_tolerance(wanted);
+    solver.solve(|x| Ok::<_, Infallible>(f(x))).ok().map(|found| found.root())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::convert::Infallible;
 
     /// The root of `exp(x) - 2` from a start and a slope, and the evaluations that it took.
     fn find(at: f64, slope: f64, doubt: f64) -> (Option<Near>, usize) {

@@ -79,11 +79,6 @@ impl Rubbing {
         self.reported().map(|root| root.lambda)
     }
 
-    /// Whether the root reported is known to satisfy the conditions of friction.
-    pub(crate) fn is_checked(&self) -> bool {
-        self.checked
-    }
-
     /// A stick zone of which no more is told than that it is at least as wide, in a contact of that half-width.
     pub(crate) fn bounded(self, half_width: f64) -> Self {
         let zone = StickZone::from_log(self.zone.log(), half_width);

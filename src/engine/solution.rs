@@ -1,7 +1,6 @@
 //! The result of a scene (docs: `docs/formats.md`). Lengths, stresses and forces in the scene's units.
 
 use super::loading_curve::Curve;
-use super::quantity::friction_needed;
 use crate::plan::Plan;
 use crate::scene::{Load, LoadKind, Scene, Units};
 use serde::Serialize;
@@ -241,7 +240,7 @@ fn assumptions(scene: &Scene) -> Vec<Cow<'static, str>> {
         None => "the indentation is undefined on an elastic half-plane: no datum is named".into(),
     };
     let friction = match scene.friction {
-        Some(Friction::Goodman { .. }) if friction_needed(scene).is_none() => {
+        Some(Friction::Goodman { .. }) if scene.friction_needed().is_none() => {
             "Goodman: q does not change p; the shear is not asked for"
         }
         Some(Friction::Goodman { strain: FrozenStrain::Linear, .. }) => {

@@ -69,18 +69,23 @@ impl Solver {
         };
         let (chosen, problem, stand_in) = decided(chosen, problem)?;
         match Layer::new(&problem, &chosen.methods) {
-            Ok(layer) => Ok(Self {
-                chosen,
-                problem,
-                layer,
-                ladder: Ladder::default(),
-                judged: None,
-                stand_in,
-                aside: None,
-                budget: BUDGET,
-            }),
+            Ok(layer) => Ok(Self::made(chosen, problem, layer, stand_in)),
             Err(refusal) => Err((refusal, Box::new(chosen))),
         }
+    }
+
+    /// Before anything is solved.
+    fn made(chosen: Chosen, problem: Problem, layer: Layer, stand_in: Option<StandIn>) -> Self {
+        Self { chosen, problem, layer, ladder: Ladder::default(), judged: None, stand_in, aside: None, budget: BUDGET }
+    }
+
+    /// Why it would be refused before anything is computed.
+    pub(super) fn would_refuse(&self) -> Option<Refusal> {
+        let told = match self.chosen.scene.solver.model {
+            Some(Model::Thin) => thin::told(&self.problem, self.layer.response()).map(|_| ()),
+            _ => self.layer.serves(self.problem.wants_depth()),
+        };
+        told.err()
     }
 
     /// Prepares another scene of the same layer, with all that is known of the layer already; refuses a scene
@@ -97,13 +102,12 @@ impl Solver {
         let (chosen, problem, stand_in) = decided(chosen, problem).map_err(|(refusal, _)| refusal)?;
         if stand_in.is_some() {
             let model = Layer::new(&problem, &chosen.methods)?;
-            let (ladder, aside) = (Ladder::default(), (!layer.is_model()).then_some(layer));
-            return Ok(Self { chosen, problem, layer: model, ladder, judged: None, stand_in, aside, budget: BUDGET });
+            let aside = (!layer.is_model()).then_some(layer);
+            return Ok(Self { aside, ..Self::made(chosen, problem, model, stand_in) });
         }
-        let layer = if layer.is_model() { Layer::new(&problem, &chosen.methods)? } else { layer };
-        let mut layer = layer;
+        let mut layer = if layer.is_model() { Layer::new(&problem, &chosen.methods)? } else { layer };
         let ladder = Ladder::inheriting(layer.flat_punches_for(&chosen.scene));
-        Ok(Self { chosen, problem, layer, ladder, judged: None, stand_in, aside: None, budget: BUDGET })
+        Ok(Self { ladder, ..Self::made(chosen, problem, layer, stand_in) })
     }
 
     /// The layer, to be used under another punch.

@@ -12,8 +12,8 @@ use super::climb::Trail;
 use super::contact_size::Size;
 use super::family::Family;
 use super::problem::{LoadInLayerUnits, Problem};
+use super::root;
 use super::ways::{self, Ways};
-use basin::Toms748Root;
 use force::{Made, Piece};
 use slipzone_api::double_exponential::Node;
 use slipzone_api::elementary::sinh;
@@ -356,10 +356,7 @@ impl Stack {
 
     /// Half-width within a range at which something grows through zero.
     fn root(&mut self, (least, widest): (f64, f64), mut excess: impl FnMut(&mut Self, f64) -> f64) -> Option<f64> {
-        let root = Toms748Root::new(least, widest)
-            .with_absolute_position_tolerance(4.0 * f64::EPSILON * widest)
-            .solve(|b| Ok::<_, std::convert::Infallible>(excess(self, b)));
-        root.ok().map(|root| root.root())
+        root::between((least, widest), 4.0 * f64::EPSILON * widest, |b| excess(self, b))
     }
 
     /// What integrals over the force from `from` to `b` are summed of, seen from `x <= from`.
@@ -460,10 +457,8 @@ impl Stack {
         }
         // By the logarithm: close to a tip only parts count.
         let least = face.max(x);
-        Toms748Root::new(0.0, (b / least).ln())
-            .with_absolute_position_tolerance(f64::EPSILON)
-            .solve(|log: f64| Ok::<_, std::convert::Infallible>(beyond(least * log.exp()) / x))
-            .map_or(b, |root| (least * root.root().exp()).min(b))
+        root::between((0.0, (b / least).ln()), f64::EPSILON, |log| beyond(least * log.exp()) / x)
+            .map_or(b, |log| (least * log.exp()).min(b))
     }
 
     /// Where the pressure of a contact is not analytic, its middle and its edge included.

@@ -7,8 +7,8 @@
 
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
+use super::root;
 use super::stand_in;
-use basin::Toms748Root;
 use bilby::QuadratureRule;
 use slipzone_api::{LayerResponse, Refusal};
 use std::f64::consts::PI;
@@ -157,9 +157,7 @@ fn root(problem: &Problem, f: impl Fn(f64) -> f64) -> Option<f64> {
         }
         lower *= 0.5;
     }
-    let excess = |log: f64| Ok::<f64, std::convert::Infallible>(f(log.exp()).ln());
-    let found = Toms748Root::new(lower.ln(), upper.ln()).with_absolute_position_tolerance(1e-14).solve(excess);
-    found.ok().map(|root| root.root().exp())
+    root::between((lower.ln(), upper.ln()), 1e-14, |log| f(log.exp()).ln()).map(f64::exp)
 }
 
 impl Thin {

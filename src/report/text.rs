@@ -4,7 +4,6 @@ use crate::engine::{Curve, Slip, Solution, Status};
 use crate::report::labels::{Labels, one_line, with_unit};
 use crate::report::number::{digits, short, significant};
 use crate::report::scene_line::{ASCII, scene_parts};
-use crate::scene::Asked;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -109,7 +108,7 @@ fn rows(solution: &Solution) -> Vec<Row> {
     }
     let output = &solution.scene.output;
     let asked = |row: &Row| match row.path {
-        "stick" => Asked::NAMES.iter().any(|name| name.starts_with("stick") && output.asks(name)),
+        "stick" => output.asks_of_stick(),
         path => output.asks(path),
     };
     rows.retain(asked);

@@ -132,6 +132,13 @@ pub struct Scene {
     pub units: Units,
 }
 
+impl Scene {
+    /// The friction that it has to be solved with: none where nothing is asked for that depends on it.
+    pub(crate) fn friction_needed(&self) -> Option<Friction> {
+        self.friction.filter(|_| self.output.asks("profile") || self.output.asks_of_stick())
+    }
+}
+
 /// The elastic solid.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -268,6 +275,11 @@ impl Output {
     #[must_use]
     pub fn asks(&self, path: &str) -> bool {
         self.quantities.as_ref().is_none_or(|asked| asked.iter().any(|asked| asked.covers(path)))
+    }
+
+    /// Whether any number of the stick zone is.
+    pub(crate) fn asks_of_stick(&self) -> bool {
+        Asked::NAMES.iter().any(|name| name.starts_with("stick") && self.asks(name))
     }
 }
 

@@ -202,7 +202,7 @@ impl Family {
             self.stage.curve(layer, task).at(root.lambda)?;
             Member { root, lack: Found::lack(&self.stage, b), moves: None, least: None }
         };
-        Ok(Ok((member, rubbing.is_checked())))
+        Ok(Ok((member, rubbing.checked)))
     }
 
     /// Solves one member of which all shall stick, and leaves its pressure in the stage; the conditions of that are looked at where

@@ -5,12 +5,10 @@
 
 use super::{FrictionCurve, WIDEST};
 use crate::engine::half_plane_shear::HalfPlaneShear;
-use crate::engine::root::Near;
+use crate::engine::root::{self, Near};
 use crate::engine::stick_zone::StickZone;
 use arrayvec::ArrayVec;
-use basin::Toms748Root;
 use slipzone_api::{Component, Refusal, Station};
-use std::convert::Infallible;
 
 /// Where the curve follows its asymptotes, seen from a contact that is narrow beside the layer: the
 /// corrections fall like `exp(2 lambda)` below and `lambda exp(-lambda)` above.
@@ -83,11 +81,9 @@ pub(super) fn expected(samples: &[Sample], first: usize, target: f64) -> Near {
         let g = on_half_plane(lambda);
         polynomial(&known, place(g)) * g - target
     };
-    let found = Toms748Root::new(from.lambda, to.lambda)
-        .with_absolute_position_tolerance(EXPECTED)
-        .solve(|lambda| Ok::<_, Infallible>(excess(lambda)));
     let straight = (to.friction - from.friction) / (to.lambda - from.lambda);
-    let at = found.map_or(from.lambda + (target - from.friction) / straight, |root| root.root());
+    let at = root::between((from.lambda, to.lambda), EXPECTED, excess)
+        .unwrap_or(from.lambda + (target - from.friction) / straight);
     Near { at, slope: (excess(at + BESIDE) - excess(at - BESIDE)) / (2.0 * BESIDE), doubt: f64::INFINITY }
 }
 
