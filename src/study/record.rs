@@ -1,6 +1,7 @@
 //! One line of a sweep's results.
 
-use super::{Cell, FOUND, Study};
+use super::shown::FOUND;
+use super::{Cell, Study};
 use crate::engine::{EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Solution, Status, StickReport};
 use crate::scene::SceneError;
 use serde::ser::SerializeMap;
