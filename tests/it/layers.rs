@@ -210,6 +210,22 @@ fn films_and_skins_of_a_formula_are_seen() {
     let resonance = |shift: f64| formula(&format!("1 + 9/(1 + ((y + {shift} - 0.6)/1e-5)^2)"));
     let parts = stack(&[(0.59, &resonance(0.0)), (0.02, &resonance(0.59)), (0.39, &resonance(0.61))]);
     assert_same_flexibility(&lines(1.0, &resonance(0.0)), &lines(1.0, &parts));
+    // One in the very middle, where its argument turns on a sample; and laws that are zero but for a film: between samples something
+    // passes zero and comes back.
+    for law in [
+        "1/(1 + 1000*exp(-((y - d)/3e-4)^2))",
+        "1/(1 + 1000*max(0, 1 - ((y - d)/3e-4)^2))",
+        "1/(1 + 1000*max(0, 1 - abs(y - d)/3e-4))",
+        "1/(1 + 1000*max(0, min(1, 5*(1 - abs(y - d)/3e-4))))",
+        "1/(1 + 9*cos(y - d)^1e7)",
+    ] {
+        let film = |depth: f64| formula(&law.replace('d', &format!("({depth:?})")));
+        for depth in [0.5, 0.7] {
+            let (above, below) = (depth - 0.02, 0.98 - depth);
+            let parts = stack(&[(above, &film(depth)), (0.04, &film(0.02)), (below, &film(-0.02))]);
+            assert_same_flexibility(&lines(1.0, &film(depth)), &lines(1.0, &parts));
+        }
+    }
     let skin = |shift: f64| formula(&format!("1 + 9*exp(-(y + {shift})/1e-4)"));
     let parts = stack(&[(0.004, &skin(0.0)), (0.996, &skin(0.004))]);
     assert_same_flexibility(&lines(1.0, &skin(0.0)), &lines(1.0, &parts));

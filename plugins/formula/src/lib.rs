@@ -147,8 +147,9 @@ impl Formula {
     /// Where the formula may not be analytic on `[0, infinity)`: an absolute value, a root or a logarithm of zero, a
     /// division by zero, the place where `min` or `max` changes sides. Ascending, the first `most` of them.
     ///
-    /// What is further out than `1e3 scale` is not looked for, and of places closer together than `scale/256` some may
-    /// be missed. A place too many does no harm.
+    /// What is further out than `1e3 scale` is not looked for, and of places closer together than `scale/256` some may be missed,
+    /// unless what is zero there turns around once between them, or is one of [`Self::narrow_places`] up to `4 scale`. A place too many
+    /// does no harm.
     pub fn singular_points(&self, scale: f64, most: usize) -> Vec<f64> {
         singular::points(&self.tape, scale, most)
     }

@@ -20,6 +20,19 @@ enum Kind {
     Step,
     /// In proportion: an inverse, a root.
     Scaled,
+    /// In proportion, and so many times as fast: a power.
+    Raised(f64),
+}
+
+impl Kind {
+    /// The change of an argument of that value that matters.
+    fn scale(self, value: f64) -> f64 {
+        match self {
+            Self::Plain | Self::Step => 1.0,
+            Self::Scaled => value.abs(),
+            Self::Raised(exponent) => value.abs() / exponent.abs().max(1.0),
+        }
+    }
 }
 
 /// See [`crate::Formula::narrow_places`].
@@ -50,7 +63,11 @@ fn is_straight(tape: &Tape, range: Range<usize>) -> bool {
 fn arguments(tape: &Tape) -> Vec<(Range<usize>, Kind)> {
     let of = |(end, step): (usize, &Step)| match step {
         Step::Divide => Some((tape.operands(end).1, Kind::Scaled)),
-        Step::Power => Some((tape.operands(end).0, Kind::Scaled)),
+        Step::Power => {
+            let (base, exponent) = tape.operands(end);
+            // One that varies is as a rule no larger than it is at the surface.
+            Some((base, Kind::Raised(tape.part(exponent, 0.0).value)))
+        }
         Step::Of(function) => match function {
             Function::Exp | Function::Sinh | Function::Cosh => Some((tape.operand(end), Kind::Plain)),
             Function::Tanh | Function::Atan | Function::Asinh => Some((tape.operand(end), Kind::Step)),
@@ -65,17 +82,16 @@ fn arguments(tape: &Tape) -> Vec<(Range<usize>, Kind)> {
 
 /// Adds where an argument passes through zero, turns around or begins, and over which length.
 fn look(u: impl Fn(f64) -> Dual, kind: Kind, (length, samples): (f64, i32), found: &mut Vec<(f64, f64)>) {
-    let scale = |value: f64| if kind == Kind::Scaled { value.abs() } else { 1.0 };
     let steep = |x: f64| {
         let Dual { value, slope } = u(x);
-        (x, scale(value) / slope.abs())
+        (x, kind.scale(value) / slope.abs())
     };
     // The least width over which it changes by as much as matters to the function, within a factor of two.
     let wide = |x: f64| {
         let here = u(x).value;
         let changes = |width: &f64| {
             let beside = [x - width, x + width].into_iter().filter(|x| (0.0..=length).contains(x));
-            beside.into_iter().any(|x| (u(x).value - here).abs() >= scale(here))
+            beside.into_iter().any(|x| (u(x).value - here).abs() >= kind.scale(here))
         };
         let mut widths = (0..DOUBLINGS).rev().map(|k| length * 0.5_f64.powi(k));
         (x, widths.find(changes).unwrap_or(f64::INFINITY))
@@ -89,7 +105,8 @@ fn look(u: impl Fn(f64) -> Dual, kind: Kind, (length, samples): (f64, i32), foun
         if kind == Kind::Step && (then.value < 0.0) != (now.value < 0.0) {
             found.push(steep(bisect(before.0, x, |x| u(x).value)));
         }
-        if then.slope * now.slope < 0.0 {
+        // Also on a sample.
+        if then.slope != 0.0 && then.slope * now.slope <= 0.0 {
             found.push(wide(bisect(before.0, x, |x| u(x).slope)));
         }
         before = (x, now);

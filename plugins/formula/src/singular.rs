@@ -2,12 +2,16 @@
 //! taken is zero.
 
 use crate::dual::Dual;
+use crate::narrow;
 use crate::tape::{Function, Step, Tape};
 use std::ops::Range;
 
 /// Steps by which the samples are equally spaced up to four scales, and those per factor of ten beyond and below.
 const STEPS: i32 = 1024;
 const PER_DECADE: i32 = 40;
+
+/// Samples beside a narrow place, in widths from it.
+const BESIDE: [f64; 9] = [-4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0];
 
 /// What counts as zero, beside the size nearby.
 const ZERO: f64 = 1e-12;
@@ -44,10 +48,21 @@ pub(crate) fn points(tape: &Tape, scale: f64, most: usize) -> Vec<f64> {
     let mut samples: Vec<f64> = (1..=STEPS).map(|i| f64::from(i) * (4.0 / f64::from(STEPS)) * scale).collect();
     samples
         .extend((-9 * PER_DECADE..=3 * PER_DECADE).map(|i| 10_f64.powf(f64::from(i) / f64::from(PER_DECADE)) * scale));
-    samples.sort_unstable_by(f64::total_cmp);
-    samples.dedup();
-    let mut points: Vec<f64> = suspects.iter().flat_map(|suspect| zeros(tape, suspect, scale, &samples)).collect();
-    points.sort_unstable_by(f64::total_cmp);
+    // Where something is narrow its zeros are close together.
+    let beside = |(x, width): (f64, f64)| BESIDE.map(|share| x + share * width);
+    samples
+        .extend(narrow::places(tape, 4.0 * scale).into_iter().flat_map(beside).filter(|x| *x > 0.0 && x.is_finite()));
+    let mut points: Vec<f64> = Vec::new();
+    for suspect in &suspects {
+        samples.sort_unstable_by(f64::total_cmp);
+        samples.dedup();
+        points.extend(zeros(tape, suspect, scale, &samples));
+        points.sort_unstable_by(f64::total_cmp);
+        // What is taken of it comes later, and is as narrow.
+        samples.extend(
+            points.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1]), pair[1]]).filter(|x| *x > 0.0),
+        );
+    }
     // The same place found in two ways differs by rounding.
     points.dedup_by(|next, before| *next - *before <= 1e-14 * *next);
     points.truncate(most);
@@ -94,7 +109,7 @@ fn suspects(tape: &Tape) -> Vec<Suspect> {
     suspects
 }
 
-/// Zeros of a quantity among ascending samples: where it changes its sign, or touches zero.
+/// Zeros of a quantity among ascending samples: where it changes its sign, or touches zero, or turns around beyond it.
 fn zeros(tape: &Tape, suspect: &Suspect, scale: f64, samples: &[f64]) -> Vec<f64> {
     let at = |x: f64| suspect.at(tape, x);
     let mut zeros = Vec::new();
@@ -115,9 +130,12 @@ fn zeros(tape: &Tape, suspect: &Suspect, scale: f64, samples: &[f64]) -> Vec<f64
         } else if then.value * now.value < 0.0 {
             zeros.push(bisect(before, x, |x| at(x).value));
         } else if then.slope * now.slope < 0.0 && then.value * then.slope < 0.0 {
-            let lowest = bisect(before, x, |x| at(x).slope);
-            if at(lowest).value.abs() <= ZERO * then.value.abs().max(now.value.abs()) {
-                zeros.push(lowest);
+            let turn = bisect(before, x, |x| at(x).slope);
+            let there = at(turn).value;
+            if there.abs() <= ZERO * then.value.abs().max(now.value.abs()) {
+                zeros.push(turn);
+            } else if there * then.value < 0.0 {
+                zeros.extend([(before, turn), (turn, x)].map(|(from, to)| bisect(from, to, |x| at(x).value)));
             }
         }
         (before, then) = (x, now);

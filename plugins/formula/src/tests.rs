@@ -200,6 +200,30 @@ fn singular_points_are_found() {
     assert_eq!(points("abs(sin(100*x))").len(), 64, "the first of many");
 }
 
+/// Between two samples something may pass zero and come back.
+#[test]
+fn both_ends_of_a_film_are_found_however_thin() {
+    let parameters = [("d".to_owned(), 0.7), ("w".to_owned(), 3e-4)].into();
+    for film in [
+        "max(0, 1 - ((x-d)/w)^2)",
+        "max(0, 1 - abs(x-d)/w)",
+        "max(0, 1 - abs(x-d)/w)^3",
+        "sqrt(max(0, w^2 - (x-d)^2))",
+        "max(0, min(1, 5*(1 - abs(x-d)/w)))",
+        "min(1, 5*max(0, 1 - abs(x-d)/w))",
+        "exp(-1/max(1e-9, 1 - ((x-d)/w)^2))",
+        "max(0, exp(-((x-d)/w)^2) - exp(-1))",
+        "abs(1 - ((x-d)/w)^2)",
+    ] {
+        let found = Formula::parse("f", film, "x", &parameters).unwrap().singular_points(0.25, 64);
+        for end in [0.6997, 0.7003] {
+            assert!(found.iter().any(|x| (x - end).abs() < 1e-11), "{film}: {found:?}");
+        }
+    }
+    let tops = parse("max(0, sin(20*x) - 0.999)").unwrap().singular_points(0.25, 64);
+    assert_eq!(tops.iter().filter(|x| **x < 1.0).count(), 6, "three tops: {tops:?}");
+}
+
 #[test]
 fn slopes_at_a_corner_are_the_mean_of_both_sides() {
     let slope = |text: &str, x: f64| parse(text).unwrap().at(x).slope;
@@ -273,6 +297,8 @@ fn narrow_places_are_as_wide_as_the_function_takes() {
         ("1/(1 + (x/0.03)^2)^6", 0.0, 0.03),
         ("1/cosh(x/0.003)", 0.0, 0.003),
         ("tanh((x - 0.3)/0.001)", 0.3, 0.001),
+        ("sin(pi*x)^10000", 0.5, 0.0045),
+        ("(4*x*(1 - x))^1e6", 0.5, 0.0005),
     ] {
         let found = parse(text).unwrap().narrow_places(1.0);
         let is_it = |(x, w): &(f64, f64)| (x - place).abs() < 1e-9 && *w > 0.4 * width && *w < 2.1 * width;
@@ -292,6 +318,7 @@ fn narrow_places_are_found_wherever_an_argument_turns_or_passes_through_zero() {
         ("tanh((x - 0.3)*(x - 0.7)/0.001)", &[0.3, 0.5, 0.7]),
         ("1/(0.001 + (x - 0.3)*(x - 0.3))", &[0.3]),
         ("exp(-x/0.001)", &[]),
+        ("exp(-((x - 0.5)/0.001)^2)", &[0.5]),
     ] {
         let mut inside: Vec<f64> = parse(text)
             .unwrap()
