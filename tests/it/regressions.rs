@@ -1555,3 +1555,28 @@ fn the_shear_beside_a_narrow_slip_zone_takes_few_unknowns() {
         }
     }
 }
+
+/// A slope of the friction curve was measured under one flat punch of the stack where the curve jumps from one grid of the slip zone to
+/// another, 28 times too steep; it was believed, and moved the stick zones beside it by no more than a part of the way, at each resolution.
+/// The error told was 1.2e-3.
+#[test]
+fn one_slope_measured_across_a_jump_does_not_spoil_the_stack() {
+    let text = r#"
+        format = 1
+        punch = { type = "cylinder", radius = 20.0 }
+        friction = { type = "goodman", coefficient = 0.33 }
+        load = { force = 200.0 }
+        output = { quantities = ["stick"] }
+        [layer]
+        thickness = 0.0738688826299256
+        poisson = 0.3
+        moduli = "young"
+        base = { type = "half-plane", young = 210000.0, poisson = 0.3 }
+        grading = { type = "exponential", surface = 80000.0, base = 210000.0 }
+    "#;
+    let solution = solve(&slipzone::scene::parse("jump.toml", text).expect("a good scene"));
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+    // As friction of 0.32999 and 0.3301 has it in between, which were not hit.
+    let ratio = solution.stick.and_then(|stick| stick.ratio).expect("a stick zone");
+    assert!((ratio - 0.943_344_037).abs() < 2e-9, "{ratio}");
+}

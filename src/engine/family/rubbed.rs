@@ -192,7 +192,11 @@ impl Found {
         Rubbed {
             told,
             of_lambda,
-            slope_left: blend.last(&of_slope, 1) / largest(&of_slope),
+            slope_left: if are_alike(&self.slope) {
+                blend.last(&of_slope, 1) / largest(&of_slope)
+            } else {
+                f64::INFINITY
+            },
             of_slope,
             lambda: self.lambda,
             branch: self.branch,
@@ -224,6 +228,14 @@ impl Found {
         places.through_into(&p, &mut q);
         q
     }
+}
+
+/// Whether each slope is near that of the member before. One that was measured where the curve jumps, from one grid of the slip zone to
+/// another, is not, and what is between it and others moves no zone far enough, at this resolution and at all that come after.
+fn are_alike(slopes: &[f64]) -> bool {
+    /// A step along a slope that many times another, or less, still leaves no more than half of the way.
+    const NEAR: f64 = 1.5;
+    slopes.windows(2).all(|pair| (1.0 / NEAR..NEAR).contains(&(pair[1] / pair[0])))
 }
 
 /// Series of any lengths as rows of one, and that.
@@ -371,5 +383,19 @@ mod tests {
         };
         assert!(doubt_of(0.14) < CERTAIN);
         assert!(doubt_of(0.3) > CERTAIN && doubt_of(-6.0) > CERTAIN);
+    }
+
+    /// Wherever it is: the last coefficient may miss it.
+    #[test]
+    fn slopes_are_alike_where_each_is_near_the_one_before() {
+        let slopes: Vec<f64> = (0..16).map(|k| 0.08 * 1.1_f64.powi(k)).collect();
+        assert!(are_alike(&slopes));
+        for k in 0..slopes.len() {
+            for odd in [2.0, 0.4, -1.0, 28.0, f64::NAN] {
+                let mut slopes = slopes.clone();
+                slopes[k] *= odd;
+                assert!(!are_alike(&slopes), "{odd} times at {k}");
+            }
+        }
     }
 }
