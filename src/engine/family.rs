@@ -2,6 +2,7 @@
 //!
 //! All that a flat punch answers varies smoothly with its half-width; it is solved at a few and told in between.
 
+mod depths;
 mod members;
 mod pressed;
 mod rubbed;
@@ -20,6 +21,7 @@ use super::stage::{Stage, Task};
 use super::stick_search::Root;
 use super::stick_zone::StickZone;
 use super::work::Work;
+use depths::Depths;
 use pressed::{Pressed, Table};
 use rubbed::{Moves, Rubbed};
 use slipzone_api::double_exponential::Node;
@@ -62,6 +64,8 @@ pub(crate) struct Family {
     /// `W` at the nodes of a grid over half of the contact; made when first asked for.
     tilt_over: Option<(Arc<Vec<Node>>, Table)>,
     on_half_plane: HalfPlaneDepth,
+    /// Where a datum is what depths are counted from.
+    depths: Option<Depths>,
     /// What friction makes of it.
     rubbed: Option<Rubbed>,
     /// Rules and room of the flat punch, and of `W`.
@@ -145,6 +149,7 @@ impl Family {
             pressure_at: None,
             tilt_over: None,
             on_half_plane: HalfPlaneDepth::new(task.problem.layer.datum, task.problem.elastic.beta()),
+            depths: None,
             rubbed: None,
             stage: Box::new(Stage::new(&flat, quadrature.refined(0))?),
             rule,
@@ -161,6 +166,9 @@ impl Family {
             family.solve_under_friction(layer, task, contact, (blend, coarse))?;
         } else {
             family.solve_pressures(layer, task, coarse)?;
+        }
+        if let Some(datum) = task.problem.layer.datum.filter(|_| family.is_deep) {
+            family.depths = Some(family.against_datum(layer, task, ends, datum)?);
         }
         Ok(family)
     }
@@ -272,7 +280,11 @@ impl Family {
 
     /// Depth of a member over `A0`.
     pub(crate) fn depth(&self, b: f64) -> f64 {
-        self.pressed.blend.sum(b, &self.pressed.depth) + self.on_half_plane.at(b)
+        let beyond = match &self.depths {
+            Some(depths) => depths.at(b),
+            None => self.pressed.blend.sum(b, &self.pressed.depth),
+        };
+        beyond + self.on_half_plane.at(b)
     }
 
     /// `W` of a member at points within it.

@@ -174,6 +174,19 @@ impl Normal {
         Some(sunk(&mut *self.rule, self.half_width, (layer, problem), &self.unknowns)? + problem.height(0.0))
     }
 
+    /// The same under a flat face as wide as `half_width` and a pressure of other unknowns.
+    pub(crate) fn depth_of(
+        &mut self,
+        half_width: f64,
+        unknowns: &[f64],
+        (layer, problem): (&Layer, &Problem),
+    ) -> Option<f64> {
+        self.rule.stretch(half_width);
+        let depth = sunk(&mut *self.rule, half_width, (layer, problem), unknowns);
+        self.rule.stretch(self.half_width);
+        depth
+    }
+
     /// The points at which its equations are collocated.
     pub(crate) fn collocation(&self) -> &[Station] {
         self.rule.collocation()

@@ -1,8 +1,9 @@
 //! The members of a family, solved one by one.
 
+use super::depths::Depths;
 use super::pressed::Pressed;
 use super::rubbed::{Approach, Found, Member, Rubbed};
-use super::{CHECKED, Family, Room, Unfit, during, member};
+use super::{CHECKED, Family, OF_PRESSURE, Room, Unfit, during, member};
 use crate::engine::blend::Blend;
 use crate::engine::error_estimate::apart;
 use crate::engine::layer::Layer;
@@ -154,9 +155,29 @@ impl Family {
     fn keep_pressure(&mut self, layer: &Layer, flat: &Problem, b: f64) -> Result<(), Refusal> {
         self.pressed.pressure.push(self.stage.normal.unknowns().iter().map(|p| p * b));
         self.tilted(layer, b)?;
-        let depth = self.stage.normal.depth(layer, flat);
+        // Against a datum they are taken elsewhere, see [`Depths`].
+        let is_by_members = flat.layer.datum.is_none();
+        let depth = if is_by_members { self.stage.normal.depth(layer, flat) } else { None };
         self.pressed.depth.push(depth.map_or(0.0, |depth| depth / flat.elastic.a0() - self.on_half_plane.at(b)));
         Ok(())
+    }
+
+    /// Depths of members between two half-widths, each by its pressure as it is told between those solved.
+    pub(super) fn against_datum(
+        &mut self,
+        layer: &Layer,
+        task: Task,
+        ends: (f64, f64),
+        datum: f64,
+    ) -> Result<Depths, Refusal> {
+        let flat = member(task.problem, ends.1, false);
+        let Self { pressed: Pressed { blend, pressure, .. }, room: Room { functions, density, .. }, .. } = self;
+        Depths::new(datum, ends, self.stage.normal.size(), OF_PRESSURE, |b| {
+            blend.functions_at(b, functions);
+            pressure.blend_into(functions, density);
+            let depth = self.stage.normal.depth_of(b, density, (layer, &flat));
+            depth.map_or(0.0, |depth| depth / (b * flat.elastic.a0()) - self.on_half_plane.at(b))
+        })
     }
 
     /// Solves for `W`.
