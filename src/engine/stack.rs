@@ -43,7 +43,8 @@ const MORE_NODES: f64 = 1.2;
 const MOST_NODES: usize = 96;
 /// What rounding leaves of them.
 const ROUNDING: f64 = 1e-14;
-/// The longest piece that does not begin in the middle, in `ln b'`.
+/// The longest piece that does not begin in the middle, in the logarithm of the distance from the kink before that where it begins, or from
+/// the middle.
 const LONGEST_PIECE: f64 = 2.5;
 /// By how much a half-width is narrower from which the growth of a load is measured, relative.
 const BESIDE: f64 = 1e-3;
@@ -127,13 +128,16 @@ impl Stack {
     fn empty(problem: &Problem, widest: f64, digits: f64, nodes: usize) -> Self {
         let face = problem.face().min(widest);
         let mut breaks = vec![face];
+        let (mut kink, mut from) = (0.0, face);
         for next in problem.kinks().filter(|kink| *kink > face && *kink < widest).chain([widest]) {
-            // A force known to so many digits at the end of a piece is known to fewer at its beginning, where the middle feels it.
-            let from = breaks[breaks.len() - 1];
-            let parts = if from > 0.0 { ((next / from).ln() / LONGEST_PIECE).ceil().max(1.0) } else { 1.0 };
+            // A force known to so many digits at the end of a piece is known to fewer at its beginning, where the middle feels it; and
+            // beyond a kink it remembers the one before as long as that is near.
+            let (beyond, ratio) = (from - kink, (next - kink) / (from - kink));
+            let parts = if from > 0.0 { (ratio.ln() / LONGEST_PIECE).ceil().max(1.0) } else { 1.0 };
             let ends = (1..).map(f64::from).take_while(|part| *part < parts);
-            breaks.extend(ends.map(|part| from * (next / from).powf(part / parts)));
+            breaks.extend(ends.map(|part| kink + beyond * ratio.powf(part / parts)));
             breaks.push(next);
+            (kink, from) = (from, next);
         }
         if problem.is_detailed == Some(true) || problem.is_kinked_beside_details(widest) {
             problem.cut(&mut breaks, digits);

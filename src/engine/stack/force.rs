@@ -72,13 +72,24 @@ impl Stack {
             let is_enough = missed < (digits / felt).max(ROUNDING);
             let is_vain = missed.is_nan() || count >= STALLING && missed > 0.5 * before;
             if is_enough || is_vain || 2 * count > MOST_COEFFICIENTS {
-                let at_kink = if is_enough { 0.0 } else { AT_KINK * felt * missed };
                 let piece = Piece { from, to, force };
+                let share = self.share_at_kink(problem, &piece);
+                let at_kink = if is_enough { 0.0 } else { AT_KINK * felt * missed * share };
                 let missed = missed.max(piece.felt_of_width(problem));
                 return Made { piece, missed, at_kink };
             }
             (before, count) = (missed, 2 * count);
         }
+    }
+
+    /// How large a pressure the force of a piece would make where it begins, all of it having grown over the piece, beside that of the
+    /// widest contact; no more than 1.
+    fn share_at_kink(&self, problem: &Problem, piece: &Piece) -> f64 {
+        let Piece { from, to, .. } = *piece;
+        let made = piece.force(problem, to) / (2.0 * from * (to - from)).sqrt();
+        let widest = self.breaks.last().map_or(0.0, |widest| problem.slope(*widest)) / (2.0 * problem.elastic.a0());
+        // A quotient of zeros counts in full.
+        (made / widest).abs().min(1.0)
     }
 
     /// [`Force::OfHeight`], and what the series leave out of all the force that the middle feels.
