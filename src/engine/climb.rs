@@ -14,25 +14,57 @@ const LEVEL: f64 = 1e-13;
 /// Share of the highest value that a top among samples reaches if it may be the highest between them.
 pub(super) const NEARLY: f64 = 0.75;
 
-/// The last two places of a walk below zero, and how high each is.
-#[derive(Default)]
-pub(super) struct Trail(ArrayVec<(f64, f64), 2>);
+/// A walk below zero.
+pub(super) struct Trail {
+    /// Its last two places, and how high each is.
+    last: ArrayVec<(f64, f64), 2>,
+    /// The highest top climbed that stayed below zero.
+    highest: f64,
+}
+
+impl Default for Trail {
+    fn default() -> Self {
+        Self { last: ArrayVec::new(), highest: f64::NEG_INFINITY }
+    }
+}
 
 impl Trail {
     /// Goes on to the next place.
     pub(super) fn pass(&mut self, next: (f64, f64)) {
-        if self.0.is_full() {
-            self.0.remove(0);
+        if self.last.is_full() {
+            self.last.remove(0);
         }
-        self.0.push(next);
+        self.last.push(next);
     }
 
-    /// A place above zero between the last two and the next, where the second of them is the highest, and the first of them.
-    pub(super) fn top(&self, next: (f64, f64), excess: impl FnMut(f64) -> f64) -> Option<(f64, f64)> {
-        let [left, top] = self.0[..] else { return None };
-        let (at, height) = climb([left, top, next], excess, |height, _| height >= 0.0 || height <= TOO_LOW);
-        (height >= 0.0).then_some((left.0, at))
+    /// How high the highest top climbed is, of those that stayed below zero.
+    pub(super) fn highest(&self) -> f64 {
+        self.highest
     }
+
+    /// A place above zero between the last two and the next, where the second of them is the highest, or where the parabola through all
+    /// three has turned before the next; and one below zero before it.
+    pub(super) fn top(&mut self, next: (f64, f64), mut excess: impl FnMut(f64) -> f64) -> Option<(f64, f64)> {
+        let [left, top] = self.last[..] else { return None };
+        let three = if next.1 > top.1 {
+            let (at, _) = vertex([left, top, next]).filter(|(at, _)| *at < next.0 && next.1 > TOO_LOW)?;
+            [top, (at, excess(at)), next]
+        } else {
+            [left, top, next]
+        };
+        let (at, height) = climb(three, excess, |height, _| height >= 0.0 || height <= TOO_LOW);
+        if height < 0.0 {
+            self.highest = self.highest.max(height);
+        }
+        (height >= 0.0).then_some((three[0].0, at))
+    }
+}
+
+/// Where the parabola through three places is highest, and how fast it falls from there; `None` where it is open above.
+fn vertex([left, top, right]: [(f64, f64); 3]) -> Option<(f64, f64)> {
+    let (rise, fall) = ((top.1 - left.1) / (top.0 - left.0), (right.1 - top.1) / (right.0 - top.0));
+    let bend = (rise - fall) / (right.0 - left.0);
+    (bend > 0.0).then(|| (f64::midpoint(left.0, top.0) + 0.5 * rise / bend, bend))
 }
 
 /// The highest place among three and what parabolas find that close in, as soon as it is high enough, by its height and what the next
@@ -43,10 +75,10 @@ fn climb(
     is_enough: impl Fn(f64, f64) -> bool,
 ) -> (f64, f64) {
     for _ in 0..CLIMBS {
-        let (rise, fall) = ((top.1 - left.1) / (top.0 - left.0), (right.1 - top.1) / (right.0 - top.0));
-        let bend = (rise - fall) / (right.0 - left.0);
-        let at = f64::midpoint(left.0, top.0) + 0.5 * rise / bend;
-        if !(rise >= 0.0 && fall <= 0.0 && bend > 0.0) || is_enough(top.1, bend * (at - top.0).powi(2)) {
+        let Some((at, bend)) = vertex([left, top, right]).filter(|_| left.1 <= top.1 && top.1 >= right.1) else {
+            break;
+        };
+        if is_enough(top.1, bend * (at - top.0).powi(2)) {
             break;
         }
         // Beside the highest so far, where the parabola ends there.
@@ -115,5 +147,18 @@ mod tests {
         // Not one that stays below, nor where it rises still.
         assert_eq!(trail.top((0.8, cusp(0.8) - 1.0), |x| cusp(x) - 0.02), None);
         assert_eq!(trail.top((0.8, 0.5), cusp), None);
+    }
+
+    /// It rose from step to step, and will rise again.
+    #[test]
+    fn a_top_that_was_stepped_over_is_climbed() {
+        let wave = |x: f64| 0.02 - (x - 0.4).powi(2) + 2.0 * (x - 0.4).powi(3);
+        let mut trail = Trail::default();
+        for x in [-0.3, 0.15] {
+            trail.pass((x, wave(x)));
+        }
+        assert!(wave(0.6) > wave(0.15) && wave(0.6) < 0.0);
+        let (below, top) = trail.top((0.6, wave(0.6)), wave).expect("a top above zero");
+        assert!(wave(below) < 0.0 && wave(top) >= 0.0 && below < top && top < 0.5, "{below}, {top}");
     }
 }

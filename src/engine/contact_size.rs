@@ -25,12 +25,20 @@ const FAR_BELOW: f64 = 1.0 / 64.0;
 /// The longest step of that walk: against a datum above a base that gives way, what a punch sinks may grow, shrink and grow again over
 /// a few times the datum's depth, and what it bears on a stiff layer over a few thicknesses.
 const BENDING_STEP: f64 = 0.5 * LN_2;
+/// Where it misses less than that, a step is half as long: it may be met, and missed again within one.
+const NEAR: f64 = -1.0;
+/// Into so many parts the step is cut in which it is met.
+const PARTS: u32 = 4;
 
-/// What cannot be solved counts as so low, see [`Trail::top`].
+/// What cannot be solved counts as so low, see [`Trail::top`], and what sinks less than its datum; that of a contact this many times as
+/// wide as the layer is thick is not worth a wider one.
 const SUNK: f64 = -2.0;
+const WIDEST_SUNK: f64 = 4.0;
 
 /// What a load may miss of the one wanted, over the tolerance; it counts as error.
 const MISSED: f64 = 0.1;
+/// A top that stayed below zero by less than this may be above it at another resolution.
+const BESIDE_TOP: f64 = 0.02;
 /// What it may miss over what it missed at the size of the coarser resolution, whose error is as large as that.
 const CONTRACTED: f64 = 0.03;
 /// Steps along the slope before a size counts as lost.
@@ -51,17 +59,19 @@ pub(crate) struct Size {
     pub(crate) missed: f64,
     /// Whether it is where to start from, and no coarser resolution's.
     is_guess: bool,
+    /// Whether a narrower contact bears nearly as much, and then a wider one less: another resolution may find it.
+    is_beside_top: bool,
 }
 
 impl Size {
     /// A size that bears the load, all but rounding.
     pub(crate) fn exactly(half_width: f64) -> Self {
-        Self { half_width, slope: f64::NAN, missed: 0.0, is_guess: false }
+        Self { half_width, slope: f64::NAN, missed: 0.0, is_guess: false, is_beside_top: false }
     }
 
     /// A size to start from, where the load grows with that slope.
     pub(crate) fn about(half_width: f64, slope: f64) -> Self {
-        Self { half_width, slope, missed: 0.0, is_guess: true }
+        Self { half_width, slope, missed: 0.0, is_guess: true, is_beside_top: false }
     }
 
     /// Where to start under another load, from the size under one; `None` where these do not compare.
@@ -99,6 +109,7 @@ pub(crate) fn press(
         LoadInLayerUnits::Force(target) | LoadInLayerUnits::Indentation(target) => target,
     };
     let by_force = matches!(problem.load, LoadInLayerUnits::Force(_));
+    let sinks_with_datum = !by_force && problem.layer.datum.is_some();
     // ln(reached/target) is nearly linear in ln b for any punch.
     let widest = Cell::new(0.0_f64);
     let mut excess = |log_b: f64| -> Result<f64, Refusal> {
@@ -110,12 +121,20 @@ pub(crate) fn press(
         let reached = if by_force { Some(normal.force) } else { normal.depth(layer, problem) };
         match reached {
             Some(reached) if reached > 0.0 => Ok((reached / target).ln()),
+            // The datum sinks more than the punch does; under a wider contact it may sink less.
+            Some(_) if sinks_with_datum && half_width < WIDEST_SUNK => Ok(SUNK),
+            Some(_) if sinks_with_datum => Err(Refusal::OutOfReach {
+                method: "contact size",
+                why: format!("under a contact of half-width {half_width:.3e} h the datum sinks more than the punch"),
+                remedy: "give the force or the half-width, or a deeper `datum`",
+            }),
             _ => Err(no_size(format!(
                 "at this resolution a contact of half-width {half_width:.3e} h bears no load: it is too wide beside the \
                  layer for the nodes, or the cutoff too small"
             ))),
         }
     };
+    let known = known.filter(|known| !known.is_beside_top);
     let near = match known {
         Some(size) => follow(size, MISSED * tolerance, &mut excess)?,
         None => None,
@@ -136,7 +155,7 @@ pub(crate) fn press(
         bends,
         length: problem.length,
     };
-    let (log_b, slope) = match search(walk, position, &mut excess) {
+    let (log_b, slope, is_beside_top) = match search(walk, position, &mut excess) {
         Ok(found) => found,
         Err(refusal) => {
             // Beyond a flaw of the punch nothing was worth trying, nor is what came of it worth telling.
@@ -149,7 +168,7 @@ pub(crate) fn press(
     };
     let missed = excess(log_b)?.abs();
     let slope = if SLOPES.contains(&slope) { slope } else { f64::NAN };
-    Ok(Size { half_width: log_b.exp(), slope, missed, is_guess: false })
+    Ok(Size { half_width: log_b.exp(), slope, missed, is_guess: false, is_beside_top })
 }
 
 /// The size of a coarser resolution, moved along the slope until little is missed; `None` where it is not near.
@@ -160,13 +179,14 @@ fn follow(
     allowed: f64,
     excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
 ) -> Result<Option<Size>, Refusal> {
-    let Size { half_width, mut slope, .. } = known;
+    let Size { half_width, mut slope, is_beside_top, .. } = known;
     let mut log_b = half_width.ln();
     let mut missed = excess(log_b)?;
     let enough = if known.is_guess { allowed } else { allowed.max(CONTRACTED * missed.abs()) };
     for _ in 0..STEPS {
         if missed.abs() <= enough {
-            return Ok(Some(Size { half_width: log_b.exp(), slope, missed: missed.abs(), is_guess: false }));
+            let (half_width, missed) = (log_b.exp(), missed.abs());
+            return Ok(Some(Size { half_width, slope, missed, is_guess: false, is_beside_top }));
         }
         let step = -missed / slope;
         if !SLOPES.contains(&slope) || step.abs() > LN_2 {
@@ -200,13 +220,14 @@ struct Walk {
     length: f64,
 }
 
-/// The root from a start that may be far off and below a limit, and the slope there.
+/// The root from a start that may be far off and below a limit, the slope there, and whether a top beside it is nearly one.
 fn search(
     walk: Walk,
     position: f64,
     excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
-) -> Result<(f64, f64), Refusal> {
-    let (lower, upper) = bracket(excess, walk)?;
+) -> Result<(f64, f64, bool), Refusal> {
+    let mut trail = Trail::default();
+    let (lower, upper) = bracket(excess, walk, &mut trail)?;
     let mut last = [(lower, 0.0); 2];
     let position = position.max(4.0 * f64::EPSILON * lower.abs().max(1.0));
     let found = Toms748Root::new(lower, upper).with_absolute_position_tolerance(position).solve(|log_b| {
@@ -223,20 +244,20 @@ fn search(
         Err(other) => return Err(no_size(other.to_string())),
     };
     let [(x0, f0), (x1, f1)] = last;
-    Ok((root, (f1 - f0) / (x1 - x0)))
+    Ok((root, (f1 - f0) / (x1 - x0), trail.highest() > -BESIDE_TOP))
 }
 
 /// Walks from `start` towards the sign change of an increasing function, in growing steps.
 fn bracket(
     excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
     Walk { start, limit, mut step, smallest, bends, length }: Walk,
+    trail: &mut Trail,
 ) -> Result<(f64, f64), Refusal> {
     let start = start.min(limit);
     let from = excess(start)?;
     let direction = if from > 0.0 { -1.0 } else { 1.0 };
     let longest = if bends { BENDING_STEP } else { 2.0 * LN_2 };
     let (mut here, mut growth) = (start, 2.0);
-    let mut trail = Trail::default();
     trail.pass((start, from));
     let climbs = bends && direction > 0.0;
     for _ in 0..MOST_STEPS {
@@ -245,6 +266,7 @@ fn bracket(
             return Err(outgrown(limit.exp() * length));
         }
         match excess(next) {
+            Ok(there) if climbs && there >= 0.0 => return Ok(first_part((here, next), excess)),
             Ok(excess) if excess * direction >= 0.0 => return Ok((here.min(next), here.max(next))),
             Ok(excess_there) => {
                 if climbs && let Some(top) = trail.top((next, excess_there), |at| excess(at).unwrap_or(SUNK)) {
@@ -252,7 +274,7 @@ fn bracket(
                 }
                 trail.pass((next, excess_there));
                 here = next;
-                step = (growth * step).min(longest);
+                step = (growth * step).min(if climbs && excess_there > NEAR { 0.5 * longest } else { longest });
             }
             Err(refusal) if step < smallest => return Err(refusal),
             // Beyond what this resolution can solve, or what it sinks to is above the datum; the load may be borne before.
@@ -266,6 +288,14 @@ fn bracket(
         }
     }
     Err(no_size(format!("no half-width between {:.3e} h and {:.3e} h bears the load", start.exp(), here.exp())))
+}
+
+/// The first part of a step in which something grows through zero, which has at its end.
+fn first_part((from, to): (f64, f64), excess: &mut impl FnMut(f64) -> Result<f64, Refusal>) -> (f64, f64) {
+    let at = |part: u32| from + (to - from) * f64::from(part) / f64::from(PARTS);
+    let mut met = |part: &u32| excess(at(*part)).is_ok_and(|excess| excess >= 0.0);
+    let part = (1..PARTS).find(|part| met(part)).unwrap_or(PARTS);
+    (at(part - 1), if part == PARTS { to } else { at(part) })
 }
 
 /// A half-width that the contact on a half-plane is hardly wider than; exact where the scene gives it.
