@@ -120,6 +120,8 @@ pub fn svg(solution: &Solution) -> Result<String, FigureError> {
     Ok(SvgBackend::new().with_pretty(true).render_scene(&scene))
 }
 
+/// Width of a line of the grid, px.
+const THIN: f64 = 0.8;
 /// Height of a line of annotations, px.
 const LINE: f64 = 20.0;
 /// Height of the legend, px.
@@ -142,6 +144,12 @@ fn framed(x: (f64, f64), y: (f64, f64), size: (f64, f64), labels: [&str; 2]) -> 
         .with_body_size(LETTERS)
         .with_x_label(literal(labels[0]))
         .with_y_label(literal(labels[1]))
+}
+
+/// A line through these points, with lengths of dashes and gaps, px, unless it is solid.
+fn line(points: impl IntoIterator<Item = (f64, f64)>, color: &str, width: f64, dashes: Option<&str>) -> Plot {
+    let style = dashes.map_or(LineStyle::Solid, |dashes| LineStyle::Custom(dashes.into()));
+    Plot::Line(LinePlot::new().with_data(points).with_color(color).with_stroke_width(width).with_line_style(style))
 }
 
 /// Titles, axes and legend.
@@ -284,13 +292,8 @@ fn wrapped(text: &str, longest: usize, most_lines: usize) -> Vec<String> {
 fn rules(stick: Option<&StickReport>, frame: Frame) -> Vec<Plot> {
     /// More than any frame holds.
     const MOST_LEVELS: u8 = 64;
-    let rule = |from: (f64, f64), to: (f64, f64), color: &str, width: f64, style: LineStyle| {
-        Plot::Line(
-            LinePlot::new().with_data([from, to]).with_color(color).with_stroke_width(width).with_line_style(style),
-        )
-    };
-    let level = |y: f64, color: &str| rule((-HALF_RANGE, y), (HALF_RANGE, y), color, 0.8, LineStyle::Solid);
-    let upright = |x: f64, width: f64, style: LineStyle| rule((x, frame.bottom), (x, frame.top), INK, width, style);
+    let level = |y: f64, color: &str| line([(-HALF_RANGE, y), (HALF_RANGE, y)], color, THIN, None);
+    let upright = |x: f64, dashes| line([(x, frame.bottom), (x, frame.top)], INK, 1.0, dashes);
 
     let mut rules: Vec<Plot> = (1..MOST_LEVELS)
         .map(|i| frame.bottom + f64::from(i) * frame.step)
@@ -298,9 +301,9 @@ fn rules(stick: Option<&StickReport>, frame: Frame) -> Vec<Plot> {
         .map(|y| level(y, GRID))
         .collect();
     rules.push(level(0.0, INK));
-    rules.extend([-1.0, 1.0].map(|x| upright(x, 1.0, LineStyle::Solid)));
+    rules.extend([-1.0, 1.0].map(|x| upright(x, None)));
     if let Some(a) = stick_ratio(stick) {
-        rules.extend([-a, a].map(|x| upright(x, 1.0, LineStyle::Custom("9 3 2 3".into()))));
+        rules.extend([-a, a].map(|x| upright(x, Some("9 3 2 3"))));
     }
     rules
 }

@@ -1,8 +1,7 @@
 //! The curves of the figure: scaled, continued to the edges, and the frame that shows them.
 
 use crate::engine::Solution;
-use crate::report::svg::FigureError;
-use kuva::plot::{LinePlot, LineStyle};
+use crate::report::svg::{FigureError, line};
 use kuva::render::plots::Plot;
 use slipzone_api::Friction;
 
@@ -118,12 +117,8 @@ impl Curves {
         // Far outside the frame nothing is seen, and some viewers stumble over huge coordinates.
         let (low, high) = (frame.bottom - FAR, frame.top + FAR);
         let curve = |points: &[(f64, f64)], factor: f64, stroke: &Stroke| {
-            let line = LinePlot::new()
-                .with_data(points.iter().map(|(x, y)| (*x, (factor * y).clamp(low, high))))
-                .with_color(stroke.color)
-                .with_stroke_width(stroke.width)
-                .with_line_style(LineStyle::Custom(stroke.dashes.into()));
-            Plot::Line(line)
+            let points = points.iter().map(|(x, y)| (*x, (factor * y).clamp(low, high)));
+            line(points, stroke.color, stroke.width, Some(stroke.dashes))
         };
         let mut plots = Vec::new();
         if let Some(eta) = self.eta {

@@ -4,13 +4,12 @@ mod trace;
 
 use super::axis::Axis;
 use super::head::Head;
-use super::{FigureError, GRID, LEGEND, SIZE, alarm, framed, legend, outline, place};
+use super::{FigureError, GRID, LEGEND, SIZE, THIN, alarm, framed, legend, line, outline, place};
 use crate::engine::{Curve, Solution, Status, first_not_finite};
 use crate::report::labels::Labels;
 use crate::report::scene_line::{GREEK, constant_parts};
 use crate::report::svg::curves::Stroke;
 use kuva::backend::svg::SvgBackend;
-use kuva::plot::{LinePlot, LineStyle};
 use kuva::render::color::Color;
 use kuva::render::layout::ComputedLayout;
 use kuva::render::plots::Plot;
@@ -113,8 +112,7 @@ fn draw(panel: &Panel, force: &Axis) -> Scene {
     for trace in &panel.traces {
         plots.extend(trace.segments(panel.axis.unit, force.unit, [panel.axis.most, force.most]).map(|points| {
             let stroke = &trace.stroke;
-            let line = LinePlot::new().with_data(points).with_color(stroke.color).with_stroke_width(stroke.width);
-            Plot::Line(line.with_line_style(LineStyle::Custom(stroke.dashes.into())))
+            line(points, stroke.color, stroke.width, Some(stroke.dashes))
         }));
     }
     let mut scene = render_multiple(plots, layout);
@@ -130,8 +128,7 @@ fn draw(panel: &Panel, force: &Axis) -> Scene {
 
 /// Lines at the ticks, under the curves.
 fn grid(axis: &Axis, force: &Axis) -> Vec<Plot> {
-    let rule =
-        |ends: [(f64, f64); 2]| Plot::Line(LinePlot::new().with_data(ends).with_color(GRID).with_stroke_width(0.8));
+    let rule = |ends: [(f64, f64); 2]| line(ends, GRID, THIN, None);
     let upright = axis.inner_ticks().map(|x| rule([(x, 0.0), (x, force.most)]));
     upright.chain(force.inner_ticks().map(|y| rule([(0.0, y), (axis.most, y)]))).collect()
 }

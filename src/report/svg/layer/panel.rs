@@ -2,8 +2,7 @@
 
 use crate::report::svg::curves::{Stroke, thinned};
 use crate::report::svg::scale::Scale;
-use crate::report::svg::{GRID, INK, LEGEND, LETTERS, framed, legend, outline};
-use kuva::plot::{LinePlot, LineStyle};
+use crate::report::svg::{GRID, INK, LEGEND, LETTERS, THIN, framed, legend, line, outline};
 use kuva::render::annotations::ShadedRegion;
 use kuva::render::color::Color;
 use kuva::render::layout::{ComputedLayout, Layout};
@@ -27,12 +26,6 @@ pub(super) struct Panel {
     /// Where the panel stands in the figure, and its size, px.
     pub(super) place: (f64, f64),
     pub(super) size: (f64, f64),
-}
-
-/// Thin rules that are no curves.
-fn rule(from: (f64, f64), to: (f64, f64), color: &str, dashes: &str) -> Plot {
-    let line = LinePlot::new().with_data([from, to]).with_color(color).with_stroke_width(0.8);
-    Plot::Line(line.with_line_style(LineStyle::Custom(dashes.into())))
 }
 
 impl Panel {
@@ -69,8 +62,7 @@ impl Panel {
             let drawable = |point: &&(f64, f64)| !self.y.is_logarithmic() || point.1 > 0.0;
             let points: Vec<_> = points.iter().filter(drawable).copied().collect();
             let points = thinned(&points, |(x, y)| (self.x.place(x), self.y.place(y)));
-            let line = LinePlot::new().with_data(points).with_color(stroke.color).with_stroke_width(stroke.width);
-            Plot::Line(line.with_line_style(LineStyle::Custom(stroke.dashes.into())))
+            line(points, stroke.color, stroke.width, Some(stroke.dashes))
         }));
         let mut scene = render_multiple(plots, layout);
         self.names(&mut scene, &computed);
@@ -85,8 +77,8 @@ impl Panel {
     fn rules(&self) -> Vec<Plot> {
         let Self { x, y, .. } = self;
         let end = self.base.map_or(x.most, |base| base.0);
-        let upright = |at: f64, color, dashes| rule((at, y.least), (at, y.most), color, dashes);
-        let level = |at: f64, end, color, dashes| rule((x.least, at), (end, at), color, dashes);
+        let upright = |at: f64, color, dashes| line([(at, y.least), (at, y.most)], color, THIN, Some(dashes));
+        let level = |at: f64, end, color, dashes| line([(x.least, at), (end, at)], color, THIN, Some(dashes));
         let mut rules: Vec<Plot> =
             x.inner_ticks().into_iter().filter(|at| *at < end).map(|at| upright(at, GRID, "none")).collect();
         rules.extend(y.inner_ticks().into_iter().map(|at| level(at, end, GRID, "none")));
