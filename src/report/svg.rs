@@ -21,7 +21,7 @@ use crate::report::number::{digits, short, significant, typeset};
 use crate::report::scene_line::{GREEK, scene_parts};
 pub use atlas::atlas_svg;
 pub use chart::chart_svg;
-use curves::{Curves, Frame, Stroke};
+use curves::{Curves, Frame};
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::{LinePlot, LineStyle};
 use kuva::render::annotations::ShadedRegion;
@@ -30,6 +30,7 @@ use kuva::render::layout::{ComputedLayout, Layout, TickFormat};
 use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 pub use layer::layer_svg;
+use legend::LEGEND;
 pub use loading::curve_svg;
 use std::sync::Arc;
 pub use study::{StudyFigure, study_svg};
@@ -115,7 +116,7 @@ pub fn svg(solution: &Solution) -> Result<String, FigureError> {
         write(&mut scene, SIZE.0 / 2.0, computed.margin_top - (lines - line as f64 - 0.6) * LINE, text, ALARM, true);
     }
     outline(&mut scene, &computed);
-    legend(&mut scene, &computed, curves.strokes().iter());
+    legend::under_frame(&curves.legend(), &mut scene, &computed);
     name_clip(&mut scene, "frame");
     Ok(SvgBackend::new().with_pretty(true).render_scene(&scene))
 }
@@ -124,8 +125,6 @@ pub fn svg(solution: &Solution) -> Result<String, FigureError> {
 const THIN: f64 = 0.8;
 /// Height of a line of annotations, px.
 const LINE: f64 = 20.0;
-/// Height of the legend, px.
-const LEGEND: f64 = 28.0;
 /// Faces of the letters, the first that is there.
 const FONTS: &str = "Helvetica, Arial, 'DejaVu Sans', sans-serif";
 /// Size of letters beside the axes, px.
@@ -316,42 +315,6 @@ fn write(scene: &mut Scene, x: f64, y: f64, content: String, color: &str, bold: 
     scene.add(Primitive::Text { x, y, content, size, anchor, rotate: None, bold, color });
 }
 
-/// The legend in a line under the axis, centred. (kuva's own samples are too short to show how a line is dashed.)
-fn legend<'s>(scene: &mut Scene, computed: &ComputedLayout, strokes: impl Iterator<Item = &'s Stroke> + Clone) {
-    const SAMPLE: f64 = 44.0;
-    const GAP: f64 = 8.0;
-    const BETWEEN: f64 = 30.0;
-    /// Width of an average letter in its height; the viewer chooses the font, so nobody knows better.
-    const LETTER: f64 = 0.55;
-    let width = |stroke: &Stroke| SAMPLE + GAP + LETTER * f64::from(LETTERS) * stroke.name.chars().count() as f64;
-    let total: f64 = strokes.clone().map(width).sum::<f64>() + BETWEEN * (strokes.clone().count() as f64 - 1.0);
-    let mut x = computed.margin_left + (computed.plot_width() - total) / 2.0;
-    let y = computed.height - 0.5 * LEGEND;
-    for stroke in strokes {
-        scene.add(Primitive::Line {
-            x1: x,
-            y1: y,
-            x2: x + SAMPLE,
-            y2: y,
-            stroke: Color::from(stroke.color),
-            stroke_width: stroke.width,
-            stroke_dasharray: Some(stroke.dashes.into()),
-        });
-        scene.add(Primitive::Text {
-            x: x + SAMPLE + GAP,
-            // Half the height of small letters below the middle.
-            y: y + 0.33 * f64::from(LETTERS),
-            content: stroke.name.into(),
-            size: LETTERS,
-            anchor: TextAnchor::Start,
-            rotate: None,
-            bold: false,
-            color: Some(Color::from(INK)),
-        });
-        x += width(stroke) + BETWEEN;
-    }
-}
-
 /// The frame once more: the shading has covered the inner half of its lines.
 fn outline(scene: &mut Scene, computed: &ComputedLayout) {
     scene.add(Primitive::Rect {
@@ -409,7 +372,7 @@ mod tests {
         let document = roxmltree::Document::parse(svg).unwrap();
         let path = document
             .descendants()
-            .find(|n| n.has_tag_name("path") && n.attribute("stroke") == Some(PRESSURE.color))
+            .find(|n| n.has_tag_name("path") && n.attribute("stroke") == Some(PRESSURE.style.color))
             .expect("a pressure curve");
         let numbers = path.attribute("d").unwrap().split([' ', 'M', 'L']).filter(|s| !s.is_empty());
         let numbers: Vec<f64> = numbers.map(|s| s.parse().unwrap()).collect();

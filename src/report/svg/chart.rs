@@ -98,7 +98,7 @@ fn methods(chart: &Chart) -> Vec<String> {
 
 fn legend(methods: &[String]) -> Vec<Entry> {
     let methods = methods.iter().enumerate().map(|(index, name)| Entry {
-        name: name.clone(),
+        name: name.clone().into(),
         style: Style::of(index, &[index]),
         is_line: true,
         is_marked: true,

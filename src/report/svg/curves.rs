@@ -1,6 +1,7 @@
 //! The curves of the figure: scaled, continued to the edges, and the frame that shows them.
 
 use crate::engine::Solution;
+use crate::report::svg::legend::Entry;
 use crate::report::svg::{FigureError, line};
 use kuva::render::plots::Plot;
 use slipzone_api::Friction;
@@ -10,18 +11,10 @@ const TOP_UNBOUNDED: f64 = 2.5;
 /// Where any pressure is cut off, in mean pressures.
 const TOP: f64 = 6.0;
 
-/// How a curve is drawn. The dashes tell the curves apart where the colours are lost in print.
-pub(super) struct Stroke {
-    pub(super) name: &'static str,
-    pub(super) color: &'static str,
-    pub(super) width: f64,
-    /// Lengths of dashes and gaps, px.
-    pub(super) dashes: &'static str,
-}
-
-pub(super) const PRESSURE: Stroke = Stroke { name: "pressure p", color: "#1f4e8c", width: 2.4, dashes: "none" };
-const SHEAR: Stroke = Stroke { name: "shear q", color: "#b5401c", width: 2.4, dashes: "8 4" };
-const LIMIT: Stroke = Stroke { name: "friction limit ±ηp", color: "#555555", width: 1.3, dashes: "1.5 3" };
+/// The dashes tell the curves apart where the colours are lost in print.
+pub(super) const PRESSURE: Entry = Entry::line("pressure p", "#1f4e8c", 2.4, "none");
+const SHEAR: Entry = Entry::line("shear q", "#b5401c", 2.4, "8 4");
+const LIMIT: Entry = Entry::line("friction limit ±ηp", "#555555", 1.3, "1.5 3");
 
 /// The points of a curve that can be told apart, both ends among them; `place` gives a point's place in its panel, whose
 /// sides are 1.
@@ -116,9 +109,9 @@ impl Curves {
     pub(super) fn plots(&self, frame: Frame) -> Vec<Plot> {
         // Far outside the frame nothing is seen, and some viewers stumble over huge coordinates.
         let (low, high) = (frame.bottom - FAR, frame.top + FAR);
-        let curve = |points: &[(f64, f64)], factor: f64, stroke: &Stroke| {
+        let curve = |points: &[(f64, f64)], factor: f64, Entry { style, .. }: &Entry| {
             let points = points.iter().map(|(x, y)| (*x, (factor * y).clamp(low, high)));
-            line(points, stroke.color, stroke.width, Some(stroke.dashes))
+            line(points, style.color, style.width, Some(style.dashes))
         };
         let mut plots = Vec::new();
         if let Some(eta) = self.eta {
@@ -128,16 +121,16 @@ impl Curves {
         plots
     }
 
-    /// The strokes that are drawn.
-    pub(super) fn strokes(&self) -> Vec<Stroke> {
-        let mut strokes = vec![PRESSURE];
+    /// What is drawn.
+    pub(super) fn legend(&self) -> Vec<Entry> {
+        let mut entries = vec![PRESSURE];
         if !self.shear.is_empty() {
-            strokes.push(SHEAR);
+            entries.push(SHEAR);
         }
         if self.eta.is_some() {
-            strokes.push(LIMIT);
+            entries.push(LIMIT);
         }
-        strokes
+        entries
     }
 }
 

@@ -4,11 +4,11 @@ mod trace;
 
 use super::axis::Axis;
 use super::head::Head;
-use super::{FigureError, GRID, LEGEND, SIZE, THIN, alarm, framed, legend, line, outline, place};
+use super::legend::{Entry, LEGEND, under_frame};
+use super::{FigureError, GRID, SIZE, THIN, alarm, framed, line, outline, place};
 use crate::engine::{Curve, Solution, Status, first_not_finite};
 use crate::report::labels::Labels;
 use crate::report::scene_line::{GREEK, constant_parts};
-use crate::report::svg::curves::Stroke;
 use kuva::backend::svg::SvgBackend;
 use kuva::render::color::Color;
 use kuva::render::layout::ComputedLayout;
@@ -16,9 +16,9 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, render_multiple};
 use trace::Trace;
 
-const DEPTH: Stroke = Stroke { name: "indentation δ", color: "#1f4e8c", width: 2.4, dashes: "none" };
-const CONTACT: Stroke = Stroke { name: "contact b", color: "#1f4e8c", width: 2.4, dashes: "none" };
-const STICK: Stroke = Stroke { name: "stick zone a", color: "#b5401c", width: 2.4, dashes: "8 4" };
+const DEPTH: Entry = Entry::line("indentation δ", "#1f4e8c", 2.4, "none");
+const CONTACT: Entry = Entry::line("contact b", "#1f4e8c", 2.4, "none");
+const STICK: Entry = Entry::line("stick zone a", "#b5401c", 2.4, "8 4");
 
 /// Height of a panel, px; it is as wide as the figure of the tractions.
 const PANEL: f64 = 420.0;
@@ -72,8 +72,8 @@ fn panels(solution: &Solution, curve: &Curve, labels: &Labels) -> Vec<Panel> {
     let shape = solution.scene.punch.shape().ok();
     let touched = shape.map(|shape| shape.fixed_half_width().unwrap_or_else(|| shape.face()));
     let within = touched.filter(|half_width| *half_width == 0.0);
-    let trace = |stroke, column: &Option<Vec<Option<f64>>>, start| {
-        Trace::new(stroke, column.as_deref().unwrap_or_default(), &curve.force, start)
+    let trace = |entry, column: &Option<Vec<Option<f64>>>, start| {
+        Trace::new(entry, column.as_deref().unwrap_or_default(), &curve.force, start)
     };
     // All share a place under their axis for a legend, so that the frames stand in a line.
     let legend = curve.stick_half_width.is_some();
@@ -111,8 +111,8 @@ fn draw(panel: &Panel, force: &Axis) -> Scene {
     let mut plots = grid(&panel.axis, force);
     for trace in &panel.traces {
         plots.extend(trace.segments(panel.axis.unit, force.unit, [panel.axis.most, force.most]).map(|points| {
-            let stroke = &trace.stroke;
-            line(points, stroke.color, stroke.width, Some(stroke.dashes))
+            let style = &trace.entry.style;
+            line(points, style.color, style.width, Some(style.dashes))
         }));
     }
     let mut scene = render_multiple(plots, layout);
@@ -121,7 +121,8 @@ fn draw(panel: &Panel, force: &Axis) -> Scene {
     }
     outline(&mut scene, &computed);
     if panel.traces.len() > 1 {
-        legend(&mut scene, &computed, panel.traces.iter().map(|trace| &trace.stroke));
+        let entries: Vec<Entry> = panel.traces.iter().map(|trace| trace.entry.clone()).collect();
+        under_frame(&entries, &mut scene, &computed);
     }
     scene
 }
@@ -145,7 +146,7 @@ fn mark(scene: &mut Scene, computed: &ComputedLayout, trace: &Trace, unit: f64, 
             r: MARK,
             fill: Color::from("#ffffff"),
             fill_opacity: None,
-            stroke: Some(Color::from(trace.stroke.color)),
+            stroke: Some(Color::from(trace.entry.style.color)),
             stroke_width: Some(1.6),
         });
     }

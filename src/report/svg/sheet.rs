@@ -38,7 +38,7 @@ impl Sheet {
             place(&mut figure, panel.draw(margin), &format!("frame{index}"), at);
         }
         figure.elements.extend(head.lines);
-        legend.draw(&mut figure, below);
+        legend.draw(&mut figure, width / 2.0, below);
         SvgBackend::new().with_pretty(true).render_scene(&figure)
     }
 }

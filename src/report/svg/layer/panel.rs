@@ -1,8 +1,9 @@
 //! One panel of the figure of a layer: curves in a frame, thin rules, and a strip for the base.
 
-use crate::report::svg::curves::{Stroke, thinned};
+use crate::report::svg::curves::thinned;
+use crate::report::svg::legend::{Entry, LEGEND, under_frame};
 use crate::report::svg::scale::Scale;
-use crate::report::svg::{GRID, INK, LEGEND, LETTERS, THIN, framed, legend, line, outline};
+use crate::report::svg::{GRID, INK, LETTERS, THIN, framed, line, outline};
 use kuva::render::annotations::ShadedRegion;
 use kuva::render::color::Color;
 use kuva::render::layout::{ComputedLayout, Layout};
@@ -16,7 +17,7 @@ const BASE: &str = "#ececec";
 pub(super) struct Panel {
     pub(super) x: Scale,
     pub(super) y: Scale,
-    pub(super) curves: Vec<(Stroke, Vec<(f64, f64)>)>,
+    pub(super) curves: Vec<(Entry, Vec<(f64, f64)>)>,
     /// Dashed verticals, at these abscissae.
     pub(super) interfaces: Vec<f64>,
     /// Dashed levels, each with its name.
@@ -57,18 +58,19 @@ impl Panel {
         }
         let computed = ComputedLayout::from_layout(&layout);
         let mut plots = self.rules();
-        plots.extend(self.curves.iter().map(|(stroke, points)| {
+        plots.extend(self.curves.iter().map(|(Entry { style, .. }, points)| {
             // What is not positive has no place on a logarithmic axis.
             let drawable = |point: &&(f64, f64)| !self.y.is_logarithmic() || point.1 > 0.0;
             let points: Vec<_> = points.iter().filter(drawable).copied().collect();
             let points = thinned(&points, |(x, y)| (self.x.place(x), self.y.place(y)));
-            line(points, stroke.color, stroke.width, Some(stroke.dashes))
+            line(points, style.color, style.width, Some(style.dashes))
         }));
         let mut scene = render_multiple(plots, layout);
         self.names(&mut scene, &computed);
         outline(&mut scene, &computed);
         if self.curves.len() > 1 {
-            legend(&mut scene, &computed, self.curves.iter().map(|curve| &curve.0));
+            let entries: Vec<Entry> = self.curves.iter().map(|curve| curve.0.clone()).collect();
+            under_frame(&entries, &mut scene, &computed);
         }
         scene
     }

@@ -1,10 +1,11 @@
 //! One curve of a panel: force over a length.
 
-use crate::report::svg::curves::{Stroke, thinned};
+use crate::report::svg::curves::thinned;
+use crate::report::svg::legend::Entry;
 
 /// The points of a curve, in the scene's units, and how it is drawn.
 pub(super) struct Trace {
-    pub(super) stroke: Stroke,
+    pub(super) entry: Entry,
     /// Length and force; `None` where one of them is not known.
     points: Vec<Option<(f64, f64)>>,
     /// The length without a load, where it is known.
@@ -19,7 +20,7 @@ const POWERS: std::ops::RangeInclusive<f64> = 0.2..=20.0;
 impl Trace {
     /// `None` where nothing is known.
     pub(super) fn new(
-        stroke: Stroke,
+        entry: Entry,
         lengths: &[Option<f64>],
         force: &[Option<f64>],
         start: Option<f64>,
@@ -28,7 +29,7 @@ impl Trace {
         let known: Vec<f64> = points.iter().flatten().map(|point| point.1).collect();
         let (first, last) = (known.first()?, known.last()?);
         let joined = points.first().is_some_and(Option::is_some) && *first <= NEAR * last;
-        Some(Self { stroke, points, start: start.filter(|_| joined) })
+        Some(Self { entry, points, start: start.filter(|_| joined) })
     }
 
     /// The points that are known.
