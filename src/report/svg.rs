@@ -22,6 +22,7 @@ use crate::report::scene_line::{GREEK, scene_parts};
 pub use atlas::atlas_svg;
 pub use chart::chart_svg;
 use curves::{Curves, Frame};
+use head::titled;
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::{LinePlot, LineStyle};
 use kuva::render::annotations::ShadedRegion;
@@ -154,10 +155,9 @@ fn line(points: impl IntoIterator<Item = (f64, f64)>, color: &str, width: f64, d
 /// Titles, axes and legend.
 fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
     let labels = Labels::new(&solution.units);
-    let title = solution.scene.title.as_deref().map(one_line).filter(|title| !title.is_empty());
-    let title = title.unwrap_or_else(|| {
-        if solution.stick.is_some() { "Pressure and shear under the punch" } else { "Pressure under the punch" }.into()
-    });
+    let called =
+        if solution.stick.is_some() { "Pressure and shear under the punch" } else { "Pressure under the punch" };
+    let title = titled(solution.scene.title.as_deref(), called);
     let own = |path: &str, value: f64, unit: &str| {
         let supported = solution.error.each.get(path).map_or(SCALE_DIGITS, |e| digits(*e).min(SCALE_DIGITS));
         with_unit(&typeset(&short(value, supported)), unit)

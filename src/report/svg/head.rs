@@ -5,6 +5,11 @@ use crate::report::labels::one_line;
 use kuva::render::color::Color;
 use kuva::render::render::{Primitive, TextAnchor};
 
+/// A scene's title, or what its figure is called.
+pub(super) fn titled(title: Option<&str>, called: &str) -> String {
+    title.map(one_line).filter(|title| !title.is_empty()).unwrap_or_else(|| called.into())
+}
+
 /// Title, scene and what is wrong, over the panels.
 pub(super) struct Head {
     pub(super) lines: Vec<Primitive>,
@@ -13,16 +18,14 @@ pub(super) struct Head {
 }
 
 impl Head {
-    /// A scene's title (or what the figure is called), its parts, and what is wrong in lines ready to be set.
-    pub(super) fn new(title: Option<&str>, called: &str, parts: &[String], alarm: &[String], panels: usize) -> Self {
+    /// A title, the parts of a scene, and what is wrong in lines ready to be set.
+    pub(super) fn new(title: &str, parts: &[String], alarm: &[String], panels: usize) -> Self {
         /// Sizes of letters, px.
         const TITLE: u32 = 17;
         const SCENE: u32 = 12;
         /// Characters of a title that fit over a panel, in the widest of the fonts asked for.
         const FITTING: usize = 52;
         let width = SIZE.0 * panels as f64;
-        let title = title.map(one_line).filter(|title| !title.is_empty());
-        let title = title.unwrap_or_else(|| called.into());
         let mut head = Self { lines: Vec::new(), height: 14.0 };
         let mut line = |text: &str, size: u32, color: &str, bold: bool| {
             head.height += 1.35 * f64::from(size);
@@ -37,7 +40,7 @@ impl Head {
                 color: Some(Color::from(color)),
             });
         };
-        for text in wrapped(&literal(&title), FITTING * panels, 3) {
+        for text in wrapped(&literal(&one_line(title)), FITTING * panels, 3) {
             line(&text, TITLE, INK, false);
         }
         // A part may be longer than a line.

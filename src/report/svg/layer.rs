@@ -2,7 +2,7 @@
 
 mod panel;
 
-use super::head::Head;
+use super::head::{Head, titled};
 use super::legend::Entry;
 use super::scale::Scale;
 use super::{FigureError, SIZE, place};
@@ -52,7 +52,7 @@ pub fn layer_svg(
         return Err(FigureError::NoLayer);
     }
     let parts = layer_parts(scene, None, &GREEK);
-    let head = Head::new(scene.title.as_deref(), "Layer", &parts, &[], columns.len());
+    let head = Head::new(&titled(scene.title.as_deref(), "Layer"), &parts, &[], columns.len());
     let mut figure = Canvas::new(SIZE.0 * columns.len() as f64, head.height + HEIGHT);
     for (index, panel) in columns.iter().enumerate() {
         let margin = panel.iter().map(Panel::margin).fold(0.0, f64::max);

@@ -10,6 +10,8 @@ use kuva::render::render::{Scene, render_multiple};
 
 /// Height of a panel, px; it is as wide as the figure of the tractions.
 pub(super) const PANEL: f64 = 400.0;
+/// Points up to which each is marked: a curve through few says where they are.
+pub(super) const MARKED: usize = 24;
 
 /// Curves over a scale. What is drawn is in its units.
 pub(super) struct Panel {

@@ -25,7 +25,7 @@ impl Sheet {
     pub(super) fn draw(self) -> String {
         let Self { title, notes, alarm, panels, abreast, legend } = self;
         let abreast = abreast.min(panels.len()).max(1);
-        let head = Head::new(Some(&title), "", &notes, &alarm, abreast);
+        let head = Head::new(&title, &notes, &alarm, abreast);
         let width = SIZE.0 * abreast as f64;
         let rows = panels.len().div_ceil(abreast);
         let legend = Legend::new(&legend, width);

@@ -5,7 +5,7 @@ use super::names;
 use super::{ABREAST, Drawing};
 use crate::report::svg::FigureError;
 use crate::report::svg::legend::Entry;
-use crate::report::svg::panel::{Curve, Panel};
+use crate::report::svg::panel::{Curve, MARKED, Panel};
 use crate::report::svg::scale::Scale;
 use crate::report::svg::style::Style;
 use crate::study::{Scale as Steps, Source};
@@ -13,8 +13,6 @@ use serde_json::Value;
 
 /// Scenes of which the numbers are kept.
 const MOST: usize = 200_000;
-/// Points up to which each is marked: a curve through few says where they are.
-const MARKED: usize = 24;
 
 /// A scene's place in the figure.
 struct Row {
