@@ -1,9 +1,9 @@
 //! A map of the atlas: a panel of cells for each method.
 
+use super::canvas::{INK, LETTERS};
 use super::panel::{Ground, Panel};
 use super::scale::Scale;
 use super::sheet::Sheet as Page;
-use super::{INK, LETTERS};
 use crate::chart::atlas::{Axis, Cell, Sheet};
 use crate::report::number::short;
 use kuva::render::color::Color;

@@ -2,10 +2,11 @@
 
 mod panel;
 
+use super::FigureError;
+use super::canvas::{SIZE, place};
 use super::head::{Head, titled};
 use super::legend::Entry;
 use super::scale::Scale;
-use super::{FigureError, SIZE, place};
 use crate::engine::{DepthProfile, FlexibilityProfile};
 use crate::report::labels::Labels;
 use crate::report::scene_line::{GREEK, layer_parts};

@@ -1,7 +1,7 @@
 //! The legend of a figure, in rows under its panels or under one of them.
 
+use super::canvas::{INK, LETTERS, literal};
 use super::style::Style;
-use super::{INK, LETTERS, literal};
 use kuva::render::color::Color;
 use kuva::render::layout::ComputedLayout;
 use kuva::render::render::{Primitive, Scene, TextAnchor};

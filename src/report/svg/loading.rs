@@ -2,13 +2,13 @@
 
 mod trace;
 
-use super::head::titled;
+use super::head::{alarm, titled};
 use super::legend::Entry;
 use super::panel::Panel;
 use super::scale::Scale;
 use super::sheet::Sheet;
-use super::{FigureError, alarm};
-use crate::engine::{Curve, Solution, Status, first_not_finite};
+use super::{FigureError, with_numbers};
+use crate::engine::{Curve, Solution};
 use crate::report::labels::Labels;
 use crate::report::scene_line::{GREEK, constant_parts};
 use trace::Trace;
@@ -21,12 +21,7 @@ const STICK: Entry = Entry::line("stick zone a", "#b5401c", 2.4, "8 4");
 /// contact and stick zone, with the scene in a line under its title. The same solution always gives the same text. Few
 /// loads are marked one by one; a load without numbers leaves a gap.
 pub fn curve_svg(solution: &Solution) -> Result<String, FigureError> {
-    if solution.status == Status::Refused {
-        return Err(FigureError::Refused(solution.reason.clone().unwrap_or_default()));
-    }
-    if let Some(found) = first_not_finite(solution) {
-        return Err(FigureError::NotFinite(found));
-    }
+    with_numbers(solution)?;
     let curve = solution.path.as_ref().ok_or(FigureError::NoCurve)?;
     let labels = Labels::new(&solution.units);
     let most = curve.force.iter().flatten().copied().fold(0.0, f64::max);
@@ -75,6 +70,7 @@ fn panel(traces: &[Trace], name: &str, force: &Scale, labels: &Labels) -> Option
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::Status;
     use crate::report::samples;
 
     /// All text of a figure; fails on what is no XML.

@@ -1,9 +1,8 @@
 //! One panel of a figure: curves or cells in a frame.
 
-use super::curves::thinned;
+use super::canvas::{GRID, INK, LINE, SIZE, THIN, framed, line, literal, outline, thinned, write};
 use super::scale::Scale;
 use super::style::Style;
-use super::{GRID, INK, LINE, SIZE, THIN, framed, line, literal, outline, write};
 use kuva::render::layout::{ComputedLayout, Layout};
 use kuva::render::plots::Plot;
 use kuva::render::render::{Scene, render_multiple};

@@ -1,8 +1,8 @@
 //! The scale of an axis: linear or logarithmic, its ends, its ticks and its label.
 
 use crate::report::number::{short, typeset};
-use crate::report::svg::LETTERS;
 use crate::report::svg::axis::{Axis, power_of_ten};
+use crate::report::svg::canvas::LETTERS;
 use kuva::render::layout::{AxisLabelOverlap, ComputedLayout, Layout, TickFormat};
 use kuva::render::render_utils::generate_ticks_log;
 use std::sync::Arc;

@@ -1,9 +1,9 @@
 //! A figure of many panels: what is over them, the panels in rows, and the legend under them.
 
+use super::canvas::{SIZE, place};
 use super::head::Head;
 use super::legend::{Entry, Legend};
 use super::panel::{PANEL, Panel};
-use super::{SIZE, place};
 use kuva::backend::svg::SvgBackend;
 use kuva::render::render::Scene as Canvas;
 

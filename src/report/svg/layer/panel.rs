@@ -1,9 +1,8 @@
 //! One panel of the figure of a layer: curves in a frame, thin rules, and a strip for the base.
 
-use crate::report::svg::curves::thinned;
+use crate::report::svg::canvas::{GRID, INK, LETTERS, THIN, framed, line, outline, thinned};
 use crate::report::svg::legend::{Entry, LEGEND, under_frame};
 use crate::report::svg::scale::Scale;
-use crate::report::svg::{GRID, INK, LETTERS, THIN, framed, line, outline};
 use kuva::render::annotations::ShadedRegion;
 use kuva::render::color::Color;
 use kuva::render::layout::{ComputedLayout, Layout};

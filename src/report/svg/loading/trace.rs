@@ -75,11 +75,12 @@ fn beginning(start: f64, points: &[(f64, f64)]) -> Vec<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::svg::curves::{PRESSURE, thinned};
+    use crate::report::svg::canvas::thinned;
+    use crate::report::svg::loading::CONTACT;
 
     fn trace(lengths: &[Option<f64>], start: f64) -> Option<Trace> {
         let force: Vec<Option<f64>> = (1..=lengths.len()).map(|i| Some(i as f64)).collect();
-        Trace::new(PRESSURE, lengths, &force, Some(start))
+        Trace::new(CONTACT, lengths, &force, Some(start))
     }
 
     #[test]

@@ -2,9 +2,10 @@
 
 use super::gather::Groups;
 use super::{ABREAST, Drawing, names};
+use crate::report::svg::FigureError;
+use crate::report::svg::canvas::{INK, LETTERS, literal};
 use crate::report::svg::panel::{Ground, Panel};
 use crate::report::svg::scale::Scale;
-use crate::report::svg::{FigureError, INK, LETTERS, literal};
 use crate::study::{Cell, Place, Scale as Steps, Source};
 use kuva::plot::ColorMap;
 use kuva::render::color::Color;
