@@ -45,7 +45,11 @@ pub(super) fn typeset(number: &str) -> String {
         None => '⁻',
     };
     let power = format!("10{}", exponent.chars().map(raised).collect::<String>());
-    if mantissa == "1" { power } else { format!("{}×{power}", with_minus(mantissa)) }
+    match mantissa {
+        "1" => power,
+        "-1" => format!("\u{2212}{power}"),
+        _ => format!("{}×{power}", with_minus(mantissa)),
+    }
 }
 
 #[cfg(test)]
@@ -75,8 +79,8 @@ mod tests {
     #[cfg(feature = "plot")]
     #[test]
     fn print_has_powers_and_minus_signs() {
-        let printed = ["2.1e-5", "-2.1e5", "1e7", "-0.5", "0.25"].map(typeset);
-        assert_eq!(printed, ["2.1×10⁻⁵", "−2.1×10⁵", "10⁷", "−0.5", "0.25"]);
+        let printed = ["2.1e-5", "-2.1e5", "1e7", "-1e7", "-0.5", "0.25"].map(typeset);
+        assert_eq!(printed, ["2.1×10⁻⁵", "−2.1×10⁵", "10⁷", "−10⁷", "−0.5", "0.25"]);
     }
 
     #[test]

@@ -1,11 +1,11 @@
 //! A map of the atlas: a panel of cells for each method.
 
+use super::canvas::{INK, LETTERS};
 use super::panel::{Ground, Panel};
 use super::scale::Scale;
 use super::sheet::Sheet as Page;
-use super::{INK, LETTERS};
 use crate::chart::atlas::{Axis, Cell, Sheet};
-use crate::report::number::short;
+use crate::report::number::typeset;
 use kuva::render::color::Color;
 use kuva::render::layout::ComputedLayout;
 use kuva::render::render::{PathData, Primitive, Scene, TextAnchor};
@@ -21,9 +21,7 @@ const WRONG: &str = "#d0021b";
 /// A map as SVG (UTF-8).
 #[must_use]
 pub fn atlas_svg(sheet: &Sheet) -> String {
-    let scale = |axis: Axis, most: usize| {
-        Scale::of_names(axis.values.iter().map(|value| short(*value, 9)).collect(), axis.name, most)
-    };
+    let scale = |axis: Axis, most: usize| Scale::of_names(written(axis.values), axis.name, most);
     let (x, y) = (scale(sheet.x, 7), scale(sheet.y, 30));
     let panel = |mapped: &crate::chart::atlas::Mapped| Panel {
         name: mapped.method.clone(),
@@ -59,6 +57,18 @@ pub fn atlas_svg(sheet: &Sheet) -> String {
         legend: Vec::new(),
     }
     .draw()
+}
+
+/// Numbers of an axis in full, unless one of them is long: then each in full or as a power of ten, whichever is shorter.
+fn written(values: &[f64]) -> Vec<String> {
+    const LONG: usize = 6;
+    let in_full = |value: &f64| typeset(&value.to_string());
+    let shorter = |value: &f64| {
+        let (full, power) = (in_full(value), typeset(&format!("{value:e}")));
+        if power.chars().count() < full.chars().count() { power } else { full }
+    };
+    let is_short = values.iter().all(|value| in_full(value).chars().count() <= LONG);
+    values.iter().map(|value| if is_short { in_full(value) } else { shorter(value) }).collect()
 }
 
 /// The cells of one method, row by row from below.
@@ -162,4 +172,16 @@ fn bar(scene: &mut Scene, left: f64, top: f64, height: f64) {
         bold: false,
         color,
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_axis_is_written_in_one_way() {
+        assert_eq!(written(&[1e-3, 3e-3, 10.0, 1e4]), ["0.001", "0.003", "10", "10000"]);
+        let long = [-1e-4, -1e-16, 1e-3, 0.01, 0.3, 0.499_999, 300.0, 1e6];
+        assert_eq!(written(&long), ["−10⁻⁴", "−10⁻¹⁶", "10⁻³", "0.01", "0.3", "0.499999", "300", "10⁶"]);
+    }
 }

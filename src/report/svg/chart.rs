@@ -1,12 +1,12 @@
 //! Work-precision charts of one scene: a row for each number measured, its error over time, over counted work, and over the
 //! tolerance that was asked for.
 
+use super::canvas::{ALARM, INK, LETTERS};
 use super::legend::Entry;
 use super::panel::{Curve, Ground, Panel};
 use super::scale::Scale;
 use super::sheet::Sheet;
 use super::style::Style;
-use super::{ALARM, INK, LETTERS};
 use crate::chart::{Chart, Ended, Measured, Run};
 use kuva::render::color::Color;
 use kuva::render::layout::ComputedLayout;
@@ -98,7 +98,7 @@ fn methods(chart: &Chart) -> Vec<String> {
 
 fn legend(methods: &[String]) -> Vec<Entry> {
     let methods = methods.iter().enumerate().map(|(index, name)| Entry {
-        name: name.clone(),
+        name: name.clone().into(),
         style: Style::of(index, &[index]),
         is_line: true,
         is_marked: true,

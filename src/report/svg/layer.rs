@@ -2,10 +2,11 @@
 
 mod panel;
 
-use super::curves::Stroke;
-use super::head::Head;
+use super::FigureError;
+use super::canvas::{SIZE, place};
+use super::head::{Head, titled};
+use super::legend::Entry;
 use super::scale::Scale;
-use super::{FigureError, SIZE, place};
 use crate::engine::{DepthProfile, FlexibilityProfile};
 use crate::report::labels::Labels;
 use crate::report::scene_line::{GREEK, layer_parts};
@@ -15,13 +16,13 @@ use kuva::render::render::Scene as Canvas;
 use panel::Panel;
 use slipzone_api::{Base, Moduli};
 
-const MODULUS: Stroke = Stroke { name: "modulus", color: "#1f4e8c", width: 2.4, dashes: "none" };
-const POISSON: Stroke = Stroke { name: "Poisson's ratio", color: "#b5401c", width: 2.4, dashes: "none" };
-const NORMAL: Stroke = Stroke { name: "s Fᵥᵥ/A₀", color: "#1f4e8c", width: 2.4, dashes: "none" };
-const SHEAR: Stroke = Stroke { name: "s Fᵤᵤ/A₀", color: "#b5401c", width: 2.4, dashes: "8 4" };
-const COUPLING: Stroke = Stroke { name: "−s Fᵤᵥ/A₀", color: "#3d7a3d", width: 2.4, dashes: "2 3" };
+const MODULUS: Entry = Entry::line("modulus", "#1f4e8c", 2.4, "none");
+const POISSON: Entry = Entry::line("Poisson's ratio", "#b5401c", 2.4, "none");
+const NORMAL: Entry = Entry::line("s Fᵥᵥ/A₀", "#1f4e8c", 2.4, "none");
+const SHEAR: Entry = Entry::line("s Fᵤᵤ/A₀", "#b5401c", 2.4, "8 4");
+const COUPLING: Entry = Entry::line("−s Fᵤᵥ/A₀", "#3d7a3d", 2.4, "2 3");
 /// On a logarithmic axis, which has no place for its sign.
-const COUPLING_SIZE: Stroke = Stroke { name: "|s Fᵤᵥ|/A₀", ..COUPLING };
+const COUPLING_SIZE: Entry = Entry::line("|s Fᵤᵥ|/A₀", "#3d7a3d", 2.4, "2 3");
 
 /// Height of the panels, px, and that of Poisson's ratio under the modulus.
 const HEIGHT: f64 = 480.0;
@@ -52,7 +53,7 @@ pub fn layer_svg(
         return Err(FigureError::NoLayer);
     }
     let parts = layer_parts(scene, None, &GREEK);
-    let head = Head::new(scene.title.as_deref(), "Layer", &parts, &[], columns.len());
+    let head = Head::new(&titled(scene.title.as_deref(), "Layer"), &parts, &[], columns.len());
     let mut figure = Canvas::new(SIZE.0 * columns.len() as f64, head.height + HEIGHT);
     for (index, panel) in columns.iter().enumerate() {
         let margin = panel.iter().map(Panel::margin).fold(0.0, f64::max);
@@ -91,10 +92,10 @@ fn constants(scene: &Scene, profile: &DepthProfile) -> Vec<Panel> {
     };
     let within =
         |(least, most): (f64, f64), other: Option<f64>| other.map_or((least, most), |v| (least.min(v), most.max(v)));
-    let panel = |y: Scale, stroke: Stroke, points: Vec<(f64, f64)>| Panel {
+    let panel = |y: Scale, entry: Entry, points: Vec<(f64, f64)>| Panel {
         x: x.clone(),
         y,
-        curves: vec![(stroke, points)],
+        curves: vec![(entry, points)],
         interfaces: profile
             .interfaces
             .iter()
@@ -156,7 +157,7 @@ fn answer(scene: &Scene, profile: &FlexibilityProfile) -> Panel {
         Scale::around(least, most, called, 6.0)
     };
     let y = y.expect("a range that holds 0 and 1");
-    let (coupling, stroke) = if is_wide {
+    let (coupling, entry) = if is_wide {
         (coupling.into_iter().map(|(s, value)| (s, value.abs())).collect(), COUPLING_SIZE)
     } else {
         (coupling, COUPLING)
@@ -169,7 +170,7 @@ fn answer(scene: &Scene, profile: &FlexibilityProfile) -> Panel {
         x: Scale::logarithmic(longest, shortest, name, ""),
         limits: limits.into_iter().filter(|limit| y.holds(limit.0)).collect(),
         y,
-        curves: vec![(NORMAL, normal), (SHEAR, shear), (stroke, coupling)],
+        curves: vec![(NORMAL, normal), (SHEAR, shear), (entry, coupling)],
         interfaces: Vec::new(),
         base: None,
         place: (0.0, 0.0),

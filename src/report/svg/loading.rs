@@ -2,161 +2,75 @@
 
 mod trace;
 
-use super::axis::Axis;
-use super::head::Head;
-use super::{FigureError, GRID, LEGEND, SIZE, alarm, framed, legend, outline, place};
-use crate::engine::{Curve, Solution, Status, first_not_finite};
+use super::head::{alarm, titled};
+use super::legend::Entry;
+use super::panel::Panel;
+use super::scale::Scale;
+use super::sheet::Sheet;
+use super::{FigureError, with_numbers};
+use crate::engine::{Curve, Solution};
 use crate::report::labels::Labels;
 use crate::report::scene_line::{GREEK, constant_parts};
-use crate::report::svg::curves::Stroke;
-use kuva::backend::svg::SvgBackend;
-use kuva::plot::{LinePlot, LineStyle};
-use kuva::render::color::Color;
-use kuva::render::layout::ComputedLayout;
-use kuva::render::plots::Plot;
-use kuva::render::render::{Primitive, Scene, render_multiple};
 use trace::Trace;
 
-const DEPTH: Stroke = Stroke { name: "indentation δ", color: "#1f4e8c", width: 2.4, dashes: "none" };
-const CONTACT: Stroke = Stroke { name: "contact b", color: "#1f4e8c", width: 2.4, dashes: "none" };
-const STICK: Stroke = Stroke { name: "stick zone a", color: "#b5401c", width: 2.4, dashes: "8 4" };
-
-/// Height of a panel, px; it is as wide as the figure of the tractions.
-const PANEL: f64 = 420.0;
-/// Points up to which each is marked: a curve through few says where they are.
-const MARKED: usize = 24;
-/// Radius of a mark, px.
-const MARK: f64 = 3.2;
+const DEPTH: Entry = Entry::line("indentation δ", "#3d7a3d", 2.4, "none");
+const CONTACT: Entry = Entry::line("contact b", "#1f4e8c", 2.4, "none");
+const STICK: Entry = Entry::line("stick zone a", "#b5401c", 2.4, "8 4");
 
 /// The loading curve as an SVG figure (UTF-8): force over indentation, where there is one, and over the half-widths of
 /// contact and stick zone, with the scene in a line under its title. The same solution always gives the same text. Few
 /// loads are marked one by one; a load without numbers leaves a gap.
 pub fn curve_svg(solution: &Solution) -> Result<String, FigureError> {
-    if solution.status == Status::Refused {
-        return Err(FigureError::Refused(solution.reason.clone().unwrap_or_default()));
-    }
-    if let Some(found) = first_not_finite(solution) {
-        return Err(FigureError::NotFinite(found));
-    }
+    with_numbers(solution)?;
     let curve = solution.path.as_ref().ok_or(FigureError::NoCurve)?;
     let labels = Labels::new(&solution.units);
-    let force = Axis::over(&curve.force, "force per length P", &labels.force).ok_or(FigureError::NoCurve)?;
-    let panels = panels(solution, curve, &labels);
+    let most = curve.force.iter().flatten().copied().fold(0.0, f64::max);
+    let force = Scale::up_to(most, "force per length P", &labels.force).ok_or(FigureError::NoCurve)?;
+    let drawn = traces(solution, curve);
+    let panels: Vec<Panel> = drawn.iter().filter_map(|(traces, name)| panel(traces, name, &force, &labels)).collect();
     if panels.is_empty() {
         return Err(FigureError::NoCurve);
     }
-
-    let parts = constant_parts(&solution.scene, &GREEK);
-    let alarm = alarm(curve.status, curve.note.as_deref());
-    let title = solution.scene.title.as_deref();
-    let head = Head::new(title, "Loading curve", &parts, &alarm, panels.len());
-    let mut figure = Scene::new(SIZE.0 * panels.len() as f64, head.height + PANEL);
-    for (index, panel) in panels.into_iter().enumerate() {
-        let at = (SIZE.0 * index as f64, head.height);
-        place(&mut figure, draw(&panel, &force), &format!("frame{index}"), at);
+    // Where each panel has one curve its axis says which.
+    let legend = drawn.iter().flat_map(|(traces, _)| traces).map(|trace| trace.entry.clone());
+    Ok(Sheet {
+        title: titled(solution.scene.title.as_deref(), "Loading curve"),
+        notes: constant_parts(&solution.scene, &GREEK),
+        alarm: alarm(curve.status, curve.note.as_deref()),
+        abreast: panels.len(),
+        panels,
+        legend: if drawn.iter().any(|(traces, _)| traces.len() > 1) { legend.collect() } else { Vec::new() },
     }
-    figure.elements.extend(head.lines);
-    Ok(SvgBackend::new().with_pretty(true).render_scene(&figure))
+    .draw())
 }
 
-/// Force over one or two lengths.
-struct Panel {
-    axis: Axis,
-    traces: Vec<Trace>,
-    /// Whether a legend must tell the curves apart.
-    legend: bool,
-}
-
-/// Those of the panels that have something to show.
-fn panels(solution: &Solution, curve: &Curve, labels: &Labels) -> Vec<Panel> {
+/// What is known, for each panel, and what the abscissa is called.
+fn traces(solution: &Solution, curve: &Curve) -> [(Vec<Trace>, &'static str); 2] {
     // A shape that cannot be had belongs to no solved contact.
     let shape = solution.scene.punch.shape().ok();
     let touched = shape.map(|shape| shape.fixed_half_width().unwrap_or_else(|| shape.face()));
     let within = touched.filter(|half_width| *half_width == 0.0);
-    let trace = |stroke, column: &Option<Vec<Option<f64>>>, start| {
-        Trace::new(stroke, column.as_deref().unwrap_or_default(), &curve.force, start)
+    let trace = |entry, column: &Option<Vec<Option<f64>>>, start| {
+        Trace::new(entry, column.as_deref().unwrap_or_default(), &curve.force, start)
     };
-    // All share a place under their axis for a legend, so that the frames stand in a line.
-    let legend = curve.stick_half_width.is_some();
     let depth: Vec<Trace> = trace(DEPTH, &curve.indentation, Some(0.0)).into_iter().collect();
     let sizes = Trace::new(CONTACT, &curve.half_width, &curve.force, touched).into_iter();
     let sizes: Vec<Trace> = sizes.chain(trace(STICK, &curve.stick_half_width, within)).collect();
     let name = if sizes.len() > 1 { "half-width" } else { "contact half-width b" };
     [(depth, "indentation δ"), (sizes, name)]
-        .into_iter()
-        .filter_map(|(traces, name)| {
-            let axis = Axis::new(traces.iter().map(Trace::widest).reduce(f64::max)?, name, &labels.length)?;
-            Some(Panel { axis, traces, legend })
-        })
-        .collect()
 }
 
-/// A panel by itself.
-fn draw(panel: &Panel, force: &Axis) -> Scene {
-    let labels = [panel.axis.label.as_str(), &force.label];
-    let layout = framed((0.0, panel.axis.most), (0.0, force.most), (SIZE.0, PANEL), labels)
-        .with_x_axis_min(0.0)
-        .with_x_axis_max(panel.axis.most)
-        .with_y_axis_min(0.0)
-        .with_y_axis_max(force.most)
-        .with_x_tick_step(panel.axis.step)
-        .with_y_tick_step(force.step)
-        .with_x_tick_format(panel.axis.ticks())
-        .with_y_tick_format(force.ticks());
-    let below = if panel.legend { LEGEND } else { 0.0 };
-    let plain = ComputedLayout::from_layout(&layout);
-    let layout =
-        layout.with_force_margins_y(plain.margin_top, plain.margin_bottom + below).with_x_label_offset(0.0, -below);
-    let computed = ComputedLayout::from_layout(&layout);
-
-    let mut plots = grid(&panel.axis, force);
-    for trace in &panel.traces {
-        plots.extend(trace.segments(panel.axis.unit, force.unit, [panel.axis.most, force.most]).map(|points| {
-            let stroke = &trace.stroke;
-            let line = LinePlot::new().with_data(points).with_color(stroke.color).with_stroke_width(stroke.width);
-            Plot::Line(line.with_line_style(LineStyle::Custom(stroke.dashes.into())))
-        }));
-    }
-    let mut scene = render_multiple(plots, layout);
-    for trace in &panel.traces {
-        mark(&mut scene, &computed, trace, panel.axis.unit, force.unit);
-    }
-    outline(&mut scene, &computed);
-    if panel.traces.len() > 1 {
-        legend(&mut scene, &computed, panel.traces.iter().map(|trace| &trace.stroke));
-    }
-    scene
-}
-
-/// Lines at the ticks, under the curves.
-fn grid(axis: &Axis, force: &Axis) -> Vec<Plot> {
-    let rule =
-        |ends: [(f64, f64); 2]| Plot::Line(LinePlot::new().with_data(ends).with_color(GRID).with_stroke_width(0.8));
-    let upright = axis.inner_ticks().map(|x| rule([(x, 0.0), (x, force.most)]));
-    upright.chain(force.inner_ticks().map(|y| rule([(0.0, y), (axis.most, y)]))).collect()
-}
-
-/// Marks the points of a curve that has few.
-fn mark(scene: &mut Scene, computed: &ComputedLayout, trace: &Trace, unit: f64, force_unit: f64) {
-    if trace.known() > MARKED {
-        return;
-    }
-    for (x, y) in trace.points().filter(|(x, y)| *x >= 0.0 && *y >= 0.0) {
-        scene.add(Primitive::Circle {
-            cx: computed.map_x(x / unit),
-            cy: computed.map_y(y / force_unit),
-            r: MARK,
-            fill: Color::from("#ffffff"),
-            fill_opacity: None,
-            stroke: Some(Color::from(trace.stroke.color)),
-            stroke_width: Some(1.6),
-        });
-    }
+/// Force over one or two lengths, unless none is above 0.
+fn panel(traces: &[Trace], name: &str, force: &Scale, labels: &Labels) -> Option<Panel> {
+    let x = Scale::up_to(traces.iter().map(Trace::widest).reduce(f64::max)?, name, &labels.length)?;
+    let curves = traces.iter().map(|trace| trace.curve(x.unit, force.unit)).collect();
+    Some(Panel { name: String::new(), x, y: force.clone(), curves, ground: None })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::Status;
     use crate::report::samples;
 
     /// All text of a figure; fails on what is no XML.
@@ -206,7 +120,7 @@ mod tests {
             let figure = curve_svg(&solution).expect("a curve");
             figure.matches("<circle").count()
         };
-        assert_eq!((marks(1), marks(24), marks(25)), (3, 72, 0), "three curves");
+        assert_eq!((marks(1), marks(24), marks(25)), (3 + 3, 3 * 24 + 3, 0), "three curves and their names");
     }
 
     #[test]

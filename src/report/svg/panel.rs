@@ -1,16 +1,16 @@
 //! One panel of a figure: curves or cells in a frame.
 
-use super::curves::thinned;
+use super::canvas::{GRID, INK, LINE, SIZE, THIN, framed, line, literal, outline, thinned, write};
 use super::scale::Scale;
 use super::style::Style;
-use super::{GRID, INK, LINE, SIZE, framed, literal, outline, write};
-use kuva::plot::{LinePlot, LineStyle};
 use kuva::render::layout::{ComputedLayout, Layout};
 use kuva::render::plots::Plot;
 use kuva::render::render::{Scene, render_multiple};
 
 /// Height of a panel, px; it is as wide as the figure of the tractions.
 pub(super) const PANEL: f64 = 400.0;
+/// Points up to which each is marked: a curve through few says where they are.
+pub(super) const MARKED: usize = 24;
 
 /// Curves over a scale. What is drawn is in its units.
 pub(super) struct Panel {
@@ -70,14 +70,12 @@ impl Panel {
         plots.extend(self.curves.iter().flat_map(|curve| {
             curve.stretches.iter().map(|points| {
                 let points = thinned(points, |(x, y)| (self.x.place(x), self.y.place(y)));
-                let line = LinePlot::new().with_data(points).with_color(curve.style.color);
-                let line = line.with_stroke_width(curve.style.width);
-                Plot::Line(line.with_line_style(LineStyle::Custom(curve.style.dashes.into())))
+                line(points, curve.style.color, curve.style.width, Some(curve.style.dashes))
             })
         }));
         // kuva draws a frame for something only.
         if plots.is_empty() {
-            plots.push(Plot::Line(LinePlot::new().with_data([(self.x.least, self.y.least)])));
+            plots.push(line([(self.x.least, self.y.least)], INK, THIN, None));
         }
         let mut scene = render_multiple(plots, layout);
         if let Some(ground) = &self.ground {
@@ -100,9 +98,7 @@ impl Panel {
     /// Lines at the ticks, under the curves, and the one at 0.
     fn grid(&self) -> Vec<Plot> {
         let Self { x, y, .. } = self;
-        let rule = |ends: [(f64, f64); 2], color: &str| {
-            Plot::Line(LinePlot::new().with_data(ends).with_color(color).with_stroke_width(0.8))
-        };
+        let rule = |ends: [(f64, f64); 2], color| line(ends, color, THIN, None);
         let mut rules: Vec<Plot> =
             x.inner_ticks().into_iter().map(|at| rule([(at, y.least), (at, y.most)], GRID)).collect();
         rules.extend(y.inner_ticks().into_iter().map(|at| rule([(x.least, at), (x.most, at)], GRID)));

@@ -1,8 +1,8 @@
 //! The scale of an axis: linear or logarithmic, its ends, its ticks and its label.
 
 use crate::report::number::{short, typeset};
-use crate::report::svg::LETTERS;
 use crate::report::svg::axis::{Axis, power_of_ten};
+use crate::report::svg::canvas::LETTERS;
 use kuva::render::layout::{AxisLabelOverlap, ComputedLayout, Layout, TickFormat};
 use kuva::render::render_utils::generate_ticks_log;
 use std::sync::Arc;
@@ -115,7 +115,7 @@ impl Scale {
             let is_whole = (value - value.round()).abs() < 1e-6 && value > -0.25;
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and few")]
             let name = names.get(value.round() as usize).filter(|_| is_whole);
-            name.map(|name| typeset(name)).unwrap_or_default()
+            name.cloned().unwrap_or_default()
         }));
         let (least, most) = (-0.5, count - 0.5);
         Self { label: label.into(), unit: 1.0, least, most, is_logarithmic: false, step: Some(step), ticks }

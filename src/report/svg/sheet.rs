@@ -1,9 +1,9 @@
 //! A figure of many panels: what is over them, the panels in rows, and the legend under them.
 
+use super::canvas::{SIZE, place};
 use super::head::Head;
 use super::legend::{Entry, Legend};
 use super::panel::{PANEL, Panel};
-use super::{SIZE, place};
 use kuva::backend::svg::SvgBackend;
 use kuva::render::render::Scene as Canvas;
 
@@ -25,7 +25,7 @@ impl Sheet {
     pub(super) fn draw(self) -> String {
         let Self { title, notes, alarm, panels, abreast, legend } = self;
         let abreast = abreast.min(panels.len()).max(1);
-        let head = Head::new(Some(&title), "", &notes, &alarm, abreast);
+        let head = Head::new(&title, &notes, &alarm, abreast);
         let width = SIZE.0 * abreast as f64;
         let rows = panels.len().div_ceil(abreast);
         let legend = Legend::new(&legend, width);
@@ -38,7 +38,7 @@ impl Sheet {
             place(&mut figure, panel.draw(margin), &format!("frame{index}"), at);
         }
         figure.elements.extend(head.lines);
-        legend.draw(&mut figure, below);
+        legend.draw(&mut figure, width / 2.0, below);
         SvgBackend::new().with_pretty(true).render_scene(&figure)
     }
 }

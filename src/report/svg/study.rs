@@ -6,10 +6,12 @@ mod map;
 mod names;
 mod tractions;
 
+use super::FigureError;
+use super::canvas::literal;
+use super::head::wrapped;
 use super::legend::Entry;
 use super::panel::Panel;
 use super::sheet::Sheet;
-use super::{FigureError, literal, wrapped};
 use crate::study::{Plot, PlotKind, Study};
 use gather::Groups;
 use serde_json::Value;

@@ -23,6 +23,10 @@ const LEVELS: [&str; 3] = ["5 4", "1.5 3", "7 3 1.5 3"];
 const MARK: f64 = 4.0;
 
 impl Style {
+    pub(super) const fn line(color: &'static str, width: f64, dashes: &'static str) -> Self {
+        Self { color, dashes, width, mark: 0, filled: false }
+    }
+
     /// Of a member, by its places in the axes of its family: of two axes one has the colours, the other the dashes.
     pub(super) fn of(member: usize, places: &[usize]) -> Self {
         let (color, dashes) = match places {
@@ -35,7 +39,7 @@ impl Style {
 
     /// Of a line across the figure.
     pub(super) fn level(index: usize) -> Self {
-        Self { color: "#222222", dashes: LEVELS[index % LEVELS.len()], width: 1.3, mark: 0, filled: false }
+        Self::line("#222222", 1.3, LEVELS[index % LEVELS.len()])
     }
 
     /// Of numbers from elsewhere.

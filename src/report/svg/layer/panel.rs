@@ -1,9 +1,8 @@
 //! One panel of the figure of a layer: curves in a frame, thin rules, and a strip for the base.
 
-use crate::report::svg::curves::{Stroke, thinned};
+use crate::report::svg::canvas::{GRID, INK, LETTERS, THIN, framed, line, outline, thinned};
+use crate::report::svg::legend::{Entry, LEGEND, under_frame};
 use crate::report::svg::scale::Scale;
-use crate::report::svg::{GRID, INK, LEGEND, LETTERS, framed, legend, outline};
-use kuva::plot::{LinePlot, LineStyle};
 use kuva::render::annotations::ShadedRegion;
 use kuva::render::color::Color;
 use kuva::render::layout::{ComputedLayout, Layout};
@@ -17,7 +16,7 @@ const BASE: &str = "#ececec";
 pub(super) struct Panel {
     pub(super) x: Scale,
     pub(super) y: Scale,
-    pub(super) curves: Vec<(Stroke, Vec<(f64, f64)>)>,
+    pub(super) curves: Vec<(Entry, Vec<(f64, f64)>)>,
     /// Dashed verticals, at these abscissae.
     pub(super) interfaces: Vec<f64>,
     /// Dashed levels, each with its name.
@@ -27,12 +26,6 @@ pub(super) struct Panel {
     /// Where the panel stands in the figure, and its size, px.
     pub(super) place: (f64, f64),
     pub(super) size: (f64, f64),
-}
-
-/// Thin rules that are no curves.
-fn rule(from: (f64, f64), to: (f64, f64), color: &str, dashes: &str) -> Plot {
-    let line = LinePlot::new().with_data([from, to]).with_color(color).with_stroke_width(0.8);
-    Plot::Line(line.with_line_style(LineStyle::Custom(dashes.into())))
 }
 
 impl Panel {
@@ -64,19 +57,19 @@ impl Panel {
         }
         let computed = ComputedLayout::from_layout(&layout);
         let mut plots = self.rules();
-        plots.extend(self.curves.iter().map(|(stroke, points)| {
+        plots.extend(self.curves.iter().map(|(Entry { style, .. }, points)| {
             // What is not positive has no place on a logarithmic axis.
             let drawable = |point: &&(f64, f64)| !self.y.is_logarithmic() || point.1 > 0.0;
             let points: Vec<_> = points.iter().filter(drawable).copied().collect();
             let points = thinned(&points, |(x, y)| (self.x.place(x), self.y.place(y)));
-            let line = LinePlot::new().with_data(points).with_color(stroke.color).with_stroke_width(stroke.width);
-            Plot::Line(line.with_line_style(LineStyle::Custom(stroke.dashes.into())))
+            line(points, style.color, style.width, Some(style.dashes))
         }));
         let mut scene = render_multiple(plots, layout);
         self.names(&mut scene, &computed);
         outline(&mut scene, &computed);
         if self.curves.len() > 1 {
-            legend(&mut scene, &computed, self.curves.iter().map(|curve| &curve.0));
+            let entries: Vec<Entry> = self.curves.iter().map(|curve| curve.0.clone()).collect();
+            under_frame(&entries, &mut scene, &computed);
         }
         scene
     }
@@ -85,8 +78,8 @@ impl Panel {
     fn rules(&self) -> Vec<Plot> {
         let Self { x, y, .. } = self;
         let end = self.base.map_or(x.most, |base| base.0);
-        let upright = |at: f64, color, dashes| rule((at, y.least), (at, y.most), color, dashes);
-        let level = |at: f64, end, color, dashes| rule((x.least, at), (end, at), color, dashes);
+        let upright = |at: f64, color, dashes| line([(at, y.least), (at, y.most)], color, THIN, Some(dashes));
+        let level = |at: f64, end, color, dashes| line([(x.least, at), (end, at)], color, THIN, Some(dashes));
         let mut rules: Vec<Plot> =
             x.inner_ticks().into_iter().filter(|at| *at < end).map(|at| upright(at, GRID, "none")).collect();
         rules.extend(y.inner_ticks().into_iter().map(|at| level(at, end, GRID, "none")));

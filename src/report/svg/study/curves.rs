@@ -5,7 +5,7 @@ use super::names;
 use super::{ABREAST, Drawing};
 use crate::report::svg::FigureError;
 use crate::report::svg::legend::Entry;
-use crate::report::svg::panel::{Curve, Panel};
+use crate::report::svg::panel::{Curve, MARKED, Panel};
 use crate::report::svg::scale::Scale;
 use crate::report::svg::style::Style;
 use crate::study::{Scale as Steps, Source};
@@ -13,8 +13,6 @@ use serde_json::Value;
 
 /// Scenes of which the numbers are kept.
 const MOST: usize = 200_000;
-/// Points up to which each is marked: a curve through few says where they are.
-const MARKED: usize = 24;
 
 /// A scene's place in the figure.
 struct Row {
@@ -176,19 +174,19 @@ fn levels(groups: &Groups, x: &Scale, y: &Scale) -> Vec<Curve> {
 pub(super) fn legend(groups: &Groups, is_marked: bool) -> Vec<Entry> {
     let is_cloud = groups.shown.is_cloud;
     let members = (0..groups.members()).map(|member| Entry {
-        name: groups.member_name(member),
+        name: groups.member_name(member).into(),
         style: Style::of(member, &groups.member_steps(member)),
         is_line: !is_cloud,
         is_marked: is_marked || is_cloud,
     });
     let lines = groups.plot.lines.iter().enumerate().map(|(index, line)| Entry {
-        name: names::with_symbols(&line.label),
+        name: names::with_symbols(&line.label).into(),
         style: Style::level(index),
         is_line: true,
         is_marked: false,
     });
     let points = groups.plot.points.iter().enumerate().map(|(index, points)| Entry {
-        name: names::with_symbols(&points.label),
+        name: names::with_symbols(&points.label).into(),
         style: Style::points(index),
         is_line: false,
         is_marked: true,

@@ -1,17 +1,19 @@
 //! A number over two axes, in colours, with lines of equal value.
 
+mod levels;
+
 use super::gather::Groups;
 use super::{ABREAST, Drawing, names};
+use crate::report::svg::FigureError;
+use crate::report::svg::canvas::{INK, LETTERS, literal};
 use crate::report::svg::panel::{Ground, Panel};
 use crate::report::svg::scale::Scale;
-use crate::report::svg::{FigureError, INK, LETTERS, literal};
 use crate::study::{Cell, Place, Scale as Steps, Source};
 use kuva::plot::ColorMap;
 use kuva::render::color::Color;
 use kuva::render::layout::ComputedLayout;
-use kuva::render::render::{PathData, Primitive, Scene, TextAnchor};
+use kuva::render::render::{Primitive, Scene, TextAnchor};
 use serde_json::Value;
-use std::fmt::Write;
 
 /// Most cells along an axis: of more steps some are left out.
 const MOST: u64 = 160;
@@ -73,37 +75,6 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
         })),
     });
     Ok(Drawing { panels: panels.collect(), abreast: ABREAST, legend: Vec::new(), scenes, failed, left_out: None })
-}
-
-/// Where a number passes through a level, as a path: marching squares between the middles of cells, with straight lines.
-/// Squares with a missing corner are left out.
-fn level_line(columns: &[f64], rows: &[f64], values: &[Option<f64>], level: f64) -> String {
-    let mut d = String::new();
-    for row in 1..rows.len() {
-        for column in 1..columns.len() {
-            // Around the square.
-            let corners = [(column - 1, row - 1), (column, row - 1), (column, row), (column - 1, row)];
-            let known: Vec<(f64, f64, f64)> = corners
-                .iter()
-                .filter_map(|(c, r)| Some((columns[*c], rows[*r], values[r * columns.len() + c]? - level)))
-                .collect();
-            if known.len() < corners.len() {
-                continue;
-            }
-            let crossing = |side: usize| {
-                let ((x1, y1, v1), (x2, y2, v2)) = (known[side], known[(side + 1) % 4]);
-                let share = v1 / (v1 - v2);
-                ((v1 < 0.0) != (v2 < 0.0)).then_some((x1 + share * (x2 - x1), y1 + share * (y2 - y1)))
-            };
-            let crossings: Vec<(f64, f64)> = (0..4).filter_map(crossing).collect();
-            for ends in crossings.chunks_exact(2) {
-                let [(x1, y1), (x2, y2)] = [ends[0], ends[1]];
-                // Writing to a string does not fail.
-                let _ = write!(d, "M{x1:.2} {y1:.2}L{x2:.2} {y2:.2}");
-            }
-        }
-    }
-    d
 }
 
 /// An axis of a map: its steps in the order of their values, and the cells around them.
@@ -198,20 +169,7 @@ impl Ground for Cells {
         let [columns, rows] = &self.middles;
         let columns: Vec<f64> = columns.iter().map(|middle| across(*middle)).collect();
         let rows: Vec<f64> = rows.iter().map(|middle| up(*middle)).collect();
-        for level in self.scale.ticks_within() {
-            let d = level_line(&columns, &rows, &self.values, level);
-            if !d.is_empty() {
-                let (fill, stroke, opacity, stroke_dasharray) = (None, Color::from("#ffffff"), None, None);
-                scene.add(Primitive::Path(Box::new(PathData {
-                    d,
-                    fill,
-                    stroke,
-                    stroke_width: 1.1,
-                    opacity,
-                    stroke_dasharray,
-                })));
-            }
-        }
+        levels::draw(scene, computed, [&columns, &rows], &self.values, &self.scale);
         self.bar(scene, computed);
     }
 }

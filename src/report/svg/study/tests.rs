@@ -213,8 +213,9 @@ fn cells(svg: &str) -> (usize, usize) {
     let with = |tag: &str, key: &str, value: &str| {
         document.descendants().filter(|n| n.has_tag_name(tag) && n.attribute(key) == Some(value)).count()
     };
-    // Without background, frame, clip path and bar.
-    let rects = document.descendants().filter(|n| n.has_tag_name("rect")).count();
+    // Background, frame, clip path and bar among them, but not the ground of the numbers on lines.
+    let is_cell = |n: &roxmltree::Node| n.has_tag_name("rect") && n.attribute("fill-opacity").is_none();
+    let rects = document.descendants().filter(is_cell).count();
     (rects - with("rect", "fill", super::map::MISSING), with("line", "stroke", "#8c8c8c"))
 }
 
@@ -227,6 +228,9 @@ fn a_map_has_a_cell_for_each_scene_and_crosses_out_what_is_missing() {
     let found = texts(&svg);
     for name in ["stick zone a/b", "h/b", "modulus at the base (MPa)"] {
         assert!(found.iter().any(|text| text == name), "{name} in {found:?}");
+    }
+    for level in ["0.2", "0.4", "0.6", "0.8"] {
+        assert_eq!(found.iter().filter(|text| *text == level).count(), 2, "{level} beside the bar and on its line");
     }
     let mut some = records(&study);
     some[3]["status"] = json!("invalid");

@@ -4,7 +4,7 @@ use super::gather::{Groups, Shot, number};
 use super::{ABREAST, Drawing, curves};
 use crate::report::labels::Labels;
 use crate::report::svg::FigureError;
-use crate::report::svg::curves::to_the_edges;
+use crate::report::svg::edges::to_the_edges;
 use crate::report::svg::panel::{Curve, Panel};
 use crate::report::svg::scale::Scale;
 use crate::report::svg::style::Style;
