@@ -90,12 +90,12 @@ impl<'a> Document<'a> {
         }
     }
 
-    /// The value at the end of a path, or its key when the value is a table or an array.
+    /// The value at the end of a path, or its key when the value is a table or an array; the first of several values may be written as the
+    /// only one.
     pub(crate) fn best(&self, path: &[&str]) -> Range<usize> {
-        match self.value(path) {
-            Some(value) if !value.get_ref().is_table() && !value.get_ref().is_array() => value.span(),
-            _ => self.key(path),
-        }
+        let only = path.split_last().filter(|(last, _)| **last == "0").and_then(|(_, parents)| self.value(parents));
+        let is_plain = |value: &&Spanned<DeValue>| !value.get_ref().is_table() && !value.get_ref().is_array();
+        self.value(path).or(only).filter(is_plain).map_or_else(|| self.key(path), Spanned::span)
     }
 
     /// An error about a stretch of the text.

@@ -312,10 +312,11 @@ impl Question<'_> {
         }
     }
 
-    /// The width of the range, relative to a value in it.
+    /// The width of the range, relative to a value in it, or to the farther end where that is 0.
     fn relative(&self, value: f64) -> f64 {
         let Find { from, to, .. } = *self.find;
-        if self.by_factors() { (to / from).ln() } else { (to - from) / value.abs().max(f64::MIN_POSITIVE) }
+        let beside = if value == 0.0 { from.abs().max(to.abs()) } else { value.abs() };
+        if self.by_factors() { (to / from).ln() } else { (to - from) / beside }
     }
 
     fn excess(&self, at: f64) -> Result<f64, String> {

@@ -858,3 +858,17 @@ fn an_array_is_no_table() {
         }
     }
 }
+
+/// There no error is relative to the value: 1e307 of it were told.
+#[test]
+fn an_extreme_at_zero_has_an_error_relative_to_the_range() {
+    let scene = GOOD.replace("thickness = 5.0\n", "thickness = 5.0\nplane = \"strain\"\n");
+    let find = "field = \"layer.poisson\"\nfrom = 0.0\nto = 0.4\nquantity = \"edge.ratio\"\n";
+    let records = ["minimum", "maximum"].map(|which| found(&scene, &format!("{find}{which} = true")));
+    let at_zero: Vec<&Value> = records.iter().filter(|record| record["found"]["value"] == 0.0).collect();
+    assert!(!at_zero.is_empty(), "{records:?}");
+    for record in at_zero {
+        let error = record["found"]["error"].as_f64().expect("an error");
+        assert!(error < 1e-3, "{error:e}");
+    }
+}

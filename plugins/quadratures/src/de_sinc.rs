@@ -38,7 +38,7 @@ use slipzone_api::{Edge, Parity, Quadrature, Refusal, Rule, Span};
 ///   `log|x - r| - Ci(pi |d|)`, `d` being the distance in steps. Where the kernel outruns the nodes (thin layers) it
 ///   is summed on a grid an odd number of times finer, with `P` interpolated by sinc functions.
 /// * Edge factor and edge condition: a functional of all unknowns, see [`Rule::edge_condition`], and no
-///   extrapolation.
+///   extrapolation; of a stick zone's shear the last three unknowns tell whether it vanishes.
 ///
 /// Sums converge like `exp(-2 pi d/H)`, values between the nodes like `exp(-pi d/H)`; `d` is the width of the
 /// strip of `u` in which everything is analytic. A singularity at `l` off the end, along the axis (the end of the
