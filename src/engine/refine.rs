@@ -1,26 +1,27 @@
 //! Refines a scene until its error estimate meets the tolerance.
 
-use super::error_estimate::{Fastest, Pace, ROUNDING, SAFETY, SLIP_ROUNDING, Seen, extrapolated, judged_by_twin};
-use super::family::Family;
+mod estimate;
+mod known;
+mod ladder;
+
+use super::error_estimate::{SAFETY, Seen, extrapolated, judged_by_twin};
 use super::growing::Growing;
 use super::judged::{
-    BETWEEN, How, Judged, ROUNDED, SHEAR, between_members, has_details, hidden_details, left_by_sticking, meets,
-    share_in_middle, share_in_shear, with_the_rest, worst_judged,
+    BETWEEN, How, Judged, SHEAR, has_details, hidden_details, left_by_sticking, meets, with_the_rest, worst_judged,
 };
-use super::layer::{Layer, Wanted};
-use super::problem::{LoadInLayerUnits, Problem};
+use super::layer::Layer;
+use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
-use super::rubbing::{Rubbing, Verdict};
+use super::rubbing::Verdict;
 use super::stage::{Outcome, Stage, Task};
-use super::work::Work;
-use crate::plan::Methods;
 use arrayvec::ArrayVec;
+use estimate::{Estimate, fastest};
 use slipzone_api::Refusal;
-use std::ops::Add;
 
-/// Most steps of refinement, and more than most scenes take.
+pub(super) use ladder::{Aim, FlatPunches, Ladder};
+
+/// Most steps of refinement.
 const FINEST: usize = 13;
-const USUAL_STEPS: usize = 8;
 /// Tolerances below which that many more of the coarsest levels are left out, which hardly a pressure converges on, or a shear, or a stack
 /// of shears. Searches begin with the coarsest of all nevertheless.
 ///
@@ -39,65 +40,11 @@ const BESIDE_PINNED: u32 = 3;
 const SHOWN: f64 = 1e-3;
 /// Steps that may be refused before the first that is solved.
 const SKIPPED: usize = 7;
-/// Distance of the unknowns in the middle of a contact, over the half-width and times their number, and over the kernels' length where
-/// these are not seen.
-const WIDE: f64 = 5.5;
-const UNSEEN: f64 = 3.0;
-/// What a step of refinement leaves of what it changed, on a loading curve; a tenth to a fortieth is seen.
-const LEFT: f64 = 0.1;
-/// Steps that a loading curve may take beyond those of its last load.
-const MORE: usize = 1;
 /// Steps that pressure and shear may take beyond those of the numbers, and those of a stack of flat punches, each of which is many.
 const FOR_THE_TRACTIONS: usize = 4;
 const FOR_STACKED_SHEAR: usize = 3;
 /// Of an error of the shear a step of these is to leave no more, or another one is not worth it.
 const VAIN: f64 = 0.5;
-/// Share of the tolerance that the kernels may use up.
-const KERNEL_SHARE: f64 = 0.2;
-/// A pressure in the middle below this share of the mean, or of what it was thought to be, wants kernels finer by as much; so does what
-/// drives the shear.
-const FAINT: f64 = 0.25;
-/// No kernels are asked to be finer for that.
-const FINEST_KERNELS: f64 = 1e-14;
-/// Steps in a row that have to stop shrinking.
-const STALLED: usize = 3;
-/// Errors that shrink below this share of what no step mends are not worth another one.
-const BESIDE_REST: f64 = 0.5;
-
-/// The resolutions solved so far, coarsest first.
-#[derive(Default)]
-pub(super) struct Ladder {
-    stages: Vec<Stage>,
-    /// Flat punches of the layer that another punch left behind, by resolution.
-    inherited: Vec<Option<Family>>,
-    /// The step that was fine enough for a contact that grew.
-    settled: Option<usize>,
-    /// How fast it was reached, and by how wide a contact.
-    pace: Option<(f64, Pace)>,
-    /// The least pressure in the middle seen, over the mean, or [`share_in_shear`], where it is faint.
-    least_share: Option<f64>,
-    /// What cannot be told of friction under the present load, at any resolution.
-    forsaken: Option<(f64, Rubbing)>,
-    /// Work in the systems of ladders that this one takes the place of.
-    before: Work,
-}
-
-/// What one punch leaves behind for another on the same layer: the flat punches of each resolution, the step that was fine
-/// enough, and how fast it was reached.
-#[derive(Default)]
-pub(super) struct FlatPunches {
-    families: Vec<Option<Family>>,
-    settled: Option<usize>,
-    pace: Option<(f64, Pace)>,
-}
-
-/// What is to be solved, how, and how well.
-#[derive(Clone, Copy)]
-pub(super) struct Aim<'a> {
-    pub(super) problem: &'a Problem,
-    pub(super) methods: &'a Methods,
-    pub(super) tolerance: f64,
-}
 
 /// What the checks of friction leave of a result.
 enum Settled {
@@ -108,70 +55,12 @@ enum Settled {
 }
 
 impl Ladder {
-    /// A ladder for another punch on a layer whose flat punches are known.
-    pub(super) fn inheriting(FlatPunches { families, settled, pace }: FlatPunches) -> Self {
-        let pace = pace.map(|(half_width, pace)| (half_width, pace.of_another_punch()));
-        Self { inherited: families, settled, pace, ..Self::default() }
-    }
-
-    /// The flat punches that it leaves behind.
-    pub(super) fn into_flat_punches(self) -> FlatPunches {
-        let families = self.stages.into_iter().map(|stage| stage.growing?.family).collect();
-        FlatPunches { families, settled: self.settled, pace: self.pace }
-    }
-
-    /// The stage that a solved contact lives in.
-    pub(super) fn stage(&mut self, index: usize) -> &mut Stage {
-        &mut self.stages[index]
-    }
-
-    /// Work in its systems so far, and in those of ladders that it takes the place of.
-    pub(super) fn work(&self) -> Work {
-        self.stages.iter().map(Stage::work).fold(self.before, Add::add)
-    }
-
-    /// Takes the place of others: `all` is the work on them and on this one.
-    pub(super) fn take_over(&mut self, all: Work) {
-        self.before = all - (self.work() - self.before);
-    }
-
     /// Solves a problem with the methods given.
     pub(super) fn refine(&mut self, layer: &mut Layer, aim: Aim) -> Result<Judged, Refusal> {
         let is_pinned = aim.methods.kernel.is_pinned() || aim.methods.quadrature.is_pinned();
         let mut judged = if is_pinned { self.with_twin(layer, aim)? } else { self.refined(layer, aim)? };
         judged.conclude(aim.problem, layer, aim.tolerance);
         Ok(judged)
-    }
-
-    /// Sizes of a contact on its way to a load that was refined already, each with an estimate of its error; `None` where
-    /// no stack tells them.
-    pub(super) fn on_the_way(
-        &mut self,
-        layer: &mut Layer,
-        aim: Aim,
-        judged: &Judged,
-        loads: &[LoadInLayerUnits],
-    ) -> Option<Vec<(Numbers, f64)>> {
-        let before = judged.stage.checked_sub(1).filter(|_| judged.how != How::Twin)?;
-        let half_width = judged.outcome.numbers.get(Quantity::HalfWidth)?;
-        let (_, error) = judged.errors.worst()?;
-        let mut told = |index: usize| {
-            let task = self.made(aim, index)?;
-            self.stages[index].growing.as_mut()?.on_the_way(layer, task, half_width, loads)
-        };
-        let left = |coarse: &Numbers, fine: &Numbers| error.max(LEFT * fine.change_from(coarse));
-        // The flat punches may take a step more than their stack did.
-        let (mut coarse, _) = told(before)?;
-        for index in judged.stage..=(judged.stage + MORE).min(FINEST) {
-            let (fine, lost) = told(index)?;
-            let errors: Vec<f64> =
-                coarse.iter().zip(&fine).map(|(coarse, fine)| left(coarse, fine).max(lost)).collect();
-            if index == judged.stage + MORE || errors.iter().all(|error| *error <= aim.tolerance) {
-                return Some(fine.into_iter().zip(errors).collect());
-            }
-            coarse = fine;
-        }
-        None
     }
 
     /// Solves at the resolution that the scene fixed, and at the next finer one to tell the error.
@@ -364,13 +253,6 @@ impl Ladder {
         history.truncate(counted);
     }
 
-    /// Takes note of how a contact that grew was settled.
-    fn remember(&mut self, layer: &Layer, stage: usize, outcome: &Outcome, history: &[Seen]) {
-        self.settled = Some(stage);
-        let pace = Pace::seen(history, fastest(layer, outcome, self.stages[stage].unknowns()));
-        self.pace = outcome.numbers.get(Quantity::HalfWidth).zip(pace);
-    }
-
     /// Checks the conditions of friction, and makes the shear as sure as the rest where it is asked for.
     fn settle(
         &mut self,
@@ -394,116 +276,6 @@ impl Ladder {
         let of_pressure = at_nodes.fold(stage.lost_between().unwrap_or(0.0), f64::max);
         let shear = stage.sharpen(layer, task, outcome, of_pressure, coarser.last())?;
         Ok(Settled::Here { shear })
-    }
-
-    /// A contact no wider than one that was settled, under another load, or a stack of the same flat punches under another punch:
-    /// the step that was fine enough then and the one before tell how fine it is now. `None` where it wants finer steps, or is
-    /// refused: whether it is, and why, is left to these.
-    fn pressed_again(&mut self, layer: &mut Layer, aim: Aim) -> Option<Judged> {
-        let (stage, (widest, pace)) = self.settled.zip(self.pace)?;
-        let coarse = self.solve_again(layer, aim, (stage.checked_sub(1)?, widest), None)?;
-        let outcome = self.solve_again(layer, aim, (stage, widest), Some(&coarse))?;
-        let errors = pace.judge(&coarse.seen(), &outcome.seen());
-        let kernels_proven = layer.is_proven();
-        let mut found = Judged::new(outcome, stage, errors, How::Again { kernels_proven });
-        if !self.is_sure(layer, aim, &mut found) {
-            if aim.problem.is_stacked() {
-                return None;
-            }
-            // One step more is less than all of them again.
-            let finer = self.solve_again(layer, aim, (stage + 1, widest), Some(&found.outcome))?;
-            let seen = [&coarse, &found.outcome, &finer].map(Outcome::seen);
-            let errors = extrapolated(&seen, fastest(layer, &finer, self.stages[stage + 1].unknowns()))?;
-            found = Judged::new(finer, stage + 1, errors, How::Sequence { count: seen.len(), kernels_proven });
-            if !self.is_sure(layer, aim, &mut found) {
-                return None;
-            }
-        }
-        layer.meter().conclude();
-        let task = self.task(aim, u32::try_from(found.stage).ok()?);
-        self.stages[found.stage].settle(layer, task, &mut found.outcome).ok()?;
-        Some(found)
-    }
-
-    /// Makes the stages up to one whose level is its index, and tells what it needs to know.
-    fn made<'a>(&mut self, aim: Aim<'a>, index: usize) -> Option<Task<'a>> {
-        let level = u32::try_from(index).ok()?;
-        self.make(aim, (index, level)).ok()?;
-        Some(self.task(aim, level))
-    }
-
-    /// [`Stage::solve_again`]; `None` where the contact would be wider than that given, too: it may take finer steps.
-    fn solve_again(
-        &mut self,
-        layer: &mut Layer,
-        aim: Aim,
-        (index, widest): (usize, f64),
-        coarse: Option<&Outcome>,
-    ) -> Option<Outcome> {
-        let task = self.made(aim, index)?;
-        let found = self.stages[index].solve_again(layer, task, widest, coarse).ok()??;
-        found.numbers.get(Quantity::HalfWidth).is_some_and(|b| b <= widest).then_some(found)
-    }
-
-    /// Whether what was found meets the tolerance, between the nodes, too, which is noted.
-    fn is_sure(&self, layer: &Layer, aim: Aim, found: &mut Judged) -> bool {
-        let Judged { outcome, stage, errors, of_pressure, .. } = found;
-        let all = with_the_rest(aim.problem, layer, outcome, aim.tolerance, *errors);
-        *of_pressure = self.lost_between(aim, *stage);
-        meets(aim.problem, &all, aim.tolerance) && is_known_between(*of_pressure, aim.tolerance)
-    }
-
-    /// The first of the last three steps that another contact took on this layer, where the coarsest one finds this one among
-    /// the flat punches of all of them: the estimate looks at three, and those before would cost more than they tell.
-    fn known_from(&mut self, aim: Aim, coarsest: &Outcome) -> Option<usize> {
-        let settled = self.settled?;
-        let later = settled.checked_sub(2)?.min(BOUND_LEVEL);
-        let half_width = coarsest.numbers.get(Quantity::HalfWidth)?;
-        self.make(aim, (settled, u32::try_from(settled).ok()?)).ok()?;
-        let task = self.task(aim, 0);
-        let serves = |stage: &Stage| stage.growing.as_ref().is_some_and(|growing| growing.serves(task, half_width));
-        (later > 1 && self.stages[1..=settled].iter().all(serves)).then_some(later)
-    }
-
-    /// What a stage needs to know.
-    fn task<'a>(&self, aim: Aim<'a>, level: u32) -> Task<'a> {
-        let Aim { problem, tolerance, .. } = aim;
-        let accuracy = KERNEL_SHARE * tolerance;
-        let wanted = Wanted {
-            frictional: problem.friction.is_some(),
-            deep: problem.wants_depth(),
-            accuracy: accuracy.min((accuracy * self.least_share.unwrap_or(1.0)).max(FINEST_KERNELS)),
-            level,
-        };
-        Task { problem, wanted, tolerance }
-    }
-
-    /// Takes note of a pressure that is faint in the middle, or of a shear that is, either of which wants finer kernels.
-    fn note(&mut self, outcome: &Outcome) {
-        let share = share_in_middle(outcome).min(share_in_shear(outcome));
-        if share < FAINT * self.least_share.unwrap_or(1.0) {
-            self.least_share = Some(share);
-        }
-    }
-
-    /// Solves on one stage, made when first asked for.
-    fn solve(
-        &mut self,
-        layer: &mut Layer,
-        aim: Aim,
-        (index, kernel_level, quadrature_level): (usize, u32, u32),
-        coarse: Option<&Outcome>,
-    ) -> Result<Outcome, Refusal> {
-        self.make(aim, (index, quadrature_level))?;
-        let task = self.task(aim, kernel_level);
-        let (before, here) = self.stages.split_at_mut(index);
-        let family = before.iter().rev().find_map(|stage| stage.growing.as_ref()?.family.as_ref());
-        if let Some(growing) = &mut here[0].growing {
-            growing.forsake(self.forsaken.as_ref());
-        }
-        let outcome = here[0].solve(layer, task, coarse, family)?;
-        self.note(&outcome);
-        Ok(outcome)
     }
 
     /// Why an outcome is none: its stage lacks the room that its kernels take, and loses more by that than is left of the error told before.
@@ -532,24 +304,6 @@ impl Ladder {
             ),
             remedy: "take a larger `tolerance`, or `quadrature = { type = \"graded-panels\" }`",
         })
-    }
-
-    /// Makes the stages up to one of that level.
-    fn make(&mut self, aim: Aim, (index, quadrature_level): (usize, u32)) -> Result<(), Refusal> {
-        if self.stages.is_empty() {
-            // Stages are large, and to move them costs more than the room.
-            self.stages.reserve(USUAL_STEPS.max(index + 1));
-        }
-        while self.stages.len() <= index {
-            let missing = u32::try_from(index - self.stages.len()).expect("a few steps");
-            let quadrature = aim.methods.quadrature.refined(quadrature_level - missing);
-            let mut stage = Stage::new(aim.problem, quadrature)?;
-            if let (Some(growing), Some(family)) = (&mut stage.growing, self.inherited.get_mut(self.stages.len())) {
-                growing.inherit(family.take());
-            }
-            self.stages.push(stage);
-        }
-        Ok(())
     }
 
     /// Whether no refinement will help. A pressure that pulls is looked for as soon as it is known: finer steps do not mend it.
@@ -615,99 +369,6 @@ fn left_out(problem: &Problem, tolerance: f64) -> usize {
 #[allow(clippy::cast_possible_truncation)] // at most FINEST
 fn level(first: usize, step: usize) -> u32 {
     (first + step) as u32
-}
-
-/// How fast resolutions of so many unknowns may come; few stand too far apart to see the layer.
-fn fastest(layer: &Layer, outcome: &Outcome, unknowns: usize) -> Fastest {
-    let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
-    match layer.is_proven() {
-        _ if WIDE * half_width > UNSEEN * layer.length() * unknowns as f64 => Fastest::UNSEEN,
-        true => Fastest::PROVEN,
-        false => Fastest::UNPROVEN,
-    }
-}
-
-/// What the resolutions solved so far tell of the error.
-#[derive(Default)]
-struct Estimate {
-    history: ArrayVec<Seen, { FINEST + 1 }>,
-    errors: Numbers,
-    /// Of the shear itself, where it is asked for.
-    of_shear: Option<f64>,
-    /// Whether the tolerance is met.
-    met: bool,
-    /// For how many steps in a row the errors have not shrunk any more.
-    stalled: usize,
-}
-
-impl Estimate {
-    /// Before it is one resolution alone.
-    fn beginning_with(outcome: &Outcome) -> Self {
-        Self { history: ArrayVec::from_iter([outcome.seen()]), ..Self::default() }
-    }
-
-    /// Whether the errors are told at all.
-    fn is_told(&self) -> bool {
-        self.errors != Numbers::default()
-    }
-
-    /// Takes note of a finer resolution; whether it is fine enough, or no finer one would be any better. `has_kernels` is whether those
-    /// that come would be solved with the same kernels.
-    fn add(&mut self, layer: &Layer, aim: Aim, outcome: &Outcome, (unknowns, has_kernels): (usize, bool)) -> bool {
-        let Aim { problem, tolerance, .. } = aim;
-        self.history.push(outcome.seen());
-        let fastest = fastest(layer, outcome, unknowns);
-        let Some(estimate) = extrapolated(&self.history, fastest) else { return false };
-        // All may agree on what none of them sees.
-        let mut estimate = estimate.plus(hidden_details(problem, outcome, unknowns));
-        self.of_shear = estimate.take(Quantity::Shear).filter(|_| problem.wishes.profile);
-        let now = worst_judged(problem, &estimate).map_or(0.0, |(_, error)| error);
-        // Two alone do not tell that more of them are vain, nor more than what happens to agree where one number is far less sure than all others.
-        if self.history.len() < 3 && (now > tolerance || share_in_middle(outcome) < FAINT) {
-            return false;
-        }
-        let is_stalled =
-            now < ROUNDED && worst_judged(problem, &self.errors).is_some_and(|(_, before)| now > 0.5 * before);
-        self.errors = estimate;
-        let all = with_the_rest(problem, layer, outcome, tolerance, estimate);
-        self.met = meets(problem, &all, tolerance) || now <= 2.0 * ROUNDING;
-        self.stalled = if is_stalled { self.stalled + 1 } else { 0 };
-        let is_done = self.met || self.stalled >= STALLED;
-        is_done || is_vain(problem, outcome, tolerance, (&estimate, &all), has_kernels)
-    }
-}
-
-/// Whether no finer step brings the errors told, and all that stands beside them, below the tolerance: what none of them mends is above
-/// it, and what they would mend is little beside that. They mend neither what a stack loses nor a law that was smoothed, nor kernels as good
-/// as they get where those that come would be the same, and claim no number of the shear to more digits than its integrals have.
-fn is_vain(
-    problem: &Problem,
-    outcome: &Outcome,
-    tolerance: f64,
-    (told, all): (&Numbers, &Numbers),
-    has_kernels: bool,
-) -> bool {
-    let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));
-    let is_final = has_kernels && outcome.size.is_none_or(|size| size.missed <= ROUNDING);
-    // Finer steps have more flat punches, and smoother ones.
-    let mended = |quantity: Quantity| {
-        between_members(outcome) + if quantity == Quantity::Peak { outcome.lost_at_kinks } else { 0.0 }
-    };
-    let unmended = |(quantity, error): (Quantity, f64)| {
-        let rest = if is_final { all.get(quantity).map_or(0.0, |all| all - error - mended(quantity)) } else { 0.0 };
-        let least = if quantity.is_of_shear() { SLIP_ROUNDING } else { ROUNDING };
-        (lost.get(quantity).unwrap_or(0.0).max(least), rest)
-    };
-    let judged = told.judged_by(problem.wishes);
-    let is_beyond = |told: (Quantity, f64)| {
-        let (least, rest) = unmended(told);
-        least.max(rest) > tolerance
-    };
-    let is_small = |told: (Quantity, f64)| {
-        let (least, rest) = unmended(told);
-        told.1 <= tolerance.max(least).max(BESIDE_REST * rest)
-    };
-    judged.iter().any(is_beyond) && judged.iter().all(is_small)
 }
 
 /// Whether a stick zone is only bounded, and no finer step finds it.

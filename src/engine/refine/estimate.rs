@@ -1,0 +1,121 @@
+//! What the resolutions solved so far tell of the error.
+
+use super::FINEST;
+use super::ladder::{Aim, FAINT};
+use crate::engine::error_estimate::{Fastest, ROUNDING, SLIP_ROUNDING, Seen, extrapolated};
+use crate::engine::judged::{
+    ROUNDED, between_members, hidden_details, meets, share_in_middle, with_the_rest, worst_judged,
+};
+use crate::engine::layer::Layer;
+use crate::engine::problem::Problem;
+use crate::engine::quantity::{Numbers, Quantity};
+use crate::engine::stage::Outcome;
+use arrayvec::ArrayVec;
+
+/// Steps in a row that have to stop shrinking.
+const STALLED: usize = 3;
+/// Errors that shrink below this share of what no step mends are not worth another one.
+const BESIDE_REST: f64 = 0.5;
+/// Distance of the unknowns in the middle of a contact, over the half-width and times their number, and over the kernels' length where
+/// these are not seen.
+const WIDE: f64 = 5.5;
+const UNSEEN: f64 = 3.0;
+
+/// What the resolutions solved so far tell of the error.
+#[derive(Default)]
+pub(super) struct Estimate {
+    pub(super) history: ArrayVec<Seen, { FINEST + 1 }>,
+    pub(super) errors: Numbers,
+    /// Of the shear itself, where it is asked for.
+    pub(super) of_shear: Option<f64>,
+    /// Whether the tolerance is met.
+    pub(super) met: bool,
+    /// For how many steps in a row the errors have not shrunk any more.
+    stalled: usize,
+}
+
+impl Estimate {
+    /// Before it is one resolution alone.
+    pub(super) fn beginning_with(outcome: &Outcome) -> Self {
+        Self { history: ArrayVec::from_iter([outcome.seen()]), ..Self::default() }
+    }
+
+    /// Whether the errors are told at all.
+    pub(super) fn is_told(&self) -> bool {
+        self.errors != Numbers::default()
+    }
+
+    /// Takes note of a finer resolution; whether it is fine enough, or no finer one would be any better. `has_kernels` is whether those
+    /// that come would be solved with the same kernels.
+    pub(super) fn add(
+        &mut self,
+        layer: &Layer,
+        aim: Aim,
+        outcome: &Outcome,
+        (unknowns, has_kernels): (usize, bool),
+    ) -> bool {
+        let Aim { problem, tolerance, .. } = aim;
+        self.history.push(outcome.seen());
+        let fastest = fastest(layer, outcome, unknowns);
+        let Some(estimate) = extrapolated(&self.history, fastest) else { return false };
+        // All may agree on what none of them sees.
+        let mut estimate = estimate.plus(hidden_details(problem, outcome, unknowns));
+        self.of_shear = estimate.take(Quantity::Shear).filter(|_| problem.wishes.profile);
+        let now = worst_judged(problem, &estimate).map_or(0.0, |(_, error)| error);
+        // Two alone do not tell that more of them are vain, nor more than what happens to agree where one number is far less sure than all others.
+        if self.history.len() < 3 && (now > tolerance || share_in_middle(outcome) < FAINT) {
+            return false;
+        }
+        let is_stalled =
+            now < ROUNDED && worst_judged(problem, &self.errors).is_some_and(|(_, before)| now > 0.5 * before);
+        self.errors = estimate;
+        let all = with_the_rest(problem, layer, outcome, tolerance, estimate);
+        self.met = meets(problem, &all, tolerance) || now <= 2.0 * ROUNDING;
+        self.stalled = if is_stalled { self.stalled + 1 } else { 0 };
+        let is_done = self.met || self.stalled >= STALLED;
+        is_done || is_vain(problem, outcome, tolerance, (&estimate, &all), has_kernels)
+    }
+}
+
+/// Whether no finer step brings the errors told, and all that stands beside them, below the tolerance: what none of them mends is above
+/// it, and what they would mend is little beside that. They mend neither what a stack loses nor a law that was smoothed, nor kernels as good
+/// as they get where those that come would be the same, and claim no number of the shear to more digits than its integrals have.
+fn is_vain(
+    problem: &Problem,
+    outcome: &Outcome,
+    tolerance: f64,
+    (told, all): (&Numbers, &Numbers),
+    has_kernels: bool,
+) -> bool {
+    let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));
+    let is_final = has_kernels && outcome.size.is_none_or(|size| size.missed <= ROUNDING);
+    // Finer steps have more flat punches, and smoother ones.
+    let mended = |quantity: Quantity| {
+        between_members(outcome) + if quantity == Quantity::Peak { outcome.lost_at_kinks } else { 0.0 }
+    };
+    let unmended = |(quantity, error): (Quantity, f64)| {
+        let rest = if is_final { all.get(quantity).map_or(0.0, |all| all - error - mended(quantity)) } else { 0.0 };
+        let least = if quantity.is_of_shear() { SLIP_ROUNDING } else { ROUNDING };
+        (lost.get(quantity).unwrap_or(0.0).max(least), rest)
+    };
+    let judged = told.judged_by(problem.wishes);
+    let is_beyond = |told: (Quantity, f64)| {
+        let (least, rest) = unmended(told);
+        least.max(rest) > tolerance
+    };
+    let is_small = |told: (Quantity, f64)| {
+        let (least, rest) = unmended(told);
+        told.1 <= tolerance.max(least).max(BESIDE_REST * rest)
+    };
+    judged.iter().any(is_beyond) && judged.iter().all(is_small)
+}
+
+/// How fast resolutions of so many unknowns may come; few stand too far apart to see the layer.
+pub(super) fn fastest(layer: &Layer, outcome: &Outcome, unknowns: usize) -> Fastest {
+    let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
+    match layer.is_proven() {
+        _ if WIDE * half_width > UNSEEN * layer.length() * unknowns as f64 => Fastest::UNSEEN,
+        true => Fastest::PROVEN,
+        false => Fastest::UNPROVEN,
+    }
+}

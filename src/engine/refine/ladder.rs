@@ -1,0 +1,146 @@
+//! The resolutions of a scene, and what they are solved with.
+
+use crate::engine::error_estimate::Pace;
+use crate::engine::family::Family;
+use crate::engine::judged::{share_in_middle, share_in_shear};
+use crate::engine::layer::{Layer, Wanted};
+use crate::engine::problem::Problem;
+use crate::engine::rubbing::Rubbing;
+use crate::engine::stage::{Outcome, Stage, Task};
+use crate::engine::work::Work;
+use crate::plan::Methods;
+use slipzone_api::Refusal;
+use std::ops::Add;
+
+/// About as many steps as most scenes take.
+const USUAL_STEPS: usize = 8;
+/// Share of the tolerance that the kernels may use up.
+const KERNEL_SHARE: f64 = 0.2;
+/// A pressure in the middle below this share of the mean, or of what it was thought to be, wants kernels finer by as much; so does what
+/// drives the shear.
+pub(super) const FAINT: f64 = 0.25;
+/// No kernels are asked to be finer for that.
+const FINEST_KERNELS: f64 = 1e-14;
+
+/// The resolutions solved so far, coarsest first.
+#[derive(Default)]
+pub(in crate::engine) struct Ladder {
+    pub(super) stages: Vec<Stage>,
+    /// Flat punches of the layer that another punch left behind, by resolution.
+    inherited: Vec<Option<Family>>,
+    /// The step that was fine enough for a contact that grew.
+    pub(super) settled: Option<usize>,
+    /// How fast it was reached, and by how wide a contact.
+    pub(super) pace: Option<(f64, Pace)>,
+    /// The least pressure in the middle seen, over the mean, or [`share_in_shear`], where it is faint.
+    pub(super) least_share: Option<f64>,
+    /// What cannot be told of friction under the present load, at any resolution.
+    pub(super) forsaken: Option<(f64, Rubbing)>,
+    /// Work in the systems of ladders that this one takes the place of.
+    before: Work,
+}
+
+/// What one punch leaves behind for another on the same layer: the flat punches of each resolution, the step that was fine
+/// enough, and how fast it was reached.
+#[derive(Default)]
+pub(in crate::engine) struct FlatPunches {
+    families: Vec<Option<Family>>,
+    settled: Option<usize>,
+    pace: Option<(f64, Pace)>,
+}
+
+/// What is to be solved, how, and how well.
+#[derive(Clone, Copy)]
+pub(in crate::engine) struct Aim<'a> {
+    pub(in crate::engine) problem: &'a Problem,
+    pub(in crate::engine) methods: &'a Methods,
+    pub(in crate::engine) tolerance: f64,
+}
+
+impl Ladder {
+    /// A ladder for another punch on a layer whose flat punches are known.
+    pub(in crate::engine) fn inheriting(FlatPunches { families, settled, pace }: FlatPunches) -> Self {
+        let pace = pace.map(|(half_width, pace)| (half_width, pace.of_another_punch()));
+        Self { inherited: families, settled, pace, ..Self::default() }
+    }
+
+    /// The flat punches that it leaves behind.
+    pub(in crate::engine) fn into_flat_punches(self) -> FlatPunches {
+        let families = self.stages.into_iter().map(|stage| stage.growing?.family).collect();
+        FlatPunches { families, settled: self.settled, pace: self.pace }
+    }
+
+    /// The stage that a solved contact lives in.
+    pub(in crate::engine) fn stage(&mut self, index: usize) -> &mut Stage {
+        &mut self.stages[index]
+    }
+
+    /// Work in its systems so far, and in those of ladders that it takes the place of.
+    pub(in crate::engine) fn work(&self) -> Work {
+        self.stages.iter().map(Stage::work).fold(self.before, Add::add)
+    }
+
+    /// Takes the place of others: `all` is the work on them and on this one.
+    pub(in crate::engine) fn take_over(&mut self, all: Work) {
+        self.before = all - (self.work() - self.before);
+    }
+
+    /// What a stage needs to know.
+    pub(super) fn task<'a>(&self, aim: Aim<'a>, level: u32) -> Task<'a> {
+        let Aim { problem, tolerance, .. } = aim;
+        let accuracy = KERNEL_SHARE * tolerance;
+        let wanted = Wanted {
+            frictional: problem.friction.is_some(),
+            deep: problem.wants_depth(),
+            accuracy: accuracy.min((accuracy * self.least_share.unwrap_or(1.0)).max(FINEST_KERNELS)),
+            level,
+        };
+        Task { problem, wanted, tolerance }
+    }
+
+    /// Takes note of a pressure that is faint in the middle, or of a shear that is, either of which wants finer kernels.
+    fn note(&mut self, outcome: &Outcome) {
+        let share = share_in_middle(outcome).min(share_in_shear(outcome));
+        if share < FAINT * self.least_share.unwrap_or(1.0) {
+            self.least_share = Some(share);
+        }
+    }
+
+    /// Solves on one stage, made when first asked for.
+    pub(super) fn solve(
+        &mut self,
+        layer: &mut Layer,
+        aim: Aim,
+        (index, kernel_level, quadrature_level): (usize, u32, u32),
+        coarse: Option<&Outcome>,
+    ) -> Result<Outcome, Refusal> {
+        self.make(aim, (index, quadrature_level))?;
+        let task = self.task(aim, kernel_level);
+        let (before, here) = self.stages.split_at_mut(index);
+        let family = before.iter().rev().find_map(|stage| stage.growing.as_ref()?.family.as_ref());
+        if let Some(growing) = &mut here[0].growing {
+            growing.forsake(self.forsaken.as_ref());
+        }
+        let outcome = here[0].solve(layer, task, coarse, family)?;
+        self.note(&outcome);
+        Ok(outcome)
+    }
+
+    /// Makes the stages up to one of that level.
+    pub(super) fn make(&mut self, aim: Aim, (index, quadrature_level): (usize, u32)) -> Result<(), Refusal> {
+        if self.stages.is_empty() {
+            // Stages are large, and to move them costs more than the room.
+            self.stages.reserve(USUAL_STEPS.max(index + 1));
+        }
+        while self.stages.len() <= index {
+            let missing = u32::try_from(index - self.stages.len()).expect("a few steps");
+            let quadrature = aim.methods.quadrature.refined(quadrature_level - missing);
+            let mut stage = Stage::new(aim.problem, quadrature)?;
+            if let (Some(growing), Some(family)) = (&mut stage.growing, self.inherited.get_mut(self.stages.len())) {
+                growing.inherit(family.take());
+            }
+            self.stages.push(stage);
+        }
+        Ok(())
+    }
+}
