@@ -58,10 +58,10 @@ pub(crate) fn points(tape: &Tape, scale: f64, most: usize) -> Vec<f64> {
         samples.dedup();
         points.extend(zeros(tape, suspect, scale, &samples));
         points.sort_unstable_by(f64::total_cmp);
-        // What is taken of it comes later, and is as narrow.
-        samples.extend(
-            points.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1]), pair[1]]).filter(|x| *x > 0.0),
-        );
+        // What is taken of it comes later, and is as narrow. No more of them than are told, or a few waves too short for the samples
+        // would make samples without end.
+        let between = points.windows(2).take(most).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1]), pair[1]]);
+        samples.extend(between.filter(|x| *x > 0.0));
     }
     // The same place found in two ways differs by rounding.
     points.dedup_by(|next, before| *next - *before <= 1e-14 * *next);
