@@ -1,7 +1,8 @@
 //! The text of a scene as a tree that knows where everything stands.
 
 use super::SceneError;
-use slipzone_api::{Fault, Place, clip};
+use super::keys::KEYS;
+use slipzone_api::{Fault, Parameter, Place, Values, clip};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -266,8 +267,19 @@ fn meant(path: &[&str], key: &str, known: &[&str]) -> Option<String> {
     if matches!(key, "young" | "E") && path.last() == Some(&"grading") {
         return Some("Young's moduli are said once: `moduli = \"young\"` in [layer]".into());
     }
-    let (_, name) = SYMBOLS.into_iter().find(|(symbols, name)| symbols.contains(&key) && known.contains(name))?;
-    Some(format!("write `{name}`"))
+    match SYMBOLS.into_iter().find(|(symbols, name)| symbols.contains(&key) && known.contains(name)) {
+        Some((_, name)) => Some(format!("write `{name}`")),
+        None => elsewhere(path, key),
+    }
+}
+
+/// The section of a scene that has a key which stands in another one: its own heading may be missing.
+fn elsewhere(path: &[&str], key: &str) -> Option<String> {
+    let ([here] | ["scene", here]) = path else { return None };
+    let mut others = KEYS.iter().filter(|section| section.name != *here);
+    let has_it =
+        |section: &&Parameter| matches!(section.values, Values::Table(keys) if keys.iter().any(|own| own.name == key));
+    others.find(has_it).map(|section| format!("`{key}` is a key of [{}]", section.name))
 }
 
 /// A syntax error in the parser's words, cut into message and expectation.
