@@ -1,21 +1,21 @@
 //! A contact that grows with the load, solved as a stack of flat punches: under friction, which remembers how it grew, and
 //! under shapes that are not analytic.
 
-use super::checks::MARGIN;
+mod friction;
+mod strain;
+
 use super::contact_size::{self, Size};
-use super::family::{Family, Unfit, during};
+use super::family::{Family, Unfit};
 use super::layer::Layer;
 use super::lookout::Lookout;
 use super::normal::Normal;
 use super::problem::{LoadInLayerUnits, Problem};
-use super::quantity::{Numbers, Quantity, ShearTrace, Traces};
-use super::rubbing::{Rubbing, Verdict};
+use super::quantity::{Numbers, Quantity, Traces};
+use super::rubbing::Rubbing;
 use super::stack::Stack;
 use super::stage::{Outcome, Task};
-use super::strain::Sampling;
 use super::work::Work;
 use slipzone_api::{Quadrature, Refusal, Station};
-use std::f64::consts::PI;
 
 /// By how much a family is wider than a contact that a coarser resolution found.
 const ROOM: f64 = 1.02;
@@ -41,14 +41,8 @@ const NODES_PER_UNKNOWN: f64 = 0.125;
 const NODES_PER_LENGTH: f64 = 1.5;
 /// Lengths from which more of them take no more nodes: a bound of the work. Measured up to some 30.
 const MOST_LENGTHS: f64 = 60.0;
-/// Where what the shear lacks is compared from resolution to resolution, over the half-width of the stick zone: near the middle
-/// it is stacked of the most members.
-const TRACED: [f64; ShearTrace::POINTS] = [0.05, 0.4, 0.85, 1.0];
 /// The stick zone may shrink by rounding, relative.
 const STEADY: f64 = 1e-9;
-
-/// Points of the contact closer than that, relative to its half-width, are one: nothing is to be told in between.
-const NO_PIECE: f64 = 1e-11;
 
 /// One resolution of a growing contact.
 pub(crate) struct Growing {
@@ -346,65 +340,6 @@ impl Growing {
         numbers
     }
 
-    /// The stick zone, and the shear's trace.
-    fn rub(&mut self, layer: &mut Layer, task: Task, normal: &Normal) -> Result<Rubbing, Refusal> {
-        let (b, problem) = (self.half_width, task.problem);
-        if let Some((at, rubbing)) = &self.broken {
-            return Ok(self.told_of_broken(problem, *at, rubbing));
-        }
-        let family = self.family.as_mut().expect("provided before");
-        let zone = family.zone(b);
-        let rubbing = family.rubbing(layer, task, b)?.expect("a family with friction");
-        if let Some(at) = family.shrinks(problem.face()..b, STEADY) {
-            // What is stacked of a zone that shrinks is no shear of this contact.
-            return Ok(rubbing.failing(during(problem, at, "the stick zone shrinks")));
-        }
-        // The pressure has a trace of its own.
-        let (friction, sticks) = (family.signed_friction(), family.sticks());
-        let mean = self.force / (2.0 * b);
-        let lack = TRACED.map(|part| self.lack(problem, b, part * zone.half_width) / mean);
-        let inner = ShearTrace::NEAR_MIDDLE.map(|part| self.lack(problem, b, part * zone.half_width) / mean);
-        let own = |part: f64| Station { x: part * zone.half_width, gap: (1.0 - part) * zone.half_width };
-        let shear = self.shear_traced(problem, normal, TRACED.map(|part| zone.in_contact(own(part))), lack);
-        if sticks {
-            // What slides is as much as the resolution makes it, and so is what is lacking to it.
-            let at = ShearTrace::NEAR_MIDDLE.map(|part| zone.in_contact(own(part)));
-            let inner = self.shear_traced(problem, normal, at, inner);
-            return Ok(rubbing.traced(ShearTrace { inner, ..ShearTrace::new(shear, shear, friction) }));
-        }
-        Ok(rubbing.traced(ShearTrace { inner, ..ShearTrace::new(lack, shear, friction) }))
-    }
-
-    /// The shear at some points, where it lacks so much to what slides; both over the mean pressure.
-    fn shear_traced<const N: usize>(
-        &mut self,
-        problem: &Problem,
-        normal: &Normal,
-        at: [Station; N],
-        lack: [f64; N],
-    ) -> [f64; N] {
-        let mut pressure = [0.0; N];
-        self.pressure_into(problem, normal, &at, &mut pressure);
-        let (b, mean) = (self.half_width, self.force / (2.0 * self.half_width));
-        std::array::from_fn(|i| self.sliding(problem, b, at[i].x, pressure[i]) / mean - lack[i])
-    }
-
-    /// What could not be told of friction when the contact had grown to a half-width, in words, unless it is so now.
-    fn told_of_broken(&self, problem: &Problem, at: f64, rubbing: &Rubbing) -> Rubbing {
-        let rubbing = Rubbing { is_full: rubbing.is_full && !self.was_broken(), ..rubbing.clone() };
-        let what = match &rubbing.verdict {
-            Verdict::Fails(what) => what.as_str(),
-            Verdict::Sticks => "all of the surface sticks, but not always",
-            _ if at >= self.half_width || self.has_no_shear() => return rubbing,
-            Verdict::TooNarrow => "the stick zone is narrower than any looked for",
-            Verdict::TooWide => "the surface sticks as close to the contact's edge as can be told",
-            Verdict::NoShear => "no shear arises, but later",
-            _ => "no stick zone belongs to this friction coefficient",
-        };
-        let what = during(problem, at, what);
-        rubbing.failing(what)
-    }
-
     /// Sizes of the contact on its way to a load solved already, whose half-width is given, and what the stack that tells them leaves
     /// out, relative; `None` where it is no single stack.
     pub(crate) fn on_the_way(
@@ -436,46 +371,6 @@ impl Growing {
         Some((points?, stack.lost() + of_pressure.max(of_shear)))
     }
 
-    /// Checks the conditions of friction where no coarser resolution has.
-    pub(crate) fn settle(&mut self, layer: &mut Layer, task: Task, outcome: &mut Outcome) -> Result<(), Refusal> {
-        let (Some(family), Some(rubbing)) = (&mut self.family, &mut outcome.rubbing) else { return Ok(()) };
-        if !matches!(rubbing.verdict, Verdict::Holds | Verdict::Sticks) {
-            return Ok(());
-        }
-        let failed = if family.is_checked() { None } else { family.check(layer, task, self.half_width)? };
-        let is_overloaded = family.is_overloaded();
-        if let Some(what) = failed.or_else(|| if is_overloaded { self.overload(task.problem) } else { None }) {
-            *rubbing = rubbing.clone().failing(what);
-        }
-        Ok(())
-    }
-
-    /// Where and when friction does not bear the shear of the contact as it grew.
-    fn overload(&mut self, problem: &Problem) -> Option<String> {
-        /// Points of the stick zone, denser at its end.
-        const POINTS: usize = 16;
-        let (family, friction) = (self.family.as_ref()?, problem.friction?);
-        family.looked_at(self.half_width).into_iter().filter(|b| *b > problem.face()).find_map(|b| {
-            let a = self.family.as_ref()?.zone(b).half_width;
-            (1..POINTS).find_map(|i| {
-                let x = a * (0.5 * PI * i as f64 / POINTS as f64).sin();
-                let (family, stack) = self.family.as_mut().zip(self.stack.as_ref())?;
-                let p = stack.pressure(problem, family, b, x);
-                let q = self.sliding(problem, b, x, p) - self.lack(problem, b, x);
-                let load = q.abs() / (friction * p);
-                let at = x / b;
-                let what = if p < 0.0 {
-                    format!("the pressure pulls at x = {at:.4} b")
-                } else if load > 1.0 + MARGIN {
-                    format!("|q| reaches {load:.3} eta p at x = {at:.4} b inside the stick zone")
-                } else {
-                    return None;
-                };
-                Some(during(problem, b, &what))
-            })
-        })
-    }
-
     /// Pressure at points strictly inside the contact.
     pub(crate) fn pressure_into(&mut self, problem: &Problem, normal: &Normal, at: &[Station], out: &mut [f64]) {
         if !self.is_kinked {
@@ -497,120 +392,6 @@ impl Growing {
     pub(crate) fn presses(&mut self, problem: &Problem) -> bool {
         let (true, Some(family), Some(stack)) = (self.is_kinked, &mut self.family, &self.stack) else { return false };
         stack.rises(problem, self.half_width) && family.presses()
-    }
-
-    /// Shear at points strictly inside the contact, where the pressures are `pressure`; `None` where there is none.
-    pub(crate) fn shear(&mut self, problem: &Problem, at: &[Station], pressure: &[f64]) -> Option<Vec<f64>> {
-        if self.has_no_shear() {
-            return Some(vec![0.0; at.len()]);
-        }
-        let (Some(family), Some(_), None) = (&self.family, &self.stack, &self.broken) else { return None };
-        problem.friction?;
-        let (b, zone) = (self.half_width, family.zone(self.half_width));
-        let one = |(at, p): (&Station, &f64)| {
-            let x = at.x.abs();
-            if x == 0.0 {
-                return 0.0;
-            }
-            let lack = if x < zone.half_width { self.lack(problem, b, x) } else { 0.0 };
-            (self.sliding(problem, b, x, *p) - lack) * 1.0_f64.copysign(at.x)
-        };
-        Some(at.iter().zip(pressure).map(one).collect())
-    }
-
-    /// What the shear at a point of the stick zone lacks to what slides, see [`Self::sliding`].
-    fn lack(&mut self, problem: &Problem, b: f64, x: f64) -> f64 {
-        let (family, stack) = self.family.as_mut().zip(self.stack.as_ref()).expect("provided before");
-        stack.lack(problem, family, b, x)
-    }
-
-    /// What the shear at a point of a contact so wide would be if all slid, where the pressure is `pressure`; where everything sticks, with as much friction
-    /// under each flat punch as that asks for.
-    fn sliding(&mut self, problem: &Problem, b: f64, x: f64, pressure: f64) -> f64 {
-        let (family, stack) = self.family.as_mut().zip(self.stack.as_ref()).expect("provided before");
-        let friction = family.sliding(b);
-        friction * pressure + if family.sticks() { stack.slides_beside(problem, family, b, x) } else { 0.0 }
-    }
-
-    /// The strain left on the surface at points of the stick zone, `x >= 0`; `None` where it cannot be told, and at points
-    /// under which the pressure is unbounded.
-    pub(crate) fn strain(
-        &mut self,
-        layer: &Layer,
-        problem: &Problem,
-        normal: &Normal,
-        (at, wanted): (&[f64], f64),
-    ) -> Option<(Vec<Option<f64>>, f64)> {
-        if self.has_no_shear() {
-            return Some((vec![Some(0.0); at.len()], 0.0));
-        }
-        let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return None };
-        let b = self.half_width;
-        let zone = family.zone(b);
-        let kinks: Vec<f64> = stack.breaks().iter().copied().filter(|kink| *kink > 0.0 && *kink < b).collect();
-        // Under the face the surface has stuck from the start.
-        let face = problem.face();
-        let never_slipped = if face > 0.0 && face < b { family.zone(face).half_width } else { 0.0 };
-        let mut breaks: Vec<f64> = kinks.iter().map(|kink| family.zone(*kink).half_width).collect();
-        breaks.extend(kinks.into_iter().chain([0.0, zone.half_width]));
-        breaks.sort_by(f64::total_cmp);
-        breaks.dedup_by(|next, before| *next - *before < NO_PIECE * b);
-        breaks.retain(|end| *end < b * (1.0 - NO_PIECE));
-        breaks.push(b);
-        // What touched first was not strained yet when it stuck, and a corner has no strain.
-        let is_unstrained = |x: f64| x < never_slipped || x == 0.0 && !problem.is_corner(x);
-        let asked: Vec<f64> = at.iter().copied().filter(|x| !is_unstrained(*x) && !problem.is_corner(*x)).collect();
-        let corners: Vec<f64> = problem.corners().filter(|corner| *corner > 0.0).collect();
-        let (crowding, length) = (zone.crowding(), layer.length());
-        let sampling = Sampling { breaks: &breaks, corners: &corners, crowding, length };
-        let a0 = problem.elastic.a0();
-        let found = sampling.strains(layer, problem.elastic.beta(), (&asked, wanted / a0), |at| {
-            let mut pressure = vec![0.0; at.len()];
-            self.pressure_into(problem, normal, at, &mut pressure);
-            let shear = self.shear(problem, at, &pressure)?;
-            Some([pressure, shear])
-        })?;
-        let mut strains = found.each.iter().map(|strain| a0 * strain);
-        let one = |x: &f64| match *x {
-            x if is_unstrained(x) => Some(0.0),
-            x if problem.is_corner(x) => None,
-            _ => strains.next(),
-        };
-        Some((at.iter().map(one).collect(), a0 * found.apart))
-    }
-
-    /// Friction coefficient of the shear, negative where the slip is outward; `None` where there is none to tell.
-    pub(crate) fn signed_friction(&self) -> Option<f64> {
-        self.family.as_ref().filter(|_| self.broken.is_none()).map(Family::signed_friction)
-    }
-
-    /// What cannot be told of friction.
-    pub(crate) fn broken(&self) -> Option<&(f64, Rubbing)> {
-        self.broken.as_ref()
-    }
-
-    /// From now on friction is not looked for where coarser resolutions could not tell it; `None` takes that back.
-    pub(crate) fn forsake(&mut self, broken: Option<&(f64, Rubbing)>) {
-        self.forsaken = broken.cloned();
-    }
-
-    /// Whether friction cannot be told of the contact as it grew.
-    pub(crate) fn is_broken(&self) -> bool {
-        // None under a contact of much that width is none under this one.
-        let shears = |at: f64, rubbing: &Rubbing| {
-            rubbing.verdict != Verdict::NoShear || ROOM_BESIDE_GUESS * at < self.half_width
-        };
-        self.broken.as_ref().is_some_and(|(at, rubbing)| shears(*at, rubbing))
-    }
-
-    /// Whether it is of a narrower contact that friction cannot be told: the stick zone found there is none of this one's.
-    fn was_broken(&self) -> bool {
-        self.is_broken() && self.broken.as_ref().is_some_and(|(at, _)| *at < self.half_width)
-    }
-
-    /// Whether no shear arises, however wide the contact grew.
-    fn has_no_shear(&self) -> bool {
-        self.broken.is_some() && !self.is_broken()
     }
 
     /// Work in its systems so far.

@@ -1,0 +1,59 @@
+//! The strain that is left on the surface where it stuck.
+
+use super::Growing;
+use crate::engine::layer::Layer;
+use crate::engine::normal::Normal;
+use crate::engine::problem::Problem;
+use crate::engine::strain::Sampling;
+
+/// Points of the contact closer than that, relative to its half-width, are one: nothing is to be told in between.
+const NO_PIECE: f64 = 1e-11;
+
+impl Growing {
+    /// The strain left on the surface at points of the stick zone, `x >= 0`; `None` where it cannot be told, and at points
+    /// under which the pressure is unbounded.
+    pub(crate) fn strain(
+        &mut self,
+        layer: &Layer,
+        problem: &Problem,
+        normal: &Normal,
+        (at, wanted): (&[f64], f64),
+    ) -> Option<(Vec<Option<f64>>, f64)> {
+        if self.has_no_shear() {
+            return Some((vec![Some(0.0); at.len()], 0.0));
+        }
+        let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return None };
+        let b = self.half_width;
+        let zone = family.zone(b);
+        let kinks: Vec<f64> = stack.breaks().iter().copied().filter(|kink| *kink > 0.0 && *kink < b).collect();
+        // Under the face the surface has stuck from the start.
+        let face = problem.face();
+        let never_slipped = if face > 0.0 && face < b { family.zone(face).half_width } else { 0.0 };
+        let mut breaks: Vec<f64> = kinks.iter().map(|kink| family.zone(*kink).half_width).collect();
+        breaks.extend(kinks.into_iter().chain([0.0, zone.half_width]));
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup_by(|next, before| *next - *before < NO_PIECE * b);
+        breaks.retain(|end| *end < b * (1.0 - NO_PIECE));
+        breaks.push(b);
+        // What touched first was not strained yet when it stuck, and a corner has no strain.
+        let is_unstrained = |x: f64| x < never_slipped || x == 0.0 && !problem.is_corner(x);
+        let asked: Vec<f64> = at.iter().copied().filter(|x| !is_unstrained(*x) && !problem.is_corner(*x)).collect();
+        let corners: Vec<f64> = problem.corners().filter(|corner| *corner > 0.0).collect();
+        let (crowding, length) = (zone.crowding(), layer.length());
+        let sampling = Sampling { breaks: &breaks, corners: &corners, crowding, length };
+        let a0 = problem.elastic.a0();
+        let found = sampling.strains(layer, problem.elastic.beta(), (&asked, wanted / a0), |at| {
+            let mut pressure = vec![0.0; at.len()];
+            self.pressure_into(problem, normal, at, &mut pressure);
+            let shear = self.shear(problem, at, &pressure)?;
+            Some([pressure, shear])
+        })?;
+        let mut strains = found.each.iter().map(|strain| a0 * strain);
+        let one = |x: &f64| match *x {
+            x if is_unstrained(x) => Some(0.0),
+            x if problem.is_corner(x) => None,
+            _ => strains.next(),
+        };
+        Some((at.iter().map(one).collect(), a0 * found.apart))
+    }
+}
