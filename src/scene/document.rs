@@ -273,9 +273,13 @@ fn meant(path: &[&str], key: &str, known: &[&str]) -> Option<String> {
     }
 }
 
-/// The section of a scene that has a key which stands in another one: its own heading may be missing.
+/// The section of a scene that has a key which stands in another one: its own heading may be missing. A plugin's keys go with its type.
 fn elsewhere(path: &[&str], key: &str) -> Option<String> {
     let ([here] | ["scene", here]) = path else { return None };
+    let is_of_plugin = |section: &Parameter| section.name == *here && matches!(section.values, Values::Plugin(_));
+    if KEYS.iter().any(is_of_plugin) {
+        return None;
+    }
     let mut others = KEYS.iter().filter(|section| section.name != *here);
     let has_it =
         |section: &&Parameter| matches!(section.values, Values::Table(keys) if keys.iter().any(|own| own.name == key));
