@@ -148,10 +148,10 @@ impl Formula {
     /// division by zero, the place where `min` or `max` changes sides. Ascending, the first `most` of them.
     ///
     /// What is further out than `1e3 scale` is not looked for, and of places closer together than `scale/256` some may be missed,
-    /// unless what is zero there turns around once between them, or is one of [`Self::narrow_places`] up to `4 scale`. A place too many
-    /// does no harm.
-    pub fn singular_points(&self, scale: f64, most: usize) -> Vec<f64> {
-        singular::points(&self.tape, scale, most)
+    /// unless what is zero there turns around once between them, or they lie in one of the `narrow` places: as a rule
+    /// [`Self::narrow_places`] up to `4 scale`. A place too many does no harm.
+    pub fn singular_points(&self, scale: f64, most: usize, narrow: &[(f64, f64)]) -> Vec<f64> {
+        singular::points(&self.tape, scale, most, narrow)
     }
 
     /// Where on `[0, length]` the formula, analytic there, may vary over a short length: the step of a hyperbolic

@@ -2,7 +2,6 @@
 //! taken is zero.
 
 use crate::dual::Dual;
-use crate::narrow;
 use crate::tape::{Function, Step, Tape};
 use std::ops::Range;
 
@@ -40,7 +39,7 @@ impl Suspect {
 }
 
 /// See [`crate::Formula::singular_points`].
-pub(crate) fn points(tape: &Tape, scale: f64, most: usize) -> Vec<f64> {
+pub(crate) fn points(tape: &Tape, scale: f64, most: usize, narrow: &[(f64, f64)]) -> Vec<f64> {
     let suspects = suspects(tape);
     if suspects.is_empty() {
         return Vec::new();
@@ -49,9 +48,8 @@ pub(crate) fn points(tape: &Tape, scale: f64, most: usize) -> Vec<f64> {
     samples
         .extend((-9 * PER_DECADE..=3 * PER_DECADE).map(|i| 10_f64.powf(f64::from(i) / f64::from(PER_DECADE)) * scale));
     // Where something is narrow its zeros are close together.
-    let beside = |(x, width): (f64, f64)| BESIDE.map(|share| x + share * width);
-    samples
-        .extend(narrow::places(tape, 4.0 * scale).into_iter().flat_map(beside).filter(|x| *x > 0.0 && x.is_finite()));
+    let beside = |(x, width): &(f64, f64)| BESIDE.map(|share| x + share * width);
+    samples.extend(narrow.iter().flat_map(beside).filter(|x| *x > 0.0 && x.is_finite()));
     let mut points: Vec<f64> = Vec::new();
     for suspect in &suspects {
         samples.sort_unstable_by(f64::total_cmp);

@@ -14,6 +14,10 @@ fn parse(text: &str) -> Result<Formula, Fault> {
     Formula::parse("height", text, "x", &parameters.map(|(name, value)| (name.to_owned(), value)).collect())
 }
 
+fn singular(formula: &Formula, scale: f64) -> Vec<f64> {
+    formula.singular_points(scale, 64, &formula.narrow_places(4.0 * scale))
+}
+
 fn value(text: &str, x: f64) -> f64 {
     parse(text).unwrap_or_else(|fault| panic!("{text}: {fault}")).at(x).value
 }
@@ -84,7 +88,7 @@ proptest! {
     #[test]
     fn any_text_is_a_formula_or_a_fault(text in "[x0-9a-zR.,+*/^() \u{b2}-]{0,60}") {
         match Formula::parse("height", &text, "x", &BTreeMap::new()) {
-            Ok(formula) => { formula.at(0.3); formula.singular_points(1.0, 64); }
+            Ok(formula) => { formula.at(0.3); formula.singular_points(1.0, 64, &formula.narrow_places(4.0)); }
             Err(fault) => if let Place::Text(span) = fault.place { prop_assert!(text.get(span).is_some()); },
         }
     }
@@ -163,7 +167,7 @@ fn length_and_depth_are_bounded() {
 
 #[test]
 fn singular_points_are_found() {
-    let points = |text: &str| parse(text).unwrap().singular_points(1.0, 64);
+    let points = |text: &str| singular(&parse(text).unwrap(), 1.0);
     for smooth in [
         "x^2",
         "ln(1 + exp(40*x - 9))",
@@ -215,15 +219,15 @@ fn both_ends_of_a_film_are_found_however_thin() {
         "max(0, exp(-((x-d)/w)^2) - exp(-1))",
         "abs(1 - ((x-d)/w)^2)",
     ] {
-        let found = Formula::parse("f", film, "x", &parameters).unwrap().singular_points(0.25, 64);
+        let found = singular(&Formula::parse("f", film, "x", &parameters).unwrap(), 0.25);
         for end in [0.6997, 0.7003] {
             assert!(found.iter().any(|x| (x - end).abs() < 1e-11), "{film}: {found:?}");
         }
     }
     // Waves too short for the samples: each would find more of them than the one before.
     let waves: Vec<String> = (1..20).map(|k| format!("abs(sin({k}e9*x))")).collect();
-    assert_eq!(parse(&waves.join(" + ")).unwrap().singular_points(0.25, 64).len(), 64);
-    let tops = parse("max(0, sin(20*x) - 0.999)").unwrap().singular_points(0.25, 64);
+    assert_eq!(singular(&parse(&waves.join(" + ")).unwrap(), 0.25).len(), 64);
+    let tops = singular(&parse("max(0, sin(20*x) - 0.999)").unwrap(), 0.25);
     assert_eq!(tops.iter().filter(|x| **x < 1.0).count(), 6, "three tops: {tops:?}");
 }
 

@@ -58,18 +58,22 @@ impl Grading for Formula {
         let formulas = self.understood(thickness);
         let formulas = formulas.map_err(|fault| Refusal::Unusable { plugin: "formula", why: fault.to_string() })?;
         // A quarter of the thickness: as far as samples are densest.
-        if let Some(depth) = pole(&formulas[0], thickness) {
+        let narrow: Vec<_> = formulas.iter().map(|formula| formula.narrow_places(thickness)).collect();
+        let singular = |(formula, narrow): (&formula::Formula, &Vec<_>)| {
+            formula.singular_points(0.25 * thickness, MOST_KINKS, narrow)
+        };
+        let singular: Vec<_> = formulas.iter().zip(&narrow).map(singular).collect();
+        if let Some(depth) = pole(&formulas[0], &singular[0], thickness) {
             let found = short(formulas[0].at(depth).value);
             let why =
                 format!("the modulus is {found} at depth {}; expected a finite one above 0 everywhere", short(depth));
             return Err(Refusal::Unusable { plugin: "formula", why });
         }
-        let kinks = formulas.iter().flat_map(|formula| formula.singular_points(0.25 * thickness, MOST_KINKS));
-        let mut breakpoints: Vec<f64> = kinks.map(|depth| depth / thickness).filter(|d| *d > 0.0 && *d < 1.0).collect();
+        let kinks = singular.iter().flatten().map(|depth| depth / thickness);
+        let mut breakpoints: Vec<f64> = kinks.filter(|d| *d > 0.0 && *d < 1.0).collect();
         breakpoints.sort_unstable_by(f64::total_cmp);
         breakpoints.dedup();
-        let narrow = formulas.iter().flat_map(|formula| formula.narrow_places(thickness));
-        let narrow = narrow.map(|(depth, width)| (depth / thickness, width / thickness));
+        let narrow = narrow.into_iter().flatten().map(|(depth, width)| (depth / thickness, width / thickness));
         let details = cuts(narrow);
         let law = Law { formulas, thickness, breakpoints, details };
         if law.is_steep() {
@@ -84,12 +88,11 @@ impl Grading for Formula {
 
 /// A depth in the layer at which a modulus becomes infinite or zero, as it may where the formula is singular: there, and
 /// to the last bit nowhere else, so that no sampling would find it.
-fn pole(modulus: &formula::Formula, thickness: f64) -> Option<f64> {
+fn pole(modulus: &formula::Formula, singular: &[f64], thickness: f64) -> Option<f64> {
     /// Beside a depth, in units of the thickness, and by how much a modulus without poles changes over it at most.
     const NEAR: f64 = 1e-3;
     const MOST: f64 = 1e5;
-    let singular = modulus.singular_points(0.25 * thickness, MOST_KINKS).into_iter();
-    let mut inside = singular.filter(|depth| *depth > 0.0 && *depth <= thickness);
+    let mut inside = singular.iter().copied().filter(|depth| *depth > 0.0 && *depth <= thickness);
     inside.find(|&depth| {
         let here = modulus.at(depth).value;
         let near = [depth - NEAR * thickness, depth + NEAR * thickness].map(|depth| modulus.at(depth).value);

@@ -71,7 +71,8 @@ impl Graph {
                 .found("a slope that is nowhere finite and above 0")
                 .expected("a height that grows with x")
         })?;
-        graph.kinks = graph.formula.singular_points(graph.natural_length, MOST_KINKS);
+        let narrow = graph.formula.narrow_places(4.0 * graph.natural_length);
+        graph.kinks = graph.formula.singular_points(graph.natural_length, MOST_KINKS, &narrow);
         graph.corners = graph.kinks.iter().copied().filter(|&kink| graph.jumps(kink)).collect();
         graph.face = graph.level();
         if let Some((x, right, left)) = graph.asymmetry(2.0 * graph.natural_length) {
