@@ -63,7 +63,7 @@ pub(super) fn solution(
     let rubbing = judged.outcome.rubbing.as_ref().filter(|rubbing| rubbing.verdict == Verdict::Holds);
     let mut plan = plan;
     plan.coupling_neglected = rubbing.and_then(|rubbing| coupling::neglected(layer, problem, rubbing.zone, scene));
-    let stick = judged.outcome.rubbing.as_ref().filter(|_| wishes.reports_stick()).map(|_| StickReport {
+    let stick = judged.outcome.rubbing.as_ref().filter(|_| scene.output.asks_of_stick()).map(|_| StickReport {
         half_width: number(Quantity::StickHalfWidth, length),
         ratio: number(Quantity::StickRatio, 1.0),
         one_minus_ratio: number(Quantity::OneMinusRatio, 1.0),

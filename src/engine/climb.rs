@@ -15,17 +15,12 @@ const LEVEL: f64 = 1e-13;
 pub(super) const NEARLY: f64 = 0.75;
 
 /// A walk below zero.
+#[derive(Default)]
 pub(super) struct Trail {
     /// Its last two places, and how high each is.
     last: ArrayVec<(f64, f64), 2>,
-    /// The highest top climbed that stayed below zero.
-    highest: f64,
-}
-
-impl Default for Trail {
-    fn default() -> Self {
-        Self { last: ArrayVec::new(), highest: f64::NEG_INFINITY }
-    }
+    /// How high the highest top climbed is, of those that stayed below zero.
+    pub(super) highest: Option<f64>,
 }
 
 impl Trail {
@@ -35,11 +30,6 @@ impl Trail {
             self.last.remove(0);
         }
         self.last.push(next);
-    }
-
-    /// How high the highest top climbed is, of those that stayed below zero.
-    pub(super) fn highest(&self) -> f64 {
-        self.highest
     }
 
     /// A place above zero between the last two and the next, where the second of them is the highest, or where the parabola through all
@@ -53,10 +43,11 @@ impl Trail {
             [left, top, next]
         };
         let (at, height) = climb(three, excess, |height, _| height >= 0.0 || height <= TOO_LOW);
-        if height < 0.0 {
-            self.highest = self.highest.max(height);
+        if height >= 0.0 {
+            return Some((three[0].0, at));
         }
-        (height >= 0.0).then_some((three[0].0, at))
+        self.highest = self.highest.into_iter().chain([height]).reduce(f64::max);
+        None
     }
 }
 

@@ -71,7 +71,7 @@ impl Size {
 
     /// A size to start from, where the load grows with that slope.
     pub(crate) fn about(half_width: f64, slope: f64) -> Self {
-        Self { half_width, slope, missed: 0.0, is_guess: true, is_beside_top: false }
+        Self { slope, is_guess: true, ..Self::exactly(half_width) }
     }
 
     /// Where to start under another load, from the size under one; `None` where these do not compare.
@@ -244,7 +244,7 @@ fn search(
         Err(other) => return Err(no_size(other.to_string())),
     };
     let [(x0, f0), (x1, f1)] = last;
-    Ok((root, (f1 - f0) / (x1 - x0), trail.highest() > -BESIDE_TOP))
+    Ok((root, (f1 - f0) / (x1 - x0), trail.highest.is_some_and(|height| height > -BESIDE_TOP)))
 }
 
 /// Walks from `start` towards the sign change of an increasing function, in growing steps.

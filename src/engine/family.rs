@@ -25,7 +25,7 @@ use depths::Depths;
 use pressed::{Pressed, Table};
 use rubbed::{Moves, Rubbed};
 use slipzone_api::double_exponential::Node;
-use slipzone_api::{Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station, short};
+use slipzone_api::{Component, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station, short};
 use std::ops::Range;
 use std::sync::Arc;
 use told::Told;
@@ -167,7 +167,9 @@ impl Family {
         } else {
             family.solve_pressures(layer, task, coarse)?;
         }
-        if let Some(datum) = task.problem.layer.datum.filter(|_| family.is_deep) {
+        // A half-plane has none beyond its own.
+        let has_depths = family.is_deep && layer.kernel(Component::Depth).is_some();
+        if let Some(datum) = task.problem.layer.datum.filter(|_| has_depths) {
             family.depths = Some(family.against_datum(layer, task, ends, datum)?);
         }
         Ok(family)

@@ -98,12 +98,6 @@ impl Wishes {
         self.reported[quantity as usize]
     }
 
-    /// Whether a number of the stick zone is reported.
-    pub(crate) fn reports_stick(self) -> bool {
-        let is_of_stick = |quantity: Quantity| quantity.is_of_shear() && quantity != Quantity::Shear;
-        Quantity::ALL.into_iter().any(|quantity| is_of_stick(quantity) && self.reports(quantity))
-    }
-
     /// Whether the error of a number has to meet the tolerance. That of the shear is told beside these.
     pub(crate) fn judges(self, quantity: Quantity) -> bool {
         let by_profile = !matches!(quantity, Quantity::Indentation | Quantity::Peak | Quantity::StrainRate);

@@ -4,7 +4,8 @@
 //! that. But each is told by its pressure, and that by these members: so depths are taken at half-widths of their own, even in
 //! `asinh(b/datum)`, which is the half-width well within that distance and its logarithm well beyond.
 
-use crate::engine::blend::{Blend, Term};
+use super::OF_PRESSURE;
+use crate::engine::blend::Blend;
 use slipzone_api::Refusal;
 
 /// Half-widths per unknown of the pressure, and more of them where the datum is near.
@@ -27,13 +28,12 @@ impl Depths {
         datum: f64,
         (narrowest, widest): (f64, f64),
         unknowns: usize,
-        terms: &[Term],
         mut depth: impl FnMut(f64) -> f64,
     ) -> Result<Self, Refusal> {
         let ends = (place(narrowest, datum), place(widest, datum));
         let count = unknowns as f64 * (PER_UNKNOWN + MORE_BY_NEARNESS * ends.1);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most MOST
-        let blend = Blend::new(ends, count.min(MOST) as usize, terms)?;
+        let blend = Blend::new(ends, count.min(MOST) as usize, OF_PRESSURE)?;
         // What the place rounds must not leave the widest.
         let depths: Vec<f64> = blend.half_widths().iter().map(|s| depth((datum * s.sinh()).min(widest))).collect();
         let coefficients = blend.coefficients(&depths, 1);

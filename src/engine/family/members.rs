@@ -3,7 +3,7 @@
 use super::depths::Depths;
 use super::pressed::Pressed;
 use super::rubbed::{Approach, Found, Member, Rubbed};
-use super::{CHECKED, Family, OF_PRESSURE, Room, Unfit, during, member};
+use super::{CHECKED, Family, Room, Unfit, during, member};
 use crate::engine::blend::Blend;
 use crate::engine::error_estimate::apart;
 use crate::engine::layer::Layer;
@@ -172,7 +172,7 @@ impl Family {
     ) -> Result<Depths, Refusal> {
         let flat = member(task.problem, ends.1, false);
         let Self { pressed: Pressed { blend, pressure, .. }, room: Room { functions, density, .. }, .. } = self;
-        Depths::new(datum, ends, self.stage.normal.size(), OF_PRESSURE, |b| {
+        Depths::new(datum, ends, self.stage.normal.size(), |b| {
             blend.functions_at(b, functions);
             pressure.blend_into(functions, density);
             let depth = self.stage.normal.depth_of(b, density, (layer, &flat));
