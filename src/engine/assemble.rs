@@ -3,8 +3,8 @@
 use super::coupling;
 use super::finite::first_found_not_finite;
 use super::judged::{How, Judged, SAID};
-use super::layer::Layer;
 use super::loading_curve::Point;
+use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
 use super::rubbing::Verdict;
@@ -34,7 +34,7 @@ const STEEP: f64 = 0.3;
 pub(super) fn solution(
     scene: &Scene,
     plan: Plan,
-    layer: &Layer,
+    layer: &PreparedLayer,
     problem: &Problem,
     stage: &mut Stage,
     judged: &Judged,
@@ -268,7 +268,13 @@ fn slip(stage: &Stage, judged: &Judged) -> Option<Slip> {
 }
 
 /// Tractions at the points that the scene asks for.
-fn profile(scene: &Scene, layer: &Layer, problem: &Problem, stage: &mut Stage, b: f64) -> Result<Profile, Refusal> {
+fn profile(
+    scene: &Scene,
+    layer: &PreparedLayer,
+    problem: &Problem,
+    stage: &mut Stage,
+    b: f64,
+) -> Result<Profile, Refusal> {
     if let Some(x) = &scene.output.x {
         return tractions(x, layer, problem, stage, b);
     }
@@ -296,7 +302,7 @@ fn with_mirror<T: Copy>(right: &[T], left: usize, mirror: impl Fn(T) -> T) -> Ve
 /// Tractions at points in units of the half-width `b`.
 fn tractions(
     relative: &[f64],
-    layer: &Layer,
+    layer: &PreparedLayer,
     problem: &Problem,
     stage: &mut Stage,
     b: f64,
@@ -353,7 +359,7 @@ fn strain_error(problem: &Problem, judged: &Judged, by_grids: f64) -> Option<f64
 fn strain(
     (relative, wanted): (impl Iterator<Item = f64>, f64),
     problem: &Problem,
-    layer: &Layer,
+    layer: &PreparedLayer,
     stage: &mut Stage,
     zone: StickZone,
 ) -> Option<(Vec<Option<f64>>, f64)> {

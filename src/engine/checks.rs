@@ -1,9 +1,9 @@
 //! What the model takes for granted, checked on the solution.
 
 use super::climb::{NEARLY, highest};
-use super::layer::Layer;
 use super::lookout::Lookout;
 use super::normal::Normal;
+use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::stick::Shear;
 use super::stick_zone::StickZone;
@@ -55,7 +55,7 @@ pub(crate) fn tension(
 }
 
 /// Where friction of a coefficient cannot hold: `(x/b, |q|/(eta p))` of the worst point of the stick zone, if above 1.
-pub(crate) fn overload(layer: &Layer, normal: &Normal, shear: &Shear, eta: f64) -> Option<(f64, f64)> {
+pub(crate) fn overload(layer: &PreparedLayer, normal: &Normal, shear: &Shear, eta: f64) -> Option<(f64, f64)> {
     let zone = shear.zone;
     let (at, load) = Lookout::lend(|lookout| {
         shear.look(lookout);
@@ -112,7 +112,7 @@ impl SlipCheck {
     /// Friction opposes sliding: `u(x) - u(a)` has the sign of `-q`, `x > a`.
     pub(crate) fn wrong_slip(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         problem: &Problem,
         normal: &mut Normal,
         shear: &Shear,
@@ -137,7 +137,7 @@ impl SlipCheck {
     ///
     /// With `q = eta p sign(x) + z`, `z` living on the stick zone, the principal value over `p` comes from the
     /// normal equation and only regular integrals are left (docs/theory.md, "Direction of slip").
-    fn strain(&mut self, layer: &Layer, problem: &Problem, normal: &mut Normal, shear: &Shear) {
+    fn strain(&mut self, layer: &PreparedLayer, problem: &Problem, normal: &mut Normal, shear: &Shear) {
         let (zone, eta) = (shear.zone, shear.friction);
         let (a0, beta) = (problem.elastic.a0(), problem.elastic.beta());
         if self.targets.is_empty() {
@@ -187,7 +187,7 @@ impl SlipCheck {
 
 impl Sources {
     /// A grid of unit length for a part of the contact of that width.
-    fn resolve(&mut self, layer: &Layer, zone: StickZone, width: f64) {
+    fn resolve(&mut self, layer: &PreparedLayer, zone: StickZone, width: f64) {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
         let [least, for_kernel] = [SOURCE_NODES * zone.crowding(), SOURCE_NODES_PER_LENGTH * width / layer.length()]
             .map(|count| count as usize);
@@ -201,7 +201,7 @@ impl Sources {
     }
 
     /// The tractions in the stick zone.
-    fn in_stick(&mut self, layer: &Layer, normal: &Normal, shear: &Shear) {
+    fn in_stick(&mut self, layer: &PreparedLayer, normal: &Normal, shear: &Shear) {
         let (zone, a) = (shear.zone, shear.zone.half_width);
         self.resolve(layer, zone, a);
         self.shear.resize(self.grid.len(), 0.0);
@@ -217,7 +217,7 @@ impl Sources {
     }
 
     /// The pressure in the slip zone.
-    fn in_slip(&mut self, layer: &Layer, normal: &Normal, zone: StickZone) {
+    fn in_slip(&mut self, layer: &PreparedLayer, normal: &Normal, zone: StickZone) {
         self.resolve(layer, zone, zone.slip_width);
         self.stations.extend(self.grid.iter().map(|node| zone.in_slip(node)));
         normal.values_into(&self.stations, &mut self.pressure);
@@ -231,7 +231,7 @@ impl Sources {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::layer::Wanted;
+    use crate::engine::prepared_layer::Wanted;
     use crate::engine::stick_search::FrictionCurve;
     use crate::plan;
     use crate::scene::parse;
@@ -248,7 +248,7 @@ mod tests {
             [solver]\nkernel = { type = \"truncated\" }\nquadrature = { type = \"gauss-chebyshev\" }\n";
         let chosen = plan::choose(&parse("spurious.toml", text).expect("a good scene"));
         let problem = Problem::new(&chosen.scene).expect("a flat punch");
-        let mut layer = Layer::new(&problem, &chosen.methods).expect("a bonded layer");
+        let mut layer = PreparedLayer::new(&problem, &chosen.methods).expect("a bonded layer");
         layer.tabulate(2.0, Wanted { frictional: true, deep: true, accuracy: 1e-8, level: 2 }).expect("kernels");
         // 256 nodes resolve the slip zone of the spurious root.
         let quadrature = chosen.methods.quadrature.refined(5);

@@ -1,8 +1,8 @@
 //! How wide a growing contact becomes under a load.
 
 use super::climb::Trail;
-use super::layer::{Layer, Wanted};
 use super::normal::Normal;
+use super::prepared_layer::{PreparedLayer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
 use basin::{RootError, Toms748Root};
 use slipzone_api::{Refusal, short};
@@ -93,7 +93,7 @@ const SLOPES: std::ops::RangeInclusive<f64> = 0.2..=30.0;
 ///
 /// `known`: the size at a coarser resolution, or under another load, where there was one.
 pub(crate) fn press(
-    layer: &mut Layer,
+    layer: &mut PreparedLayer,
     problem: &Problem,
     normal: &mut Normal,
     wanted: Wanted,

@@ -8,8 +8,8 @@
 //! stick zone of the solution, and the same on the half-plane of the layer's surface. A coarse resolution makes much the same error
 //! in either: what is neglected is as much smaller than on the half-plane as the step is, or larger by as much.
 
-use super::layer::Layer;
 use super::normal::Normal;
+use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::stick::Shear;
 use super::stick_zone::StickZone;
@@ -35,7 +35,7 @@ const NODES: usize = 10;
 const END: f64 = 3.0;
 
 /// The relative error of the friction coefficient that belongs to a stick zone; `None` where nothing can be told.
-pub(super) fn neglected(layer: &Layer, problem: &Problem, zone: StickZone, scene: &Scene) -> Option<f64> {
+pub(super) fn neglected(layer: &PreparedLayer, problem: &Problem, zone: StickZone, scene: &Scene) -> Option<f64> {
     let beta = problem.elastic.beta();
     let share = (factor(zone.ratio(), zone.one_minus_ratio()) * beta * beta).min(MOST);
     let of_half_plane = share / (1.0 - share);
@@ -48,9 +48,9 @@ pub(super) fn neglected(layer: &Layer, problem: &Problem, zone: StickZone, scene
     let level = (COARSEST + finer.max(0.0)).ceil().min(FINEST) as u32;
     let quadrature = scene.solver.quadrature.as_ref()?.refined(level);
     let half_plane = Scene { layer: plan::half_plane(&scene.layer, &problem.layer), ..scene.clone() };
-    let step = |layer: &Layer| first_step(layer, beta, zone, quadrature.clone()).ok();
+    let step = |layer: &PreparedLayer| first_step(layer, beta, zone, quadrature.clone()).ok();
     // On an incompressible half-plane there is no shear.
-    let plain = if beta == 0.0 { 0.0 } else { step(&Layer::of(&half_plane).ok()?)? };
+    let plain = if beta == 0.0 { 0.0 } else { step(&PreparedLayer::of(&half_plane).ok()?)? };
     let own = step(layer)?;
     let neglected = if own.abs() < plain.abs() { of_half_plane * own / plain } else { of_half_plane + own - plain };
     neglected.is_finite().then_some(neglected)
@@ -67,7 +67,12 @@ fn factor(ratio: f64, rest: f64) -> f64 {
 
 /// By how much the friction coefficient of a stick zone grows, relative, when the pressure of a frictionless flat punch gives way to
 /// the one that the shear under it makes.
-fn first_step(layer: &Layer, beta: f64, zone: StickZone, quadrature: Box<dyn Quadrature>) -> Result<f64, Refusal> {
+fn first_step(
+    layer: &PreparedLayer,
+    beta: f64,
+    zone: StickZone,
+    quadrature: Box<dyn Quadrature>,
+) -> Result<f64, Refusal> {
     let mut normal = Normal::new(&*quadrature, Edge::Sharp)?;
     normal.press_flat(layer, zone.contact(), |_| 0.0)?;
     let mut shear = Shear::new(quadrature)?;

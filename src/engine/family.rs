@@ -13,7 +13,7 @@ use super::blend::{Blend, Lanes, Term};
 use super::budget::Meter;
 use super::dense::Dense;
 use super::half_plane_depth::HalfPlaneDepth;
-use super::layer::Layer;
+use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::rubbing::Rubbing;
 use super::sheet::Sheet;
@@ -122,7 +122,7 @@ impl Family {
     /// Solves the members up to a widest half-width for a contact that is nearly as wide, with friction or without;
     /// `coarse` is the family of a coarser resolution.
     pub(crate) fn new(
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         task: Task,
         quadrature: &dyn Quadrature,
         (contact, widest): (f64, f64),

@@ -6,9 +6,9 @@ mod strain;
 
 use super::contact_size::{self, Size};
 use super::family::{Family, Unfit};
-use super::layer::Layer;
 use super::lookout::Lookout;
 use super::normal::Normal;
+use super::prepared_layer::PreparedLayer;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity, Traces};
 use super::rubbing::Rubbing;
@@ -89,7 +89,7 @@ impl Growing {
     /// Solves; `coarse` is what a coarser resolution found, and the family it found it with.
     pub(crate) fn solve(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         task: Task,
         normal: &mut Normal,
         coarse: Option<&Outcome>,
@@ -138,7 +138,7 @@ impl Growing {
     /// stack of these, or where friction is to be looked at more closely.
     pub(crate) fn solve_again(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         task: Task,
         normal: &mut Normal,
         known: Option<Size>,
@@ -186,7 +186,7 @@ impl Growing {
     /// Takes a size; the numbers of the pressure there, and the pressure at [`Traces::AT`] over its mean unless it is stacked.
     fn sized(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         problem: &Problem,
         normal: &mut Normal,
         size: Size,
@@ -236,7 +236,7 @@ impl Growing {
     /// Makes a family and a stack that reach to a half-width.
     fn provide(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         task: Task,
         half_width: f64,
         room: f64,
@@ -286,7 +286,7 @@ impl Growing {
     }
 
     /// The size of a stacked contact; widens the family until it bears the load.
-    fn widen(&mut self, layer: &mut Layer, task: Task, guess: Size) -> Result<Size, Refusal> {
+    fn widen(&mut self, layer: &mut PreparedLayer, task: Task, guess: Size) -> Result<Size, Refusal> {
         let problem = task.problem;
         let mut widest = guess.half_width;
         for _ in 0..WIDENED {
@@ -319,7 +319,7 @@ impl Growing {
     }
 
     /// The numbers of a stacked pressure.
-    fn stacked_numbers(&mut self, layer: &Layer, problem: &Problem) -> Numbers {
+    fn stacked_numbers(&mut self, layer: &PreparedLayer, problem: &Problem) -> Numbers {
         let (Some(family), Some(stack)) = (&mut self.family, &mut self.stack) else { unreachable!("provided before") };
         let b = self.half_width;
         let mut numbers = sizes(layer, problem, family, stack, b);
@@ -344,7 +344,7 @@ impl Growing {
     /// out, relative; `None` where it is no single stack.
     pub(crate) fn on_the_way(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         task: Task,
         half_width: f64,
         loads: &[LoadInLayerUnits],
@@ -401,7 +401,7 @@ impl Growing {
 }
 
 /// Force, half-width and depth of a stacked contact.
-fn sizes(layer: &Layer, problem: &Problem, family: &mut Family, stack: &mut Stack, b: f64) -> Numbers {
+fn sizes(layer: &PreparedLayer, problem: &Problem, family: &mut Family, stack: &mut Stack, b: f64) -> Numbers {
     let mut numbers = Numbers::default();
     numbers.set(Quantity::Force, stack.force(problem, b));
     numbers.set(Quantity::HalfWidth, b);

@@ -2,7 +2,7 @@
 
 use super::error_estimate::{ROUNDING, SAFETY};
 use super::half_plane_shear::HalfPlaneShear;
-use super::layer::Layer;
+use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity, ShearTrace, worst};
 use super::rubbing::Verdict;
@@ -77,7 +77,7 @@ impl Judged {
     }
 
     /// Completes what the resolutions told: errors that their differences do not see, and which of them count.
-    pub(super) fn conclude(&mut self, problem: &Problem, layer: &Layer, tolerance: f64) {
+    pub(super) fn conclude(&mut self, problem: &Problem, layer: &PreparedLayer, tolerance: f64) {
         if let Some(of_shear) = self.of_shear {
             self.errors.set(Quantity::Shear, of_shear.max(left_by_sticking(&self.outcome)));
         }
@@ -166,7 +166,7 @@ pub(super) fn between_members(outcome: &Outcome) -> f64 {
 /// its load, what a smoothed law makes, and what a stack leaves out at all of them, which follows the tolerance.
 pub(super) fn with_the_rest(
     problem: &Problem,
-    layer: &Layer,
+    layer: &PreparedLayer,
     outcome: &Outcome,
     tolerance: f64,
     errors: Numbers,

@@ -1,138 +1,38 @@
-//! A layer prepared: its flexibility, and its kernels over the lengths asked for so far.
+//! What is known of a layer, carried from one solver to the next.
 
-use super::budget::Meter;
-use super::problem::Problem;
+use super::prepared_layer::PreparedLayer;
 use super::refine::FlatPunches;
-use super::work::Counted;
-use crate::plan::{Methods, choose};
+use crate::plan::choose;
 use crate::scene::Scene;
-use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal, Rule};
-use std::sync::Arc;
+use slipzone_api::Refusal;
 
-/// Half-width over the kernels' length from which on it counts how much finer than its unknowns a rule sums them.
-const COUNTED: f64 = 8.0;
-/// Wave numbers that a strategy counts as having asked for before it gives up: a fortieth of the budget.
-const GIVEN_UP: usize = 50_000;
-
-/// By how much tables may reach farther than asked for, where those before them did.
-const REACH_KEPT: f64 = 4.0;
-
-/// All kernels: first the depth, which not every base defines, then what the pressure needs, then what friction adds.
-const ALL: [Component; 4] = [Component::Depth, Component::NormalSlope, Component::ShearStrain, Component::Coupling];
-
-/// The flexibility of one layer and the kernel tables made of it, reused from load to load.
+/// The flexibility of one layer, the kernel tables made of it and the flat punches solved on it, to be used under another
+/// punch or load: [`Solver::on`](super::Solver::on) takes it, [`Solver::into_layer`](super::Solver::into_layer) gives it back.
 pub struct Layer {
-    response: Box<dyn LayerResponse>,
-    /// The same with depths counted from a datum, where they have no meaning otherwise and one is named.
-    against_datum: Option<Box<dyn LayerResponse>>,
-    is_grounded: bool,
-    strategy: Box<dyn KernelStrategy>,
-    tables: Option<Tables>,
-    flexibility_evaluations: usize,
-    /// Work on it so far, on tables that were replaced too.
-    meter: Arc<Meter>,
+    pub(super) prepared: PreparedLayer,
     /// The layer and the methods as a scene would write them.
     described: String,
     /// Whether it is but a model of the layer described.
-    is_model: bool,
+    pub(super) is_model: bool,
     /// Its flat punches, and the quadrature they were solved with.
     flat_punches: (String, FlatPunches),
 }
 
-/// Kernels over a range of lengths.
-struct Tables {
-    /// `None` on a homogeneous half-plane, which has none.
-    kernels: Option<Counted>,
-    /// The depth's, where it is counted from a datum.
-    depth: Option<Counted>,
-    reach: f64,
-    frictional: bool,
-    deep: bool,
-    accuracy: f64,
-    level: u32,
-}
-
-impl Tables {
-    /// Whether they prove their errors.
-    fn prove(&self) -> bool {
-        self.kernels.iter().chain(&self.depth).all(|table| table.error().is_some())
-    }
-}
-
-/// What the kernels must serve.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Wanted {
-    /// Whether shear is asked for.
-    pub(crate) frictional: bool,
-    /// Whether the depth of the punch is, where the base defines it.
-    pub(crate) deep: bool,
-    /// Error wanted of the numbers.
-    pub(crate) accuracy: f64,
-    /// Refinement of strategies that do not know their own error.
-    pub(crate) level: u32,
-}
-
-/// No kernel counted from a datum is asked for more: rounding of its sums.
-const FINEST: f64 = 1e-14;
-
 impl Layer {
-    pub(crate) fn new(problem: &Problem, methods: &Methods) -> Result<Self, Refusal> {
-        let response = methods.flexibility.respond(&problem.layer)?;
-        let is_grounded = problem.layer.is_grounded();
-        Ok(Self {
-            against_datum: if is_grounded { None } else { response.against_datum() },
-            is_grounded,
-            response,
-            strategy: methods.kernel.clone(),
-            tables: None,
-            flexibility_evaluations: 0,
-            meter: Arc::default(),
-            described: String::new(),
-            is_model: false,
-            flat_punches: (String::new(), FlatPunches::default()),
-        })
-    }
-
     /// The layer of a scene, with nothing tabulated yet.
     pub fn of(scene: &Scene) -> Result<Self, Refusal> {
-        let chosen = choose(scene);
-        Ok(Self::new(&Problem::new(&chosen.scene)?, &chosen.methods)?.describing(&chosen.scene))
+        Ok(Self::known(PreparedLayer::of(scene)?, &choose(scene).scene, FlatPunches::default()))
     }
 
-    /// Whether its kernels can be told, as far as that is known without tabulating any; `deep` is whether the depth's are wanted.
-    pub(super) fn serves(&self, deep: bool) -> Result<(), Refusal> {
-        let response = Some(&*self.response).filter(|_| !self.is_plain());
-        let from_datum = self.against_datum.as_deref().filter(|_| deep);
-        response.into_iter().chain(from_datum).try_for_each(|response| self.strategy.serves(response))
+    /// What a solver of that scene knows.
+    pub(super) fn known(prepared: PreparedLayer, scene: &Scene, flat_punches: FlatPunches) -> Self {
+        let flat_punches = (quadrature(scene), flat_punches);
+        Self { prepared, described: description(scene), is_model: false, flat_punches }
     }
 
-    /// Takes note of the scene whose layer this is.
-    pub(super) fn describing(self, scene: &Scene) -> Self {
-        Self { described: description(scene), ..self }
-    }
-
-    /// The same, known to be but a model of what is described.
-    pub(super) fn known_as_model(self) -> Self {
-        Self { is_model: true, ..self }
-    }
-
-    /// Whether it is but a model.
-    pub(super) fn is_model(&self) -> bool {
-        self.is_model
-    }
-
-    /// Keeps the flat punches that were solved on the way.
-    pub(super) fn keeping(self, scene: &Scene, flat_punches: FlatPunches) -> Self {
-        Self { flat_punches: (quadrature(scene), flat_punches), ..self }
-    }
-
-    /// The flat punches kept, where a scene is solved like them.
-    pub(super) fn flat_punches_for(&mut self, scene: &Scene) -> FlatPunches {
-        if self.flat_punches.0 == quadrature(scene) {
-            std::mem::take(&mut self.flat_punches.1)
-        } else {
-            FlatPunches::default()
-        }
+    /// The model that stands for a scene's layer; the flat punches on it are of no use to the layer.
+    pub(super) fn modelled(prepared: PreparedLayer, scene: &Scene) -> Self {
+        Self { is_model: true, ..Self::known(prepared, scene, FlatPunches::default()) }
     }
 
     /// Whether a scene is about this layer, to be solved by the same flexibility and kernels.
@@ -140,158 +40,24 @@ impl Layer {
         self.described == description(scene)
     }
 
-    /// Makes the kernels serve contacts up to a half-width; tables that do already are kept.
-    pub(crate) fn tabulate(&mut self, half_width: f64, wanted: Wanted) -> Result<(), Refusal> {
-        let reach = 2.0 * half_width;
-        let wanted = Wanted { accuracy: wanted.accuracy / spread(half_width), ..wanted };
-        let serves = |tables: &Tables| {
-            let precise =
-                if tables.prove() { tables.accuracy <= wanted.accuracy } else { tables.level == wanted.level };
-            let complete = (tables.frictional || !wanted.frictional) && (tables.deep || !wanted.deep);
-            precise && reach <= tables.reach && complete
-        };
-        if self.is_plain() && !(self.has_depths() && wanted.deep) || self.tables.as_ref().is_some_and(serves) {
-            return Ok(());
-        }
-        // Who does not prove an error is judged by another level of the same reach: a level more for half the reach may be
-        // the same cut-off, and the same error.
-        let reach = match &self.tables {
-            Some(tables) if !tables.prove() && tables.reach <= REACH_KEPT * reach => reach.max(tables.reach),
-            _ => reach,
-        };
-        self.meter.within()?;
-        let strategy = self.strategy.refined(wanted.level);
-        let tabulate = |response: &dyn LayerResponse, components, accuracy| -> Result<Counted, Refusal> {
-            let table = strategy.tabulate(response, &KernelRequest { reach, components, accuracy });
-            // Who gives up does not say after how much.
-            let table = table.inspect_err(|_| self.meter.count_wave_numbers(GIVEN_UP))?;
-            Ok(Counted { table, meter: Arc::clone(&self.meter) })
-        };
-        let components = &ALL[usize::from(!(self.is_grounded && wanted.deep))..if wanted.frictional { 4 } else { 2 }];
-        let kernels =
-            if self.is_plain() { None } else { Some(tabulate(&*self.response, components, wanted.accuracy)?) };
-        let from_datum = self.against_datum.as_deref().filter(|_| wanted.deep);
-        let share = self.shallowness(half_width);
-        let accuracy = (wanted.accuracy / share).max(FINEST);
-        let depth = from_datum.map(|response| tabulate(response, &ALL[..1], accuracy)).transpose()?;
-        let evaluations = kernels.iter().chain(&depth).map(KernelTable::flexibility_evaluations).sum::<usize>();
-        self.flexibility_evaluations += evaluations;
-        self.meter.count_wave_numbers(evaluations);
-        let Wanted { frictional, deep, accuracy, level, .. } = wanted;
-        self.tables = Some(Tables { kernels, depth, reach, frictional, deep, accuracy, level });
-        Ok(())
-    }
-
-    /// What tells kernels that are as good as the present ones from others.
-    pub(crate) fn fineness(&self) -> u64 {
-        match &self.tables {
-            None => 0,
-            Some(tables) if tables.prove() => tables.accuracy.to_bits(),
-            Some(tables) => 1 + u64::from(tables.level),
-        }
-    }
-
-    /// The work on it, and its bound.
-    pub(crate) fn meter(&self) -> &Arc<Meter> {
-        &self.meter
-    }
-
-    /// Takes what a system of so many equations and right-hand sides costs, filled in by a rule on a contact, or a stick zone, of that
-    /// half-width, from the budget; refuses it where that has no room.
-    pub(crate) fn room_for(&self, (n, right): (usize, usize), rule: &dyn Rule, half_width: f64) -> Result<(), Refusal> {
-        let thinness = half_width / self.length();
-        let beside = if thinness > COUNTED { rule.multiplications_beside(thinness) } else { 0 };
-        self.meter.system((n, right), beside)
-    }
-
-    /// A kernel for the quadratures; `None` on a homogeneous half-plane, which has none, and for the depth where that
-    /// has no meaning or was not wanted.
-    pub(crate) fn kernel(&self, component: Component) -> Option<(&dyn KernelTable, Component)> {
-        let tables = self.tables.as_ref()?;
-        if component == Component::Depth && !tables.deep {
-            return None;
-        }
-        let is_apart = component == Component::Depth && !self.is_grounded;
-        let table = if is_apart { &tables.depth } else { &tables.kernels };
-        table.as_ref().map(|table| (table as &dyn KernelTable, component))
-    }
-
-    /// A kernel at each distance; zeros on a homogeneous half-plane.
-    pub(crate) fn kernel_values(&self, component: Component, distances: &[f64], out: &mut [f64]) {
-        match self.kernel(component) {
-            Some((table, component)) => table.values_into(component, distances, out),
-            None => out.fill(0.0),
-        }
-    }
-
-    /// The shortest length over which the kernels vary; infinite without kernels.
-    pub(crate) fn length(&self) -> f64 {
-        let kernels = self.tables.as_ref().and_then(|tables| tables.kernels.as_ref());
-        kernels.map_or(f64::INFINITY, Counted::length)
-    }
-
-    /// The error that the tables prove of themselves, grown on its way into the numbers of a contact of
-    /// `half_width`; `None` where only a refined twin can tell.
-    pub(crate) fn kernel_error(&self, half_width: f64) -> Option<f64> {
-        let Some(tables) = &self.tables else { return Some(0.0) };
-        Some(spread(half_width) * proven(tables.kernels.as_ref())?)
-    }
-
-    /// The same of the kernel that tells depths, and nothing else.
-    pub(crate) fn depth_error(&self, half_width: f64) -> Option<f64> {
-        let Some(tables) = &self.tables else { return Some(0.0) };
-        Some(self.shallowness(half_width) * proven(tables.depth.as_ref())?)
-    }
-
-    /// Whether all its tables prove their error.
-    pub(crate) fn is_proven(&self) -> bool {
-        self.tables.as_ref().is_none_or(Tables::prove)
-    }
-
-    /// The half-width over the distance to a datum, where that is near: what sinks against it is as small, and an error of
-    /// its kernel as large beside it.
-    fn shallowness(&self, half_width: f64) -> f64 {
-        let distance = self.against_datum.as_ref().and_then(|response| response.depth());
-        distance.map_or(1.0, |distance| (half_width / distance).max(1.0))
-    }
-
-    /// The flexibility of its surface.
-    pub(crate) fn response(&self) -> &dyn LayerResponse {
-        &*self.response
-    }
-
-    /// Whether this is a homogeneous half-plane: no kernels but the depth's.
-    pub(crate) fn is_plain(&self) -> bool {
-        self.response.depth().is_none()
-    }
-
-    /// Whether depths are known: far below nothing gives way, or a datum is named.
-    pub(crate) fn has_depths(&self) -> bool {
-        self.is_grounded || self.against_datum.is_some()
+    /// The layer and its flat punches, where a scene is solved like them.
+    pub(super) fn for_scene(self, scene: &Scene) -> (PreparedLayer, FlatPunches) {
+        let (solved_with, flat_punches) = self.flat_punches;
+        let flat_punches = if solved_with == quadrature(scene) { flat_punches } else { FlatPunches::default() };
+        (self.prepared, flat_punches)
     }
 
     /// Wave numbers at which the flexibility was evaluated so far.
     #[must_use]
     pub fn flexibility_evaluations(&self) -> usize {
-        self.flexibility_evaluations
+        self.prepared.flexibility_evaluations()
     }
 
     /// Distances at which its kernels were read so far.
     #[must_use]
     pub fn kernel_evaluations(&self) -> u64 {
-        self.meter.readings()
+        self.prepared.kernel_evaluations()
     }
-}
-
-/// The error that a table proves of itself.
-fn proven(table: Option<&Counted>) -> Option<f64> {
-    table.map_or(Some(0.0), Counted::error)
-}
-
-/// By how much an error of the kernels grows on its way into the numbers: a layer thinner than the contact
-/// answers a tilt of its surface over the whole width with a pressure larger by `b/h`.
-fn spread(half_width: f64) -> f64 {
-    1.0 + half_width
 }
 
 /// What of a scene the flexibility and its kernels depend on.

@@ -7,8 +7,8 @@
 //! zone by `-dC/da |x|`, which alone would need a singular end: so it vanishes and **`dC/da = 0`**.
 
 use super::chebyshev::Points;
-use super::layer::Layer;
 use super::normal::Normal;
+use super::prepared_layer::PreparedLayer;
 use super::root;
 use super::stick::Shear;
 use super::stick_zone::StickZone;
@@ -48,7 +48,7 @@ pub(crate) fn carrier(a: f64, at: Station) -> f64 {
 
 /// What stands beside `C/A0` in the tangential equation at each point: the constant that the carrier leaves, and the
 /// layer's `(1/pi) int z(r) k_uu(x - r) dr`.
-pub(crate) fn equation(layer: &Layer, a: f64, at: &[Station]) -> Vec<f64> {
+pub(crate) fn equation(layer: &PreparedLayer, a: f64, at: &[Station]) -> Vec<f64> {
     let constant = 2.0 * a / PI;
     if layer.is_plain() {
         return vec![constant; at.len()];
@@ -75,7 +75,7 @@ pub(crate) fn equation(layer: &Layer, a: f64, at: &[Station]) -> Vec<f64> {
 
 /// `C/A0` as a function of `lambda`, at one resolution.
 pub(crate) struct RateCurve<'a> {
-    pub(crate) layer: &'a Layer,
+    pub(crate) layer: &'a PreparedLayer,
     pub(crate) normal: &'a mut Normal,
     pub(crate) shear: &'a mut Shear,
     pub(crate) beta: f64,

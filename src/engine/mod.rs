@@ -25,6 +25,7 @@ mod loading_curve;
 mod lookout;
 mod normal;
 mod portrait;
+mod prepared_layer;
 mod problem;
 mod quantity;
 mod refine;

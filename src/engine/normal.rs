@@ -1,8 +1,8 @@
 //! The frictionless normal problem at one resolution: pressure under a punch on a contact of given half-width.
 
 use super::dense::Dense;
-use super::layer::Layer;
 use super::lookout::Lookout;
+use super::prepared_layer::PreparedLayer;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity, Traces};
 use super::work::Work;
@@ -54,7 +54,12 @@ impl Normal {
 
     /// The pressure under a punch with sharp corners: the sum of a flat punch that carries the force and of a
     /// curved face that carries none.
-    pub(crate) fn press_sharp(&mut self, layer: &Layer, problem: &Problem, half_width: f64) -> Result<(), Refusal> {
+    pub(crate) fn press_sharp(
+        &mut self,
+        layer: &PreparedLayer,
+        problem: &Problem,
+        half_width: f64,
+    ) -> Result<(), Refusal> {
         if self.solved_at != Some(half_width) {
             self.solved_at = None;
             let n = self.size();
@@ -93,7 +98,12 @@ impl Normal {
     }
 
     /// The pressure under a punch whose contact ends smoothly.
-    pub(crate) fn press_smooth(&mut self, layer: &Layer, problem: &Problem, half_width: f64) -> Result<(), Refusal> {
+    pub(crate) fn press_smooth(
+        &mut self,
+        layer: &PreparedLayer,
+        problem: &Problem,
+        half_width: f64,
+    ) -> Result<(), Refusal> {
         let n = self.size();
         layer.room_for((n, 1), &*self.rule, half_width)?;
         self.stretch(half_width);
@@ -118,7 +128,7 @@ impl Normal {
     /// what is given at each collocation point.
     pub(crate) fn press_flat(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         half_width: f64,
         slope: impl Fn(usize) -> f64,
     ) -> Result<(), Refusal> {
@@ -162,7 +172,7 @@ impl Normal {
     }
 
     /// Force that gives an indentation; `None` on a half-plane without a datum.
-    fn force_at(&mut self, layer: &Layer, problem: &Problem, indentation: f64) -> Option<f64> {
+    fn force_at(&mut self, layer: &PreparedLayer, problem: &Problem, indentation: f64) -> Option<f64> {
         let mut sunk = |column| sunk(&mut *self.rule, self.half_width, (layer, problem), self.system.column(column));
         let by_force = sunk(0)?;
         let by_shape = sunk(1)? + problem.height(0.0);
@@ -170,7 +180,7 @@ impl Normal {
     }
 
     /// Depth of the punch, `delta = v(0) + g(0)`; `None` on a half-plane without a datum.
-    pub(crate) fn depth(&mut self, layer: &Layer, problem: &Problem) -> Option<f64> {
+    pub(crate) fn depth(&mut self, layer: &PreparedLayer, problem: &Problem) -> Option<f64> {
         Some(sunk(&mut *self.rule, self.half_width, (layer, problem), &self.unknowns)? + problem.height(0.0))
     }
 
@@ -179,7 +189,7 @@ impl Normal {
         &mut self,
         half_width: f64,
         unknowns: &[f64],
-        (layer, problem): (&Layer, &Problem),
+        (layer, problem): (&PreparedLayer, &Problem),
     ) -> Option<f64> {
         self.rule.stretch(half_width);
         let depth = sunk(&mut *self.rule, half_width, (layer, problem), unknowns);
@@ -225,7 +235,7 @@ impl Normal {
     }
 
     /// Prepares `(1/pi) int p(r) k(x - r) dr` for [`Self::potential_into`]; nothing without a kernel.
-    pub(crate) fn sample_potential(&mut self, layer: &Layer, component: Component, samples: &mut Vec<f64>) {
+    pub(crate) fn sample_potential(&mut self, layer: &PreparedLayer, component: Component, samples: &mut Vec<f64>) {
         if let Some(kernel) = layer.kernel(component) {
             self.rule.sample_potential(&self.unknowns, kernel, samples);
         }
@@ -234,7 +244,7 @@ impl Normal {
     /// That potential within the contact; zeros without a kernel.
     pub(crate) fn potential_into(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         component: Component,
         samples: &[f64],
         at: &[Station],
@@ -257,7 +267,7 @@ impl Normal {
     }
 
     /// The numbers of the pressure, and the pressure at [`Traces::AT`] over its mean.
-    pub(crate) fn numbers(&mut self, layer: &Layer, problem: &Problem) -> (Numbers, [f64; Traces::AT.len()]) {
+    pub(crate) fn numbers(&mut self, layer: &PreparedLayer, problem: &Problem) -> (Numbers, [f64; Traces::AT.len()]) {
         let mut numbers = Numbers::default();
         let depth = if problem.wants_depth() { self.depth(layer, problem) } else { None };
         let (b, mean) = (self.half_width, self.mean());
@@ -314,7 +324,7 @@ impl Normal {
 /// Writes the collocated equations, and slopes over `A0` as their right-hand side.
 fn assemble(
     rule: &mut dyn Rule,
-    layer: &Layer,
+    layer: &PreparedLayer,
     rows: &mut [f64],
     right: &mut [f64],
     slope: impl Fn(usize, &Station) -> f64,
@@ -335,7 +345,12 @@ fn assemble(
 /// A pressure on a layer is as rough as the kernel, and the rule resolves both alike. That on a half-plane knows nothing of a
 /// datum, however near: there `x = l sinh(t)`, of which the kernel of length `l` is a smooth function, by a double-exponential grid
 /// in `t`.
-fn sunk(rule: &mut dyn Rule, half_width: f64, (layer, problem): (&Layer, &Problem), unknowns: &[f64]) -> Option<f64> {
+fn sunk(
+    rule: &mut dyn Rule,
+    half_width: f64,
+    (layer, problem): (&PreparedLayer, &Problem),
+    unknowns: &[f64],
+) -> Option<f64> {
     let (table, component) = layer.kernel(Component::Depth)?;
     let a0 = problem.elastic.a0();
     if problem.layer.is_grounded() {

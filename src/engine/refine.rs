@@ -9,7 +9,7 @@ use super::growing::Growing;
 use super::judged::{
     BETWEEN, How, Judged, SHEAR, has_details, hidden_details, left_by_sticking, meets, with_the_rest, worst_judged,
 };
-use super::layer::Layer;
+use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
 use super::rubbing::Verdict;
@@ -56,7 +56,7 @@ enum Settled {
 
 impl Ladder {
     /// Solves a problem with the methods given.
-    pub(super) fn refine(&mut self, layer: &mut Layer, aim: Aim) -> Result<Judged, Refusal> {
+    pub(super) fn refine(&mut self, layer: &mut PreparedLayer, aim: Aim) -> Result<Judged, Refusal> {
         let is_pinned = aim.methods.kernel.is_pinned() || aim.methods.quadrature.is_pinned();
         let mut judged = if is_pinned { self.with_twin(layer, aim)? } else { self.refined(layer, aim)? };
         judged.conclude(aim.problem, layer, aim.tolerance);
@@ -64,7 +64,7 @@ impl Ladder {
     }
 
     /// Solves at the resolution that the scene fixed, and at the next finer one to tell the error.
-    fn with_twin(&mut self, layer: &mut Layer, aim: Aim) -> Result<Judged, Refusal> {
+    fn with_twin(&mut self, layer: &mut PreparedLayer, aim: Aim) -> Result<Judged, Refusal> {
         layer.meter().conclude();
         let level = |is_pinned: bool| if is_pinned { 0 } else { BESIDE_PINNED };
         let (of_kernel, of_quadrature) =
@@ -89,7 +89,7 @@ impl Ladder {
     }
 
     /// Takes finer steps until the estimate meets the tolerance.
-    fn refined(&mut self, layer: &mut Layer, aim: Aim) -> Result<Judged, Refusal> {
+    fn refined(&mut self, layer: &mut PreparedLayer, aim: Aim) -> Result<Judged, Refusal> {
         let mut estimate = Estimate::default();
         self.forsaken = None;
         let (mut last, mut stopped): (Option<(Outcome, usize)>, _) = (None, None);
@@ -201,7 +201,7 @@ impl Ladder {
     /// or finer flat punches. What is found stays where they cannot be had, or are no better.
     fn refine_for_the_tractions(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         aim: Aim,
         first: usize,
         found: &mut Judged,
@@ -256,7 +256,7 @@ impl Ladder {
     /// Checks the conditions of friction, and makes the shear as sure as the rest where it is asked for.
     fn settle(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         task: Task,
         (outcome, stage): (&mut Outcome, usize),
         errors: &Numbers,
@@ -281,7 +281,7 @@ impl Ladder {
     /// Why an outcome is none: its stage lacks the room that its kernels take, and loses more by that than is left of the error told before.
     fn lacks_room(
         &self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         aim: Aim,
         (stage, outcome): (usize, &Outcome),
         estimate: &Estimate,
@@ -309,7 +309,7 @@ impl Ladder {
     /// Whether no refinement will help. A pressure that pulls is looked for as soon as it is known: finer steps do not mend it.
     fn is_hopeless(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         aim: Aim,
         (step, first): (usize, usize),
         outcome: &Outcome,

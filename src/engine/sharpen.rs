@@ -5,8 +5,8 @@
 //! estimate").
 
 use super::error_estimate::{FASTEST_SHARPENED, SAFETY, SLIP_ROUNDING, apart, of_traces};
-use super::layer::Layer;
 use super::normal::Normal;
+use super::prepared_layer::PreparedLayer;
 use super::quantity::ShearTrace;
 use super::stick::Shear;
 use super::stick_zone::StickZone;
@@ -27,7 +27,7 @@ const MOST_STEPS: u32 = 6;
 /// It is relative to the largest shear; what is nearer than [`StickZone::NEAR`] to the contact's edge is left out of both.
 pub(crate) fn sharpen(
     (shear, coarser): (&mut Shear, Option<&Shear>),
-    layer: &Layer,
+    layer: &PreparedLayer,
     normal: &mut Normal,
     beta: f64,
     zone: StickZone,

@@ -4,8 +4,8 @@ mod rows;
 mod unit;
 
 use super::half_plane_shear::HalfPlaneShear;
-use super::layer::Layer;
 use super::normal::Normal;
+use super::prepared_layer::PreparedLayer;
 use super::stick_zone::StickZone;
 use rows::Nodes;
 use slipzone_api::elementary::LANES;
@@ -86,7 +86,7 @@ impl SlipGrid {
     /// left of `p` once they are taken off vanishes at that edge. The stations are those of a rule of so many unknowns; returns `p(a)`.
     pub(crate) fn potential_into(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         normal: &Normal,
         known: HalfPlaneShear,
         (unknowns, at): (usize, &[Station]),

@@ -5,9 +5,10 @@ use super::budget::BUDGET;
 use super::judged::Judged;
 use super::layer::Layer;
 use super::loading_curve::{self, Curve, Point};
+use super::prepared_layer::PreparedLayer;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
-use super::refine::{Aim, Ladder};
+use super::refine::{Aim, FlatPunches, Ladder};
 use super::solution::{Solution, Status};
 use super::stand_in::{self, Decision, StandIn};
 use super::thin;
@@ -44,7 +45,7 @@ const FEW: usize = 8;
 pub struct Solver {
     chosen: Chosen,
     problem: Problem,
-    layer: Layer,
+    layer: PreparedLayer,
     ladder: Ladder,
     judged: Option<Judged>,
     /// What is solved in place of the scene's solid.
@@ -68,14 +69,14 @@ impl Solver {
             Err(refusal) => return Err((refusal, Box::new(chosen))),
         };
         let (chosen, problem, stand_in) = decided(chosen, problem)?;
-        match Layer::new(&problem, &chosen.methods) {
+        match PreparedLayer::new(&problem, &chosen.methods) {
             Ok(layer) => Ok(Self::made(chosen, problem, layer, stand_in)),
             Err(refusal) => Err((refusal, Box::new(chosen))),
         }
     }
 
     /// Before anything is solved.
-    fn made(chosen: Chosen, problem: Problem, layer: Layer, stand_in: Option<StandIn>) -> Self {
+    fn made(chosen: Chosen, problem: Problem, layer: PreparedLayer, stand_in: Option<StandIn>) -> Self {
         Self { chosen, problem, layer, ladder: Ladder::default(), judged: None, stand_in, aside: None, budget: BUDGET }
     }
 
@@ -101,12 +102,16 @@ impl Solver {
         }
         let (chosen, problem, stand_in) = decided(chosen, problem).map_err(|(refusal, _)| refusal)?;
         if stand_in.is_some() {
-            let model = Layer::new(&problem, &chosen.methods)?;
-            let aside = (!layer.is_model()).then_some(layer);
+            let model = PreparedLayer::new(&problem, &chosen.methods)?;
+            let aside = (!layer.is_model).then_some(layer);
             return Ok(Self { aside, ..Self::made(chosen, problem, model, stand_in) });
         }
-        let mut layer = if layer.is_model() { Layer::new(&problem, &chosen.methods)? } else { layer };
-        let ladder = Ladder::inheriting(layer.flat_punches_for(&chosen.scene));
+        let (layer, flat_punches) = if layer.is_model {
+            (PreparedLayer::new(&problem, &chosen.methods)?, FlatPunches::default())
+        } else {
+            layer.for_scene(&chosen.scene)
+        };
+        let ladder = Ladder::inheriting(flat_punches);
         Ok(Self { ladder, ..Self::made(chosen, problem, layer, stand_in) })
     }
 
@@ -115,10 +120,9 @@ impl Solver {
     pub fn into_layer(self) -> Layer {
         let scene = &self.chosen.scene;
         match (self.stand_in, self.aside) {
-            (None, _) => self.layer.describing(scene).keeping(scene, self.ladder.into_flat_punches()),
+            (None, _) => Layer::known(self.layer, scene, self.ladder.into_flat_punches()),
             (Some(_), Some(layer)) => layer,
-            // Its tables are of no use to the layer.
-            (Some(_), None) => self.layer.describing(&choose(&self.chosen.before_model()).scene).known_as_model(),
+            (Some(_), None) => Layer::modelled(self.layer, &choose(&self.chosen.before_model()).scene),
         }
     }
 
@@ -237,12 +241,13 @@ impl Solver {
         let wishes = self.problem.wishes;
         self.problem = Problem::new(&chosen.scene)?;
         self.problem.wishes = wishes;
-        self.layer = match self.aside.take() {
-            Some(layer) => layer,
-            None => Layer::new(&self.problem, &chosen.methods)?,
+        let (layer, flat_punches) = match self.aside.take() {
+            Some(layer) => layer.for_scene(&chosen.scene),
+            None => (PreparedLayer::new(&self.problem, &chosen.methods)?, FlatPunches::default()),
         };
+        self.layer = layer;
         let work = self.ladder.work();
-        self.ladder = Ladder::inheriting(self.layer.flat_punches_for(&chosen.scene));
+        self.ladder = Ladder::inheriting(flat_punches);
         self.ladder.take_over(work);
         (self.chosen, self.stand_in, self.judged) = (chosen, None, None);
         Ok(())

@@ -7,9 +7,9 @@ use super::contact_size::{self, Size};
 use super::error_estimate::{SAFETY, Seen};
 use super::family::Family;
 use super::growing::Growing;
-use super::layer::{Layer, Wanted};
 use super::lookout::Lookout;
 use super::normal::Normal;
+use super::prepared_layer::{PreparedLayer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity, Traces};
 use super::rubbing::{Rubbing, Verdict};
@@ -139,7 +139,7 @@ impl Stage {
     /// Solves; `coarse` is what a coarser resolution found, and the flat punches it found it with.
     pub(crate) fn solve(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         task: Task,
         coarse: Option<&Outcome>,
         family: Option<&Family>,
@@ -172,14 +172,20 @@ impl Stage {
     }
 
     /// Solves the pressure of a contact that grows, from what is known of its size.
-    fn press_smooth(&mut self, layer: &mut Layer, task: Task, known: Option<Size>) -> Result<Size, Refusal> {
+    fn press_smooth(&mut self, layer: &mut PreparedLayer, task: Task, known: Option<Size>) -> Result<Size, Refusal> {
         let size = contact_size::press(layer, task.problem, &mut self.normal, task.wanted, task.tolerance, known)?;
         self.sized = Some((task.problem.load, size));
         Ok(size)
     }
 
     /// What the pressure solved last tells, and the stick zone found for it.
-    fn outcome(&mut self, layer: &Layer, problem: &Problem, size: Option<Size>, rubbing: Option<Rubbing>) -> Outcome {
+    fn outcome(
+        &mut self,
+        layer: &PreparedLayer,
+        problem: &Problem,
+        size: Option<Size>,
+        rubbing: Option<Rubbing>,
+    ) -> Outcome {
         let (mut numbers, pressure) = self.normal.numbers(layer, problem);
         if let Some(rubbing) = &rubbing {
             rubbing.report(&mut numbers);
@@ -191,7 +197,7 @@ impl Stage {
     /// coarser resolution found; `None` where that is not enough.
     pub(crate) fn solve_again(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         task: Task,
         widest: f64,
         coarse: Option<&Outcome>,
@@ -235,7 +241,7 @@ impl Stage {
     /// tractions are exact; `None` where there is none to tell.
     pub(crate) fn strain(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         problem: &Problem,
         (at, wanted): (&[f64], f64),
     ) -> Option<(Vec<Option<f64>>, f64)> {
@@ -258,7 +264,12 @@ impl Stage {
     }
 
     /// Where the pressure of an outcome pulls, see [`checks::tension`].
-    pub(crate) fn tension(&mut self, layer: &Layer, problem: &Problem, outcome: &Outcome) -> Option<(f64, f64)> {
+    pub(crate) fn tension(
+        &mut self,
+        layer: &PreparedLayer,
+        problem: &Problem,
+        outcome: &Outcome,
+    ) -> Option<(f64, f64)> {
         if self.growing.as_mut().is_some_and(|growing| growing.is_solver && growing.presses(problem)) {
             return None;
         }
@@ -290,7 +301,7 @@ impl Stage {
     }
 
     /// The pressure under a punch whose corners fix the contact.
-    pub(crate) fn press(&mut self, layer: &mut Layer, task: Task, half_width: f64) -> Result<(), Refusal> {
+    pub(crate) fn press(&mut self, layer: &mut PreparedLayer, task: Task, half_width: f64) -> Result<(), Refusal> {
         layer.tabulate(half_width, task.wanted)?;
         let fineness = layer.fineness();
         if self.found_with != fineness {

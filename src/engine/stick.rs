@@ -3,10 +3,10 @@
 
 use super::dense::Dense;
 use super::half_plane_shear::HalfPlaneShear;
-use super::layer::Layer;
 use super::linear_strain;
 use super::lookout::Lookout;
 use super::normal::Normal;
+use super::prepared_layer::PreparedLayer;
 use super::quantity::{ShearTrace, Traces};
 use super::slip_grid::SlipGrid;
 use super::stick_zone::StickZone;
@@ -105,7 +105,7 @@ impl Shear {
     }
 
     /// Takes note of a new pressure; no zone is solved for it yet.
-    pub(crate) fn under(&mut self, layer: &Layer, normal: &mut Normal) {
+    pub(crate) fn under(&mut self, layer: &PreparedLayer, normal: &mut Normal) {
         self.zone = StickZone::default();
         (self.is_solved, self.along) = (false, None);
         normal.sample_potential(layer, Component::Coupling, &mut self.coupling);
@@ -127,7 +127,7 @@ impl Shear {
     /// `[ T | p(a) T Y + slip ] (r, eta) = -beta p + (1/pi) int p k_uv - p(a) eta_h T Z`.
     pub(crate) fn solve(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         normal: &mut Normal,
         beta: f64,
         zone: StickZone,
@@ -139,7 +139,7 @@ impl Shear {
     fn solve_on(
         &mut self,
         steps: usize,
-        layer: &Layer,
+        layer: &PreparedLayer,
         normal: &mut Normal,
         beta: f64,
         zone: StickZone,
@@ -176,7 +176,7 @@ impl Shear {
     /// What `|x|` makes of the shear on a half-plane is known and taken out of it, see [`linear_strain::carrier`].
     pub(crate) fn solve_strained(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         normal: &mut Normal,
         beta: f64,
         friction: f64,
@@ -197,7 +197,7 @@ impl Shear {
     fn see(
         &mut self,
         used: usize,
-        layer: &Layer,
+        layer: &PreparedLayer,
         normal: &mut Normal,
         zone: StickZone,
         room: &mut Room,
@@ -228,7 +228,7 @@ impl Shear {
     /// and what is taken off the right side.
     fn balance(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         beta: f64,
         p_edge: f64,
         room: &mut Room,
@@ -336,7 +336,7 @@ impl Shear {
     /// Solves a zone on grids that are so many steps finer than its own; `false` where there are none.
     pub(crate) fn refine(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         normal: &mut Normal,
         beta: f64,
         (zone, steps): (StickZone, u32),

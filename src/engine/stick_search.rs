@@ -2,8 +2,8 @@
 
 mod samples;
 
-use super::layer::Layer;
 use super::normal::Normal;
+use super::prepared_layer::PreparedLayer;
 use super::root;
 use super::stick::Shear;
 use super::stick_zone::StickZone;
@@ -40,7 +40,7 @@ const DOUBLED: u32 = 10;
 
 /// The friction law at one resolution, as a function of `lambda = ln(a/(b - a))`.
 pub(crate) struct FrictionCurve<'a> {
-    pub(crate) layer: &'a Layer,
+    pub(crate) layer: &'a PreparedLayer,
     pub(crate) normal: &'a mut Normal,
     pub(crate) shear: &'a mut Shear,
     pub(crate) beta: f64,

@@ -5,7 +5,7 @@
 //! the kinks of the shape, where the stick zone ended when the contact reached them, both ends of the slip zone. In
 //! between it is told by sinc functions in the grid's own variable. The integrals are split at `x`, where the kernels jump.
 
-use super::layer::Layer;
+use super::prepared_layer::PreparedLayer;
 use slipzone_api::double_exponential::{self, Node};
 use slipzone_api::{Component, Station};
 use std::f64::consts::PI;
@@ -61,7 +61,7 @@ impl Sampling<'_> {
     /// The strains at points `0 <= x < b`, by grids as fine as `wanted` asks; `tractions` tells `p` and `q` at points inside the contact.
     pub(crate) fn strains(
         &self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         beta: f64,
         (at, wanted): (&[f64], f64),
         mut tractions: impl FnMut(&[Station]) -> Option<[Vec<f64>; 2]>,
@@ -166,7 +166,7 @@ impl Strain {
     }
 
     /// `u'(x)/A0` at `0 <= x < b`.
-    fn at(&mut self, layer: &Layer, beta: f64, x: f64) -> f64 {
+    fn at(&mut self, layer: &PreparedLayer, beta: f64, x: f64) -> f64 {
         let [p, q] = self.see_from(x);
         let count = self.sources.len();
         self.distances.clear();

@@ -1,7 +1,7 @@
 //! Whether a solved contact may be believed.
 
 use super::judged::{Judged, ROUNDED};
-use super::layer::Layer;
+use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::quantity::Quantity;
 use super::rubbing::{Rubbing, Verdict};
@@ -13,7 +13,7 @@ const UNRESOLVED: f64 = 0.1;
 
 /// Status and reason of a solved contact.
 pub(super) fn verdict(
-    layer: &Layer,
+    layer: &PreparedLayer,
     problem: &Problem,
     stage: &mut Stage,
     judged: &Judged,
@@ -28,7 +28,7 @@ pub(super) fn verdict(
 
 /// The gravest thing to be said against the result.
 fn objection(
-    layer: &Layer,
+    layer: &PreparedLayer,
     problem: &Problem,
     stage: &mut Stage,
     judged: &Judged,

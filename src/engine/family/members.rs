@@ -6,7 +6,7 @@ use super::rubbed::{Approach, Found, Member, Rubbed};
 use super::{CHECKED, Family, Room, Unfit, during, member};
 use crate::engine::blend::Blend;
 use crate::engine::error_estimate::apart;
-use crate::engine::layer::Layer;
+use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use crate::engine::rubbing::{Rubbing, Verdict};
 use crate::engine::stage::{Outcome, Task};
@@ -43,7 +43,7 @@ impl Family {
     /// Solves the pressures of all members; `coarse` is the family of a coarser resolution.
     pub(super) fn solve_pressures(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         task: Task,
         coarse: Option<&Family>,
     ) -> Result<(), Refusal> {
@@ -83,7 +83,7 @@ impl Family {
     /// Solves the pressures of all members, and the shears of those of a blend of their own.
     pub(super) fn solve_under_friction(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         task: Task,
         contact: f64,
         (blend, coarse): (Blend, Option<&Family>),
@@ -152,7 +152,7 @@ impl Family {
     }
 
     /// Keeps what the pressure of the member solved last tells.
-    fn keep_pressure(&mut self, layer: &Layer, flat: &Problem, b: f64) -> Result<(), Refusal> {
+    fn keep_pressure(&mut self, layer: &PreparedLayer, flat: &Problem, b: f64) -> Result<(), Refusal> {
         self.pressed.pressure.push(self.stage.normal.unknowns().iter().map(|p| p * b));
         self.tilted(layer, b)?;
         // Against a datum they are taken elsewhere, see [`Depths`].
@@ -165,7 +165,7 @@ impl Family {
     /// Depths of members between two half-widths, each by its pressure as it is told between those solved.
     pub(super) fn against_datum(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         task: Task,
         ends: (f64, f64),
         datum: f64,
@@ -181,7 +181,7 @@ impl Family {
     }
 
     /// Solves for `W`.
-    fn tilted(&mut self, layer: &Layer, b: f64) -> Result<(), Refusal> {
+    fn tilted(&mut self, layer: &PreparedLayer, b: f64) -> Result<(), Refusal> {
         layer.room_for((self.rule.unknowns(), 1), &*self.rule, b)?;
         let Self { rule, system, .. } = self;
         rule.stretch(b);
@@ -201,7 +201,7 @@ impl Family {
     /// and whether the conditions of friction were found to hold where that is asked; or else what is to be said of it.
     fn solve_member(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         task: Task,
         b: f64,
         (start, asked): (Option<Root>, bool),
@@ -228,7 +228,7 @@ impl Family {
 
     /// Solves one member of which all shall stick, and leaves its pressure in the stage; the conditions of that are looked at where
     /// that is asked.
-    fn stick_member(&mut self, layer: &mut Layer, task: Task, b: f64, asked: bool) -> Result<Member, Unfit> {
+    fn stick_member(&mut self, layer: &mut PreparedLayer, task: Task, b: f64, asked: bool) -> Result<Member, Unfit> {
         self.stage.press(layer, task, b)?;
         let eta = task.problem.friction.expect("friction that sticks");
         let (lambda, least) = self.stage.stick(layer, task)?;
@@ -246,7 +246,7 @@ impl Family {
     /// The stick zone of one member from near it.
     fn approach(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         task: Task,
         b: f64,
         guess: Root,
@@ -262,7 +262,12 @@ impl Family {
 
     /// Checks the conditions of friction under some of the members up to a half-width; what the first that fails one
     /// fails.
-    pub(crate) fn check(&mut self, layer: &mut Layer, task: Task, half_width: f64) -> Result<Option<String>, Refusal> {
+    pub(crate) fn check(
+        &mut self,
+        layer: &mut PreparedLayer,
+        task: Task,
+        half_width: f64,
+    ) -> Result<Option<String>, Refusal> {
         for b in self.looked_at(half_width) {
             let flat = member(task.problem, b, true);
             let task = Task { problem: &flat, ..task };
@@ -293,7 +298,12 @@ impl Family {
 
     /// The stick zone of a contact of that half-width, solved for itself: what is told between the members is but its
     /// beginning.
-    pub(crate) fn rubbing(&mut self, layer: &mut Layer, task: Task, b: f64) -> Result<Option<Rubbing>, Refusal> {
+    pub(crate) fn rubbing(
+        &mut self,
+        layer: &mut PreparedLayer,
+        task: Task,
+        b: f64,
+    ) -> Result<Option<Rubbing>, Refusal> {
         let checked = self.is_checked();
         if self.sticks() {
             return Ok(self.rubbing_between(b));

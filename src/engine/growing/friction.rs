@@ -3,8 +3,8 @@
 use super::{Growing, ROOM_BESIDE_GUESS, STEADY};
 use crate::engine::checks::MARGIN;
 use crate::engine::family::{Family, during};
-use crate::engine::layer::Layer;
 use crate::engine::normal::Normal;
+use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use crate::engine::quantity::ShearTrace;
 use crate::engine::rubbing::{Rubbing, Verdict};
@@ -18,7 +18,7 @@ const TRACED: [f64; ShearTrace::POINTS] = [0.05, 0.4, 0.85, 1.0];
 
 impl Growing {
     /// The stick zone, and the shear's trace.
-    pub(super) fn rub(&mut self, layer: &mut Layer, task: Task, normal: &Normal) -> Result<Rubbing, Refusal> {
+    pub(super) fn rub(&mut self, layer: &mut PreparedLayer, task: Task, normal: &Normal) -> Result<Rubbing, Refusal> {
         let (b, problem) = (self.half_width, task.problem);
         if let Some((at, rubbing)) = &self.broken {
             return Ok(self.told_of_broken(problem, *at, rubbing));
@@ -77,7 +77,12 @@ impl Growing {
     }
 
     /// Checks the conditions of friction where no coarser resolution has.
-    pub(crate) fn settle(&mut self, layer: &mut Layer, task: Task, outcome: &mut Outcome) -> Result<(), Refusal> {
+    pub(crate) fn settle(
+        &mut self,
+        layer: &mut PreparedLayer,
+        task: Task,
+        outcome: &mut Outcome,
+    ) -> Result<(), Refusal> {
         let (Some(family), Some(rubbing)) = (&mut self.family, &mut outcome.rubbing) else { return Ok(()) };
         if !matches!(rubbing.verdict, Verdict::Holds | Verdict::Sticks) {
             return Ok(());

@@ -1,8 +1,8 @@
 //! The strain that is left on the surface where it stuck.
 
 use super::Growing;
-use crate::engine::layer::Layer;
 use crate::engine::normal::Normal;
+use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use crate::engine::strain::Sampling;
 
@@ -14,7 +14,7 @@ impl Growing {
     /// under which the pressure is unbounded.
     pub(crate) fn strain(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         problem: &Problem,
         normal: &Normal,
         (at, wanted): (&[f64], f64),

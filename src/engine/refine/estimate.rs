@@ -6,7 +6,7 @@ use crate::engine::error_estimate::{Fastest, ROUNDING, SLIP_ROUNDING, Seen, extr
 use crate::engine::judged::{
     ROUNDED, between_members, hidden_details, meets, share_in_middle, with_the_rest, worst_judged,
 };
-use crate::engine::layer::Layer;
+use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use crate::engine::quantity::{Numbers, Quantity};
 use crate::engine::stage::Outcome;
@@ -49,7 +49,7 @@ impl Estimate {
     /// that come would be solved with the same kernels.
     pub(super) fn add(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         aim: Aim,
         outcome: &Outcome,
         (unknowns, has_kernels): (usize, bool),
@@ -111,7 +111,7 @@ fn is_vain(
 }
 
 /// How fast resolutions of so many unknowns may come; few stand too far apart to see the layer.
-pub(super) fn fastest(layer: &Layer, outcome: &Outcome, unknowns: usize) -> Fastest {
+pub(super) fn fastest(layer: &PreparedLayer, outcome: &Outcome, unknowns: usize) -> Fastest {
     let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
     match layer.is_proven() {
         _ if WIDE * half_width > UNSEEN * layer.length() * unknowns as f64 => Fastest::UNSEEN,

@@ -5,7 +5,7 @@ use super::ladder::{Aim, Ladder};
 use super::{BOUND_LEVEL, FINEST, is_known_between};
 use crate::engine::error_estimate::{Pace, Seen, extrapolated};
 use crate::engine::judged::{How, Judged, meets, with_the_rest};
-use crate::engine::layer::Layer;
+use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::LoadInLayerUnits;
 use crate::engine::quantity::{Numbers, Quantity};
 use crate::engine::stage::{Outcome, Stage, Task};
@@ -20,7 +20,7 @@ impl Ladder {
     /// no stack tells them.
     pub(in crate::engine) fn on_the_way(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         aim: Aim,
         judged: &Judged,
         loads: &[LoadInLayerUnits],
@@ -48,7 +48,7 @@ impl Ladder {
     }
 
     /// Takes note of how a contact that grew was settled.
-    pub(super) fn remember(&mut self, layer: &Layer, stage: usize, outcome: &Outcome, history: &[Seen]) {
+    pub(super) fn remember(&mut self, layer: &PreparedLayer, stage: usize, outcome: &Outcome, history: &[Seen]) {
         self.settled = Some(stage);
         let pace = Pace::seen(history, fastest(layer, outcome, self.stages[stage].unknowns()));
         self.pace = outcome.numbers.get(Quantity::HalfWidth).zip(pace);
@@ -57,7 +57,7 @@ impl Ladder {
     /// A contact no wider than one that was settled, under another load, or a stack of the same flat punches under another punch:
     /// the step that was fine enough then and the one before tell how fine it is now. `None` where it wants finer steps, or is
     /// refused: whether it is, and why, is left to these.
-    pub(super) fn pressed_again(&mut self, layer: &mut Layer, aim: Aim) -> Option<Judged> {
+    pub(super) fn pressed_again(&mut self, layer: &mut PreparedLayer, aim: Aim) -> Option<Judged> {
         let (stage, (widest, pace)) = self.settled.zip(self.pace)?;
         let coarse = self.solve_again(layer, aim, (stage.checked_sub(1)?, widest), None)?;
         let outcome = self.solve_again(layer, aim, (stage, widest), Some(&coarse))?;
@@ -93,7 +93,7 @@ impl Ladder {
     /// [`Stage::solve_again`]; `None` where the contact would be wider than that given, too: it may take finer steps.
     fn solve_again(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         aim: Aim,
         (index, widest): (usize, f64),
         coarse: Option<&Outcome>,
@@ -104,7 +104,7 @@ impl Ladder {
     }
 
     /// Whether what was found meets the tolerance, between the nodes, too, which is noted.
-    fn is_sure(&self, layer: &Layer, aim: Aim, found: &mut Judged) -> bool {
+    fn is_sure(&self, layer: &PreparedLayer, aim: Aim, found: &mut Judged) -> bool {
         let Judged { outcome, stage, errors, of_pressure, .. } = found;
         let all = with_the_rest(aim.problem, layer, outcome, aim.tolerance, *errors);
         *of_pressure = self.lost_between(aim, *stage);

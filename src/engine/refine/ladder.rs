@@ -3,7 +3,7 @@
 use crate::engine::error_estimate::Pace;
 use crate::engine::family::Family;
 use crate::engine::judged::{share_in_middle, share_in_shear};
-use crate::engine::layer::{Layer, Wanted};
+use crate::engine::prepared_layer::{PreparedLayer, Wanted};
 use crate::engine::problem::Problem;
 use crate::engine::rubbing::Rubbing;
 use crate::engine::stage::{Outcome, Stage, Task};
@@ -109,7 +109,7 @@ impl Ladder {
     /// Solves on one stage, made when first asked for.
     pub(super) fn solve(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         aim: Aim,
         (index, kernel_level, quadrature_level): (usize, u32, u32),
         coarse: Option<&Outcome>,

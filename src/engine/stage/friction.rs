@@ -2,8 +2,8 @@
 
 use super::{Outcome, Stage, Task};
 use crate::engine::checks;
-use crate::engine::layer::Layer;
 use crate::engine::linear_strain::RateCurve;
+use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use crate::engine::rubbing::{Rubbing, Verdict};
 use crate::engine::sharpen::{apart_from_twin, sharpen};
@@ -20,7 +20,7 @@ const KNOWN: f64 = 1e-4;
 
 impl Stage {
     /// The curve of friction coefficients over stick zones, and room for the shear.
-    pub(crate) fn curve<'a>(&'a mut self, layer: &'a Layer, task: Task) -> FrictionCurve<'a> {
+    pub(crate) fn curve<'a>(&'a mut self, layer: &'a PreparedLayer, task: Task) -> FrictionCurve<'a> {
         FrictionCurve {
             layer,
             normal: &mut self.normal,
@@ -33,7 +33,7 @@ impl Stage {
     /// Finds the stick zones: follows those of a coarser resolution, or looks for all.
     pub(super) fn rub(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         task: Task,
         eta: f64,
         coarse: Option<&Rubbing>,
@@ -56,7 +56,7 @@ impl Stage {
     /// Finds the stick zone in which the strain is `C|x|`: near that of a coarser resolution, or by a search.
     pub(super) fn rub_linearly(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         task: Task,
         eta: f64,
         coarse: Option<&Rubbing>,
@@ -93,7 +93,7 @@ impl Stage {
     /// come after change it by less than the checks tell apart.
     fn examine(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         task: Task,
         lambda: f64,
         rubbing: &mut Rubbing,
@@ -109,7 +109,13 @@ impl Stage {
     }
 
     /// Whether a stick zone was nearly known before, and both conditions of friction hold in it.
-    pub(crate) fn holds(&mut self, layer: &Layer, task: Task, before: f64, lambda: f64) -> Result<bool, Refusal> {
+    pub(crate) fn holds(
+        &mut self,
+        layer: &PreparedLayer,
+        task: Task,
+        before: f64,
+        lambda: f64,
+    ) -> Result<bool, Refusal> {
         if (before - lambda).abs() >= KNOWN {
             return Ok(false);
         }
@@ -118,7 +124,7 @@ impl Stage {
     }
 
     /// Shows the present pressure to the shear. Under a flat punch both grow with the force.
-    fn refresh(&mut self, layer: &Layer) {
+    fn refresh(&mut self, layer: &PreparedLayer) {
         let Some(shear) = &mut self.shear else { return };
         let (half_width, force) = (self.normal.half_width, self.normal.force);
         match self.shown {
@@ -131,7 +137,13 @@ impl Stage {
     }
 
     /// [`Self::rub`], from the beginning.
-    fn find(&mut self, layer: &Layer, task: Task, eta: f64, coarse: Option<&Rubbing>) -> Result<Rubbing, Refusal> {
+    fn find(
+        &mut self,
+        layer: &PreparedLayer,
+        task: Task,
+        eta: f64,
+        coarse: Option<&Rubbing>,
+    ) -> Result<Rubbing, Refusal> {
         if coarse.is_some_and(|coarse| coarse.verdict == Verdict::Sticks)
             && let (lambda, least) = self.stick(layer, task)?
             && least.abs() < eta
@@ -148,7 +160,7 @@ impl Stage {
 
     /// The widest stick zone that this resolution can tell from all of the contact, and the friction coefficient that belongs to it, with
     /// the sign of the shear there: everything sticks with more. Leaves the shear.
-    pub(crate) fn stick(&mut self, layer: &Layer, task: Task) -> Result<(f64, f64), Refusal> {
+    pub(crate) fn stick(&mut self, layer: &PreparedLayer, task: Task) -> Result<(f64, f64), Refusal> {
         self.refresh(layer);
         let mut curve = self.curve(layer, task);
         let widest = curve.widest();
@@ -156,7 +168,13 @@ impl Stage {
     }
 
     /// Stick zones known roughly, found at this resolution to the tolerance; `None` where the one reported is lost.
-    fn followed(&mut self, layer: &Layer, task: Task, eta: f64, known: &Rubbing) -> Result<Option<Rubbing>, Refusal> {
+    fn followed(
+        &mut self,
+        layer: &PreparedLayer,
+        task: Task,
+        eta: f64,
+        known: &Rubbing,
+    ) -> Result<Option<Rubbing>, Refusal> {
         let mut curve = self.curve(layer, task);
         let mut found = Found { roots: ArrayVec::new(), ..known.found.clone() };
         let mut chosen = None;
@@ -176,7 +194,7 @@ impl Stage {
     }
 
     /// Looks for all stick zones, and for the first that holds where there are several.
-    fn scan(&mut self, layer: &Layer, task: Task, eta: f64) -> Result<Rubbing, Refusal> {
+    fn scan(&mut self, layer: &PreparedLayer, task: Task, eta: f64) -> Result<Rubbing, Refusal> {
         let b = self.normal.half_width;
         let samples = match self.sampled.take() {
             Some((half_width, samples)) if half_width.to_bits() == b.to_bits() => samples,
@@ -208,7 +226,7 @@ impl Stage {
     }
 
     /// Chooses the first root that satisfies both conditions of friction, if any does; leaves its shear.
-    fn choose(&mut self, layer: &Layer, task: Task, rubbing: &mut Rubbing) -> Result<(), Refusal> {
+    fn choose(&mut self, layer: &PreparedLayer, task: Task, rubbing: &mut Rubbing) -> Result<(), Refusal> {
         let b = self.normal.half_width;
         let mut failure = None;
         let first = rubbing.chosen;
@@ -238,7 +256,7 @@ impl Stage {
     /// guess was not near.
     pub(crate) fn follow(
         &mut self,
-        layer: &mut Layer,
+        layer: &mut PreparedLayer,
         task: Task,
         half_width: f64,
         guess: Root,
@@ -273,7 +291,12 @@ impl Stage {
 
     /// Leaves the shear of the stick zone reported in `shear`, and checks it. Returns whether another zone than
     /// before is reported.
-    pub(crate) fn settle(&mut self, layer: &mut Layer, task: Task, outcome: &mut Outcome) -> Result<bool, Refusal> {
+    pub(crate) fn settle(
+        &mut self,
+        layer: &mut PreparedLayer,
+        task: Task,
+        outcome: &mut Outcome,
+    ) -> Result<bool, Refusal> {
         if let Some(growing) = super::stacking(&mut self.growing) {
             growing.settle(layer, task, outcome)?;
             return Ok(false);
@@ -333,7 +356,7 @@ impl Stage {
     /// within `of_pressure`, see [`sharpen`]; its error, over its largest value. `coarser` is the resolution before.
     pub(crate) fn sharpen(
         &mut self,
-        layer: &Layer,
+        layer: &PreparedLayer,
         task: Task,
         outcome: &Outcome,
         of_pressure: f64,
@@ -357,14 +380,14 @@ impl Stage {
     }
 
     /// Where the shear solved last is more than a friction coefficient bears, though everything sticks.
-    pub(crate) fn overload(&mut self, layer: &Layer, eta: f64) -> Option<String> {
+    pub(crate) fn overload(&mut self, layer: &PreparedLayer, eta: f64) -> Option<String> {
         let (x, load) = checks::overload(layer, &self.normal, self.shear.as_deref()?, eta)?;
         self.is_overloaded = true;
         (!self.of_slices).then(|| format!("where everything sticks |q| reaches {load:.3} eta p at x = {x:.4} b"))
     }
 
     /// The condition of friction that the stick zone solved last fails, and where.
-    fn violation(&mut self, layer: &Layer, problem: &Problem) -> Option<String> {
+    fn violation(&mut self, layer: &PreparedLayer, problem: &Problem) -> Option<String> {
         let (normal, shear) = (&mut self.normal, self.shear.as_deref()?);
         let direction = if shear.friction < 0.0 { "outward" } else { "inward" };
         let ratio = shear.zone.ratio();

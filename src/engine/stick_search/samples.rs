@@ -181,8 +181,8 @@ fn is_close(rise: f64, expected: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::layer::{Layer, Wanted};
     use crate::engine::normal::Normal;
+    use crate::engine::prepared_layer::{PreparedLayer, Wanted};
     use crate::engine::problem::Problem;
     use crate::engine::stick::Shear;
     use crate::plan;
@@ -197,7 +197,7 @@ mod tests {
         );
         let chosen = plan::choose(&parse("curve.toml", &text).expect("a good scene"));
         let problem = Problem::new(&chosen.scene).expect("a flat punch");
-        let mut layer = Layer::new(&problem, &chosen.methods).expect("a layer");
+        let mut layer = PreparedLayer::new(&problem, &chosen.methods).expect("a layer");
         let half_width = problem.fixed_half_width().expect("corners");
         let wanted = Wanted { frictional: true, deep: false, accuracy: 1e-8, level: 0 };
         layer.tabulate(half_width, wanted).expect("kernels");
