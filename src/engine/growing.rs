@@ -5,7 +5,7 @@ mod friction;
 mod strain;
 
 use super::contact_size::{self, Size};
-use super::family::{Family, Unfit};
+use super::family::{Family, Left, Unfit};
 use super::lookout::Lookout;
 use super::normal::Normal;
 use super::prepared_layer::PreparedLayer;
@@ -174,7 +174,10 @@ impl Growing {
         }
         // The finer of both resolutions solves the zone for itself: between the flat punches it is known to the tolerance only.
         let rubbing = match known {
-            Some(_) if rubs => family.rubbing(layer, task, size.half_width)?,
+            Some(_) if rubs => match family.rubbing(layer, task, size.half_width)? {
+                None => return Ok(None),
+                solved => solved,
+            },
             _ => family.rubbing_between(size.half_width),
         };
         let (numbers, pressure) = self.sized(layer, problem, normal, size);
@@ -221,8 +224,8 @@ impl Growing {
             rubbing.report(&mut numbers);
         }
         let lost = self.stack.as_ref().map_or((0.0, 0.0), |stack| (stack.lost(), stack.lost_at_kinks()));
-        let [of_pressure, of_shear] = self.family.as_ref().map_or([0.0; 2], Family::left);
-        let left = [if self.is_kinked { of_pressure } else { 0.0 }, of_shear];
+        let left = self.family.as_ref().map_or_else(Left::default, Family::left);
+        let left = if self.is_kinked { left } else { Left { shear: left.shear, ..Left::default() } };
         Outcome::new(numbers, rubbing, Some(size), pressure, lost, left)
     }
 
@@ -340,35 +343,39 @@ impl Growing {
         numbers
     }
 
-    /// Sizes of the contact on its way to a load solved already, whose half-width is given, and what the stack that tells them leaves
-    /// out, relative; `None` where it is no single stack.
+    /// Sizes of the contact on its way to a load solved already, whose half-width is given, each with what the stack that tells them
+    /// leaves out, relative; `None` where it is no single stack. Stick zones are solved for where they are to be `sure`: told between
+    /// the flat punches, narrow ones are as good as wide ones ask for. Where one is not found near there, infinitely much is left out.
     pub(crate) fn on_the_way(
         &mut self,
         layer: &mut PreparedLayer,
         task: Task,
-        half_width: f64,
+        (half_width, sure): (f64, bool),
         loads: &[LoadInLayerUnits],
-    ) -> Option<(Vec<Numbers>, f64)> {
+    ) -> Option<Vec<(Numbers, f64)>> {
         self.provide(layer, task, half_width, 1.0, None).ok()?;
         let problem = task.problem;
         let (Some(family), Some(stack), None) = (&mut self.family, &mut self.stack, &self.broken) else { return None };
         if problem.friction.is_some() && family.shrinks(problem.face()..half_width, STEADY).is_some() {
             return None;
         }
+        let lost = stack.lost() + family.left().force;
         let mut point = |load: &LoadInLayerUnits| {
             family.within_budget().ok()?;
             let b = stack.under(problem, family, *load)?;
             let mut numbers = sizes(layer, problem, family, stack, b);
-            if problem.friction.is_some() {
-                let zone = if family.sticks() { family.zone(b).widened() } else { family.zone(b) };
-                numbers.set(Quantity::StickHalfWidth, zone.half_width);
-                numbers.set(Quantity::StickRatio, zone.ratio());
+            if problem.friction.is_none() {
+                return Some((numbers, lost));
             }
-            Some(numbers)
+            family.take_pressure(b);
+            let told = if sure { family.rubbing(layer, task, b).ok()? } else { family.rubbing_between(b) };
+            let Some(rubbing) = told else { return Some((numbers, f64::INFINITY)) };
+            let zone = rubbing.reported_zone();
+            numbers.set(Quantity::StickHalfWidth, zone.half_width);
+            numbers.set(Quantity::StickRatio, zone.ratio());
+            Some((numbers, lost))
         };
-        let points: Option<_> = loads.iter().map(&mut point).collect();
-        let [of_pressure, of_shear] = family.left();
-        Some((points?, stack.lost() + of_pressure.max(of_shear)))
+        loads.iter().map(&mut point).collect()
     }
 
     /// Pressure at points strictly inside the contact.

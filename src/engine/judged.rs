@@ -82,7 +82,7 @@ impl Judged {
             self.errors.set(Quantity::Shear, of_shear.max(left_by_sticking(&self.outcome)));
         }
         if let Some(of_shear) = self.errors.get(Quantity::Shear) {
-            self.errors.set(Quantity::Shear, of_shear + LEFT_OF_SHEAR * self.outcome.left[1]);
+            self.errors.set(Quantity::Shear, of_shear + LEFT_OF_SHEAR * self.outcome.left.shear);
         }
         let errors = self.errors;
         for (quantity, error) in errors.iter().filter(|(quantity, _)| quantity.is_of_shear()) {
@@ -157,9 +157,20 @@ fn doubt(problem: &Problem, errors: &Numbers) -> Option<f64> {
     of_pressure.map(|(_, error)| error).reduce(f64::max)
 }
 
-/// What the pressures of flat punches told between those solved may be off by, relative.
-pub(super) fn between_members(outcome: &Outcome) -> f64 {
-    SAFETY * outcome.left[0]
+/// What the forces of flat punches told between those solved may be off by, relative.
+fn between_members(outcome: &Outcome) -> f64 {
+    SAFETY * outcome.left.force
+}
+
+/// What more flat punches, and smoother ones, mend of a number.
+pub(super) fn mended(outcome: &Outcome, quantity: Quantity) -> f64 {
+    between_members(outcome) + if quantity == Quantity::Peak { of_peak(outcome) } else { 0.0 }
+}
+
+/// What the peak is off by beside that which moves all numbers of a stack: it may be near the edge, or at a kink. In the middle, which
+/// feels all flat punches alike, what they are off by in turns hardly counts.
+fn of_peak(outcome: &Outcome) -> f64 {
+    outcome.left.pressure + outcome.lost_at_kinks
 }
 
 /// Errors, and those that differences between resolutions do not see: what the kernels prove of theirs, what a contact misses of
@@ -192,8 +203,7 @@ pub(super) fn with_the_rest(
         }
     }
     if let Some(peak) = errors.get(Quantity::Peak) {
-        // It may be at a kink.
-        errors.set(Quantity::Peak, peak + outcome.lost_at_kinks);
+        errors.set(Quantity::Peak, peak + of_peak(outcome));
     }
     // These are beside the mean.
     if let Some(centre) = errors.get(Quantity::Centre) {

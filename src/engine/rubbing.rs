@@ -100,9 +100,14 @@ impl Rubbing {
         Self { shear: Some(shear), ..self }
     }
 
-    /// Adds the zone to the numbers reported, all of the contact where everything sticks.
+    /// The zone to report: all of the contact where everything sticks.
+    pub(crate) fn reported_zone(&self) -> StickZone {
+        if self.is_full { self.zone.widened() } else { self.zone }
+    }
+
+    /// Adds it to the numbers reported.
     pub(crate) fn report(&self, numbers: &mut Numbers) {
-        let zone = if self.is_full { self.zone.widened() } else { self.zone };
+        let zone = self.reported_zone();
         numbers.set(Quantity::StickHalfWidth, zone.half_width);
         numbers.set(Quantity::StickRatio, zone.ratio());
         numbers.set(Quantity::OneMinusRatio, zone.one_minus_ratio());

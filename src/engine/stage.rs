@@ -5,7 +5,7 @@ mod friction;
 use super::checks::{self, SlipCheck};
 use super::contact_size::{self, Size};
 use super::error_estimate::{SAFETY, Seen};
-use super::family::Family;
+use super::family::{Family, Left};
 use super::growing::Growing;
 use super::lookout::Lookout;
 use super::normal::Normal;
@@ -57,8 +57,8 @@ pub(crate) struct Outcome {
     pub(crate) lost: Option<f64>,
     /// The same of a pressure exactly at a kink of the shape.
     pub(crate) lost_at_kinks: f64,
-    /// What series over the half-width leave of a stacked pressure, and of its shear. Two resolutions may leave the same.
-    pub(crate) left: [f64; 2],
+    /// What series over the half-width leave of a stack.
+    pub(crate) left: Left,
 }
 
 impl Outcome {
@@ -69,14 +69,14 @@ impl Outcome {
         size: Option<Size>,
         pressure: [f64; Traces::AT.len()],
         (lost, lost_at_kinks): (f64, f64),
-        left: [f64; 2],
+        left: Left,
     ) -> Self {
         Self { numbers, rubbing, size, pressure, lost: Some(lost), lost_at_kinks, left }
     }
 
     /// An outcome of which only the stick zone is known.
     pub(crate) fn of_rubbing(rubbing: Rubbing) -> Self {
-        Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()], (0.0, 0.0), [0.0; 2])
+        Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()], (0.0, 0.0), Left::default())
     }
 
     /// What it tells of the next resolution.

@@ -181,3 +181,23 @@ fn the_first_contact_that_bears_a_force_is_met() {
         assert!((found / widths[k] - 1.0).abs() < 1e-4, "{found} for {} of a top at {}", widths[k], widths[top]);
     }
 }
+
+/// What flat punches told between those solved leave of a force changes its sign from one to the next: resolutions with the same flat punches
+/// agreed on a peak beside the edge that was off by 32 tolerances.
+#[test]
+fn the_peak_under_a_stack_on_a_stiff_skin_is_as_good_as_it_says() {
+    let skin = "thickness = 0.03\npoisson = 0.3\ngrading = { type = \"homogeneous\", modulus = 1.0 }\n\
+                base = { type = \"half-plane\", shear = 0.012, poisson = 0.0 }";
+    for tolerance in [2e-3, 5e-4] {
+        let scene = format!(
+            "format = 1\n[layer]\n{skin}\n[punch]\ntype = \"power\"\ncoefficient = 0.05\nexponent = 2.5\n\
+             [load]\nhalf_width = 1.0\n[solver]\ntolerance = {tolerance}"
+        );
+        slipzone::link_plugins();
+        let solution = solve(&slipzone::scene::parse("skin.toml", &scene).expect("a scene"));
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+        // At 1e-8, and by `graded-panels` at 1e-3 to all digits that these have.
+        let error = (solution.pressure.peak.expect("a peak") / 0.002_292_937_39 - 1.0).abs();
+        assert!(error < 3.0 * tolerance, "{error:e} at {tolerance:e}");
+    }
+}

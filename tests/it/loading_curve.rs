@@ -214,3 +214,22 @@ fn a_load_without_numbers_leaves_a_gap() {
     assert_eq!(curve.force, [Some(0.5), Some(1e150)]);
     assert!(curve.half_width[0].is_some() && curve.half_width[1].is_none());
 }
+
+/// Between the flat punches that the last load is stacked of, narrow zones are told a hundred times worse than wide ones.
+#[test]
+fn stick_ratios_on_the_way_are_those_of_flat_punches() {
+    for (h, ratio, nu, eta, tolerance) in
+        [(0.5, 1.0, 0.3, 0.05, 1e-3), (0.2, 1.0, 0.3, 0.03, 1e-7), (0.5, 0.1, 0.3, 0.03, 1e-5)]
+    {
+        let solver = format!("[solver]\ntolerance = {tolerance}");
+        let grown = Sketch::flat(h, ratio, nu).cylinder().rubbing(eta).with(&solver);
+        let solution = grown.loaded("path = { half_width = [0.02, 0.12, 0.15, 0.3, 1.0] }").solve();
+        let path = curve(&solution);
+        assert_eq!((path.status, path.note.as_deref()), (Status::Converged, None));
+        for (b, told) in full(&path.half_width).into_iter().zip(full(path.stick_ratio.as_ref().expect("friction"))) {
+            let flat = Sketch::flat(h / b, ratio, nu).rubbing(eta).solve();
+            let stick = flat.stick.and_then(|stick| stick.ratio).expect("a stick zone");
+            assert!((told / stick - 1.0).abs() < 3.0 * tolerance, "h = {h}, b = {b}: {told} and {stick}");
+        }
+    }
+}

@@ -145,7 +145,7 @@ impl Family {
     }
 
     /// Gives the stage the pressure of a member, as it is told between those solved.
-    fn take_pressure(&mut self, b: f64) {
+    pub(crate) fn take_pressure(&mut self, b: f64) {
         self.pressed.blend.functions_at(b, &mut self.room.functions);
         self.pressed.pressure.blend_into(&self.room.functions, &mut self.room.density);
         self.stage.normal.take_flat(b, self.room.density.iter().map(|p| p / b));
@@ -297,7 +297,7 @@ impl Family {
     }
 
     /// The stick zone of a contact of that half-width, solved for itself: what is told between the members is but its
-    /// beginning.
+    /// beginning, and narrow ones are told no better than wide ones ask for. `None` where it is not near that.
     pub(crate) fn rubbing(
         &mut self,
         layer: &mut PreparedLayer,
@@ -311,6 +311,6 @@ impl Family {
         let Some(guess) = self.root_at(b) else { return Ok(None) };
         let flat = member(task.problem, b, true);
         let root = self.stage.follow(layer, Task { problem: &flat, ..task }, b, guess, REFINED * task.tolerance)?;
-        Ok(Some(Rubbing::expected(root.unwrap_or(guess), b, checked)))
+        Ok(root.map(|root| Rubbing::expected(root, b, checked)))
     }
 }

@@ -58,6 +58,11 @@ impl Told {
         (self.members as f64 * growth).ceil() as usize
     }
 
+    /// How many it goes through.
+    pub(super) fn members(&self) -> usize {
+        self.members
+    }
+
     /// What is left, as far as that was measured.
     pub(super) fn left(&self) -> f64 {
         if self.is_measured { self.left } else { 0.0 }

@@ -25,7 +25,8 @@ impl Growing {
         }
         let family = self.family.as_mut().expect("provided before");
         let zone = family.zone(b);
-        let rubbing = family.rubbing(layer, task, b)?.expect("a family with friction");
+        let solved = family.rubbing(layer, task, b)?;
+        let rubbing = solved.or_else(|| family.rubbing_between(b)).expect("a family with friction");
         if let Some(at) = family.shrinks(problem.face()..b, STEADY) {
             // What is stacked of a zone that shrinks is no shear of this contact.
             return Ok(rubbing.failing(during(problem, at, "the stick zone shrinks")));

@@ -3,9 +3,7 @@
 use super::FINEST;
 use super::ladder::{Aim, FAINT};
 use crate::engine::error_estimate::{Fastest, ROUNDING, SLIP_ROUNDING, Seen, extrapolated};
-use crate::engine::judged::{
-    ROUNDED, between_members, hidden_details, meets, share_in_middle, with_the_rest, worst_judged,
-};
+use crate::engine::judged::{ROUNDED, hidden_details, meets, mended, share_in_middle, with_the_rest, worst_judged};
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use crate::engine::quantity::{Numbers, Quantity};
@@ -89,12 +87,9 @@ fn is_vain(
 ) -> bool {
     let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));
     let is_final = has_kernels && outcome.size.is_none_or(|size| size.missed <= ROUNDING);
-    // Finer steps have more flat punches, and smoother ones.
-    let mended = |quantity: Quantity| {
-        between_members(outcome) + if quantity == Quantity::Peak { outcome.lost_at_kinks } else { 0.0 }
-    };
     let unmended = |(quantity, error): (Quantity, f64)| {
-        let rest = if is_final { all.get(quantity).map_or(0.0, |all| all - error - mended(quantity)) } else { 0.0 };
+        let rest =
+            if is_final { all.get(quantity).map_or(0.0, |all| all - error - mended(outcome, quantity)) } else { 0.0 };
         let least = if quantity.is_of_shear() { SLIP_ROUNDING } else { ROUNDING };
         (lost.get(quantity).unwrap_or(0.0).max(least), rest)
     };

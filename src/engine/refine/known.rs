@@ -28,19 +28,19 @@ impl Ladder {
         let before = judged.stage.checked_sub(1).filter(|_| judged.how != How::Twin)?;
         let half_width = judged.outcome.numbers.get(Quantity::HalfWidth)?;
         let (_, error) = judged.errors.worst()?;
-        let mut told = |index: usize| {
+        let mut told = |index: usize, sure: bool| {
             let task = self.made(aim, index)?;
-            self.stages[index].growing.as_mut()?.on_the_way(layer, task, half_width, loads)
+            self.stages[index].growing.as_mut()?.on_the_way(layer, task, (half_width, sure), loads)
         };
         let left = |coarse: &Numbers, fine: &Numbers| error.max(LEFT * fine.change_from(coarse));
         // The flat punches may take a step more than their stack did.
-        let (mut coarse, _) = told(before)?;
+        let mut coarse = told(before, false)?;
         for index in judged.stage..=(judged.stage + MORE).min(FINEST) {
-            let (fine, lost) = told(index)?;
-            let errors: Vec<f64> =
-                coarse.iter().zip(&fine).map(|(coarse, fine)| left(coarse, fine).max(lost)).collect();
+            let fine = told(index, true)?;
+            let each = coarse.iter().zip(&fine);
+            let errors: Vec<f64> = each.map(|((coarse, _), (fine, lost))| left(coarse, fine).max(*lost)).collect();
             if index == judged.stage + MORE || errors.iter().all(|error| *error <= aim.tolerance) {
-                return Some(fine.into_iter().zip(errors).collect());
+                return Some(fine.into_iter().zip(errors).map(|((numbers, _), error)| (numbers, error)).collect());
             }
             coarse = fine;
         }

@@ -5,6 +5,7 @@ use crate::engine::checks;
 use crate::engine::linear_strain::RateCurve;
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
+use crate::engine::root::CERTAIN;
 use crate::engine::rubbing::{Rubbing, Verdict};
 use crate::engine::sharpen::{apart_from_twin, sharpen};
 use crate::engine::stick_search::{Found, FrictionCurve, Root};
@@ -268,11 +269,13 @@ impl Stage {
         self.refresh(layer);
         let target = guess.branch * task.problem.friction.unwrap_or(0.0);
         let mut curve = self.curve(layer, task);
-        let (widest, Root { mut lambda, mut slope, .. }) = (curve.widest(), guess);
+        let (widest, Root { mut lambda, mut slope, mut doubt, .. }) = (curve.widest(), guess);
         let mut value = curve.at(lambda)?;
         for _ in 0..STEPS {
             let step = (target - value) / slope;
-            if step.abs() < error {
+            // What a step along the slope misses: the part by which that is in doubt, and the square.
+            let is_last = doubt < CERTAIN && step.abs() * (doubt + step.abs()) < 0.5 * error;
+            if step.abs() < error || is_last {
                 return Ok(Some(Root { lambda: lambda + step, slope, ..guess }));
             }
             if step.is_nan() || step.abs() > WIDEST || lambda + step > widest {
@@ -282,7 +285,7 @@ impl Stage {
             let measured = (next - value) / step;
             // Differences of rounding have no slope; one of another sign is no neighbour's.
             if step.abs() > f64::EPSILON.sqrt() && measured * slope > 0.0 {
-                slope = measured;
+                (slope, doubt) = (measured, step.abs());
             }
             (lambda, value) = (lambda + step, next);
         }
