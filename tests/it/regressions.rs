@@ -1,6 +1,6 @@
 //! Scenes that once went wrong.
 
-use crate::sketch::{Sketch, pressure_apart};
+use crate::sketch::{Sketch, pressure_apart, shear_apart};
 use slipzone::api::reference::power::Power;
 use slipzone::engine::{Solution, Solver, Status, solve};
 
@@ -761,16 +761,6 @@ fn within_three_estimates(found: &Solution, exact: &Solution, paths: &[&str]) {
         let claimed = 3.0 * (found.error.each[*path] + exact.error.each[*path]);
         assert!(error <= claimed, "{path} is off by {error:e}, three estimates are {claimed:e}");
     }
-}
-
-/// The largest difference of the shears over the largest of them, and what was claimed for the first.
-fn shear_apart(found: &Solution, exact: &Solution) -> [f64; 2] {
-    let shear = |solution: &Solution| solution.profile.shear.clone().expect("friction");
-    let (found_shear, exact_shear) = (shear(found), shear(exact));
-    let pairs = found_shear.iter().zip(&exact_shear).filter_map(|(q, truth)| Some(((*q)?, (*truth)?)));
-    let [apart, largest] = pairs
-        .fold([0.0_f64; 2], |[apart, largest], (q, truth)| [apart.max((q - truth).abs()), largest.max(truth.abs())]);
-    [apart / largest, found.error.each["profile.shear"]]
 }
 
 /// A stick zone is known sooner than the shear inside: that was off by 5 to 31 tolerances, and nothing said so.
