@@ -136,6 +136,8 @@ const SEED: u64 = 3;
 
 /// What a traction may be off by in any case: a few hundred roundings of the largest.
 const ROUNDING: f64 = 1e-13;
+/// Ten times the default tolerance: both tractions meet where the stick zone ends.
+const SLACK: f64 = 1e-7;
 
 /// Checks scenes that are always the same, unless `PROPTEST_CASES` asks for a number of others, and that so large a share of
 /// them converges: of a solver that gives up nothing else would be held. What fails is shrunk.
@@ -281,5 +283,26 @@ fn growing_contacts_keep_what_they_promise() {
             "{punch}: the pressure is off by {apart:.1e}, tolerance {tolerance:.1e}"
         );
         Ok(found.status)
+    });
+}
+
+/// Shear stays within `eta p`, and what sticks and what slips are all of the contact.
+#[test]
+fn friction_holds_within_coulombs_limit() {
+    let layers = (1.0..20.0_f64, -2.0..2.0_f64, 0.0..0.45_f64);
+    hold(&(layers, 0.05..0.6_f64), 0.8, |((h, log, nu), eta)| {
+        let solution = Sketch::flat(h, log.exp(), nu).rubbing(eta).solve();
+        if solution.status != Status::Converged {
+            prop_assert!(solution.reason.is_some());
+            return Ok(solution.status);
+        }
+        let shear = solution.profile.shear.as_ref().expect("friction");
+        for (p, q) in solution.profile.pressure.iter().zip(shear).filter_map(|(p, q)| Some(((*p)?, (*q)?))) {
+            prop_assert!(q.abs() <= eta * p * (1.0 + SLACK), "|q| = {} above {}", q.abs(), eta * p);
+        }
+        let stick = solution.stick.as_ref().expect("friction");
+        let (ratio, gap) = (stick.ratio.expect("a number"), stick.one_minus_ratio.expect("a number"));
+        prop_assert!(ratio > 0.0 && gap > 0.0 && (ratio + gap - 1.0).abs() < 1e-15, "{} and {}", ratio, gap);
+        Ok(solution.status)
     });
 }
