@@ -9,10 +9,10 @@ use std::f64::consts::PI;
 #[test]
 fn half_plane_follows_spence_from_one_end_to_the_other() {
     let beta: f64 = 2.0 / 7.0; // nu = 0.3
-    // a/b = 4 exp(-pi beta/(2 eta)) and 1 - a/b = 8 exp(-pi eta/beta), for shares of 1e-11 to 1e-3.
+    // a/b = 4 exp(-pi beta/(2 eta)) and 1 - a/b = 8 exp(-pi eta/beta), for shares of 1e-12 to 1e-3.
     let narrow = |share: f64| std::f64::consts::PI * beta / (2.0 * (4.0 / share).ln());
     let wide = |share: f64| beta * (8.0 / share).ln() / std::f64::consts::PI;
-    for share in [1e-11, 1e-9, 1e-6, 1e-3] {
+    for share in [1e-12, 1e-11, 1e-9, 1e-6, 1e-3] {
         for eta in [narrow(share), wide(share)] {
             let solution = Sketch::half_plane(0.3).rubbing(eta).solve();
             assert_eq!(solution.status, Status::Converged, "eta = {eta}: {:?}", solution.reason);
