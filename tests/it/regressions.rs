@@ -2,7 +2,7 @@
 
 use crate::sketch::{Sketch, pressure_apart, shear_apart};
 use slipzone::api::reference::power::Power;
-use slipzone::engine::{Solution, Solver, Status, solve};
+use slipzone::engine::{BUDGET, Solution, Solver, Status, solve, solve_within};
 
 /// The shear reported was that of the narrowest stick zone looked for, 16 times `eta p` here, and the bound
 /// on `a` was claimed to be good to 1e-13.
@@ -432,7 +432,7 @@ fn resolutions_that_do_not_see_a_thin_layer_are_not_believed_to_agree() {
         );
         solve(&slipzone::scene::parse("thin.toml", &text).expect("a scene"))
     };
-    let (found, exact) = (solved("1.5149228518118327e-6"), solved("1e-8"));
+    let (found, exact) = (solved("1.5149228518118327e-6"), solved("5e-8"));
     within_three_estimates(&found, &exact, &["load.force", "load.indentation", "pressure.centre"]);
 }
 
@@ -903,7 +903,7 @@ fn a_kink_over_a_thin_layer_is_told() {
         { thickness = 0.1, grading = { type = \"homogeneous\", modulus = 3.0 } }, \
         { thickness = 1.4, grading = { type = \"homogeneous\", modulus = 0.3 } }] }";
     let punch = "type = \"rounded-wedge\", slope = 0.1, radius = 5.0";
-    for tolerance in [1e-3, 1e-5, 1e-8] {
+    for tolerance in [1e-3, 1e-4, 1e-8] {
         let solution = written(layer, punch, "half_width = 1.0", &format!("solver = {{ tolerance = {tolerance:e} }}"));
         // By graded panels, and by this quadrature at 1e-11.
         let (centre, kink) = (0.094_333_457_347_7, 0.067_854_958_4);
@@ -1095,7 +1095,7 @@ fn neither_tension_nor_too_much_shear_hides_between_samples() {
     let pulls = on_skin(0.02, 11.7152, 2.0, "");
     assert_eq!(pulls.status, Status::AssumptionViolated, "{:?}", pulls.reason);
     assert!(pulls.reason.as_ref().is_some_and(|why| why.contains("negative")), "{:?}", pulls.reason);
-    let friction = "friction = { type = \"goodman\", coefficient = 1.0 }\nsolver = { tolerance = 1e-5 }\n";
+    let friction = "friction = { type = \"goodman\", coefficient = 1.0 }\nsolver = { tolerance = 1e-4 }\n";
     let slides = on_skin(0.005, 9.0, 1.0, friction);
     assert_eq!(slides.status, Status::AssumptionViolated, "{:?}", slides.reason);
     assert!(slides.reason.as_ref().is_some_and(|why| why.contains("1.31")), "{:?}", slides.reason);
@@ -1335,7 +1335,7 @@ fn a_pressure_that_is_not_known_is_not_said_to_pull() {
         let scene = slipzone::scene::parse("tip", &format!("{text}\n{quantities}")).unwrap();
         let mut solver = Solver::new(&scene).unwrap();
         // Resolutions enough to be compared, and to be told of: nothing is learnt from more.
-        solver.limit(5_000_000_000);
+        solver.limit(2_000_000_000);
         let solution = solver.solve();
         assert_eq!(solution.status, Status::NotConverged, "{:?}", solution.reason);
         let reason = solution.reason.unwrap();
@@ -1373,13 +1373,14 @@ fn an_error_that_is_no_number_is_all_of_the_number() {
 /// much once all resolutions had been tried in vain.
 #[test]
 fn more_digits_than_there_are_get_the_digits_that_there_are() {
-    let solved = |text: &str| {
-        let solution = solve(&slipzone::scene::parse("vain", text).unwrap());
+    let within = |text: &str, budget: u64| {
+        let solution = solve_within(&slipzone::scene::parse("vain", text).unwrap(), budget);
         assert_eq!(solution.status, Status::NotConverged, "{:?}", solution.reason);
         let error = solution.error.estimate.unwrap();
         assert!(error < 1e-8, "{error:e}");
         solution
     };
+    let solved = |text: &str| within(text, BUDGET);
     let flat = |tolerance: f64| {
         format!(
             "format = 1\nlayer = {{ thickness = 0.1113, poisson = 0.364, grading = {{ type = \"linear\", surface = 1.0, base = 100.36 }} }}\n\
@@ -1398,13 +1399,14 @@ fn more_digits_than_there_are_get_the_digits_that_there_are() {
     );
     assert!(rubbed.plan.unknowns < 65 && rubbed.error.estimate.unwrap() < 1e-11, "{:?}", rubbed.plan);
 
-    let grown = solved(
-        "format = 1\nlayer = { thickness = 0.3366, poisson = 0.382, grading = { type = \"exponential\", surface = 1.0, base = 0.0263 } }\n\
+    let grown = within(
+        "format = 1\nlayer = { thickness = 0.7, poisson = 0.382, grading = { type = \"exponential\", surface = 1.0, base = 0.0263 } }\n\
          punch = { type = \"power\", coefficient = 0.1, exponent = 3.0 }\nfriction = { type = \"goodman\", coefficient = 0.4297 }\n\
          load = { force = 0.2148 }\nsolver = { tolerance = 1e-11 }",
+        4_000_000_000,
     );
-    // It had taken more than twice as much without another digit.
-    assert!(grown.plan.work < 15_000_000_000, "{:e}", grown.plan.work as f64);
+    // It ends where further resolutions have no more digits to tell.
+    assert!(grown.plan.work < 2_000_000_000, "{:e}", grown.plan.work as f64);
     assert!(!grown.profile.pressure.is_empty());
 }
 
