@@ -421,44 +421,15 @@ fn wide_interfaces_are_linear_to_third_order() {
 }
 
 #[test]
-fn a_thick_coating_is_a_half_plane_of_its_own() {
-    let deviation = |h: f64, what: usize| {
-        let layer = lines(h, &format!("base = {{ type = \"half-plane\", shear = 3.0, poisson = 0.2 }}\n{PLAIN}"));
-        solved(Sketch::on(layer), 1e-12)[what]
-    };
-    let limits = [1.0 / PI, flat_punch::EDGE_RATIO];
-    for (i, limit) in limits.into_iter().enumerate() {
-        let all = [10.0, 100.0, 1000.0].map(|h| (deviation(h, i + 1) / limit - 1.0).abs());
-        println!("{all:?}");
-        // To second order in b/h: the last is 1e-7 of it all, four digits above the tolerance.
-        for pair in all.windows(2) {
-            assert!(((pair[0] / pair[1]).log10() - 2.0).abs() < 0.1, "{all:?}");
-        }
-    }
-}
-
-#[test]
-fn an_infinite_exponential_is_a_thick_layer_of_it() {
-    let infinite = |gradient: f64| {
-        format!(
-            "poisson = 0.3\nbase = {{ type = \"infinite\" }}\n\
-             grading = {{ type = \"exponential\", surface = 1.0, gradient = {gradient:?} }}"
-        )
-    };
+fn the_flexibility_of_an_infinite_exponential_is_that_of_a_thick_layer_of_it() {
+    let infinite = "poisson = 0.3\nbase = { type = \"infinite\" }\n\
+                    grading = { type = \"exponential\", surface = 1.0, gradient = 1.0 }";
     // exp(-60) of the surface is left at the base, and of what is left of long waves nothing below s = 1e-3.
     let thick = lines(60.0, "grading = { type = \"exponential\", surface = 1.0, gradient = 1.0 }");
-    let (endless, layer) = (response(&infinite(1.0)), response(&thick));
+    let (endless, layer) = (response(infinite), response(&thick));
     for s in [1e-3, 0.01, 0.1, 0.5, 1.0, 2.0, 5.0, 30.0, 1e4] {
         let difference = distance(endless.surface(s).expect("a number"), layer.surface(60.0 * s).expect("a number"));
         assert!(difference < SAME, "{difference:.1e} at s = {s}");
-    }
-    assert_same_numbers(&infinite(1.0), &thick, FINE);
-    // gamma -> 0: to first order.
-    let deviations = [1e-2, 1e-3, 1e-4]
-        .map(|gradient| (solved(Sketch::on(infinite(gradient)), 1e-11)[3] / flat_punch::EDGE_RATIO - 1.0).abs());
-    println!("{deviations:?}");
-    for pair in deviations.windows(2) {
-        assert!(((pair[0] / pair[1]).log10() - 1.0).abs() < 0.15, "{deviations:?}");
     }
 }
 
@@ -532,18 +503,6 @@ fn far_data_differ_by_what_the_substrate_gives_between_them() {
             assert!(((pair[0] / pair[1]).log10() - 1.0).abs() < 0.05, "{deviations:?}");
         }
     }
-}
-
-#[test]
-fn friction_on_a_layer_that_slides_is_continuous_in_the_gradient() {
-    let ratio = |grading: &str| {
-        let layer = lines(3.0, &format!("base = {{ type = \"frictionless\" }}\n{grading}"));
-        solved(Sketch::on(layer).rubbing(0.3), 1e-9)[3]
-    };
-    let graded = |base: f64| ratio(&format!("grading = {{ type = \"exponential\", surface = 1.0, base = {base:?} }}"));
-    // To second order in the gradient.
-    let middle = 0.5 * (graded(1.0 - 1e-5) + graded(1.0 + 1e-5));
-    assert!((ratio(PLAIN) / middle - 1.0).abs() < 3e-9, "{} against {middle}", ratio(PLAIN));
 }
 
 /// One engine solves a contact that grows without friction, another one with it; Goodman's pressure is the same.

@@ -27,7 +27,6 @@ mod marching;
 mod operator_counts;
 mod planned;
 mod planner;
-mod properties;
 mod punches;
 mod random;
 mod regressions;

@@ -1,12 +1,15 @@
 //! Random scenes over the whole region that is served, each against another quadrature at a finer resolution.
 //!
-//! `PROPTEST_CASES=2000 cargo test --release --test it random -- --nocapture` is the long run.
+//! `PROPTEST_CASES=2000 cargo test --release --test it random -- --nocapture` is the long run; `PROPTEST_RNG_SEED`, which each
+//! test prints, has it again.
 
-use crate::sketch::{Sketch, numbers};
+use crate::sketch::{Sketch, numbers, shear_apart};
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
+use proptest::test_runner::{RngSeed, TestRunner};
 use slipzone::api::reference::partial_slip;
 use slipzone::engine::Status;
+use std::cell::Cell;
+use std::time::SystemTime;
 
 /// Layers from thin to thick, from soft skins to stiff ones; either punch; friction or none.
 fn sketches() -> impl Strategy<Value = Sketch> {
@@ -127,19 +130,45 @@ fn growing() -> impl Strategy<Value = Sketch> {
         .prop_map(|(h, ratio, nu, eta)| Sketch::flat(h, ratio, nu).cylinder().rubbing(eta))
 }
 
-/// 24 scenes, always the same, unless `PROPTEST_CASES` asks for a number of others.
-fn config() -> ProptestConfig {
-    let asked = std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok());
-    ProptestConfig {
-        cases: asked.unwrap_or(24),
-        rng_seed: if asked.is_some() { RngSeed::Random } else { RngSeed::Fixed(3) },
+/// Cases unless `PROPTEST_CASES` asks for others, and the seed of those.
+const CASES: u32 = 24;
+const SEED: u64 = 3;
+
+/// What a traction may be off by in any case: a few hundred roundings of the largest.
+const ROUNDING: f64 = 1e-13;
+/// Ten times the default tolerance: both tractions meet where the stick zone ends.
+const SLACK: f64 = 1e-7;
+
+/// Checks scenes that are always the same, unless `PROPTEST_CASES` asks for a number of others, and that so large a share of
+/// them converges: of a solver that gives up nothing else would be held. What fails is shrunk.
+fn hold<S: Strategy>(scenes: &S, share: f64, check: impl Fn(S::Value) -> Result<Status, TestCaseError>) {
+    let asked = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
+    let (cases, seed) = (asked("PROPTEST_CASES"), asked("PROPTEST_RNG_SEED"));
+    let other = cases.and_then(|_| SystemTime::UNIX_EPOCH.elapsed().ok()?.as_secs().into());
+    let seed = seed.or(other).unwrap_or(SEED);
+    let cases = cases.and_then(|cases| cases.try_into().ok()).unwrap_or(CASES);
+    let config = ProptestConfig {
+        cases,
+        rng_seed: RngSeed::Fixed(seed),
         failure_persistence: None,
         ..ProptestConfig::default()
-    }
+    };
+    let converged = Cell::new(0_u32);
+    let outcome = TestRunner::new(config).run(scenes, |scene| {
+        if check(scene)? == Status::Converged {
+            converged.set(converged.get() + 1);
+        }
+        Ok(())
+    });
+    println!("PROPTEST_CASES={cases} PROPTEST_RNG_SEED={seed}: {} converged", converged.get());
+    outcome.unwrap_or_else(|why| panic!("{why}"));
+    // Of few cases anything may be so.
+    let least = if cases < CASES { 0.0 } else { share * f64::from(cases) };
+    assert!(f64::from(converged.get()) >= least, "{} of {cases} converged, {least} at least should", converged.get());
 }
 
 /// A scene solved to that many digits against another quadrature at a finer tolerance.
-fn judged(sketch: &Sketch, digits: f64) -> Result<(), TestCaseError> {
+fn judged(sketch: &Sketch, digits: f64) -> Result<Status, TestCaseError> {
     let tolerance = 10.0_f64.powf(-digits);
     let solution = sketch.clone().with(&format!("[solver]\ntolerance = {tolerance:e}")).solve();
     prop_assert_ne!(solution.status, Status::Refused, "{:?}\n{}", solution.reason, sketch.text());
@@ -172,74 +201,108 @@ fn judged(sketch: &Sketch, digits: f64) -> Result<(), TestCaseError> {
             sketch.text()
         );
     }
-    Ok(())
+    Ok(solution.status)
 }
 
-proptest! {
-    #![proptest_config(config())]
-
-    /// Friction from 0.15 to 5 times what sticks to half of the contact: the exact zone is a ratio of elliptic integrals.
-    #[test]
-    fn stick_zones_on_half_planes_are_exact(nu in 0.0..0.49_f64, log in 0.15_f64.ln()..5.0_f64.ln(), digits in 3.0..11.5_f64) {
+/// Friction from 0.15 to 5 times what sticks to half of the contact: the exact zone is a ratio of elliptic integrals.
+#[test]
+fn stick_zones_on_half_planes_are_exact() {
+    hold(&(0.0..0.49_f64, 0.15_f64.ln()..5.0_f64.ln(), 3.0..11.5_f64), 0.9, |(nu, log, digits)| {
         let beta = (1.0 - 2.0 * nu) / (2.0 - 2.0 * nu);
         let (eta, tolerance) = (beta * log.exp(), 10.0_f64.powf(-digits));
-        let solution = Sketch::half_plane(nu).rubbing(eta).with(&format!("[solver]\ntolerance = {tolerance:e}")).solve();
+        let solution =
+            Sketch::half_plane(nu).rubbing(eta).with(&format!("[solver]\ntolerance = {tolerance:e}")).solve();
         let (stick, exact) = (solution.stick.expect("friction"), partial_slip::stick(eta, beta));
-        let numbers = [("stick.ratio", stick.ratio, exact.ratio), ("stick.one_minus_ratio", stick.one_minus_ratio, exact.one_minus_ratio)];
+        let numbers = [
+            ("stick.ratio", stick.ratio, exact.ratio),
+            ("stick.one_minus_ratio", stick.one_minus_ratio, exact.one_minus_ratio),
+        ];
         for (path, found, exact) in numbers {
             let error = (found.expect("a stick zone") / exact - 1.0).abs();
             let converged = solution.status == Status::Converged;
             let allowed = if converged { tolerance } else { solution.error.each[path] };
             prop_assert!(error <= 3.0 * allowed, "{}: error {:.1e}, allowed {:.1e}", path, error, allowed);
         }
-    }
+        Ok(solution.status)
+    });
+}
 
-    #[test]
-    fn errors_stay_within_three_tolerances(sketch in sketches(), digits in 3.0..12.0_f64) {
-        judged(&sketch, digits)?;
-    }
+#[test]
+fn errors_stay_within_three_tolerances() {
+    hold(&(sketches(), 3.0..12.0_f64), 0.7, |(sketch, digits)| judged(&sketch, digits));
+}
 
-    /// The default tolerance asks for 8 digits; stacks take the judge seconds beyond 11.
-    #[test]
-    fn errors_on_any_layer_stay_within_three_tolerances(sketch in any_sketches(), digits in 3.0..9.0_f64) {
-        judged(&sketch, digits)?;
-    }
+/// The default tolerance asks for 8 digits; stacks take the judge seconds beyond 11.
+#[test]
+fn errors_on_any_layer_stay_within_three_tolerances() {
+    hold(&(any_sketches(), 3.0..9.0_f64), 0.8, |(sketch, digits)| judged(&sketch, digits));
+}
 
-    /// Growing contacts under friction: numbers within three tolerances of those at a much finer one, the stick zone that of
-    /// the flat punch, and the tractions, whose error nobody states, within ten of their largest.
-    #[test]
-    fn growing_contacts_keep_what_they_promise(
-        sketch in growing(),
-        (punch, digits) in (0..PUNCHES.len(), 3.0..8.0_f64),
-    ) {
+/// Growing contacts under friction: numbers within three tolerances of those at a much finer one, the stick zone that of
+/// the flat punch, the shear within three times what is claimed of it
+/// and ten tolerances, and the pressure, whose error between its nodes
+/// nobody states, within three tolerances of its largest.
+#[test]
+fn growing_contacts_keep_what_they_promise() {
+    let scenes = (growing(), (0..PUNCHES.len(), 3.0..8.0_f64));
+    hold(&scenes, 0.6, |(sketch, (punch, digits))| {
         let solved = |tolerance: f64, punch: &str| {
-            let text = sketch.clone().with(&format!("[solver]\ntolerance = {tolerance:e}\n[output]\npoints = 12")).text();
-            let text = text.replace("type = \"cylinder\"\nradius = 1.0", punch);
+            let solver = format!("[solver]\ntolerance = {tolerance:e}\n[output]\npoints = 12");
+            let text = sketch.clone().with(&solver).text().replace("type = \"cylinder\"\nradius = 1.0", punch);
             slipzone::link_plugins();
-            slipzone::engine::solve(&slipzone::scene::parse("growing.toml", &text).unwrap_or_else(|e| panic!("{e}\n{text}")))
+            let scene = slipzone::scene::parse("growing.toml", &text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+            slipzone::engine::solve(&scene)
         };
         let (punch, tolerance) = (PUNCHES[punch], 10.0_f64.powf(-digits));
         let (found, exact) = (solved(tolerance, punch), solved((tolerance / 100.0).max(1e-9), punch));
         prop_assert!(found.status != Status::Converged || found.profile.shear.is_some(), "{:?}", punch);
         if found.status != Status::Converged || exact.status == Status::AssumptionViolated {
-            return Ok(());
+            return Ok(found.status);
         }
         for ((path, number), (_, exact)) in numbers(&found).into_iter().zip(numbers(&exact)) {
             let error = if exact == 0.0 { 0.0 } else { (number / exact - 1.0).abs() };
-            prop_assert!(error <= 3.0 * tolerance, "{}: {} is off by {:.1e}, tolerance {:.1e}", punch, path, error, tolerance);
+            prop_assert!(error <= 3.0 * tolerance, "{punch}: {path} is off by {error:.1e}, tolerance {tolerance:.1e}");
         }
-        if let Some(flat) = sketch.clone().flat_again().with("[solver]\ntolerance = 1e-9").solve().stick.and_then(|s| s.ratio) {
-            let ratio = found.stick.as_ref().and_then(|s| s.ratio).expect("a stick zone");
-            prop_assert!((ratio / flat - 1.0).abs() <= 3.0 * tolerance + 1e-8, "{}: a/b = {}, flat {}", punch, ratio, flat);
+        let flat = sketch.clone().flat_again().with("[solver]\ntolerance = 1e-9").solve();
+        if let Some(flat) = flat.stick.and_then(|stick| stick.ratio) {
+            let ratio = found.stick.as_ref().and_then(|stick| stick.ratio).expect("a stick zone");
+            let error = (ratio / flat - 1.0).abs();
+            prop_assert!(error <= 3.0 * tolerance + 1e-8, "{punch}: a/b = {ratio}, flat {flat}");
         }
-        let both = [(&found.profile.pressure, &exact.profile.pressure)].into_iter()
-            .chain(found.profile.shear.iter().zip(exact.profile.shear.iter()));
-        for (found, exact) in both {
-            let largest = exact.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
-            for (found, exact) in found.iter().flatten().zip(exact.iter().flatten()) {
-                let error = (found - exact).abs() / largest;
-                prop_assert!(error <= 10.0 * tolerance, "{}: a traction is off by {:.1e}, tolerance {:.1e}", punch, error, tolerance);
-            }
+        let [apart, claimed] = shear_apart(&found, &exact);
+        let allowed = 3.0 * claimed + exact.error.each["profile.shear"] + ROUNDING;
+        prop_assert!(
+            apart <= allowed.min(10.0 * tolerance),
+            "{punch}: the shear is off by {apart:.1e}, claimed {claimed:.1e}, tolerance {tolerance:.1e}"
+        );
+        let [pressure, truth] = [&found, &exact].map(|solution| solution.profile.pressure.iter().flatten());
+        let largest = truth.clone().fold(0.0_f64, |most, p| most.max(*p));
+        let apart = pressure.zip(truth).map(|(p, truth)| (p - truth).abs()).fold(0.0, f64::max) / largest;
+        prop_assert!(
+            apart <= 3.0 * tolerance,
+            "{punch}: the pressure is off by {apart:.1e}, tolerance {tolerance:.1e}"
+        );
+        Ok(found.status)
+    });
+}
+
+/// Shear stays within `eta p`, and what sticks and what slips are all of the contact.
+#[test]
+fn friction_holds_within_coulombs_limit() {
+    let layers = (1.0..20.0_f64, -2.0..2.0_f64, 0.0..0.45_f64);
+    hold(&(layers, 0.05..0.6_f64), 0.8, |((h, log, nu), eta)| {
+        let solution = Sketch::flat(h, log.exp(), nu).rubbing(eta).solve();
+        if solution.status != Status::Converged {
+            prop_assert!(solution.reason.is_some());
+            return Ok(solution.status);
         }
-    }
+        let shear = solution.profile.shear.as_ref().expect("friction");
+        for (p, q) in solution.profile.pressure.iter().zip(shear).filter_map(|(p, q)| Some(((*p)?, (*q)?))) {
+            prop_assert!(q.abs() <= eta * p * (1.0 + SLACK), "|q| = {} above {}", q.abs(), eta * p);
+        }
+        let stick = solution.stick.as_ref().expect("friction");
+        let (ratio, gap) = (stick.ratio.expect("a number"), stick.one_minus_ratio.expect("a number"));
+        prop_assert!(ratio > 0.0 && gap > 0.0 && (ratio + gap - 1.0).abs() < 1e-15, "{} and {}", ratio, gap);
+        Ok(solution.status)
+    });
 }

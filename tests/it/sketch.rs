@@ -110,3 +110,13 @@ pub(crate) fn pressure_apart(found: &Solution, exact: &Solution) -> [f64; 2] {
     let apart = pairs.map(|(p, truth)| (p - truth).abs() / truth.max(mean)).fold(0.0, f64::max);
     [apart, found.error.each["profile.pressure"]]
 }
+
+/// The largest difference of the shears over the largest of them, and what was claimed for the first.
+pub(crate) fn shear_apart(found: &Solution, exact: &Solution) -> [f64; 2] {
+    let shear = |solution: &Solution| solution.profile.shear.clone().expect("friction");
+    let (found_shear, exact_shear) = (shear(found), shear(exact));
+    let pairs = found_shear.iter().zip(&exact_shear).filter_map(|(q, truth)| Some(((*q)?, (*truth)?)));
+    let [apart, largest] = pairs
+        .fold([0.0_f64; 2], |[apart, largest], (q, truth)| [apart.max((q - truth).abs()), largest.max(truth.abs())]);
+    [apart / largest, found.error.each["profile.shear"]]
+}

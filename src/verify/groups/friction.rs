@@ -7,7 +7,7 @@ use crate::verify::contact::{A0, BETA, Contact, HALF_PLANE, claimed, number};
 use crate::verify::layers::worst;
 use slipzone_api::reference::cylinder::Cylinder;
 use slipzone_api::reference::goodman_shear::Goodman;
-use slipzone_api::reference::partial_slip::{Stick, friction};
+use slipzone_api::reference::partial_slip::{self, Stick, friction};
 use slipzone_api::reference::power::Power;
 use slipzone_api::reference::rounded_flat::RoundedFlat;
 use slipzone_api::reference::wedge::Wedge;
@@ -57,6 +57,15 @@ fn stick(nu: f64, eta: f64) -> Case {
         let name = |what: &str| format!("flat punch, nu = {nu}, eta = {eta}: {what}");
         let reason = "three times the solver's own tolerance, 1e-10, times d log eta/d log a or d log(b - a) < 1";
         sheet.relative(&name("eta of the a/b found"), friction(zone, beta), eta, Within::new(3e-10, reason), SPENCE);
+        let exact = partial_slip::stick(eta, beta);
+        for (what, path, found, exact) in [
+            ("a/b", "stick.ratio", zone.ratio, exact.ratio),
+            ("1 - a/b", "stick.one_minus_ratio", zone.one_minus_ratio, exact.one_minus_ratio),
+        ] {
+            let reason = "three times what is claimed, or 1e-12: the closed form's own rounding";
+            let within = Within::new(3.0 * claimed(&solution, path).max(1e-12), reason);
+            sheet.relative(&name(what), found, exact, within, SPENCE);
+        }
         let sum = zone.ratio + zone.one_minus_ratio;
         sheet.relative(&name("a/b and 1 - a/b"), sum, 1.0, Within::new(1e-15, "rounding of the sum"), "arithmetic");
         Ok(())

@@ -3,7 +3,7 @@
 use crate::engine::Solution;
 use crate::verify::Case;
 use crate::verify::check::Within;
-use crate::verify::contact::{A0, Contact, layer, number};
+use crate::verify::contact::{A0, Contact, claimed, layer, number};
 use crate::verify::layers::worst;
 use slipzone_api::double_exponential::nodes;
 use std::f64::consts::PI;
@@ -87,7 +87,7 @@ fn energy(ratio: f64) -> Case {
         let rate = rate(|b| number(&at_width(b, ratio).solve()?, "load.indentation"))?;
         let f = number(&at_width(1.0, ratio).solve()?, "edge.ratio")?;
         let name = format!("mu1/mu3 = {ratio}: dD/db = -pi A0 f^2/b");
-        let within = Within::new(3e-9, DIFFERENCE);
+        let within = Within::new(1e-9, DIFFERENCE);
         sheet.relative(&name, rate, -PI * A0 * f * f, within, "energy release, docs/theory.md section 4");
         Ok(())
     })
@@ -102,7 +102,7 @@ fn stiffness(ratio: f64) -> Case {
         let (depth, force) = (rate(scaled("load.indentation"))?, rate(scaled("load.force"))?);
         let expected = number(&at_width(1.0, ratio).solve()?, "load.indentation")?;
         let name = format!("mu1/mu3 = {ratio}: ddelta/dP of a cylinder is that of the flat punch");
-        let within = Within::new(3e-9, DIFFERENCE);
+        let within = Within::new(1e-9, DIFFERENCE);
         sheet.relative(&name, depth / force, expected, within, "docs/theory.md section 4");
         Ok(())
     })
@@ -224,9 +224,18 @@ fn ways_to_load() -> Case {
                 let key = path.trim_start_matches("load.");
                 let other = contact.clone().loaded(format!("{key} = {:?}", number(&by_width, path)?)).solve()?;
                 let name = format!("mu1/mu3 = {ratio}: half-width from the {key} that half-width 1 gives");
-                let within = Within::new(2e-10, "the solver's own tolerance, 1e-10, of both");
+                let errors = claimed(&by_width, path) + claimed(&other, "load.half_width");
+                let within =
+                    Within::new((3.0 * errors + 1e-12).min(2e-10), "three times what both claim, and rounding");
                 sheet.relative(&name, number(&other, "load.half_width")?, 1.0, within, "the inverse");
             }
+            let by_force = flat(5.0, ratio).solve()?;
+            let depth = number(&by_force, "load.indentation")?;
+            let by_depth = flat(5.0, ratio).loaded(format!("indentation = {depth:?}")).solve()?;
+            let name = format!("mu1/mu3 = {ratio}, flat: force from the indentation that force 1 gives");
+            let errors = claimed(&by_force, "load.indentation") + claimed(&by_depth, "load.force");
+            let within = Within::new(errors, "what both claim");
+            sheet.relative(&name, number(&by_depth, "load.force")?, 1.0, within, "the inverse");
         }
         Ok(())
     })

@@ -1,0 +1,240 @@
+//! Work and its bound, loading curves, and what is refused.
+
+use super::written;
+use crate::sketch::Sketch;
+use slipzone::engine::{BUDGET, Status, solve, solve_within};
+
+/// `check` and `explain` said nothing of what `solve` refuses whatever the numbers.
+#[test]
+fn what_solving_refuses_is_known_before() {
+    let thin = "solver = { model = \"thin\" }";
+    let layer = "thickness = 5.0, poisson = 0.3";
+    let exponential = format!("{layer}, grading = {{ type = \"exponential\", surface = 1.0, base = 8.0 }}");
+    let homogeneous = format!("{layer}, grading = {{ type = \"homogeneous\", modulus = 1.0 }}");
+    let soft = format!("{exponential}, base = {{ type = \"half-plane\", shear = 2.0, poisson = 0.3 }}");
+    let incompressible = exponential.replace("0.3", "0.5");
+    let cylinder = "punch = { type = \"cylinder\", radius = 900.0 }\nload = { half_width = 30.0 }";
+    let flat = "punch = { type = \"flat\", half_width = 1.0 }\nload = { force = 1.0 }";
+    let narrow = "punch = { type = \"cylinder\", radius = 10.0 }\nload = { half_width = 1.0 }";
+    let path = "punch = { type = \"cylinder\", radius = 900.0 }\nload = { until = { half_width = 30.0, points = 3 } }";
+    let dry = "output = { quantities = [\"load.force\"] }";
+    let moments = "solver = { kernel = { type = \"moments\" } }";
+    let transfer = "solver = { flexibility = { type = \"transfer-matrix\" } }";
+    for (layer, contact, rest, word) in [
+        (&exponential, flat, thin, "corners"),
+        (&exponential, cylinder, thin, "profile"),
+        (&soft, cylinder, &format!("{thin}\n{dry}"), "rigid base"),
+        (&exponential, path, &format!("{thin}\n{dry}"), "loading curve"),
+        (&exponential, narrow, &format!("{thin}\n{dry}"), "four thicknesses"),
+        (&exponential, flat, moments, "homogeneous surface"),
+        (&homogeneous, flat, transfer, "double depth exponents"),
+        (&incompressible, flat, transfer, "incompressible"),
+    ] {
+        let text = format!("format = 1\nlayer = {{ {layer} }}\n{contact}\n{rest}");
+        let scene = slipzone::scene::parse("refused", &text).unwrap();
+        let solution = slipzone::engine::solve(&scene);
+        assert_eq!(solution.status, Status::Refused, "{text}");
+        let known = slipzone::engine::refusal(&scene).map(|refusal| refusal.to_string());
+        assert_eq!(known.as_deref(), solution.reason.as_deref(), "{text}");
+        assert!(known.unwrap().contains(word), "{text}");
+    }
+    let served = format!("format = 1\nlayer = {{ {exponential} }}\n{cylinder}\n{thin}\n{dry}");
+    let served = slipzone::scene::parse("served", &served).unwrap();
+    assert_eq!(slipzone::engine::refusal(&served), None);
+    assert_ne!(slipzone::engine::solve(&served).status, Status::Refused);
+}
+
+/// Found by random scenes: what a growing contact on a thin layer could take had no bound, minutes at a time. It ends with what
+/// it has and says so, or is refused, within the budget.
+#[test]
+fn work_has_a_bound() {
+    use slipzone::engine::solve_within;
+    let budget = 20_000_000;
+    let cases = [
+        ("type = \"wedge\"\nslope = 0.01", "indentation = 0.01"),
+        (
+            "type = \"table\"\npoints = [[0.0, 0.0], [0.7, 0.14], [1.3, 0.43], [2.0, 0.84], [2.7, 1.36], [3.3, 1.96]]",
+            "force = 3.0",
+        ),
+    ];
+    for (punch, load) in cases {
+        let text = format!(
+            "format = 1\nlayer = {{ thickness = 0.01, poisson = 0.3, grading = {{ type = \"linear\", surface = 0.7, base = 200.0 }} }}\n\
+             friction = {{ type = \"goodman\", coefficient = 0.7 }}\n[punch]\n{punch}\n[load]\n{load}"
+        );
+        let solution = solve_within(&slipzone::scene::parse("bound", &text).unwrap(), budget);
+        let reason = solution.reason.unwrap_or_default();
+        assert!(matches!(solution.status, Status::NotConverged | Status::Refused), "{:?}: {reason}", solution.status);
+        assert!(reason.contains("budget, 2e7"), "{reason}");
+        // What was read of the tables for the last systems is counted behind them.
+        assert!(solution.plan.work < 3 * budget, "{}", solution.plan.work);
+    }
+}
+
+/// Found by random scenes: four loads on the way to another, without friction, took all flat punches that the contact might
+/// be made of, a hundred times the work of the last load.
+#[test]
+fn a_few_loads_on_the_way_take_little() {
+    let scene = Sketch::flat(0.05, 4.0, 0.3).cylinder().with("[solver]\ntolerance = 1e-6");
+    let alone = scene.clone().loaded("half_width = 1.0").solve().plan.work;
+    let path = scene.loaded("until = { half_width = 1.0, points = 5 }").solve();
+    assert_eq!(path.path.unwrap().status, Status::Converged);
+    assert!(path.plan.work < 8 * alone, "{} for five loads, {alone} for one", path.plan.work);
+}
+
+/// Found by random scenes: a contact 1e20 times as wide as a stack (whose thickness no check compared) asked for more nodes
+/// than can be counted, and a datum 1e-24 deep for more pieces of `graded-panels` than there is memory: both panicked.
+#[test]
+fn lengths_beyond_compare_do_not_panic() {
+    let scenes = [
+        "format = 1\nlayer = { poisson = 0.3, grading = { type = \"stack\", layers = [{ thickness = 50.0, \
+         grading = { type = \"exponential\", surface = 5e-3, base = 5e-4 } }] } }\n\
+         punch = { type = \"flat\", half_width = 2e22 }\nfriction = { type = \"goodman\", coefficient = 0.5 }\nload = { force = 0.01 }",
+        "format = 1\nlayer = { thickness = 5.0, poisson = 0.3, datum = 1e-24, grading = { type = \"homogeneous\", modulus = 1.0 }, \
+         base = { type = \"half-plane\", shear = 0.7, poisson = 0.3 } }\npunch = { type = \"cylinder\", radius = 1.0 }\n\
+         load = { half_width = 1.0 }\nsolver = { tolerance = 1e-3, quadrature = { type = \"graded-panels\" } }",
+    ];
+    for text in scenes {
+        let scene = slipzone::scene::parse("beyond", text).unwrap();
+        let solution = slipzone::engine::solve_within(&scene, 10_000_000);
+        assert!(solution.status == Status::Converged || solution.reason.is_some());
+    }
+}
+
+/// Under 2,000 thicknesses a pinned resolution sums its kernels over a grid a hundred times as fine: that counted nothing, and ten
+/// seconds of budget took a minute.
+#[test]
+fn what_a_finer_grid_costs_counts() {
+    let text = "format = 1\n[layer]\nthickness = 5.0\npoisson = 0.3\n\
+                grading = { type = \"exponential\", surface = 1.0, base = 8.0 }\n\
+                [punch]\ntype = \"flat\"\nhalf_width = 1e4\n[load]\nforce = 1.0\n\
+                [solver]\nquadrature = { type = \"de-sinc\", n = 100 }\n";
+    // Enough for its readings, 8 million at first, and for elimination, but for nothing beside them.
+    let budget = 120_000_000;
+    let solution = slipzone::engine::solve_within(&slipzone::scene::parse("wide", text).unwrap(), budget);
+    let reason = solution.reason.unwrap_or_default();
+    assert!(solution.status == Status::Refused && reason.contains("budget, 1e8"), "{:?}: {reason}", solution.status);
+}
+
+/// Found by random scenes: each load of a curve tried again what the budget had refused, and a refused system was counted as
+/// done (98,280 loads, three minutes, 3,400 times the budget); a stick zone refused between two grids was told on the wrong one,
+/// which panicked.
+#[test]
+fn what_the_budget_refused_is_not_tried_again() {
+    let many = "format = 1\npunch = { type = \"flat\", half_width = 1374.0 }\nlayer = { thickness = 1.44, poisson = 0.43, \
+                grading = { type = \"error-function\", above = 7.7, below = 4.0, centre = 1.5, width = 0.517 } }\n\
+                load = { until = { force = 0.244, points = 2000 } }";
+    let between = "format = 1\npunch = { type = \"flat\", half_width = 10.0 }\nload = { until = { force = 0.6 } }\n\
+                   friction = { type = \"goodman\", coefficient = 1.8 }\nlayer = { poisson = 0.24, grading = { type = \"stack\", \
+                   layers = [{ thickness = 2.0, grading = { type = \"sigmoid\", above = 100.0, below = 0.2, centre = 2.0, \
+                   width = 0.2 } }, { thickness = 4.0, grading = { type = \"homogeneous\", modulus = 1.0 } }, \
+                   { thickness = 0.5, grading = { type = \"sigmoid\", above = 0.8, below = 2.0, centre = 2.0, width = 0.9 } }] } }";
+    let budgets = [1_500_000, 3_000_000, 4_500_000, 6_000_000];
+    for (text, budget) in [many, between].into_iter().flat_map(|text| budgets.map(|budget| (text, budget))) {
+        let solution = slipzone::engine::solve_within(&slipzone::scene::parse("refused", text).unwrap(), budget);
+        // Refused where it ends before anything can be said of an error.
+        let reason = solution.reason.expect("why");
+        let is_short = solution.status == Status::NotConverged || reason.contains("budget");
+        assert!(is_short && solution.status != Status::Converged, "{budget}: {reason}");
+        // Once for the last load, twice for those on the way to it.
+        assert!(solution.plan.work <= 3 * budget, "{:e} of {budget}", solution.plan.work as f64);
+    }
+}
+
+/// Found by random scenes: loads told between the flat punches solved were told however many there were (100,000, 200 times the
+/// budget).
+#[test]
+fn a_curve_told_from_flat_punches_keeps_to_its_budget_too() {
+    let text = "format = 1\npunch = { type = \"cylinder\", radius = 272.0 }\n\
+                layer = { thickness = 4.0, poisson = 0.47, grading = { type = \"linear\", surface = 100.0, base = 1.0 } }\n\
+                load = { until = { indentation = 0.36, points = 5000 } }";
+    let budget = 20_000_000;
+    let solution = slipzone::engine::solve_within(&slipzone::scene::parse("curve", text).unwrap(), budget);
+    assert_eq!(solution.status, Status::Converged, "the last load by itself: {:?}", solution.reason);
+    let path = solution.path.expect("a curve");
+    let note = path.note.expect("why some loads have no numbers");
+    assert!(path.status == Status::Refused && note.contains("budget, 2e7"), "{:?}: {note}", path.status);
+    assert!(solution.plan.work <= 3 * budget, "{:e} of {budget}", solution.plan.work as f64);
+}
+
+/// A load on the way was told less well than the tolerance by the flat punches of the last one, and that was left so, without a
+/// reason.
+#[test]
+fn a_load_that_the_flat_punches_of_the_last_one_do_not_tell_is_solved_by_itself() {
+    let text = "format = 1\nlayer = { thickness = 2.0, poisson = 0.3, grading = { type = \"exponential\", surface = 1.0, \
+                base = 0.2 } }\npunch = { type = \"cylinder\", radius = 20.0 }\n\
+                friction = { type = \"goodman\", coefficient = 0.1 }\nload = { path = { half_width = [0.45, 1.5] } }";
+    let path = solve(&slipzone::scene::parse("path", text).unwrap()).path.unwrap();
+    assert!(path.status == Status::Converged && path.note.is_none(), "{:?}: {:?}", path.status, path.note);
+    assert!(path.error.unwrap() <= 1e-8, "{:?}", path.error);
+}
+
+/// Of a solid without a base a loading curve had no depths, with a datum neither, not even where they were the load.
+#[test]
+fn a_loading_curve_has_depths_where_there_is_a_datum() {
+    let layer = "poisson = 0.3, base = { type = \"infinite\" }, grading = { type = \"homogeneous\", modulus = 1.0 }";
+    let punch = "type = \"cylinder\", radius = 10.0";
+    let curve = |datum: &str, path: &str| {
+        written(&format!("{layer}{datum}"), punch, &format!("path = {{ {path} }}"), "")
+            .path
+            .expect("a path")
+            .indentation
+    };
+    assert_eq!(curve(", datum = 12.0", "indentation = [0.2, 0.3]"), Some(vec![Some(0.2), Some(0.3)]));
+    assert_eq!(curve("", "half_width = [0.5, 1.0]"), None);
+}
+
+/// What the kernels of a layer are told to, more digits than there are, was refused; so was a contact whose tractions would have taken too
+/// much once all resolutions had been tried in vain.
+#[test]
+fn more_digits_than_there_are_get_the_digits_that_there_are() {
+    let within = |text: &str, budget: u64| {
+        let solution = solve_within(&slipzone::scene::parse("vain", text).unwrap(), budget);
+        assert_eq!(solution.status, Status::NotConverged, "{:?}", solution.reason);
+        let error = solution.error.estimate.unwrap();
+        assert!(error < 1e-8, "{error:e}");
+        solution
+    };
+    let solved = |text: &str| within(text, BUDGET);
+    let flat = |tolerance: f64| {
+        format!(
+            "format = 1\nlayer = {{ thickness = 0.1113, poisson = 0.364, grading = {{ type = \"linear\", surface = 1.0, base = 100.36 }} }}\n\
+             punch = {{ type = \"flat\", half_width = 1.0 }}\nload = {{ force = 1.0 }}\nsolver = {{ tolerance = {tolerance:e} }}"
+        )
+    };
+    let [fine, finest] = [1e-10, 1e-12].map(|tolerance| solved(&flat(tolerance)));
+    let apart = (fine.edge.ratio.unwrap() / finest.edge.ratio.unwrap() - 1.0).abs();
+    assert!(apart < fine.error.each["edge.ratio"] + finest.error.each["edge.ratio"], "{apart:e}");
+
+    // No number of the shear is claimed to 1e-12: 129 unknowns told no more than 46.
+    let rubbed = solved(
+        "format = 1\nlayer = { thickness = 5.0, poisson = 0.3, grading = { type = \"exponential\", surface = 1.0, base = 8.0 } }\n\
+         punch = { type = \"flat\", half_width = 1.0 }\nfriction = { type = \"goodman\", coefficient = 0.3 }\n\
+         load = { force = 1.0 }\nsolver = { tolerance = 1e-12 }",
+    );
+    assert!(rubbed.plan.unknowns < 65 && rubbed.error.estimate.unwrap() < 1e-11, "{:?}", rubbed.plan);
+
+    let grown = within(
+        "format = 1\nlayer = { thickness = 0.7, poisson = 0.382, grading = { type = \"exponential\", surface = 1.0, base = 0.0263 } }\n\
+         punch = { type = \"power\", coefficient = 0.1, exponent = 3.0 }\nfriction = { type = \"goodman\", coefficient = 0.4297 }\n\
+         load = { force = 0.2148 }\nsolver = { tolerance = 1e-11 }",
+        4_000_000_000,
+    );
+    // It ends where further resolutions have no more digits to tell.
+    assert!(grown.plan.work < 2_000_000_000, "{:e}", grown.plan.work as f64);
+    assert!(!grown.profile.pressure.is_empty());
+}
+
+/// Numbers that were found are told, though no budget is left for the tractions.
+#[test]
+fn a_budget_spent_on_the_numbers_leaves_the_numbers() {
+    let text = "format = 1\nlayer = { thickness = 5.0, poisson = 0.3, grading = { type = \"exponential\", surface = 1.0, base = 8.0 } }\n\
+                punch = { type = \"wedge\", slope = 0.1 }\nfriction = { type = \"goodman\", coefficient = 0.3 }\nload = { half_width = 1.0 }\n\
+                output = { points = 20001 }";
+    let solution = slipzone::engine::solve_within(&slipzone::scene::parse("spent", text).unwrap(), 300_000_000);
+    assert_eq!(solution.status, Status::NotConverged);
+    let reason = solution.reason.unwrap();
+    assert!(reason.contains("tractions") && reason.contains("budget"), "{reason}");
+    assert!(solution.profile.x.is_empty() && solution.stick.unwrap().ratio.is_some());
+    assert!(solution.error.estimate.unwrap() < 1e-8);
+}
