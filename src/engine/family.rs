@@ -156,8 +156,8 @@ impl Family {
             told.map_or_else(|| first_members(n, kernel_lengths), |told| told.enough(left * task.tolerance))
         };
         let told = coarse.map(|coarse| coarse.pressed.told);
-        let of_pressure = told.filter(|_| task.problem.is_kinked());
-        let of_pressure = of_pressure.map_or(f64::INFINITY, |told| LEFT_OF_PRESSURE / (STEEP * told.members() as f64));
+        // If not this punch, another may ask for its pressure.
+        let of_pressure = told.map_or(f64::INFINITY, |told| LEFT_OF_PRESSURE / (STEEP * told.members() as f64));
         let pressed = members(told, LEFT_OF_FORCE.min(of_pressure));
         let mut family = Self {
             friction: flat.friction,

@@ -22,7 +22,7 @@ const FEWEST_NODES: f64 = 24.0;
 /// Those nodes per length of the kernel.
 const NODES_PER_LENGTH: f64 = 8.0;
 /// The range of `lambda = ln(a/(b - a))` that is scanned.
-const SCANNED: std::ops::RangeInclusive<f64> = -8.0..=10.0;
+pub(crate) const SCANNED: std::ops::RangeInclusive<f64> = -14.0..=16.0;
 /// The steps taken through it.
 const SCAN_STEP: f64 = 0.75;
 /// Step of the differences that tell `dC/d lambda` in a scan.

@@ -371,7 +371,9 @@ fn level(first: usize, step: usize) -> u32 {
     (first + step) as u32
 }
 
-/// Whether a stick zone is only bounded, and no finer step finds it.
+/// Whether a stick zone is only bounded, if that, and no finer step finds it.
 fn is_bounded(outcome: &Outcome) -> bool {
-    outcome.rubbing.as_ref().is_some_and(|rubbing| matches!(rubbing.verdict, Verdict::TooNarrow | Verdict::TooWide))
+    let is_beyond =
+        |verdict: &Verdict| matches!(verdict, Verdict::TooNarrow | Verdict::TooWide | Verdict::NotScanned(..));
+    outcome.rubbing.as_ref().is_some_and(|rubbing| is_beyond(&rubbing.verdict))
 }

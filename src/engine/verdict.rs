@@ -7,6 +7,7 @@ use super::quantity::Quantity;
 use super::rubbing::{Rubbing, Verdict};
 use super::solution::Status;
 use super::stage::Stage;
+use super::stick_zone::StickZone;
 
 /// A pressure less certain than this, relative, is no ground for saying that it pulls.
 const UNRESOLVED: f64 = 0.1;
@@ -83,6 +84,15 @@ fn of_stick(rubbing: &Rubbing, has_grown: bool) -> Option<(Status, String)> {
         Verdict::None => {
             let why = "no stick zone belongs to this friction coefficient with slip in one direction only";
             Some((Status::AssumptionViolated, why.into()))
+        }
+        Verdict::NotScanned(least, most) => {
+            let ends = [StickZone::from_log(*least, 1.0).ratio(), StickZone::from_log(*most, 1.0).one_minus_ratio()];
+            let why = format!(
+                "no stick zone between a/b = {:.0e} and 1 - a/b = {:.0e} belongs to this friction coefficient and a strain \
+                 C|x|, and no other is looked for: leave out `strain`",
+                ends[0], ends[1]
+            );
+            Some((Status::NotConverged, why))
         }
         Verdict::TooNarrow => {
             let shear = if has_grown { "there is no shear" } else { "the shear is that of full sliding" };

@@ -66,9 +66,10 @@ impl Moved {
 #[derive(Clone, Copy)]
 struct Point {
     at: f64,
-    excess: f64,
-    /// Of the excess.
+    number: f64,
+    /// Of the number.
     error: f64,
+    excess: f64,
 }
 
 /// The range as it was looked over.
@@ -132,8 +133,9 @@ impl Question<'_> {
         if let Some((at, why)) = gaps.last().filter(|_| points.len() < 2) {
             return Err(self.placed(*at, why));
         }
-        let most = points.iter().fold(f64::NEG_INFINITY, |most, point| most.max(point.excess - point.error));
-        let least = points.iter().fold(f64::INFINITY, |least, point| least.min(point.excess + point.error));
+        // The excess over a large target has no digits of the number.
+        let most = points.iter().fold(f64::NEG_INFINITY, |most, point| most.max(point.number - point.error));
+        let least = points.iter().fold(f64::INFINITY, |least, point| least.min(point.number + point.error));
         // How far a half-plane is off may well be nothing anywhere: that is told as such.
         if most <= least && !matches!(self.find.wanted, Wanted::HalfPlaneWithin(_)) {
             let Find { field, quantity, from, to, .. } = self.find;
@@ -214,12 +216,15 @@ impl Question<'_> {
                         "{quantity} is {side} than {off:.3e} from that of the half-plane {range}; wanted is {share:?}"
                     )
                 }
-                Wanted::Target(target) => format!(
-                    "{quantity} stays between {:.6e} and {:.6e} at the {} values tried {range}; wanted is {target:?}",
-                    target + least,
-                    target + most,
-                    points.len()
-                ),
+                Wanted::Target(target) => {
+                    let numbers = || points.iter().map(|point| point.number);
+                    format!(
+                        "{quantity} stays between {:.6e} and {:.6e} at the {} values tried {range}; wanted is {target:?}",
+                        numbers().fold(f64::INFINITY, f64::min),
+                        numbers().fold(f64::NEG_INFINITY, f64::max),
+                        points.len()
+                    )
+                }
                 Wanted::Minimum | Wanted::Maximum => unreachable!("no crossing is looked for"),
             });
         }
@@ -340,7 +345,7 @@ impl Question<'_> {
                 (number / reference - 1.0).abs() - share
             }
         };
-        Ok(Point { at, excess, error })
+        Ok(Point { at, number, error, excess })
     }
 
     /// The scene solved with the field at a value, for nothing but the number that decides where `alone`; an error where it

@@ -1,6 +1,7 @@
 //! Gradings as scenes name them: nested ones, files of theirs, the thickness that a stack knows itself.
 
 use slipzone::api::Files;
+use slipzone::engine::{Status, solve};
 use slipzone::scene::{self, Scene, SceneError};
 
 /// Files in memory.
@@ -85,4 +86,25 @@ fn mixtures_know_what_a_modulus_is() {
     let plain = parse("", &plain, &NO_FILES);
     let shear = modulus(&plain.expect("a good scene"), 0.25);
     assert!((at_young / (2.0 * shear * (1.0 + nu)) - 1.0).abs() < 1e-14);
+}
+
+/// The contraction `nu/(1 - nu)` vanishes there, and was measured by its own size.
+#[test]
+fn a_poisson_ratio_may_fade_to_nothing() {
+    slipzone::link_plugins();
+    let depth = |poisson: &str| {
+        let text = format!(
+            "format = 1\npunch = {{ type = \"flat\", half_width = 1.0 }}\nload = {{ force = 1.0 }}\n\
+             [layer]\nthickness = 5.0\npoisson = 0.3\n\
+             grading = {{ type = \"formula\", modulus = \"2 + 0*y\", poisson = \"{poisson}\" }}\n"
+        );
+        let solution = solve(&scene::parse("poisson.toml", &text).expect("a scene"));
+        assert_eq!(solution.status, Status::Converged, "{poisson}: {:?}", solution.reason);
+        solution.load.indentation.expect("a rigid base")
+    };
+    // One curve in two ways, and one that is hardly lifted off zero.
+    assert!((depth("0.25 + 0.25*tanh((y - 1)/0.1)") / depth("0.5/(1 + exp(-20*(y - 1)))") - 1.0).abs() < 1e-8);
+    assert!((depth("0.3*exp(-5*y)") / depth("1e-7 + (0.3 - 1e-7)*exp(-5*y)") - 1.0).abs() < 1e-6);
+    depth("0.3*exp(-y^2)");
+    depth("0.3*(y/h)^8");
 }

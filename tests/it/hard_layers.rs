@@ -196,7 +196,7 @@ fn the_peak_under_a_stack_on_a_stiff_skin_is_as_good_as_it_says() {
         slipzone::link_plugins();
         let solution = solve(&slipzone::scene::parse("skin.toml", &scene).expect("a scene"));
         assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
-        // At 1e-8, and by `graded-panels` at 1e-3 to all digits that these have.
+        // Told at 1e-8; `graded-panels` at 1e-3 has four of its digits.
         let error = (solution.pressure.peak.expect("a peak") / 0.002_292_937_39 - 1.0).abs();
         assert!(error < 3.0 * tolerance, "{error:e} at {tolerance:e}");
     }

@@ -61,8 +61,9 @@ pub(crate) struct Coefficients {
     pub(crate) cross: Polynomial,
 }
 
-/// Places of the first and of the last among those of one point.
+/// Places of some among those of one point.
 pub(crate) const SOFTNESS: usize = 0;
+pub(crate) const CONTRACTION: usize = 2;
 pub(crate) const CROSS: usize = 3;
 
 impl Coefficients {

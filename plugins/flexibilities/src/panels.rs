@@ -1,6 +1,6 @@
 //! A layer as panels of depth on each of which its elastic constants are polynomials.
 
-use crate::coefficients::{CROSS, Coefficients, MOST, Polynomial, SOFTNESS};
+use crate::coefficients::{CONTRACTION, CROSS, Coefficients, MOST, Polynomial, SOFTNESS};
 use crate::precision::Precision;
 use crate::propagator::Propagator;
 use crate::slices::Slices;
@@ -292,9 +292,11 @@ impl Chebyshev {
     }
 }
 
-/// The largest of each constant.
+/// The largest of each constant. The contraction counts beside 1, and its rounding is Poisson's ratio's: one that vanishes is measured by a
+/// part of that.
 fn sizes(values: &[[f64; 4]; MOST]) -> [f64; 4] {
-    values.iter().fold([0.0; 4], |most, values| std::array::from_fn(|i| values[i].abs().max(most[i])))
+    let least = std::array::from_fn(|i| if i == CONTRACTION { FAINT } else { 0.0 });
+    values.iter().fold(least, |most, values| std::array::from_fn(|i| values[i].abs().max(most[i])))
 }
 
 /// The polynomials through values of four constants at the nodes, rounding dropped, and the last coefficients of their
