@@ -1,4 +1,4 @@
-//! Error against work for every quadrature and kernel strategy, as Markdown tables: the ones in `docs/performance.md`.
+//! Error against work for every quadrature and kernel strategy, as Markdown tables: the ones in `docs/methods.md`.
 //!
 //! A flat punch with friction on layers that soften towards the base (`mu1/mu3 = 8`), from thick to thin, each method's
 //! resolution pinned by the scene. Errors are relative differences from another quadrature: `de-sinc` and

@@ -1,64 +1,12 @@
 //! Where one way overtakes another.
 
 use crate::{scenes, shortest};
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::lu::partial_pivoting::{factor, solve as substitute};
-use faer::{Mat, Par};
 use slipzone::engine;
 use slipzone::scene::Model;
 use std::hint::black_box;
 
-// The engine's own, which no other crate sees.
-#[path = "../../src/engine/elimination.rs"]
-mod elimination;
-
-/// Systems in a row of which one time is taken.
-const SYSTEMS: usize = 50;
 /// Largest ratio of two lengths in a scene.
 const FURTHEST: f64 = 1e9;
-
-/// Elimination row by row over factorisation in blocks.
-pub(crate) fn systems() {
-    println!("\nOne system, one right-hand side:\n\n| equations | row by row over in blocks |\n|---|---|");
-    for n in [12, 17, 23, 32, 33, 46, 64, 65, 80, 91, 96, 128, 129, 182, 257] {
-        // Like a Hilbert transform on nodes and on the points between them.
-        let entry = |i: usize, j: usize| 1.0 / (i as f64 - j as f64 + 0.5);
-        let whole: Vec<f64> = (0..n * n).map(|at| entry(at / n, at % n)).collect();
-        let (mut rows, mut right) = (whole.clone(), vec![1.0; n]);
-        let mut row_by_row = || {
-            for _ in 0..SYSTEMS {
-                rows.copy_from_slice(black_box(&whole));
-                right.fill(1.0);
-                elimination::solve(&mut rows, &mut right, n);
-            }
-        };
-        let original = Mat::from_fn(n, n, entry);
-        let (mut matrix, mut column) = (original.clone(), Mat::full(n, 1, 1.0));
-        let (mut forward, mut inverse) = (vec![0_usize; n], vec![0_usize; n]);
-        let room = factor::lu_in_place_scratch::<usize, f64>(n, n, Par::Seq, faer::Spec::default())
-            .or(substitute::solve_in_place_scratch::<usize, f64>(n, 1, Par::Seq));
-        let mut room = MemBuffer::new(room);
-        let mut in_blocks = || {
-            for _ in 0..SYSTEMS {
-                matrix.copy_from(black_box(&original));
-                column.fill(1.0);
-                let (_, order) = factor::lu_in_place(
-                    matrix.as_mut(),
-                    &mut forward,
-                    &mut inverse,
-                    Par::Seq,
-                    MemStack::new(&mut room),
-                    faer::Spec::default(),
-                );
-                let (lower, upper) = (matrix.as_ref(), matrix.as_ref());
-                substitute::solve_in_place(lower, upper, order, column.as_mut(), Par::Seq, MemStack::new(&mut room));
-            }
-        };
-        let both: &mut [&mut dyn FnMut()] = &mut [&mut row_by_row, &mut in_blocks];
-        let times = shortest(both);
-        println!("| {n} | {:.2} |", times[0] / times[1]);
-    }
-}
 
 /// The thickness of a layer whose contact has the half-width 1, by the ratio of the two, one way or the other.
 type Thickness<'a> = &'a dyn Fn(&f64) -> f64;

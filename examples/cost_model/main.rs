@@ -2,7 +2,7 @@
 //! of doing it overtakes another: the tables of `docs/scale.md`.
 //!
 //! `cargo run --release --example cost_model -- NAME...` with any of `unknowns`, `tolerance`, `thickness`, `sublayers`,
-//! `scenes`, `systems`, `models`; without a name it prints the shortest of them, `unknowns`.
+//! `scenes`, `models`; without a name it prints the shortest of them, `unknowns`.
 //!
 //! Work is counted and the same on every machine. Times are the shortest of a few and stand as ratios to the first row.
 
@@ -29,7 +29,6 @@ fn main() -> Result<(), String> {
             "thickness" => thickness(),
             "sublayers" => sublayers(),
             "scenes" => scale::scenes(),
-            "systems" => crossovers::systems(),
             "models" => crossovers::models(),
             other => return Err(format!("`{other}` is none of the names; see the head of the file")),
         }

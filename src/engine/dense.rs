@@ -9,8 +9,8 @@ use faer::{MatMut, Par};
 use slipzone_api::{Refusal, lend};
 use std::cell::Cell;
 
-/// So many equations at most are eliminated one by one: factorising in blocks takes more instructions below about
-/// 70, and its products of matrices keep twice the processor's largest cache for themselves, per thread.
+/// So many equations at most are eliminated one by one: for few factorising in blocks takes more instructions, and its
+/// products of matrices keep twice the processor's largest cache for themselves, per thread.
 const FEW: usize = elimination::MOST;
 
 thread_local! {

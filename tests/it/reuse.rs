@@ -130,7 +130,7 @@ fn a_solve_takes_little_memory() {
         peak
     });
     assert!(peaks[0] > 10_000, "{} bytes: the counter counts", peaks[0]);
-    // 0.83 MB measured, tables of nodes that the process keeps included (docs/performance.md).
+    // Tables of nodes that the process keeps included (docs/performance.md).
     assert!(peaks[0] < 2_000_000, "{} bytes for h/b = 5 at 1e-10", peaks[0]);
 }
 
