@@ -54,6 +54,8 @@ const SLOPE_DOUBT: f64 = 0.005;
 /// Measured under `|x|^2.5` on a stiff skin 33 times thinner than the contact is wide, with 56 members: the force off by 6e-4, the pressure by
 /// 2e-3 at a tenth of the half-width and by 6e-2 at its peak beside the edge; so told, peaks there are off by up to half of it.
 const STEEP: f64 = 2.0;
+/// Factor on what the series of the stick zones are taken to leave, where it is asked whether these shrink.
+const UNSURE: f64 = 4.0;
 /// Of so many points one is checked against the conditions of friction.
 const CHECKED: usize = 4;
 
@@ -208,14 +210,16 @@ impl Family {
         self.pressed.blend.widest()
     }
 
-    /// The first of the half-widths that a contact grows through beyond which the stick zone shrinks, by more than rounding.
+    /// The first of the half-widths that a contact grows through beyond which the stick zone shrinks, by more than rounding and what is not
+    /// known of it between the members.
     pub(crate) fn shrinks(&self, through: Range<f64>, rounding: f64) -> Option<f64> {
         let rubbed = self.rubbed.as_ref()?;
-        let zones = rubbed.blend.half_widths().iter().zip(&rubbed.lambda);
-        let zones: Vec<(f64, f64)> =
-            zones.map(|(b, lambda)| (*b, StickZone::from_log(*lambda, *b).half_width)).collect();
-        let shrinks = |pair: &&[(f64, f64)]| through.contains(&pair[1].0) && pair[0].1 < pair[1].1 * (1.0 - rounding);
-        zones.windows(2).rfind(shrinks).map(|pair| pair[1].0)
+        let left = UNSURE * rubbed.told.left() * self.widest();
+        let shrinks = |pair: &&[(f64, f64)]| {
+            let [(_, wide), (b, narrow)] = [pair[0], pair[1]];
+            through.contains(&b) && wide < narrow * (1.0 - rounding - left / b)
+        };
+        rubbed.zones.windows(2).rfind(shrinks).map(|pair| pair[1].0)
     }
 
     /// The stick zone of a contact of that half-width, as told between the members; `None` without friction.

@@ -8,6 +8,7 @@ use crate::engine::root::CERTAIN;
 use crate::engine::sheet::{Places, Sheet};
 use crate::engine::stage::Stage;
 use crate::engine::stick_search::Root;
+use crate::engine::stick_zone::StickZone;
 use slipzone_api::Station;
 use std::sync::Arc;
 
@@ -19,8 +20,8 @@ pub(super) struct Rubbed {
     pub(super) told: Told,
     /// By how much more slowly what the shear lacks falls off than the zone.
     slower: f64,
-    /// `ln(a/(b' - a))` of each member.
-    pub(super) lambda: Vec<f64>,
+    /// Half-widths of contacts and their stick zones, descending: of the members, and as told between them.
+    pub(super) zones: Vec<(f64, f64)>,
     /// How much of each function of the half-width there is in it, and in the slope of the friction coefficient over it.
     of_lambda: Vec<f64>,
     of_slope: Vec<f64>,
@@ -191,6 +192,7 @@ impl Found {
         let told = Told::new(blend.functions(), of_lack.max(of_zone), coarse);
         Rubbed {
             told,
+            zones: zones(&blend, &self.lambda, &of_lambda),
             of_lambda,
             slope_left: if are_alike(&self.slope) {
                 blend.last(&of_slope, 1) / largest(&of_slope)
@@ -198,7 +200,6 @@ impl Found {
                 f64::INFINITY
             },
             of_slope,
-            lambda: self.lambda,
             branch: self.branch,
             slower: (of_lack / of_zone).max(1.0),
             of_least,
@@ -228,6 +229,22 @@ impl Found {
         places.through_into(&p, &mut q);
         q
     }
+}
+
+/// Half-widths of contacts and their stick zones at the members, descending, and at some places between each two.
+fn zones(blend: &Blend, lambda: &[f64], of_lambda: &[f64]) -> Vec<(f64, f64)> {
+    /// Between these a zone is taken to grow, or to shrink.
+    const BETWEEN: [f64; 3] = [0.25, 0.5, 0.75];
+    let zone = |b: f64, lambda: f64| (b, StickZone::from_log(lambda, b).half_width);
+    let half_widths = blend.half_widths();
+    let mut zones = Vec::with_capacity((1 + BETWEEN.len()) * half_widths.len());
+    for (k, (b, lambda)) in half_widths.iter().zip(lambda).enumerate() {
+        zones.push(zone(*b, *lambda));
+        let next = half_widths.get(k + 1).into_iter();
+        let between = next.flat_map(|next| BETWEEN.map(|part| b + part * (next - b)));
+        zones.extend(between.map(|b| zone(b, blend.sum(b, of_lambda))));
+    }
+    zones
 }
 
 /// Whether each slope is near that of the member before. One that was measured where the curve jumps, from one grid of the slip zone to

@@ -238,3 +238,20 @@ fn one_slope_measured_across_a_jump_does_not_spoil_the_stack() {
     let ratio = solution.stick.and_then(|stick| stick.ratio).expect("a stick zone");
     assert!((ratio - 0.943_344_037).abs() < 2e-9, "{ratio}");
 }
+
+/// It shrinks by half a per cent around 0.1, between two flat punches that the contact is stacked of or across one, as the widest has it.
+#[test]
+fn a_stick_zone_that_shrinks_for_a_while_is_seen_under_any_load() {
+    for b in [0.3, 0.5, 1.0, 1.125] {
+        for tolerance in [1e-6, 1e-8] {
+            let solution = Sketch::flat(2.0, 10.0, 0.45)
+                .cylinder()
+                .rubbing(0.099_670_179_518_859_88)
+                .loaded(&format!("half_width = {b}"))
+                .with(&format!("[solver]\ntolerance = {tolerance}"))
+                .solve();
+            assert_eq!(solution.status, Status::AssumptionViolated, "b = {b} at {tolerance}");
+            assert!(solution.reason.is_some_and(|reason| reason.contains("the stick zone shrinks")));
+        }
+    }
+}
