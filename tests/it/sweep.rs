@@ -544,6 +544,12 @@ fn the_friction_for_a_stick_ratio() {
     );
     assert_eq!(none["status"], "refused");
     assert!(none["reason"].as_str().unwrap().contains("stick.ratio stays between"), "{none}");
+    // Beside a target like this no ratio has a digit left.
+    let absurd = found(
+        &scene,
+        "field = \"friction.coefficient\"\nfrom = 0.1\nto = 1.0\nquantity = \"stick.ratio\"\ntarget = 1e90",
+    );
+    assert!(absurd["reason"].as_str().unwrap().contains("stick.ratio stays between 4.4950"), "{absurd}");
 }
 
 /// The paper's own question. Frictionless quantities tend to the half-plane's like `(b/h)^2`: a quarter of the difference
