@@ -50,7 +50,7 @@ pub(super) fn neglected(layer: &PreparedLayer, problem: &Problem, zone: StickZon
     let half_plane = Scene { layer: plan::half_plane(&scene.layer, &problem.layer), ..scene.clone() };
     let step = |layer: &PreparedLayer| first_step(layer, beta, zone, quadrature.clone()).ok();
     // On an incompressible half-plane there is no shear.
-    let plain = if beta == 0.0 { 0.0 } else { step(&PreparedLayer::of(&half_plane).ok()?)? };
+    let plain = if beta == 0.0 { 0.0 } else { step(&PreparedLayer::of(&plan::choose(&half_plane)).ok()?)? };
     let own = step(layer)?;
     let neglected = if own.abs() < plain.abs() { of_half_plane * own / plain } else { of_half_plane + own - plain };
     neglected.is_finite().then_some(neglected)

@@ -23,7 +23,7 @@ use super::stick_zone::StickZone;
 use super::work::Work;
 use depths::Depths;
 use pressed::{Pressed, Table};
-use rubbed::{Moves, Rubbed};
+use rubbed::{Moves, PARTS, Rubbed};
 use slipzone_api::double_exponential::Node;
 use slipzone_api::{Component, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station, short};
 use std::ops::Range;
@@ -210,16 +210,19 @@ impl Family {
         self.pressed.blend.widest()
     }
 
-    /// The first of the half-widths that a contact grows through beyond which the stick zone shrinks, by more than rounding and what is not
-    /// known of it between the members.
+    /// The first of the half-widths that a contact grows through beyond which the stick zone shrinks: from one member to the next by more
+    /// than rounding, between them by more than is not known of it, too.
     pub(crate) fn shrinks(&self, through: Range<f64>, rounding: f64) -> Option<f64> {
         let rubbed = self.rubbed.as_ref()?;
         let left = UNSURE * rubbed.told.left() * self.widest();
-        let shrinks = |pair: &&[(f64, f64)]| {
-            let [(_, wide), (b, narrow)] = [pair[0], pair[1]];
-            through.contains(&b) && wide < narrow * (1.0 - rounding - left / b)
+        let shrinks = |wide: (f64, f64), narrow: (f64, f64), left: f64| {
+            through.contains(&narrow.0) && wide.1 < narrow.1 * (1.0 - rounding - left / narrow.0)
         };
-        rubbed.zones.windows(2).rfind(shrinks).map(|pair| pair[1].0)
+        let mut members = rubbed.zones.windows(PARTS + 1).step_by(PARTS);
+        let at_members = members.rfind(|zones| shrinks(zones[0], zones[PARTS], 0.0)).map(|zones| zones[PARTS].0);
+        let mut neighbours = rubbed.zones.windows(2);
+        let between = neighbours.rfind(|zones| shrinks(zones[0], zones[1], left)).map(|zones| zones[1].0);
+        at_members.into_iter().chain(between).reduce(f64::min)
     }
 
     /// The stick zone of a contact of that half-width, as told between the members; `None` without friction.

@@ -367,8 +367,12 @@ impl Growing {
             if problem.friction.is_none() {
                 return Some((numbers, lost));
             }
-            family.take_pressure(b);
-            let told = if sure { family.rubbing(layer, task, b).ok()? } else { family.rubbing_between(b) };
+            let told = if sure {
+                family.take_pressure(b);
+                family.rubbing(layer, task, b).ok()?
+            } else {
+                family.rubbing_between(b)
+            };
             let Some(rubbing) = told else { return Some((numbers, f64::INFINITY)) };
             let zone = rubbing.reported_zone();
             numbers.set(Quantity::StickHalfWidth, zone.half_width);

@@ -243,15 +243,15 @@ pub(super) fn left_by_sticking(outcome: &Outcome) -> f64 {
     if is_full && outcome.lost.is_some() { STUCK } else { 0.0 }
 }
 
-/// Errors of a stick zone that is only bounded, or not found at all, however close the bound is, in a contact as uncertain as that; `None` where it
-/// is found.
+/// Errors of a stick zone that is only bounded, however close the bound is, or not found at all, in a contact as uncertain as that; `None`
+/// where it is found.
 fn bound_of_stick(outcome: &Outcome, of_contact: f64) -> Option<Numbers> {
     let rubbing = outcome.rubbing.as_ref()?;
     let (ratio, one_minus) = (rubbing.zone.ratio(), rubbing.zone.one_minus_ratio());
     let (of_ratio, of_gap) = match rubbing.verdict {
         Verdict::TooNarrow => (1.0, ratio / one_minus),
         Verdict::TooWide => (one_minus / ratio, 1.0),
-        Verdict::NotScanned(..) => (1.0, 1.0),
+        Verdict::NotScanned => (1.0, 1.0),
         // There is none beside it.
         _ if rubbing.is_full => (one_minus / ratio, one_minus / ratio),
         _ => return None,

@@ -21,7 +21,8 @@ pub struct Layer {
 impl Layer {
     /// The layer of a scene, with nothing tabulated yet.
     pub fn of(scene: &Scene) -> Result<Self, Refusal> {
-        Ok(Self::known(PreparedLayer::of(scene)?, &choose(scene).scene, FlatPunches::default()))
+        let chosen = choose(scene);
+        Ok(Self::known(PreparedLayer::of(&chosen)?, &chosen.scene, FlatPunches::default()))
     }
 
     /// What a solver of that scene knows.
@@ -40,7 +41,7 @@ impl Layer {
         self.described == description(scene)
     }
 
-    /// The layer and its flat punches, where a scene is solved like them.
+    /// The layer prepared, and its flat punches where a scene is solved like them.
     pub(super) fn for_scene(self, scene: &Scene) -> (PreparedLayer, FlatPunches) {
         let (solved_with, flat_punches) = self.flat_punches;
         let flat_punches = if solved_with == quadrature(scene) { flat_punches } else { FlatPunches::default() };

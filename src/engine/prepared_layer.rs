@@ -3,8 +3,7 @@
 use super::budget::Meter;
 use super::problem::Problem;
 use super::work::Counted;
-use crate::plan::{Methods, choose};
-use crate::scene::Scene;
+use crate::plan::{Chosen, Methods};
 use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal, Rule};
 use std::sync::Arc;
 
@@ -84,8 +83,7 @@ impl PreparedLayer {
     }
 
     /// The layer of a scene, with nothing tabulated yet.
-    pub(super) fn of(scene: &Scene) -> Result<Self, Refusal> {
-        let chosen = choose(scene);
+    pub(super) fn of(chosen: &Chosen) -> Result<Self, Refusal> {
         Self::new(&Problem::new(&chosen.scene)?, &chosen.methods)
     }
 

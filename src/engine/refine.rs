@@ -373,7 +373,6 @@ fn level(first: usize, step: usize) -> u32 {
 
 /// Whether a stick zone is only bounded, if that, and no finer step finds it.
 fn is_bounded(outcome: &Outcome) -> bool {
-    let is_beyond =
-        |verdict: &Verdict| matches!(verdict, Verdict::TooNarrow | Verdict::TooWide | Verdict::NotScanned(..));
+    let is_beyond = |verdict: &Verdict| matches!(verdict, Verdict::TooNarrow | Verdict::TooWide | Verdict::NotScanned);
     outcome.rubbing.as_ref().is_some_and(|rubbing| is_beyond(&rubbing.verdict))
 }

@@ -40,8 +40,8 @@ pub(crate) enum Verdict {
     NoShear,
     /// No root in between: the direction of slip changes along the contact.
     None,
-    /// No root in the range of `lambda` that is looked at under a linear strain.
-    NotScanned(f64, f64),
+    /// No root in the range that is looked at under a linear strain.
+    NotScanned,
 }
 
 impl Rubbing {

@@ -101,16 +101,12 @@ impl Solver {
             });
         }
         let (chosen, problem, stand_in) = decided(chosen, problem).map_err(|(refusal, _)| refusal)?;
+        let known = (!layer.is_model).then_some(layer);
         if stand_in.is_some() {
             let model = PreparedLayer::new(&problem, &chosen.methods)?;
-            let aside = (!layer.is_model).then_some(layer);
-            return Ok(Self { aside, ..Self::made(chosen, problem, model, stand_in) });
+            return Ok(Self { aside: known, ..Self::made(chosen, problem, model, stand_in) });
         }
-        let (layer, flat_punches) = if layer.is_model {
-            (PreparedLayer::new(&problem, &chosen.methods)?, FlatPunches::default())
-        } else {
-            layer.for_scene(&chosen.scene)
-        };
+        let (layer, flat_punches) = prepared(known, &problem, &chosen)?;
         let ladder = Ladder::inheriting(flat_punches);
         Ok(Self { ladder, ..Self::made(chosen, problem, layer, stand_in) })
     }
@@ -241,10 +237,7 @@ impl Solver {
         let wishes = self.problem.wishes;
         self.problem = Problem::new(&chosen.scene)?;
         self.problem.wishes = wishes;
-        let (layer, flat_punches) = match self.aside.take() {
-            Some(layer) => layer.for_scene(&chosen.scene),
-            None => (PreparedLayer::new(&self.problem, &chosen.methods)?, FlatPunches::default()),
-        };
+        let (layer, flat_punches) = prepared(self.aside.take(), &self.problem, &chosen)?;
         self.layer = layer;
         let work = self.ladder.work();
         self.ladder = Ladder::inheriting(flat_punches);
@@ -436,6 +429,14 @@ impl Solver {
             ..self.chosen.plan.clone()
         };
         assemble::solution(&self.chosen.scene, plan, &self.layer, &self.problem, stage, judged, judgement)
+    }
+}
+
+/// A layer to solve a scene on, with the flat punches that are known of it: the one at hand, or a new one.
+fn prepared(known: Option<Layer>, problem: &Problem, chosen: &Chosen) -> Result<(PreparedLayer, FlatPunches), Refusal> {
+    match known {
+        Some(layer) => Ok(layer.for_scene(&chosen.scene)),
+        None => Ok((PreparedLayer::new(problem, &chosen.methods)?, FlatPunches::default())),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Whether a solved contact may be believed.
 
 use super::judged::{Judged, ROUNDED};
+use super::linear_strain::SCANNED;
 use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::quantity::Quantity;
@@ -85,12 +86,13 @@ fn of_stick(rubbing: &Rubbing, has_grown: bool) -> Option<(Status, String)> {
             let why = "no stick zone belongs to this friction coefficient with slip in one direction only";
             Some((Status::AssumptionViolated, why.into()))
         }
-        Verdict::NotScanned(least, most) => {
-            let ends = [StickZone::from_log(*least, 1.0).ratio(), StickZone::from_log(*most, 1.0).one_minus_ratio()];
+        Verdict::NotScanned => {
+            let [narrowest, widest] = [SCANNED.start(), SCANNED.end()].map(|lambda| StickZone::from_log(*lambda, 1.0));
             let why = format!(
                 "no stick zone between a/b = {:.0e} and 1 - a/b = {:.0e} belongs to this friction coefficient and a strain \
                  C|x|, and no other is looked for: leave out `strain`",
-                ends[0], ends[1]
+                narrowest.ratio(),
+                widest.one_minus_ratio()
             );
             Some((Status::NotConverged, why))
         }

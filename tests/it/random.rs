@@ -239,9 +239,8 @@ fn errors_on_any_layer_stay_within_three_tolerances() {
 }
 
 /// Growing contacts under friction: numbers within three tolerances of those at a much finer one, the stick zone that of
-/// the flat punch, the shear within three times what is claimed of it
-/// and ten tolerances, and the pressure, whose error between its nodes
-/// nobody states, within three tolerances of its largest.
+/// the flat punch, the shear within three times what is claimed of it and ten tolerances, and the pressure, whose error between
+/// its nodes nobody states, within three tolerances of its largest.
 #[test]
 fn growing_contacts_keep_what_they_promise() {
     let scenes = (growing(), (0..PUNCHES.len(), 3.0..8.0_f64));

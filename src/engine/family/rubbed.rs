@@ -231,17 +231,18 @@ impl Found {
     }
 }
 
-/// Half-widths of contacts and their stick zones at the members, descending, and at some places between each two.
+/// Parts of the way from one member to the next, over each of which a zone is taken to grow, or to shrink.
+pub(super) const PARTS: usize = 4;
+
+/// Half-widths of contacts and their stick zones at the members, descending, and at the ends of the parts between.
 fn zones(blend: &Blend, lambda: &[f64], of_lambda: &[f64]) -> Vec<(f64, f64)> {
-    /// Between these a zone is taken to grow, or to shrink.
-    const BETWEEN: [f64; 3] = [0.25, 0.5, 0.75];
     let zone = |b: f64, lambda: f64| (b, StickZone::from_log(lambda, b).half_width);
     let half_widths = blend.half_widths();
-    let mut zones = Vec::with_capacity((1 + BETWEEN.len()) * half_widths.len());
+    let mut zones = Vec::with_capacity(PARTS * half_widths.len());
     for (k, (b, lambda)) in half_widths.iter().zip(lambda).enumerate() {
         zones.push(zone(*b, *lambda));
-        let next = half_widths.get(k + 1).into_iter();
-        let between = next.flat_map(|next| BETWEEN.map(|part| b + part * (next - b)));
+        let Some(next) = half_widths.get(k + 1) else { break };
+        let between = (1..PARTS).map(|part| b + (next - b) * part as f64 / PARTS as f64);
         zones.extend(between.map(|b| zone(b, blend.sum(b, of_lambda))));
     }
     zones

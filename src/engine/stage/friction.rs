@@ -2,7 +2,7 @@
 
 use super::{Outcome, Stage, Task};
 use crate::engine::checks;
-use crate::engine::linear_strain::{RateCurve, SCANNED};
+use crate::engine::linear_strain::RateCurve;
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use crate::engine::root::CERTAIN;
@@ -86,10 +86,7 @@ impl Stage {
             }
         }
         let nothing = Root { lambda: -FrictionCurve::WIDEST, branch: 1.0, slope: f64::NAN, doubt: f64::NAN };
-        let lost = || Rubbing {
-            verdict: Verdict::NotScanned(*SCANNED.start(), *SCANNED.end()),
-            ..Rubbing::expected(nothing, b, true)
-        };
+        let lost = || Rubbing { verdict: Verdict::NotScanned, ..Rubbing::expected(nothing, b, true) };
         Ok(failure.unwrap_or_else(lost))
     }
 

@@ -135,6 +135,8 @@ fn endless() -> Case {
         let deviations = [deviation(1e-2)?, deviation(1e-3)?, deviation(1e-4)?];
         // gamma plays the part of 1/h.
         order(sheet, name, &deviations, 10.0, 1.0, (0.15, "next order gamma b log(gamma b)"));
+        let name = "infinite exponential, gradient -> 0: edge factor, the smallest two";
+        order(sheet, name, &deviations[1..], 10.0, 1.0, (0.1, "next order gamma b log(gamma b)"));
         Ok(())
     })
 }

@@ -162,13 +162,8 @@ fn the_shear_of_full_stick_is_no_surer_than_it_is() {
             solve(&slipzone::scene::parse("stuck", &text).unwrap())
         };
         let (found, exact) = (scene(tolerance), scene("1e-10"));
-        let shears = [&found, &exact].map(|solution| solution.profile.shear.clone().unwrap());
-        let largest = shears[1].iter().flatten().fold(0.0_f64, |most, q| most.max(q.abs()));
-        let claimed = found.error.each["profile.shear"];
-        for (q, exact) in shears[0].iter().flatten().zip(shears[1].iter().flatten()) {
-            let off = (q - exact).abs() / largest;
-            assert!(off <= 3.0 * claimed, "{layer}: off by {off:e}, claimed {claimed:e}");
-        }
+        let [off, claimed] = shear_apart(&found, &exact);
+        assert!(off <= 3.0 * claimed, "{layer}: off by {off:e}, claimed {claimed:e}");
     }
 }
 
