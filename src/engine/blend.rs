@@ -144,6 +144,9 @@ pub(crate) fn add_rows(factors: &[f64], rows: &[f64], to: &mut [f64]) {
     Arch::new().dispatch(AddRows { factors, rows, to });
 }
 
+/// So many rows are added at a time.
+const TOGETHER: usize = 4;
+
 struct AddRows<'a> {
     factors: &'a [f64],
     rows: &'a [f64],
@@ -155,17 +158,31 @@ impl WithSimd for AddRows<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        for (factor, row) in self.factors.iter().zip(self.rows.chunks_exact(self.to.len())) {
-            let (row, row_rest) = S::as_simd_f64s(row);
-            let (to, to_rest) = S::as_mut_simd_f64s(self.to);
-            let wide = simd.splat_f64s(*factor);
-            for (to, row) in to.iter_mut().zip(row) {
-                *to = simd.mul_add_e_f64s(wide, *row, *to);
-            }
-            for (to, row) in to_rest.iter_mut().zip(row_rest) {
-                *to += factor * row;
-            }
+        let (factors, factors_left) = self.factors.as_chunks::<TOGETHER>();
+        let (rows, rows_left) = self.rows.split_at(factors.len() * TOGETHER * self.to.len());
+        for (factors, rows) in factors.iter().zip(rows.chunks_exact(TOGETHER * self.to.len())) {
+            add_together(simd, factors, rows, self.to);
         }
+        for (factor, row) in factors_left.iter().zip(rows_left.chunks_exact(self.to.len())) {
+            add_together(simd, &[*factor], row, self.to);
+        }
+    }
+}
+
+/// Adds a few rows at a time, one after another to what is loaded once.
+#[inline(always)]
+fn add_together<S: Simd, const N: usize>(simd: S, factors: &[f64; N], rows: &[f64], to: &mut [f64]) {
+    let width = to.len();
+    let rows: [&[f64]; N] = std::array::from_fn(|i| &rows[i * width..(i + 1) * width]);
+    let wide = factors.map(|factor| simd.splat_f64s(factor));
+    let (to, to_rest) = S::as_mut_simd_f64s(to);
+    let in_lanes = rows.map(|row| &S::as_simd_f64s(row).0[..to.len()]);
+    for (k, to) in to.iter_mut().enumerate() {
+        *to = (0..N).fold(*to, |sum, i| simd.mul_add_e_f64s(wide[i], in_lanes[i][k], sum));
+    }
+    let rest = rows.map(|row| &row[width - to_rest.len()..]);
+    for (k, to) in to_rest.iter_mut().enumerate() {
+        *to = (0..N).fold(*to, |sum, i| sum + factors[i] * rest[i][k]);
     }
 }
 
