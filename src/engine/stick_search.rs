@@ -17,6 +17,8 @@ pub(crate) use samples::Samples;
 
 /// See [`FrictionCurve::WIDEST`].
 const WIDEST: f64 = FrictionCurve::WIDEST;
+/// See [`FrictionCurve::NARROWEST`].
+const NARROWEST: f64 = FrictionCurve::NARROWEST;
 /// Half of the bracket around a root that the asymptote predicts.
 const PREDICTED: f64 = 0.25;
 /// The curve is trusted where the slip zone is this many times as wide as the finest gap resolved.
@@ -64,8 +66,9 @@ pub(crate) struct Root {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Found {
     pub(crate) roots: ArrayVec<Root, MOST_ROOTS>,
-    /// Whether a root lies below all stick zones looked for, or above.
-    pub(crate) narrower: bool,
+    /// Below what a root lies that is below all stick zones looked for.
+    pub(crate) narrower: Option<f64>,
+    /// Whether one lies above all.
     pub(crate) wider: bool,
     /// Largest `|eta|` of the scan.
     pub(crate) largest: f64,
@@ -94,8 +97,11 @@ impl FrictionCurve<'_> {
         (-(RESOLVED * self.normal.finest_gap()).ln()).min(WIDEST)
     }
 
-    /// `lambda = ln(a/(b - a))` of the stick zones looked for is within this: `a/b` or `1 - a/b` down to 7e-13.
+    /// `lambda = ln(a/(b - a))` of the stick zones sampled is within this: `a/b` or `1 - a/b` down to 7e-13.
     pub(crate) const WIDEST: f64 = 28.0;
+
+    /// `lambda` of the narrowest stick zones, `a/b = 5e-131`, where the curve follows its asymptote: of narrower ones squares may underflow.
+    pub(crate) const NARROWEST: f64 = -300.0;
 
     /// Whether the resolution tells all zones that are looked for.
     pub(crate) fn sees_all(&self) -> bool {
@@ -176,13 +182,13 @@ impl FrictionCurve<'_> {
             return Ok(());
         }
         if !samples.low {
-            found.narrower = true; // the scan went to its end
+            found.narrower = Some(lambda); // the scan went to its end
             return Ok(());
         }
         let slope = -2.0 / (PI * self.strained());
         let predicted = lambda + (target.recip() - value.recip()) / slope;
-        if predicted < -WIDEST {
-            found.narrower = true;
+        if predicted < NARROWEST {
+            found.narrower = Some(NARROWEST);
             return Ok(());
         }
         self.near(predicted, f64::NEG_INFINITY, lambda, target, found)
@@ -212,7 +218,7 @@ impl FrictionCurve<'_> {
         }
         // Predicted just inside the range looked at, and just outside in truth.
         found.wider |= predicted > 0.0 && target > 0.0;
-        found.narrower |= predicted < 0.0;
+        found.narrower = found.narrower.or((predicted < 0.0).then_some(most));
         Ok(())
     }
 
@@ -220,7 +226,7 @@ impl FrictionCurve<'_> {
     pub(crate) fn follow(&mut self, root: Root, eta: f64) -> Result<Option<Root>, Refusal> {
         let Root { lambda, branch, slope, doubt } = root;
         let (target, widest) = (branch * eta, self.widest());
-        if !(-WIDEST..=widest).contains(&lambda) {
+        if lambda > widest {
             return Ok(None);
         }
         let wanted = ROOT_SHARE * self.tolerance;

@@ -205,13 +205,13 @@ impl Stage {
         let (found, sees_all) = (curve.roots(eta, &samples)?, curve.sees_all());
         self.sampled = Some((b, samples));
         let curve = self.curve(layer, task);
-        let (lambda, verdict) = match found.roots.first() {
-            Some(root) => (root.lambda, Verdict::Holds),
-            None if found.largest < NO_SHEAR * eta => (0.0, Verdict::NoShear),
-            None if found.narrower => (-FrictionCurve::WIDEST, Verdict::TooNarrow),
-            None if found.wider && sees_all => (curve.widest(), Verdict::Sticks),
-            None if found.wider => (curve.widest(), Verdict::TooWide),
-            None => (-FrictionCurve::WIDEST, Verdict::None),
+        let (lambda, verdict) = match (found.roots.first(), found.narrower) {
+            (Some(root), _) => (root.lambda, Verdict::Holds),
+            _ if found.largest < NO_SHEAR * eta => (0.0, Verdict::NoShear),
+            (None, Some(bound)) => (bound, Verdict::TooNarrow),
+            _ if found.wider && sees_all => (curve.widest(), Verdict::Sticks),
+            _ if found.wider => (curve.widest(), Verdict::TooWide),
+            _ => (-FrictionCurve::WIDEST, Verdict::None),
         };
         let zone = match verdict {
             Verdict::NoShear => StickZone { half_width: b, slip_width: 0.0 },
@@ -337,7 +337,7 @@ impl Stage {
             }
             return Ok(false);
         }
-        let finite = lambda.clamp(-FrictionCurve::WIDEST, FrictionCurve::WIDEST);
+        let finite = lambda.clamp(FrictionCurve::NARROWEST, FrictionCurve::WIDEST);
         let friction = self.curve(layer, task).at(finite)?;
         let shear = self.shear.as_mut().expect("room for the shear was made with friction");
         let sliding = eta.copysign(friction);

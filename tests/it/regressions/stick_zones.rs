@@ -255,3 +255,34 @@ fn a_stick_zone_that_shrinks_for_a_while_is_seen_under_any_load() {
         }
     }
 }
+
+/// `a/b` below 7e-13 was a bound, and a growing contact that had passed through such zones was refused or not, as its members had it.
+#[test]
+fn a_stick_zone_narrower_than_any_sampled_is_where_the_asymptote_has_it() {
+    use slipzone::api::reference::partial_slip;
+    let ratio = |sketch: Sketch| {
+        let solution = sketch.solve();
+        assert_eq!(solution.status, Status::Converged, "{:?}: {}", solution.reason, sketch.text());
+        solution.stick.and_then(|stick| stick.ratio).expect("a stick zone")
+    };
+    for eta in [0.01, 0.004, 0.0016] {
+        let (found, exact) = (ratio(Sketch::half_plane(0.3).rubbing(eta)), partial_slip::stick(eta, 2.0 / 7.0).ratio);
+        assert!((found / exact - 1.0).abs() < 1e-11, "{found:e} for {exact:e}");
+    }
+    // 3e-28, by two quadratures.
+    let on_layer = |solver: &str| ratio(Sketch::flat(1.0, 10.0, 0.2).rubbing(0.002).with(solver));
+    let [one, other] =
+        ["[solver]\ntolerance = 1e-9", "[solver]\ntolerance = 1e-7\nquadrature = { type = \"graded-panels\" }"]
+            .map(on_layer);
+    assert!(one < 1e-27 && (other / one - 1.0).abs() < 1e-7, "{other:e} for {one:e}");
+    // On its way from 1e-17.
+    let layer = "thickness = 0.5\npoisson = 0.0\ngrading = { type = \"homogeneous\", modulus = 1.0 }";
+    let grown = |b: f64, tolerance: f64| {
+        let sketch = Sketch::on(layer).cylinder().rubbing(0.01).loaded(&format!("half_width = {b}"));
+        ratio(sketch.with(&format!("[solver]\ntolerance = {tolerance:?}")))
+    };
+    for b in [0.4, 0.7, 1.0] {
+        let (coarse, fine) = (grown(b, 1e-4), grown(b, 1e-8));
+        assert!((coarse / fine - 1.0).abs() < 1e-4, "{coarse:e} for {fine:e}");
+    }
+}
