@@ -54,6 +54,17 @@ enum Settled {
     Elsewhere,
 }
 
+/// How far the steps led.
+struct Climbed {
+    /// What the last one that could be solved found, and its stage.
+    outcome: Outcome,
+    stage: usize,
+    /// What all of them tell.
+    estimate: Estimate,
+    /// Why no other was taken, where another was to be.
+    stopped: Option<Refusal>,
+}
+
 impl Ladder {
     /// Solves a problem with the methods given.
     pub(super) fn refine(&mut self, layer: &mut PreparedLayer, aim: Aim) -> Result<Judged, Refusal> {
@@ -88,18 +99,48 @@ impl Ladder {
         Ok(Judged { of_pressure, ..Judged::new(outcome, 0, errors, How::Twin) })
     }
 
-    /// Takes finer steps until the estimate meets the tolerance.
+    /// Takes finer steps until the estimate meets the tolerance, and as many more as the tractions want.
     fn refined(&mut self, layer: &mut PreparedLayer, aim: Aim) -> Result<Judged, Refusal> {
-        let mut estimate = Estimate::default();
         self.forsaken = None;
-        let (mut last, mut stopped): (Option<(Outcome, usize)>, _) = (None, None);
-        let first = first_level(aim.problem, aim.tolerance);
-        // What a search found on the coarsest level is followed from there to the first that matters.
-        let after_search =
-            Some(left_out(aim.problem, aim.tolerance)).filter(|level| searches(aim.problem) && *level > 1);
         if let Some(judged) = self.pressed_again(layer, aim) {
             return Ok(judged);
         }
+        let first = first_level(aim.problem, aim.tolerance);
+        let Climbed { outcome, stage, estimate, stopped } = self.climb(layer, aim, first)?;
+        let Estimate { mut history, errors, of_shear, met, .. } = estimate;
+        let how = How::Sequence { count: 0, kernels_proven: false };
+        let of_pressure = self.lost_between(aim, stage);
+        let mut found = Judged { of_shear, of_pressure, stopped, ..Judged::new(outcome, stage, errors, how) };
+        if met && found.stopped.is_none() {
+            self.refine_for_the_tractions(layer, aim, first, &mut found, &mut history);
+        }
+        layer.meter().conclude();
+        let Judged { outcome, stage, errors, of_shear, stopped, .. } = &mut found;
+        if stopped.is_some() {
+            // Settled by no step: the last one that could be solved is.
+            let task = self.task(aim, level(first, *stage));
+            if let Settled::Here { shear: Some(shear) } = self.settle(layer, task, (outcome, *stage), errors)? {
+                *of_shear = Some(shear);
+            }
+        }
+        if *errors == Numbers::default() {
+            // Changed its mind at the last step.
+            outcome.numbers.iter().for_each(|(quantity, _)| errors.set(quantity, 1.0));
+        }
+        if aim.problem.fixed_half_width().is_none() {
+            self.remember(layer, *stage, outcome, &history);
+        }
+        found.how = How::Sequence { count: history.len(), kernels_proven: layer.is_proven() };
+        Ok(found)
+    }
+
+    /// Takes finer steps, the first of that level, until the estimate meets the tolerance or none will.
+    fn climb(&mut self, layer: &mut PreparedLayer, aim: Aim, first: usize) -> Result<Climbed, Refusal> {
+        let mut estimate = Estimate::default();
+        let (mut last, mut stopped): (Option<(Outcome, usize)>, _) = (None, None);
+        // What a search found on the coarsest level is followed from there to the first that matters.
+        let after_search =
+            Some(left_out(aim.problem, aim.tolerance)).filter(|level| searches(aim.problem) && *level > 1);
         let mut next = 0;
         for step in 0..=FINEST - first {
             if step < next {
@@ -165,31 +206,7 @@ impl Ladder {
         let Some((outcome, stage)) = last else {
             return Err(stopped.expect("every step was solved or refused"));
         };
-        let Estimate { mut history, errors, of_shear, met, .. } = estimate;
-        let how = How::Sequence { count: 0, kernels_proven: false };
-        let of_pressure = self.lost_between(aim, stage);
-        let mut found = Judged { of_shear, of_pressure, stopped, ..Judged::new(outcome, stage, errors, how) };
-        if met && found.stopped.is_none() {
-            self.refine_for_the_tractions(layer, aim, first, &mut found, &mut history);
-        }
-        layer.meter().conclude();
-        let Judged { outcome, stage, errors, of_shear, stopped, .. } = &mut found;
-        if stopped.is_some() {
-            // Settled by no step: the last one that could be solved is.
-            let task = self.task(aim, level(first, *stage));
-            if let Settled::Here { shear: Some(shear) } = self.settle(layer, task, (outcome, *stage), errors)? {
-                *of_shear = Some(shear);
-            }
-        }
-        if *errors == Numbers::default() {
-            // Changed its mind at the last step.
-            outcome.numbers.iter().for_each(|(quantity, _)| errors.set(quantity, 1.0));
-        }
-        if aim.problem.fixed_half_width().is_none() {
-            self.remember(layer, *stage, outcome, &history);
-        }
-        found.how = How::Sequence { count: history.len(), kernels_proven: layer.is_proven() };
-        Ok(found)
+        Ok(Climbed { outcome, stage, estimate, stopped })
     }
 
     /// [`Stage::lost_between`], where the tractions are asked for.
