@@ -218,7 +218,9 @@ impl Problem {
             // Where a detail ends may be just where this piece does.
             let ends = [from, to].into_iter().filter(|end| self.kinks().all(|kink| kink.to_bits() != end.to_bits()));
             let is_resolved = series.tail() * largest <= enough && inside.iter().copied().chain(ends).all(is_like);
-            if is_resolved {
+            // Beside a kink no series resolves a slope, and none has to: a stack knows what is singular there.
+            let is_beside_kink = inside.is_empty() && self.kinks().any(|kink| kink.to_bits() == from.to_bits());
+            if is_resolved || is_beside_kink {
                 i += 1;
             } else if cut.len() > MOST_PIECES {
                 return false;
