@@ -14,6 +14,9 @@ const ROUNDING: f64 = 1e-9;
 /// By how much the logarithm of the modulus may leave those of the rows beside it, where no step between rows is larger.
 const SWING: f64 = std::f64::consts::LN_2;
 
+/// A table this many times as deep as the layer is to have as many rows within it as a table has at least.
+const FAR_DEEPER: f64 = 100.0;
+
 /// The logarithm of the modulus, and Poisson's ratio, over depth in the user's unit.
 #[derive(Debug)]
 pub(super) struct Profile {
@@ -93,6 +96,14 @@ impl Profile {
             return Err(format!(
                 "the rows end at depth {last}, above the base at {thickness}; add a row at or below the base, or check \
                  `depth_unit` and the thickness"
+            ));
+        }
+        let within = self.curve.nodes().partition_point(|depth| *depth <= thickness * (1.0 + ROUNDING));
+        if within < LEAST && last > FAR_DEEPER * thickness {
+            return Err(format!(
+                "the base is at {thickness} and the rows go down to depth {last}, {within} of {} within the layer; check \
+                 `depth_unit` and the thickness, or give at least {LEAST} rows there",
+                self.curve.nodes().len()
             ));
         }
         Ok(Box::new(Law { profile: self, thickness }))

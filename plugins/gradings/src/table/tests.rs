@@ -184,6 +184,16 @@ fn a_curve_that_swings_between_the_rows_is_refused() {
     }
 }
 
+#[test]
+fn rows_far_deeper_than_the_layer_are_told() {
+    let thick = |thickness| Setting::thick(Positive::new(thickness).unwrap());
+    let table = sampled(9, smooth, None);
+    let refusal = table.law(&thick(THICKNESS / 1000.0)).unwrap_err().to_string();
+    assert!(refusal.contains("1 of 9 within") && refusal.contains("depth_unit"), "{refusal}");
+    assert!(table.law(&thick(THICKNESS / 50.0)).is_ok(), "the beginning of a table may be all that is wanted");
+    assert!(sampled(1500, smooth, None).law(&thick(THICKNESS / 200.0)).is_ok(), "many rows tell a thin layer, too");
+}
+
 /// The most rows are read at once, and a million are refused at once.
 #[test]
 fn many_rows() {
