@@ -154,6 +154,30 @@ fn explain_prints_a_scene() {
     assert_eq!(again, output, "explaining the explanation adds nothing");
 }
 
+/// Small moduli were written out, with a hundred zeros.
+#[test]
+fn explain_writes_small_numbers_as_powers_of_ten() {
+    let folder = folder();
+    let scene = GOOD
+        .replace(
+            "type = \"exponential\", surface = 1.0, base = 8.0",
+            "type = 'table', points = [[0, 1e-90], [1, 2e-90], [2, 3.5e-90], [5, 8e-90]]",
+        )
+        .replace("force = 1.0", "force = 1e-95")
+        .replace("a good scene", "0.0000000001 = 1e-10");
+    let output = feed(folder.path(), &["explain", "-"], scene.as_bytes());
+    assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+    let text = String::from_utf8(output.stdout.clone()).unwrap();
+    for line in
+        ["points = [[0.0, 1e-90], [1.0, 2e-90],", "force = 1e-95", "title = \"0.0000000001 = 1e-10\"", "e-90  (stress)"]
+    {
+        assert!(text.contains(line), "{line} is missing in\n{text}");
+    }
+    assert!(text.lines().all(|line| line.len() < 200), "{text}");
+    let again = feed(folder.path(), &["explain", "-"], text.as_bytes());
+    assert_eq!(again, output, "explaining the explanation adds nothing");
+}
+
 /// What is said of the layer, for each kind of base. Numbers in it are rounded.
 #[test]
 fn explain_says_what_the_layer_is() {
@@ -322,7 +346,7 @@ fn explain_fills_in_every_default() {
     let output = run(folder().path(), ["explain", "good.toml"]);
     let told = told(&output);
     for default in
-        ["plane = \"strain\"", "moduli = \"shear\"", "strain = \"history\"", "tolerance = 0.00000001", "points = 201"]
+        ["plane = \"strain\"", "moduli = \"shear\"", "strain = \"history\"", "tolerance = 1e-8", "points = 201"]
     {
         assert!(told.contains(default), "{default}: {told}");
     }
