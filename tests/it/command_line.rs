@@ -614,6 +614,27 @@ mod unix {
         assert_eq!(files(folder.path()), before);
     }
 
+    /// A run that is killed outright cannot clear up after itself: the next one does, a day later.
+    #[test]
+    fn what_a_killed_run_left_is_removed() {
+        let folder = folder();
+        let make = |name: &str, hours: u64| {
+            let file = fs::File::create(folder.path().join(name)).unwrap();
+            file.set_modified(std::time::SystemTime::now() - std::time::Duration::from_hours(hours)).unwrap();
+        };
+        make(".slipzone-aB3dE6", 25);
+        // Of a run that may be alive, and what is no temporary file of the program.
+        let kept = [(".slipzone-fG8hI0", 23), (".slipzone-notes.txt", 25), (".slipzone-", 25), ("slipzone-aB3dE6", 25)];
+        for (name, hours) in kept {
+            make(name, hours);
+        }
+        let output = run(folder.path(), ["solve", "good.toml", "--json", "out.json"]);
+        assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+        let left = files(folder.path());
+        assert!(!left.contains(&".slipzone-aB3dE6".into()), "{left:?}");
+        assert!(kept.iter().all(|(name, _)| left.contains(&name.into())), "{left:?}");
+    }
+
     /// `>>` and `>`: what is there stays, and the report goes on behind the result.
     #[cfg(target_os = "linux")]
     #[test]
