@@ -6,7 +6,7 @@ use super::args::Explain;
 #[cfg(feature = "plot")]
 use super::output::{self, Target};
 use super::{Failure, Outcome, input, print};
-use slipzone::api::{Base, LayerResponse, Positive, Refusal};
+use slipzone::api::{Base, LayerResponse, Positive, Refusal, exactly};
 use slipzone::engine::{self, DepthProfile, Plan};
 use slipzone::scene::{Load, Scene};
 use std::fmt::Write;
@@ -61,7 +61,26 @@ fn figure(scene: &Scene, known: &Known) -> Option<String> {
 /// The scene with every default filled in: a scene file again.
 fn resolved(scene: &Scene) -> Result<String, Failure> {
     let toml = toml::to_string(scene).map_err(|error| Failure::System(format!("cannot write the scene: {error}")))?;
-    Ok(format!("# The scene as it is understood.\n{toml}"))
+    let lines: Vec<_> = toml.lines().map(short_numbers).collect();
+    Ok(format!("# The scene as it is understood.\n{}\n", lines.join("\n")))
+}
+
+/// A line of the scene, its numbers as powers of ten where plain decimals would be long.
+fn short_numbers(line: &str) -> String {
+    const AROUND: [char; 4] = ['[', ']', ',', ' '];
+    // What stands in quotes is no number.
+    let Some((key, value)) = line.split_once(" = ").filter(|(_, value)| !value.contains(['"', '\''])) else {
+        return line.to_owned();
+    };
+    let parts = value.split_inclusive(AROUND).map(|part| {
+        let text = part.trim_end_matches(AROUND);
+        match text.parse::<f64>() {
+            // An integer stays one, and 1.0 what it is.
+            Ok(number) if text.contains('.') && exactly(number).contains('e') => exactly(number) + &part[text.len()..],
+            _ => part.to_owned(),
+        }
+    });
+    format!("{key} = {}", parts.collect::<String>())
 }
 
 /// Constants that the theory is written in.
@@ -70,18 +89,18 @@ fn derived(text: &mut String, scene: &Scene) -> std::fmt::Result {
     match scene.layer.model() {
         Ok(model) => {
             let elastic = model.elastic;
-            writeln!(text, "# kappa    = {}", elastic.kappa)?;
-            writeln!(text, "# beta     = {}", elastic.beta())?;
-            writeln!(text, "# A0 mu1   = {}", elastic.a0())?;
-            writeln!(text, "# mu1      = {}  (stress)", model.surface_shear)?;
-            writeln!(text, "# A0       = {}  (1/stress)", elastic.a0() / model.surface_shear)?;
+            writeln!(text, "# kappa    = {}", exactly(elastic.kappa))?;
+            writeln!(text, "# beta     = {}", exactly(elastic.beta()))?;
+            writeln!(text, "# A0 mu1   = {}", exactly(elastic.a0()))?;
+            writeln!(text, "# mu1      = {}  (stress)", exactly(model.surface_shear))?;
+            writeln!(text, "# A0       = {}  (1/stress)", exactly(elastic.a0() / model.surface_shear))?;
             match model.exponent() {
                 // In the unit of length that the model has of its own.
                 Some(gamma) if scene.layer.base == Base::Infinite => {
                     let length = scene.layer.length().ok().flatten().unwrap_or(1.0);
-                    writeln!(text, "# gamma    = {}  (1/length)", gamma / length)?;
+                    writeln!(text, "# gamma    = {}  (1/length)", exactly(gamma / length))?;
                 }
-                Some(gamma) => writeln!(text, "# gamma h  = {gamma}")?,
+                Some(gamma) => writeln!(text, "# gamma h  = {}", exactly(gamma))?,
                 None => {}
             }
         }
@@ -96,8 +115,8 @@ fn derived(text: &mut String, scene: &Scene) -> std::fmt::Result {
         }
     };
     match (half_width, scene.layer.thickness.map(Positive::get)) {
-        (Some(b), Some(h)) => writeln!(text, "# h/b      = {}", h / b),
-        (Some(b), None) => writeln!(text, "# b        = {b}  (length)"),
+        (Some(b), Some(h)) => writeln!(text, "# h/b      = {}", exactly(h / b)),
+        (Some(b), None) => writeln!(text, "# b        = {}  (length)", exactly(b)),
         (None, _) => writeln!(text, "# b          grows with the load"),
     }
 }

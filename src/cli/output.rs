@@ -6,7 +6,15 @@ use std::fs::{self, Permissions};
 use std::io::{BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 use tempfile::{Builder, NamedTempFile};
+
+/// How the names of temporary files begin; so many letters and digits follow.
+const PREFIX: &str = ".slipzone-";
+const LETTERS: usize = 6;
+
+/// A temporary file that nothing was written to for so long is of no run that is alive.
+const ABANDONED: Duration = Duration::from_hours(24);
 
 /// Temporary files that there are or were.
 static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
@@ -23,6 +31,23 @@ pub(super) fn abandon() -> MutexGuard<'static, Vec<PathBuf>> {
         let _ = fs::remove_file(file);
     }
     files
+}
+
+/// Removes the temporary files of runs that were killed. What cannot be removed does no harm.
+fn clear(folder: &Path) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for entry in entries.flatten() {
+        let name = entry.file_name();
+        let random = name.to_str().and_then(|name| name.strip_prefix(PREFIX)).unwrap_or_default();
+        let is_temporary = random.len() == LETTERS && random.bytes().all(|byte| byte.is_ascii_alphanumeric());
+        let is_abandoned = || {
+            let changed = entry.metadata().ok().filter(fs::Metadata::is_file)?.modified().ok()?;
+            changed.elapsed().ok().filter(|age| *age > ABANDONED)
+        };
+        if is_temporary && is_abandoned().is_some() {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
 }
 
 /// A file to be written, found fit for it.
@@ -65,21 +90,25 @@ impl Target {
         if !target.special {
             // The only sure way to learn whether a folder can be written to.
             target.temporary().map_err(|error| failed(&error))?;
+            clear(target.folder());
         }
         Ok(target)
     }
 
+    fn folder(&self) -> &Path {
+        self.real.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+    }
+
     /// An empty file beside the target, with the permissions of the file it replaces, or of any new file.
     fn temporary(&self) -> std::io::Result<NamedTempFile> {
-        let folder = self.real.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let mut builder = Builder::new();
-        builder.prefix(".slipzone-");
+        builder.prefix(PREFIX).rand_bytes(LETTERS);
         let old = fs::metadata(&self.real).ok().map(|found| found.permissions());
         if let Some(permissions) = old.clone().or_else(ordinary) {
             builder.permissions(permissions);
         }
         let mut made = temporary_files();
-        let file = builder.tempfile_in(folder)?;
+        let file = builder.tempfile_in(self.folder())?;
         made.push(file.path().into());
         drop(made);
         if let Some(permissions) = old {

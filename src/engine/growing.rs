@@ -23,6 +23,8 @@ const ROOM: f64 = 1.02;
 const ROOM_BESIDE_GUESS: f64 = 1.3;
 /// How often it is widened when that was not enough.
 const WIDENED: usize = 20;
+/// Nearer to the end of a shape, relative, a family is not widened any more.
+const BESIDE_END: f64 = 1e-4;
 /// Error of a guess.
 const GUESSED: f64 = 1e-3;
 /// Error of the series over the half-width, over the tolerance.
@@ -122,7 +124,7 @@ impl Growing {
         // Not beyond the end of a circle where that can be helped.
         let is_whole = room <= ROOM || problem.flaw(room * size.half_width).is_none();
         let room = if is_whole { room } else { ROOM };
-        let room = room.min(problem.reach() / size.half_width).max(1.0);
+        let room = (short_of_end(problem, size.half_width, room * size.half_width) / size.half_width).max(1.0);
         self.provide(layer, task, size.half_width, room, coarse_family)?;
         let size = if self.is_kinked { self.widen(layer, task, size)? } else { size };
         let (numbers, pressure) = self.sized(layer, problem, normal, size);
@@ -311,8 +313,8 @@ impl Growing {
                 return Ok(Size::exactly(half_width));
             }
             let before = widest;
-            widest = (widest * ROOM_BESIDE_GUESS.powi(2)).min(problem.reach());
-            if widest <= before {
+            widest = short_of_end(problem, widest, widest * ROOM_BESIDE_GUESS.powi(2));
+            if widest <= before * (1.0 + BESIDE_END) {
                 return Err(contact_size::outgrown(widest * problem.length));
             }
             self.family = None;
@@ -408,6 +410,14 @@ impl Growing {
     /// Work in its systems so far.
     pub(crate) fn work(&self) -> Work {
         self.family.as_ref().map_or(Work::default(), |family| family.work() - self.inherited)
+    }
+}
+
+/// A half-width up to which a family reaches beside a contact: not so far as the shape ends, where no flat punch has a slope.
+fn short_of_end(problem: &Problem, contact: f64, wide: f64) -> f64 {
+    match problem.end_within(wide) {
+        Some(end) => f64::midpoint(contact, end),
+        None => wide.min(problem.reach()),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::chebyshev::{Points, Series};
 use super::quantity::{Numbers, Quantity, Wishes};
 use crate::scene::{Load, Scene};
-use slipzone_api::{Base, Elastic, Friction, FrozenStrain, LayerModel, PunchShape, Refusal, short};
+use slipzone_api::{Base, Elastic, Flaw, Friction, FrozenStrain, LayerModel, PunchShape, Refusal, short};
 use std::sync::Arc;
 
 /// What a law smoothed at the surface changes of a stick zone over what it changes of the pressure: the zone follows from how
@@ -218,7 +218,9 @@ impl Problem {
             // Where a detail ends may be just where this piece does.
             let ends = [from, to].into_iter().filter(|end| self.kinks().all(|kink| kink.to_bits() != end.to_bits()));
             let is_resolved = series.tail() * largest <= enough && inside.iter().copied().chain(ends).all(is_like);
-            if is_resolved {
+            // Beside a kink no series resolves a slope, and none has to: a stack knows what is singular there.
+            let is_beside_kink = inside.is_empty() && self.kinks().any(|kink| kink.to_bits() == from.to_bits());
+            if is_resolved || is_beside_kink {
                 i += 1;
             } else if cut.len() > MOST_PIECES {
                 return false;
@@ -398,6 +400,16 @@ impl Problem {
         Some((flaw.what, flaw.x / self.length))
     }
 
+    /// Where the shape ends within a half-width as its first flaw: it has no height there, or no slope.
+    pub(crate) fn end_within(&self, half_width: f64) -> Option<f64> {
+        let flaw = self.shape.flaw(half_width * self.length)?;
+        self.is_end(&flaw).then_some(flaw.x / self.length)
+    }
+
+    fn is_end(&self, flaw: &Flaw) -> bool {
+        !(self.shape.height(flaw.x).is_finite() && self.shape.slope(flaw.x).is_finite())
+    }
+
     /// What keeps a contact as wide as that from being one interval that grew with the load, in words.
     pub(crate) fn flaw(&self, half_width: f64) -> Option<String> {
         self.flaw_and_end(half_width).map(|(what, _)| what)
@@ -411,7 +423,7 @@ impl Problem {
     /// The first flaw within a half-width in words, and whether the shape ends there.
     fn flaw_and_end(&self, half_width: f64) -> Option<(String, bool)> {
         let flaw = self.shape.flaw(half_width * self.length)?;
-        let is_end = !(self.shape.height(flaw.x).is_finite() && self.shape.slope(flaw.x).is_finite());
+        let is_end = self.is_end(&flaw);
         let so = if is_end {
             "no contact is as wide as that"
         } else {

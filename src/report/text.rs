@@ -141,6 +141,8 @@ fn number(value: f64, estimate: Option<f64>) -> String {
         _ if value == 0.0 => "0".into(),
         _ if !value.is_finite() => "not finite".into(),
         Some(0.0) => short(value, DIGITS_OF_EXACT),
+        // Not even its sign is.
+        Some(estimate) if estimate >= 1.0 => "unknown".into(),
         Some(estimate) => significant(value, digits(estimate)),
         None => significant(value, DIGITS_WITHOUT_ESTIMATE),
     }
@@ -318,5 +320,10 @@ assumptions  plane strain
         let page = text(&solution);
         assert!(!page.contains("NaN") && !page.contains("inf\n"), "{page}");
         assert_eq!(page.matches("not finite").count(), 2, "{page}");
+    }
+
+    #[test]
+    fn a_number_that_is_all_error_is_none() {
+        assert_eq!([0.3, 1.0, 3e192].map(|estimate| number(-2e187, Some(estimate))), ["-2e187", "unknown", "unknown"]);
     }
 }

@@ -240,10 +240,13 @@ fn without_height(shape: &dyn PunchShape, half_width: f64) -> Option<f64> {
 }
 
 fn friction(document: &Document, scene: &Scene) -> Result<(), SceneError> {
+    const LEAST: f64 = *MODERATE.start();
     match scene.friction {
-        Some(Friction::Goodman { coefficient, .. }) if coefficient.get() > MOST_FRICTION => Err(document
-            .not_allowed(&["friction", "coefficient"], format!("a number above 0 and up to {MOST_FRICTION}"))
-            .hint("common coefficients lie between 0.05 and 1.5")),
+        Some(Friction::Goodman { coefficient, .. }) if !(LEAST..=MOST_FRICTION).contains(&coefficient.get()) => {
+            Err(document
+                .not_allowed(&["friction", "coefficient"], format!("a number between {LEAST:e} and {MOST_FRICTION}"))
+                .hint("common coefficients lie between 0.05 and 1.5"))
+        }
         _ => Ok(()),
     }
 }

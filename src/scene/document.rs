@@ -316,9 +316,10 @@ fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneError {
     };
     let around = text.split_at_checked(span.start);
     let comma = around.and_then(|(before, after)| Some((before, after.strip_prefix(',')?)));
-    let is_decimal_comma = comma.is_some_and(|(before, after)| {
-        before.ends_with(|c: char| c.is_ascii_digit()) && after.starts_with(|c: char| c.is_ascii_digit())
-    });
+    let is_digit = |c: char| c.is_ascii_digit();
+    let is_decimal_comma = comma
+        .is_some_and(|(before, after)| before.ends_with(is_digit) && after.starts_with(is_digit))
+        || around.is_some_and(|(before, _)| ends_in_decimal_comma(before));
     let not_a_value = (what == "not a value").then(|| text.get(span.clone())).flatten().and_then(instead);
     let is_unclosed = what.contains("inline table") && found != "the end of the file";
     let is_of_old = what.starts_with("carriage return");
@@ -333,6 +334,16 @@ fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneError {
         _ if is_unclosed => error.hint("is the `}` missing that ends the table before?"),
         _ => not_a_value.map_or_else(|| error.clone(), |hint| error.clone().hint(hint)),
     }
+}
+
+/// Whether a text ends with a value such as `1,5`: in an inline table the 5 is taken for the next key, and what follows it is what is wrong.
+fn ends_in_decimal_comma(text: &str) -> bool {
+    let is_digit = |c: char| c.is_ascii_digit();
+    let text = text.trim_end();
+    let Some(whole) = text.trim_end_matches(is_digit).strip_suffix(',') else { return false };
+    let before = whole.trim_end_matches(is_digit);
+    let begins = before.trim_end_matches(['+', '-']).trim_end();
+    text.ends_with(is_digit) && before.len() < whole.len() && begins.ends_with('=')
 }
 
 /// The first key of more parts than may be nested: the parser does not say which it is.

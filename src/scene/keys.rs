@@ -80,7 +80,7 @@ const FRICTIONS: &[Kind] = &[Kind {
     parameters: &[
         Parameter::required(
             "coefficient",
-            "Coulomb's coefficient (no unit), above 0 and up to 1000",
+            "Coulomb's coefficient (no unit), 1e-100 to 1000",
             Values::UpTo(MOST_FRICTION),
         ),
         Parameter::optional(

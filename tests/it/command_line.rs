@@ -154,6 +154,30 @@ fn explain_prints_a_scene() {
     assert_eq!(again, output, "explaining the explanation adds nothing");
 }
 
+/// Small moduli were written out, with a hundred zeros.
+#[test]
+fn explain_writes_small_numbers_as_powers_of_ten() {
+    let folder = folder();
+    let scene = GOOD
+        .replace(
+            "type = \"exponential\", surface = 1.0, base = 8.0",
+            "type = 'table', points = [[0, 1e-90], [1, 2e-90], [2, 3.5e-90], [5, 8e-90]]",
+        )
+        .replace("force = 1.0", "force = 1e-95")
+        .replace("a good scene", "0.0000000001 = 1e-10");
+    let output = feed(folder.path(), &["explain", "-"], scene.as_bytes());
+    assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+    let text = String::from_utf8(output.stdout.clone()).unwrap();
+    for line in
+        ["points = [[0.0, 1e-90], [1.0, 2e-90],", "force = 1e-95", "title = \"0.0000000001 = 1e-10\"", "e-90  (stress)"]
+    {
+        assert!(text.contains(line), "{line} is missing in\n{text}");
+    }
+    assert!(text.lines().all(|line| line.len() < 200), "{text}");
+    let again = feed(folder.path(), &["explain", "-"], text.as_bytes());
+    assert_eq!(again, output, "explaining the explanation adds nothing");
+}
+
 /// What is said of the layer, for each kind of base. Numbers in it are rounded.
 #[test]
 fn explain_says_what_the_layer_is() {
@@ -322,7 +346,7 @@ fn explain_fills_in_every_default() {
     let output = run(folder().path(), ["explain", "good.toml"]);
     let told = told(&output);
     for default in
-        ["plane = \"strain\"", "moduli = \"shear\"", "strain = \"history\"", "tolerance = 0.00000001", "points = 201"]
+        ["plane = \"strain\"", "moduli = \"shear\"", "strain = \"history\"", "tolerance = 1e-8", "points = 201"]
     {
         assert!(told.contains(default), "{default}: {told}");
     }
@@ -588,6 +612,27 @@ mod unix {
         kill("-TERM", &child);
         assert_eq!(child.wait().unwrap().code(), Some(130));
         assert_eq!(files(folder.path()), before);
+    }
+
+    /// A run that is killed outright cannot clear up after itself: the next one does, a day later.
+    #[test]
+    fn what_a_killed_run_left_is_removed() {
+        let folder = folder();
+        let make = |name: &str, hours: u64| {
+            let file = fs::File::create(folder.path().join(name)).unwrap();
+            file.set_modified(std::time::SystemTime::now() - std::time::Duration::from_hours(hours)).unwrap();
+        };
+        make(".slipzone-aB3dE6", 25);
+        // Of a run that may be alive, and what is no temporary file of the program.
+        let kept = [(".slipzone-fG8hI0", 23), (".slipzone-notes.txt", 25), (".slipzone-", 25), ("slipzone-aB3dE6", 25)];
+        for (name, hours) in kept {
+            make(name, hours);
+        }
+        let output = run(folder.path(), ["solve", "good.toml", "--json", "out.json"]);
+        assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+        let left = files(folder.path());
+        assert!(!left.contains(&".slipzone-aB3dE6".into()), "{left:?}");
+        assert!(kept.iter().all(|(name, _)| left.contains(&name.into())), "{left:?}");
     }
 
     /// `>>` and `>`: what is there stays, and the report goes on behind the result.

@@ -75,9 +75,13 @@ checked!(Poisson, "a number above -1 and up to 0.5", |v| v > -1.0 && v <= 0.5);
 
 /// A number for people, with five digits at most.
 pub fn short(value: f64) -> String {
-    let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
-    let is_plain = rounded == 0.0 || (1e-4..1e6).contains(&rounded.abs()) || !rounded.is_finite();
-    if is_plain { rounded.to_string() } else { format!("{rounded:e}") }
+    exactly(format!("{value:.4e}").parse().unwrap_or(value))
+}
+
+/// A number with all its digits, as a power of ten where plain decimals would be long.
+pub fn exactly(value: f64) -> String {
+    let is_plain = value == 0.0 || (1e-4..1e6).contains(&value.abs()) || !value.is_finite();
+    if is_plain { value.to_string() } else { format!("{value:e}") }
 }
 
 #[cfg(test)]
@@ -103,6 +107,7 @@ mod tests {
         for (value, text) in cases {
             assert_eq!(short(value), text);
         }
+        assert_eq!([1.0 / 3.0, 1.25e-95].map(exactly), ["0.3333333333333333", "1.25e-95"]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The layer in words: what it is made of, what its surface knows of it, and what its base means for the indentation.
 
 use super::Known;
-use slipzone::api::{Base, LayerModel, Moduli, ModulusLaw};
+use slipzone::api::{Base, LayerModel, Moduli, ModulusLaw, exactly};
 use slipzone::engine::DepthProfile;
 use slipzone::scene::Scene;
 use std::fmt::{Result, Write};
@@ -29,6 +29,7 @@ pub(super) fn write(text: &mut String, scene: &Scene, known: &Known) -> Result {
                     Ok(Some(length)) => (depth * length, "length"),
                     _ => (depth, "natural length"),
                 };
+                let deep = exactly(deep);
                 writeln!(
                     text,
                     "# felt below   d = {deep}  ({unit}): what the surface's own derivatives do not tell of s F decays \
@@ -71,8 +72,8 @@ fn constants(text: &mut String, scene: &Scene, profile: &DepthProfile) -> Result
 }
 
 /// Without the roundings of the law's own arithmetic.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.9e}").parse().unwrap_or(value)
+fn rounded(value: f64) -> String {
+    exactly(format!("{value:.9e}").parse().unwrap_or(value))
 }
 
 /// How much the surface knows of what lies below.
@@ -108,7 +109,11 @@ fn base(text: &mut String, scene: &Scene) -> Result {
             writeln!(text, "# base         {what} and stiffens: the indentation is counted from far below")
         }
         (true, Some(datum)) => {
-            writeln!(text, "# base         {what}: the indentation is counted from depth {}  (length)", datum.get())
+            writeln!(
+                text,
+                "# base         {what}: the indentation is counted from depth {}  (length)",
+                exactly(datum.get())
+            )
         }
         (true, None) => {
             writeln!(text, "# base         {what}: without a datum the indentation is undefined")

@@ -279,3 +279,48 @@ fn an_error_that_is_no_number_is_all_of_the_number() {
     assert_eq!(solution.status, Status::NotConverged, "{:?}", solution.reason);
     assert!(solution.error.each.values().all(|error| error.is_finite()), "{:?}", solution.error.each);
 }
+
+/// A force was refused as soon as flat punches beyond the end of a circle might have been needed: half of what the whole circle bears.
+#[test]
+#[cfg(feature = "formula")]
+fn a_circle_by_its_formula_bears_forces_up_to_its_end() {
+    let solved = |load: &str| {
+        let text = format!(
+            "format = 1\nlayer = {{ thickness = 5.0, poisson = 0.3, grading = {{ type = \"exponential\", surface = 1000.0, base = 8000.0 }} }}\n\
+             punch = {{ type = \"formula\", height = \"1.01-sqrt(1.01^2-x^2)\" }}\nload = {{ {load} }}"
+        );
+        solve(&slipzone::scene::parse("circle", &text).unwrap())
+    };
+    for half_width in [0.97, 1.0, 1.009] {
+        let wide = solved(&format!("half_width = {half_width}")).load;
+        for load in [format!("force = {}", wide.force.unwrap()), format!("indentation = {}", wide.indentation.unwrap())]
+        {
+            let found = solved(&load);
+            assert_eq!(found.status, Status::Converged, "{load}: {:?}", found.reason);
+            // Each of both solves has the tolerance, and the half-width grows no faster than the load.
+            assert!((found.load.half_width.unwrap() / half_width - 1.0).abs() < 2e-8, "{load}: {:?}", found.load);
+        }
+    }
+    let beyond = solved("force = 40000.0");
+    assert_eq!(beyond.status, Status::Refused);
+    assert!(beyond.reason.as_ref().unwrap().contains("x = 1.01"), "{:?}", beyond.reason);
+}
+
+/// The same shape, written so that its formula may have details: pieces were cut as if they had to resolve the singular tip itself,
+/// a hundred of them, at 600 times the work and 20 seconds.
+#[test]
+#[cfg(feature = "formula")]
+fn a_singular_tip_is_not_cut_for_details_elsewhere() {
+    let solved = |height: &str| {
+        let text = format!(
+            "format = 1\nlayer = {{ thickness = 5.0, poisson = 0.3, grading = {{ type = \"exponential\", surface = 1.0, base = 8.0 }} }}\n\
+             punch = {{ type = \"formula\", height = \"{height}\" }}\nload = {{ force = 1.0 }}"
+        );
+        let found = solve(&slipzone::scene::parse("tip", &text).unwrap());
+        assert_eq!(found.status, Status::Converged, "{height}: {:?}", found.reason);
+        found
+    };
+    let (plain, squared) = (solved("0.1*abs(x)^1.1"), solved("0.1*(x^2)^0.55"));
+    within_three_estimates(&squared, &plain, &["load.indentation", "load.half_width", "pressure.centre"]);
+    assert!(squared.plan.work < 3 * plain.plan.work, "{} for {}", squared.plan.work, plain.plan.work);
+}

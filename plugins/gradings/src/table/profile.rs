@@ -11,6 +11,12 @@ const LEAST: usize = 4;
 /// By how much of itself a table may end above the base: roundings of decimals and of units.
 const ROUNDING: f64 = 1e-9;
 
+/// By how much the logarithm of the modulus may leave those of the rows beside it, where no step between rows is larger.
+const SWING: f64 = std::f64::consts::LN_2;
+
+/// A table this many times as deep as the layer is to have as many rows within it as a table has at least.
+const FAR_DEEPER: f64 = 100.0;
+
 /// The logarithm of the modulus, and Poisson's ratio, over depth in the user's unit.
 #[derive(Debug)]
 pub(super) struct Profile {
@@ -30,7 +36,40 @@ impl Profile {
         let curve = Interpolant::new(rows.depths.iter().map(|depth| depth * depth_unit).collect());
         let logarithms = rows.moduli.iter().map(|modulus| (modulus * modulus_unit).ln()).collect();
         let profile = Self { curve, logarithms, ratios: rows.ratios.clone() };
-        profile.overshoot().map_or(Ok(profile), Err)
+        profile.swing().or_else(|| profile.overshoot()).map_or(Ok(profile), Err)
+    }
+
+    /// A modulus far beyond those of the rows that it lies between: a steep step makes a smooth curve swing on both sides.
+    fn swing(&self) -> Option<Fault> {
+        let (depths, logarithms) = (self.curve.nodes(), &self.logarithms);
+        let step = |i: usize| (logarithms[i + 1] - logarithms[i]).abs();
+        let between = 0..depths.len() - 1;
+        let allowed = between.clone().map(step).fold(SWING, f64::max);
+        let (i, depth, logarithm) = between.clone().find_map(|i| {
+            let depth = f64::midpoint(depths[i], depths[i + 1]);
+            let logarithm = self.curve.at(depth, logarithms);
+            let (least, most) = (logarithms[i].min(logarithms[i + 1]), logarithms[i].max(logarithms[i + 1]));
+            // Written so that what is no number is not within.
+            let is_within = logarithm >= least - allowed && logarithm <= most + allowed;
+            (!is_within).then_some((i, depth, logarithm))
+        })?;
+        let slope = |i: usize| step(i) / (depths[i + 1] - depths[i]);
+        let steepest = between.max_by(|one, other| slope(*one).total_cmp(&slope(*other)))?;
+        let row = |i: usize| format!("{} at depth {}", short(logarithms[i].exp()), depths[i]);
+        let fault = Fault::new(&[], "the curve through the moduli swings far beyond them")
+            .found(format!(
+                "{} at depth {}, between the rows with {} and {}",
+                short(logarithm.exp()),
+                short(depth),
+                row(i),
+                row(i + 1)
+            ))
+            .expected("rows between which a smooth curve stays near them");
+        Some(fault.hint(format!(
+            "it is steepest between {} and {}: give more rows beside these, or one in place of both; a jump is a `stack`",
+            row(steepest),
+            row(steepest + 1)
+        )))
     }
 
     /// A Poisson's ratio out of range between rows that are in range.
@@ -57,6 +96,14 @@ impl Profile {
             return Err(format!(
                 "the rows end at depth {last}, above the base at {thickness}; add a row at or below the base, or check \
                  `depth_unit` and the thickness"
+            ));
+        }
+        let within = self.curve.nodes().partition_point(|depth| *depth <= thickness * (1.0 + ROUNDING));
+        if within < LEAST && last > FAR_DEEPER * thickness {
+            return Err(format!(
+                "the base is at {thickness} and the rows go down to depth {last}, {within} of {} within the layer; check \
+                 `depth_unit` and the thickness, or give at least {LEAST} rows there",
+                self.curve.nodes().len()
             ));
         }
         Ok(Box::new(Law { profile: self, thickness }))

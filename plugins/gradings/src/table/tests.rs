@@ -161,6 +161,39 @@ fn faults_in_points_are_located() {
     assert!(fault.message.contains("leaves their range"), "{fault}");
 }
 
+/// A steep step between two rows made the modulus swing over seven orders of magnitude between others, without a word.
+#[test]
+fn a_curve_that_swings_between_the_rows_is_refused() {
+    let understood =
+        |points: &[[f64; 2]]| Table::points(points.iter().map(|row| row.to_vec()).collect()).understood(&NoFiles);
+    for near in [1.01, 1.000_000_001] {
+        let fault = understood(&[[0.0, 1.0], [1.0, 2.0], [near, 2.1], [5.0, 4.0]]).unwrap_err();
+        assert!(fault.message.contains("swings"), "{fault}");
+        let hint = fault.hint.unwrap();
+        assert!(hint.contains(&format!("between 2 at depth 1 and 2.1 at depth {near}")), "{hint}");
+    }
+    let jump: Vec<_> = (0..8).map(|i| [f64::from(i), if i < 4 { 1.0 } else { 1000.0 }]).collect();
+    for honest in [
+        // A peak, a thin film and scatter, at depths near to each other and far apart.
+        &[[0.0, 1.0], [1.0, 1.0], [2.0, 4.0], [3.0, 1.0], [4.0, 1.0]][..],
+        &[[0.0, 1.0], [0.5, 1.3], [1.0, 1.6], [2.0, 2.1], [3.5, 2.6], [5.0, 3.0]],
+        &[[0.0, 1.0], [1.0, 1.02], [1.5, 0.99], [2.0, 1.01], [5.0, 0.98]],
+        &jump,
+    ] {
+        understood(honest).unwrap_or_else(|fault| panic!("{fault}"));
+    }
+}
+
+#[test]
+fn rows_far_deeper_than_the_layer_are_told() {
+    let thick = |thickness| Setting::thick(Positive::new(thickness).unwrap());
+    let table = sampled(9, smooth, None);
+    let refusal = table.law(&thick(THICKNESS / 1000.0)).unwrap_err().to_string();
+    assert!(refusal.contains("1 of 9 within") && refusal.contains("depth_unit"), "{refusal}");
+    assert!(table.law(&thick(THICKNESS / 50.0)).is_ok(), "the beginning of a table may be all that is wanted");
+    assert!(sampled(1500, smooth, None).law(&thick(THICKNESS / 200.0)).is_ok(), "many rows tell a thin layer, too");
+}
+
 /// The most rows are read at once, and a million are refused at once.
 #[test]
 fn many_rows() {

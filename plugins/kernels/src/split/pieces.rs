@@ -94,6 +94,15 @@ impl Pieces {
                     Piece::through(own.split_at(variable.nodes), lower == 0.0, *odd, *aim)
                 })
                 .collect();
+            // Parts that cancel each other down to their noise tell nothing, and pieces of it would be without number.
+            let told = |i: usize| {
+                let whole = |(v, all): (&f64, &Vec<Values>)| all[i][0] + all[i][1] + place(*v).ln() * all[i][2];
+                let largest = variable.all.iter().zip(&values).map(whole).fold(0.0, |most: f64, k| most.max(k.abs()));
+                largest.max(plan.reach.recip())
+            };
+            if pieced.iter().enumerate().any(|(i, piece)| piece.noise * plan.reach > 1.0 && piece.noise > told(i)) {
+                break;
+            }
             // In units of what is wanted, or of the noise once that has shown.
             let worst = pieced
                 .iter()
