@@ -220,8 +220,9 @@ impl Split {
             }
             (pieces, depth)
         } else {
+            let thickness = response.thickness().unwrap_or(depth);
             let is_local = response.surface(0.0)? == SurfaceFlexibility::default() && response.pole() == 0.0;
-            interpolated(&columns, (&spectrum, slow), &beyond, &rounded, depth, (reach, is_local))
+            interpolated(&columns, (&spectrum, slow), &beyond, &rounded, (depth, thickness), (reach, is_local))
         };
         let (mut error, mut rounding, mut left, mut roughened) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
         for (i, column) in columns.iter().enumerate() {
@@ -290,16 +291,17 @@ fn interpolated(
     (spectrum, slow): (&Spectrum, bool),
     beyond: &Beyond,
     rounded: &[f64],
-    depth: f64,
+    (depth, thickness): (f64, f64),
     (reach, is_local): (f64, bool),
 ) -> (Pieces, f64) {
     let aim = columns.iter().map(|column| column.aim).fold(f64::INFINITY, f64::min);
-    let singular: Vec<Singular> = columns.iter().map(|column| Singular::new(column, depth, reach)).collect();
+    let singular: Vec<Singular> = columns.iter().map(|column| Singular::new(column, thickness, reach)).collect();
     let window = singular.iter().map(Singular::width).fold(f64::INFINITY, f64::min);
     let plan = Plan {
         reach,
         is_local,
         width: if window.is_finite() || reach > depth { (WIDTH.0 * depth).min(WIDTH.1 * window) } else { reach },
+        widest: (WIDTH.0 * thickness).min(WIDTH.1 * window),
         local: if window.is_finite() { singular.iter().map(Singular::gone).fold(0.0, f64::max) } else { 0.0 },
         kernels: columns
             .iter()
