@@ -288,3 +288,21 @@ fn a_jump_goes_on_below_a_thin_skin_of_nearly_the_same_gradient() {
     within_three_estimates(&found, &exact, &["edge.ratio", "pressure.centre", "load.indentation"]);
     assert!(found.plan.unknowns <= 33, "{} unknowns", found.plan.unknowns);
 }
+
+/// What a faint break sends back is small, does not fall until its wave is as short as it is deep, and was taken for noise that no panel resolves.
+#[test]
+fn a_faint_break_is_no_noise() {
+    for below in [1.000_001, 1.000_000_1, 1.000_000_01] {
+        for tolerance in [1e-8, 3e-9] {
+            let layer = format!(
+                "poisson = 0.1, plane = \"stress\", grading = {{ type = \"stack\", layers = [{{ thickness = 1.85, grading = {{ type = \
+                 \"homogeneous\", modulus = 1.0 }} }}, {{ thickness = 32.9, grading = {{ type = \"homogeneous\", modulus = {below:?} }} }}] }}"
+            );
+            let rest = format!(
+                "solver = {{ tolerance = {tolerance:?} }}\nfriction = {{ type = \"goodman\", coefficient = 0.9 }}"
+            );
+            let solution = written(&layer, "type = \"flat\", half_width = 1.0", "force = 1.0", &rest);
+            assert_eq!(solution.status, Status::Converged, "{below}, {tolerance:e}: {:?}", solution.reason);
+        }
+    }
+}
