@@ -289,6 +289,39 @@ fn a_jump_goes_on_below_a_thin_skin_of_nearly_the_same_gradient() {
     assert!(found.plan.unknowns <= 33, "{} unknowns", found.plan.unknowns);
 }
 
+/// A break between two sublayers of one law is none, and costs a few wave numbers: cut where its skin ends, the kernels took ten times as many,
+/// and 25 times the work.
+#[test]
+fn a_thin_skin_of_the_layers_own_law_is_not_felt() {
+    for (punch, load) in [
+        ("type = \"cylinder\", radius = 10.0", "indentation = 0.1"),
+        ("type = \"flat\", half_width = 1.0", "force = 1.0"),
+    ] {
+        let whole = format!(
+            "thickness = 5.0, poisson = 0.3, grading = {{ type = \"exponential\", surface = 1.0, base = {:?} }}",
+            3.0_f64.exp()
+        );
+        let exact = written(&whole, punch, load, "solver = { tolerance = 1e-11 }");
+        for skin in [1e-3, 1e-4] {
+            for tolerance in [1e-3, 1e-5, 1e-9] {
+                let solver = format!("solver = {{ tolerance = {tolerance:?} }}");
+                let [found, plain] =
+                    [&skinned(skin, [0.6; 2]), &whole].map(|layer| written(layer, punch, load, &solver));
+                within_three_estimates(
+                    &found,
+                    &exact,
+                    &["load.force", "load.half_width", "pressure.centre", "load.indentation"],
+                );
+                let [skinned, plain] = [found, plain].map(|solution| solution.plan.flexibility_evaluations);
+                assert!(
+                    skinned <= plain + 30,
+                    "skin {skin}, {tolerance:e}: {skinned} wave numbers, without it {plain}"
+                );
+            }
+        }
+    }
+}
+
 /// What a faint break sends back is small, does not fall until its wave is as short as it is deep, and was taken for noise that no panel resolves.
 #[test]
 fn a_faint_break_is_no_noise() {
