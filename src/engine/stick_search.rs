@@ -23,8 +23,8 @@ const NARROWEST: f64 = FrictionCurve::NARROWEST;
 const PREDICTED: f64 = 0.25;
 /// The curve is trusted where the slip zone is this many times as wide as the finest gap resolved.
 const RESOLVED: f64 = 4.0;
-/// What is left of `eta(lambda) - eta` at a root, over `eta`, is of the order of the root's tolerance;
-/// beside a pole it is huge.
+/// What is left of `eta(lambda) - eta` at a root, over `eta` or over what it is at the bracket's ends, is of the order of the root's
+/// tolerance; beside a pole it is huge. (Over a tiny `eta` alone every root would look like one.)
 const POLE: f64 = 0.01;
 /// Most roots kept; two or three are the most ever seen.
 const MOST_ROOTS: usize = 16;
@@ -142,7 +142,8 @@ impl FrictionCurve<'_> {
             let start = samples::expected(samples, i, target);
             let near = root::polish(start, to, SCANNED, |lambda| Ok(self.at(lambda)? - target))?;
             // Across a pole the sign changes too, and the curve is as steep as the bracket is narrow.
-            let tame = |near: &root::Near| near.at >= from && near.slope.abs() * SCANNED < POLE * target.abs();
+            let size = pair.iter().fold(target.abs(), |most, sample| most.max((sample.friction - target).abs()));
+            let tame = |near: &root::Near| near.at >= from && near.slope.abs() * SCANNED < POLE * size;
             if let Some(root::Near { at: lambda, slope, .. }) = near.filter(tame) {
                 // So coarse a resolution does not tell slopes for finer ones.
                 found.add(Root { lambda, branch: target.signum(), slope, doubt: f64::INFINITY });
@@ -264,14 +265,18 @@ impl FrictionCurve<'_> {
             return Ok(None);
         }
         let mut last: [(f64, f64); 2] = [(lower, 0.0); 2];
+        let mut size = target.abs();
         let excess = |lambda: f64| {
             let excess = self.at(lambda)? - target;
+            if lambda <= lower || lambda >= upper {
+                size = size.max(excess.abs());
+            }
             last = [last[1], (lambda, excess)];
             Ok(excess)
         };
         match Toms748Root::new(lower, upper).with_absolute_position_tolerance(position).solve(excess) {
             // A sign change may also be a pole, where the system for q is singular.
-            Ok(root) if root.value().abs() < POLE * target.abs() => {
+            Ok(root) if root.value().abs() < POLE * size => {
                 let [(l0, f0), (l1, f1)] = last;
                 // Not a number where both are one point; whoever follows the root then brackets it anew.
                 let slope = (f1 - f0) / (l1 - l0);

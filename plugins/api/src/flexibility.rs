@@ -77,4 +77,10 @@ pub trait LayerResponse: Send + Sync {
     /// a kink): what is left of `s F` after its series in `1/s` decays like `exp(-2 s d)`. `None` when
     /// `s F` equals its limit at every `s`: a homogeneous half-plane.
     fn depth(&self) -> Option<f64>;
+
+    /// How deep all of it is that the surface feels, in the same unit: at a base, or a datum. Breaks above it, of which the first is at
+    /// [`Self::depth`], may be as faint as they like.
+    fn thickness(&self) -> Option<f64> {
+        self.depth()
+    }
 }

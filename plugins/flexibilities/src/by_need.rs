@@ -61,6 +61,10 @@ impl LayerResponse for ByNeed {
         self.rough.depth()
     }
 
+    fn thickness(&self) -> Option<f64> {
+        self.rough.thickness()
+    }
+
     fn roughly(&self, accuracy: f64) -> Option<&dyn LayerResponse> {
         (accuracy >= ROUGHNESS).then_some(&self.rough as &dyn LayerResponse)
     }

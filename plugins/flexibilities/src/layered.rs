@@ -191,6 +191,10 @@ impl LayerResponse for Layered {
         let smooth = self.panels.all.iter().map(promised).fold(1.0, f64::min);
         Some(self.panels.first_break.min(smooth.max(LEAST_DEPTH)))
     }
+
+    fn thickness(&self) -> Option<f64> {
+        Some(1.0)
+    }
 }
 
 /// [`Layered::compliance`] in the vectors that the machine has.
@@ -240,6 +244,10 @@ impl LayerResponse for AgainstDatum {
     /// What reaches the datum falls like `exp(-s datum)`.
     fn depth(&self) -> Option<f64> {
         self.layer.depth().map(|depth| depth.min(0.5 * self.datum))
+    }
+
+    fn thickness(&self) -> Option<f64> {
+        self.layer.thickness().map(|thickness| thickness.min(0.5 * self.datum))
     }
 }
 

@@ -14,7 +14,7 @@ pub use truncated::Truncated;
 
 use slipzone_api::{LayerResponse, Refusal};
 
-/// Depth of what stands on a base, or a refusal.
+/// Depth of what stands on a base down to its first break, or a refusal.
 fn depth(response: &dyn LayerResponse) -> Result<f64, Refusal> {
     response.depth().ok_or_else(|| Refusal::NotBuilt {
         what: "a kernel of a homogeneous half-plane, which has none,".into(),

@@ -3,6 +3,7 @@
 mod beyond;
 mod column;
 mod exponential_integral;
+mod felt;
 mod legendre;
 mod piece;
 mod pieces;
@@ -17,6 +18,7 @@ mod waves;
 
 use beyond::{Beyond, Cut, MOST_TERMS};
 use column::Column;
+use felt::Felt;
 use num_complex::Complex64;
 use piece::MOST_NODES;
 use pieces::{Pieces, Plan};
@@ -81,7 +83,7 @@ const SLOW: f64 = 32.0;
 /// Rounding of a wave by that of its phase, over the phase.
 const PHASE: f64 = 2.0 * f64::EPSILON;
 /// Rounding of `s F` that a flexibility may bring, over its size.
-const FLEXIBILITY: f64 = 32.0 * f64::EPSILON;
+const ROUNDING_OF_FLEXIBILITY: f64 = 32.0 * f64::EPSILON;
 /// Error that a flexibility is allowed, over what is wanted of the slopes and the depth that it feels, over what is wanted of the
 /// depth, and at most.
 const ROUGHNESS: (f64, f64) = (3e-3, 1e-2);
@@ -96,8 +98,8 @@ const WIDTH: (f64, f64) = (0.5, 0.7);
 #[typetag::serde(name = "split")]
 impl KernelStrategy for Split {
     fn tabulate(&self, response: &dyn LayerResponse, request: &KernelRequest) -> Result<Box<dyn KernelTable>, Refusal> {
-        let depth = crate::depth(response)?;
-        let (mut depth, mut accuracy, mut evaluations) = (depth, request.accuracy, 0);
+        let felt = self.felt(response, request)?;
+        let (mut depth, mut accuracy, mut evaluations) = (felt.depth, request.accuracy, felt.evaluations);
         let mut best: Option<Draft> = None;
         let (mut attempts, mut may_be_rough) = (ATTEMPTS.0, !self.is_pinned());
         while attempts > 0 {
@@ -105,11 +107,12 @@ impl KernelStrategy for Split {
             let (slope, value) = (ROUGHNESS.0 * depth * accuracy / request.reach, ROUGHNESS.1 * accuracy);
             let roughness = slope.min(value).min(ROUGHEST);
             let rough = if may_be_rough { response.roughly(roughness) } else { None };
-            let draft = match rough {
+            let mut draft = match rough {
                 Some(rough) => self.draft(rough, request, depth, (accuracy, roughness))?,
                 None => self.draft(response, request, depth, (accuracy, 0.0))?,
             };
             evaluations += draft.evaluations;
+            draft.error += felt.left;
             let too_rough = draft.roughened > 0.5 * request.accuracy;
             let rounded = draft.rounding > 0.5 * request.accuracy;
             let is_covered = draft.error.is_finite();
@@ -208,7 +211,7 @@ impl Split {
         let mut rounded: Vec<f64> = (0..columns.len())
             .map(|i| {
                 let phase = if slow && !short { PHASE * cut.cutoff * reach } else { 0.0 };
-                (FLEXIBILITY + phase) * spectrum.kernels[i].size.whole
+                (ROUNDING_OF_FLEXIBILITY + phase) * spectrum.kernels[i].size.whole
                     + ROUNDING * beyond.size(i)
                     + 2.0 * f64::EPSILON * cut.cutoff
             })
@@ -220,8 +223,9 @@ impl Split {
             }
             (pieces, depth)
         } else {
+            let thickness = response.thickness().unwrap_or(depth);
             let is_local = response.surface(0.0)? == SurfaceFlexibility::default() && response.pole() == 0.0;
-            interpolated(&columns, (&spectrum, slow), &beyond, &rounded, depth, (reach, is_local))
+            interpolated(&columns, (&spectrum, slow), &beyond, &rounded, (depth, thickness), (reach, is_local))
         };
         let (mut error, mut rounding, mut left, mut roughened) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
         for (i, column) in columns.iter().enumerate() {
@@ -242,6 +246,19 @@ impl Split {
             roughened,
             evaluations: spectrum.evaluations + beyond::CHECKS,
         })
+    }
+}
+
+impl Split {
+    /// How deep the surface's own law goes on.
+    fn felt(&self, response: &dyn LayerResponse, request: &KernelRequest) -> Result<Felt, Refusal> {
+        let nearest = crate::depth(response)?;
+        // Past a deeper one there would be little to gain.
+        let is_shallow = |thickness: &f64| felt::NEARER * nearest < *thickness;
+        let thickness = response.thickness().filter(|thickness| is_shallow(thickness) && !self.is_pinned());
+        let Some(thickness) = thickness else { return Ok(Felt::down_to(nearest)) };
+        let plan = self.plan(response, request, thickness, (request.accuracy, 0.0), FEW_TERMS);
+        Felt::of(response, (&plan.columns, plan.cut), (nearest, thickness), (request.accuracy, request.reach))
     }
 }
 
@@ -290,16 +307,17 @@ fn interpolated(
     (spectrum, slow): (&Spectrum, bool),
     beyond: &Beyond,
     rounded: &[f64],
-    depth: f64,
+    (depth, thickness): (f64, f64),
     (reach, is_local): (f64, bool),
 ) -> (Pieces, f64) {
     let aim = columns.iter().map(|column| column.aim).fold(f64::INFINITY, f64::min);
-    let singular: Vec<Singular> = columns.iter().map(|column| Singular::new(column, depth, reach)).collect();
+    let singular: Vec<Singular> = columns.iter().map(|column| Singular::new(column, thickness, reach)).collect();
     let window = singular.iter().map(Singular::width).fold(f64::INFINITY, f64::min);
     let plan = Plan {
         reach,
         is_local,
         width: if window.is_finite() || reach > depth { (WIDTH.0 * depth).min(WIDTH.1 * window) } else { reach },
+        widest: (WIDTH.0 * thickness).min(WIDTH.1 * window),
         local: if window.is_finite() { singular.iter().map(Singular::gone).fold(0.0, f64::max) } else { 0.0 },
         kernels: columns
             .iter()

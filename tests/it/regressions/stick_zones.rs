@@ -286,3 +286,16 @@ fn a_stick_zone_narrower_than_any_sampled_is_where_the_asymptote_has_it() {
         assert!((coarse / fine - 1.0).abs() < 1e-4, "{coarse:e} for {fine:e}");
     }
 }
+
+/// What is left of the friction curve at a root was held against the coefficient of friction alone: with a tiny one the root passed for a pole, and
+/// a contact whose middle slips outwards and whose rim slips inwards for one that slides fully.
+#[test]
+fn a_root_under_hardly_any_friction_is_no_pole() {
+    for coefficient in [1e-3, 1e-6, 1e-9, 1e-12] {
+        let solution = Sketch::flat(1.0, 1.0, 0.3).rubbing(coefficient).solve();
+        assert_eq!(solution.status, Status::AssumptionViolated, "{coefficient:e}: {:?}", solution.reason);
+        let ratio = solution.number("stick.ratio").unwrap();
+        // Where u' of a frictionless contact has no mean over a stick zone: 0.670278 and what friction adds.
+        assert!((ratio - 0.670_28).abs() < 1e-4 + 7.0 * coefficient, "{coefficient:e}: {ratio}");
+    }
+}

@@ -11,6 +11,8 @@ pub(super) struct Plan {
     pub(super) is_local: bool,
     /// First width tried.
     pub(super) width: f64,
+    /// Widest where the singular parts are not gone.
+    pub(super) widest: f64,
     /// Beyond this the singular parts are gone.
     pub(super) local: f64,
     /// Per kernel: whether it is odd, and the error that a piece may have.
@@ -143,7 +145,7 @@ impl Pieces {
             lower = upper;
             (before, attempts) = (f64::INFINITY, 0);
             let widest = if plan.is_local { WIDEST } else { f64::INFINITY };
-            let widest = if lower < plan.local { plan.width } else { widest };
+            let widest = if lower < plan.local { plan.widest } else { widest };
             // Noise says nothing of a better width.
             let (least, most) = (width.max(LEAST_WIDENING * lower), (1.5 * width).max(WIDENING * lower));
             width = if stalled { most } else { (fit * width).clamp(least, most) }.min(widest);

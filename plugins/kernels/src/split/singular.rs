@@ -22,7 +22,8 @@ pub(super) struct Singular {
 
 /// How much larger than the kernel's order of magnitude jump and logarithm may be on short reaches.
 const TAME: f64 = 20.0;
-/// Widest window, over the depth: the smooth part then varies no faster than the layer makes it.
+/// Widest window, over the thickness: the smooth part then varies no faster than the layer makes it. Not over the depth that the surface
+/// feels: of a jump that goes on below a skin, a window as narrow as the skin would leave the smooth part a step that no node sees.
 const WIDEST: f64 = 0.8;
 /// The window narrows by this factor until the parts are small enough.
 const NARROWER: f64 = 0.85;
@@ -35,7 +36,7 @@ const MOST_STEPS: u32 = 45;
 
 impl Singular {
     /// The parts of `column` on `|t| <= reach`.
-    pub(super) fn new(column: &Column, depth: f64, reach: f64) -> Self {
+    pub(super) fn new(column: &Column, thickness: f64, reach: f64) -> Self {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most 16
         let digits = (-column.aim.log10()).clamp(0.0, 16.0) as usize;
         let taylor: Vec<f64> = signed_taylor(column, &column.series, DEGREE + digits).collect();
@@ -43,10 +44,10 @@ impl Singular {
         let open = Self::windowed(column, &taylor, 0.0);
         // What does not grow needs no window, unless the kernel is to end as it does far away.
         let is_constant = taylor[1..].iter().all(|c| *c == 0.0);
-        if (reach <= depth || is_constant && reach <= 1.0) && open.stays_below(allowed, reach) {
+        if (reach <= thickness || is_constant && reach <= 1.0) && open.stays_below(allowed, reach) {
             return open;
         }
-        let mut t0 = WIDEST * depth;
+        let mut t0 = WIDEST * thickness;
         let mut singular = Self::windowed(column, &taylor, 1.0 / (t0 * t0));
         for _ in 0..MOST_STEPS {
             if singular.stays_below(allowed, reach.min(GONE * t0)) {

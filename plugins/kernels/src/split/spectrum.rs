@@ -89,15 +89,17 @@ impl Spectrum {
         let end = End { s: cutoff, at: cutoff, flexibility: at_cutoff };
         let middle = End::new(response, FIRST_SPLIT * cutoff, FIRST_SPLIT * cutoff)?;
         spectrum.evaluations += 1;
-        let mut stack: Vec<(End, End, usize, f64)> = vec![
-            (middle, end, nodes(end.s - middle.s, SECOND), f64::INFINITY),
-            (origin, middle, nodes(middle.s, FIRST), f64::INFINITY),
+        let mut stack: Vec<(End, End, usize, f64, bool)> = vec![
+            (middle, end, nodes(end.s - middle.s, SECOND), f64::INFINITY, false),
+            (origin, middle, nodes(middle.s, FIRST), f64::INFINITY, false),
         ];
-        while let Some((lower, upper, nodes, before)) = stack.pop() {
+        while let Some((lower, upper, nodes, before, was_noisy)) = stack.pop() {
             let (panel, resolved) = Legendre::of(nodes).sample(columns, response, lower, upper, (reach, summed))?;
             spectrum.evaluations += nodes;
-            // In units of the aim; of noise nothing more is expected.
-            let missed = columns.iter().zip(&resolved).filter(|(_, resolved)| !resolved.noisy);
+            // In units of the aim; of noise nothing more is expected, once a finer panel finds it, too: what a faint break sends back may be as
+            // small.
+            let noisy = resolved.iter().any(|resolved| resolved.noisy);
+            let missed = columns.iter().zip(&resolved).filter(|(_, resolved)| !(resolved.noisy && was_noisy));
             let worst = missed.map(|(column, resolved)| resolved.error / column.aim).fold(0.0, f64::max);
             let stalled = worst > STALL * before && resolved.iter().all(|resolved| resolved.error < LARGEST_NOISE);
             let given_up = spectrum.evaluations + nodes > MOST_SAMPLES || upper.s - lower.s < cutoff * 1e-6;
@@ -105,7 +107,7 @@ impl Spectrum {
                 spectrum.panels.push(panel);
                 for (told, resolved) in spectrum.kernels.iter_mut().zip(&resolved) {
                     told.error += resolved.error;
-                    told.noise += if resolved.noisy || stalled { resolved.error } else { 0.0 };
+                    told.noise += if resolved.noisy && was_noisy || stalled { resolved.error } else { 0.0 };
                     told.size.whole += resolved.size.whole;
                     told.size.roughened += resolved.size.roughened;
                 }
@@ -117,16 +119,16 @@ impl Spectrum {
             let needed = nodes as f64 + 1.0 - (worst / SHARE).ln() / (by_node * factor.ln());
             if needed <= (ANEW * nodes as f64).min(NODES.1 as f64) {
                 let needed = even(needed.max(nodes as f64 + 2.0));
-                stack.push((lower, upper, needed, worst));
+                stack.push((lower, upper, needed, worst, noisy));
                 continue;
             }
             let at = if lower.s == 0.0 { FIRST_SPLIT * upper.s } else { f64::midpoint(lower.s, upper.s) };
             let middle = End::new(response, at, at)?;
             spectrum.evaluations += 1;
-            stack.push((middle, upper, nodes, worst));
+            stack.push((middle, upper, nodes, worst, noisy));
             // Beside the origin, as the narrower panel sees it.
             let lower = if lower.s == 0.0 { End::new(response, 0.0, BESIDE_ORIGIN * at)? } else { lower };
-            stack.push((lower, middle, nodes, worst));
+            stack.push((lower, middle, nodes, worst, noisy));
         }
         Ok(spectrum)
     }
