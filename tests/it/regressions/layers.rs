@@ -264,13 +264,11 @@ fn an_unsure_depth_is_no_unsure_pressure() {
     assert!(error("load.indentation") > 3.0 * error("pressure.centre"), "{:?}", solution.error.each);
 }
 
-<<<<<<< HEAD
 /// A modulus whose derivatives at the surface are beyond all proportion: jump and logarithm of its kernels cancelled each other
-/// down to noise of 1e190, which was reported as an indentation of -2e187; or 512 pieces of noise were made time and again, for ten seconds.
+/// down to noise of 1e190, which was reported as an indentation of -2e187.
 #[test]
 #[cfg(feature = "formula")]
-fn kernels_that_are_all_noise_are_refused_at_once() {
-    let begin = std::time::Instant::now();
+fn kernels_that_are_all_noise_are_refused() {
     for modulus in ["1+y^2*log(y+1e-30)", "2+y*log(y+1e-9)"] {
         let text = format!(
             "format = 1\nlayer = {{ thickness = 5.0, poisson = 0.3, grading = {{ type = \"formula\", modulus = \"{modulus}\" }} }}\n\
@@ -280,9 +278,8 @@ fn kernels_that_are_all_noise_are_refused_at_once() {
         assert_eq!(found.status, Status::Refused, "{modulus}: {:?}", found.reason);
         assert!(found.reason.as_ref().unwrap().contains("too rough"), "{:?}", found.reason);
     }
-    let took = begin.elapsed();
-    assert!(took.as_secs_f64() < 4.0, "{took:?}; 0.2 s on a machine with nothing else to do");
-=======
+}
+
 /// Two exponentials of one gradient, the first as thin as `skin`, on the way to `base` at the depth 5.
 fn skinned(skin: f64, gradients: [f64; 2]) -> String {
     let [above, below] = gradients;
@@ -357,5 +354,4 @@ fn a_faint_break_is_no_noise() {
             assert_eq!(solution.status, Status::Converged, "{below}, {tolerance:e}: {:?}", solution.reason);
         }
     }
->>>>>>> help-B
 }

@@ -2,7 +2,7 @@
 
 use slipzone_api::taylor::Taylor;
 
-/// The blending degree: that of the polynomials that are reproduced. A higher one gains an order, and loses a factor of
+/// The highest blending degree: that of the polynomials that are reproduced. A higher one gains an order, and loses a factor of
 /// two in what the scatter of the values is magnified by.
 pub(super) const DEGREE: usize = 4;
 
@@ -14,10 +14,9 @@ pub(super) struct Interpolant {
 }
 
 impl Interpolant {
-    /// For ascending nodes. Time: linear in their number.
-    pub(super) fn new(nodes: Vec<f64>) -> Self {
+    /// For ascending nodes, more of them than the degree. Time: linear in their number.
+    pub(super) fn new(nodes: Vec<f64>, degree: usize) -> Self {
         let last = nodes.len() - 1;
-        let degree = DEGREE.min(last);
         // In units of the mean distance the products neither overflow nor vanish.
         let unit = (nodes[last] - nodes[0]) / last as f64;
         let weight = |k: usize| -> f64 {

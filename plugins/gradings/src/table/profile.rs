@@ -1,6 +1,6 @@
 //! Curves through the rows of a table.
 
-use super::floater_hormann::Interpolant;
+use super::floater_hormann::{DEGREE, Interpolant};
 use super::rows::Rows;
 use slipzone_api::{Fault, ModulusLaw, Poisson, short};
 use std::sync::Arc;
@@ -11,8 +11,16 @@ const LEAST: usize = 4;
 /// By how much of itself a table may end above the base: roundings of decimals and of units.
 const ROUNDING: f64 = 1e-9;
 
-/// By how much the logarithm of the modulus may leave those of the rows beside it, where no step between rows is larger.
-const SWING: f64 = std::f64::consts::LN_2;
+/// By how much the logarithm of the modulus may leave those of the rows beside it, over the largest step between rows, and at least.
+///
+/// A curve of the highest degree that strays no farther than the first of these is taken, or else the one that strays least: between rows
+/// whose distances differ much those of higher degrees swing. None may stray beyond the second.
+const STRAYS: f64 = 0.25;
+const SWINGS: f64 = 0.5;
+const LEAST_STEP: f64 = std::f64::consts::LN_2;
+
+/// Parts of the way from a row to the next at which the curve is looked at.
+const BETWEEN: [f64; 3] = [0.25, 0.5, 0.75];
 
 /// A table this many times as deep as the layer is to have as many rows within it as a table has at least.
 const FAR_DEEPER: f64 = 100.0;
@@ -33,40 +41,69 @@ impl Profile {
             let found = if count == 1 { "1 row".into() } else { format!("{count} rows") };
             return Err(Fault::new(&[], "too few rows").found(found).expected(format!("at least {LEAST}")));
         }
-        let curve = Interpolant::new(rows.depths.iter().map(|depth| depth * depth_unit).collect());
-        let logarithms = rows.moduli.iter().map(|modulus| (modulus * modulus_unit).ln()).collect();
-        let profile = Self { curve, logarithms, ratios: rows.ratios.clone() };
+        let depths: Vec<f64> = rows.depths.iter().map(|depth| depth * depth_unit).collect();
+        let logarithms: Vec<f64> = rows.moduli.iter().map(|modulus| (modulus * modulus_unit).ln()).collect();
+        let of_degree = |degree: usize| {
+            let curve = Interpolant::new(depths.clone(), degree);
+            let profile = Self { curve, logarithms: logarithms.clone(), ratios: rows.ratios.clone() };
+            let strays = if profile.overshoot().is_some() { f64::INFINITY } else { profile.strays().0 };
+            (strays, profile)
+        };
+        let (mut least, mut profile) = of_degree(DEGREE.min(count - 1));
+        for degree in (0..DEGREE.min(count - 1)).rev() {
+            if least <= STRAYS {
+                break;
+            }
+            let (strays, other) = of_degree(degree);
+            // Written so that what is no number is the most.
+            if !(least <= strays) {
+                (least, profile) = (strays, other);
+            }
+        }
         profile.swing().or_else(|| profile.overshoot()).map_or(Ok(profile), Err)
+    }
+
+    /// By how much the logarithm of the modulus leaves those of the rows that it lies between, at most, over the largest step between rows;
+    /// after which row, and at which depth.
+    fn strays(&self) -> (f64, usize, f64) {
+        let (depths, logarithms) = (self.curve.nodes(), &self.logarithms);
+        let step = logarithms.windows(2).fold(LEAST_STEP, |most, ends| most.max((ends[1] - ends[0]).abs()));
+        let mut worst = (0.0, 0, depths[0]);
+        for (i, (ends, rows)) in depths.windows(2).zip(logarithms.windows(2)).enumerate() {
+            for part in BETWEEN {
+                let depth = ends[0] + part * (ends[1] - ends[0]);
+                let logarithm = self.curve.at(depth, logarithms);
+                let strays = (logarithm - rows[0].max(rows[1])).max(rows[0].min(rows[1]) - logarithm) / step;
+                if !(strays <= worst.0) {
+                    worst = (if strays.is_nan() { f64::INFINITY } else { strays }, i, depth);
+                }
+            }
+        }
+        worst
     }
 
     /// A modulus far beyond those of the rows that it lies between: a steep step makes a smooth curve swing on both sides.
     fn swing(&self) -> Option<Fault> {
         let (depths, logarithms) = (self.curve.nodes(), &self.logarithms);
-        let step = |i: usize| (logarithms[i + 1] - logarithms[i]).abs();
-        let between = 0..depths.len() - 1;
-        let allowed = between.clone().map(step).fold(SWING, f64::max);
-        let (i, depth, logarithm) = between.clone().find_map(|i| {
-            let depth = f64::midpoint(depths[i], depths[i + 1]);
-            let logarithm = self.curve.at(depth, logarithms);
-            let (least, most) = (logarithms[i].min(logarithms[i + 1]), logarithms[i].max(logarithms[i + 1]));
-            // Written so that what is no number is not within.
-            let is_within = logarithm >= least - allowed && logarithm <= most + allowed;
-            (!is_within).then_some((i, depth, logarithm))
-        })?;
-        let slope = |i: usize| step(i) / (depths[i + 1] - depths[i]);
-        let steepest = between.max_by(|one, other| slope(*one).total_cmp(&slope(*other)))?;
+        let (strays, i, depth) = self.strays();
+        if strays <= SWINGS {
+            return None;
+        }
+        let slope = |i: &usize| ((logarithms[i + 1] - logarithms[*i]) / (depths[i + 1] - depths[*i])).abs();
+        let steepest = (0..depths.len() - 1).max_by(|one, other| slope(one).total_cmp(&slope(other)))?;
         let row = |i: usize| format!("{} at depth {}", short(logarithms[i].exp()), depths[i]);
         let fault = Fault::new(&[], "the curve through the moduli swings far beyond them")
             .found(format!(
                 "{} at depth {}, between the rows with {} and {}",
-                short(logarithm.exp()),
+                short(self.curve.at(depth, logarithms).exp()),
                 short(depth),
                 row(i),
                 row(i + 1)
             ))
             .expected("rows between which a smooth curve stays near them");
         Some(fault.hint(format!(
-            "it is steepest between {} and {}: give more rows beside these, or one in place of both; a jump is a `stack`",
+            "it is steepest between {} and {}: give more rows beside these, or one in place of both; a jump, and straight lines from \
+             row to row, are a `stack`",
             row(steepest),
             row(steepest + 1)
         )))

@@ -166,12 +166,11 @@ fn faults_in_points_are_located() {
 fn a_curve_that_swings_between_the_rows_is_refused() {
     let understood =
         |points: &[[f64; 2]]| Table::points(points.iter().map(|row| row.to_vec()).collect()).understood(&NoFiles);
-    for near in [1.01, 1.000_000_001] {
-        let fault = understood(&[[0.0, 1.0], [1.0, 2.0], [near, 2.1], [5.0, 4.0]]).unwrap_err();
-        assert!(fault.message.contains("swings"), "{fault}");
-        let hint = fault.hint.unwrap();
-        assert!(hint.contains(&format!("between 2 at depth 1 and 2.1 at depth {near}")), "{hint}");
-    }
+    let pairs = [[0.0, 1.0], [0.002, 2.0], [1.0, 3.3], [1.002, 5.6], [1.6, 10.0], [1.602, 27.0]];
+    let fault = understood(&pairs).unwrap_err();
+    assert!(fault.message.contains("swings"), "{fault}");
+    let hint = fault.hint.unwrap();
+    assert!(hint.contains("between 10 at depth 1.6 and 27 at depth 1.602"), "{hint}");
     let jump: Vec<_> = (0..8).map(|i| [f64::from(i), if i < 4 { 1.0 } else { 1000.0 }]).collect();
     for honest in [
         // A peak, a thin film and scatter, at depths near to each other and far apart.
@@ -181,6 +180,28 @@ fn a_curve_that_swings_between_the_rows_is_refused() {
         &jump,
     ] {
         understood(honest).unwrap_or_else(|fault| panic!("{fault}"));
+    }
+}
+
+/// A coating whose rows crowd at its end, and rows that crowd at the surface: with degree 4 the first had a modulus of `exp(2000)`.
+#[test]
+fn rows_at_uneven_distances_have_a_curve_of_lower_degree() {
+    let tables = [
+        [[0.0, 600.0], [0.5, 590.0], [1.0, 560.0], [1.2, 300.0], [2.0, 210.0], [10.0, 205.0]],
+        [[0.0, 1.0], [0.1, 1.5], [0.3, 2.0], [1.0, 4.0], [2.5, 7.0], [5.0, 8.0]],
+    ];
+    for rows in tables {
+        let thickness = rows[5][0];
+        let table = Table::points(rows.iter().map(|row| row.to_vec()).collect());
+        let law = table.law(&Setting::thick(Positive::new(thickness).unwrap())).unwrap();
+        for pair in rows.windows(2) {
+            let (least, most) = (pair[0][1].min(pair[1][1]), pair[0][1].max(pair[1][1]));
+            for part in [0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0] {
+                let depth = pair[0][0] + part * (pair[1][0] - pair[0][0]);
+                let modulus = law.modulus(depth / thickness);
+                assert!((least / 1.4..=1.4 * most).contains(&modulus), "{modulus} at {depth}");
+            }
+        }
     }
 }
 
