@@ -60,6 +60,7 @@ impl Stack {
         let (from, to) = ends;
         let mut count = COEFFICIENTS[usize::from(digits < OF_FEWER)];
         let mut before = f64::INFINITY;
+        let mut best: Option<(f64, f64, Force)> = None;
         loop {
             let points = Points::get(count);
             let (force, missed) = if from == 0.0 {
@@ -73,10 +74,15 @@ impl Stack {
             let felt = if matches!(force, Force::Plain { .. }) { (count * count) as f64 } else { 1.0 };
             let is_enough = missed < (digits / felt).max(ROUNDING);
             let is_vain = missed.is_nan() || count >= STALLING && missed > 0.5 * before;
+            // Where more coefficients tell no more of the force they tell less of its rate.
+            if is_enough || best.as_ref().is_none_or(|(least, ..)| felt * missed < *least) {
+                best = Some((felt * missed, missed, force));
+            }
             if is_enough || is_vain || 2 * count > MOST_COEFFICIENTS {
+                let (felt_missed, missed, force) = best.expect("one at least");
                 let piece = Piece { from, to, force };
                 let share = self.share_at_kink(problem, &piece);
-                let at_kink = if is_enough { 0.0 } else { AT_KINK * felt * missed * share };
+                let at_kink = if is_enough { 0.0 } else { AT_KINK * felt_missed * share };
                 let missed = missed.max(piece.felt_of_width(problem));
                 return Made { piece, missed, at_kink };
             }
