@@ -19,9 +19,6 @@ const STRAYS: f64 = 0.25;
 const SWINGS: f64 = 0.5;
 const LEAST_STEP: f64 = std::f64::consts::LN_2;
 
-/// Parts of the way from a row to the next at which the curve is looked at.
-const BETWEEN: [f64; 3] = [0.25, 0.5, 0.75];
-
 /// A table this many times as deep as the layer is to have as many rows within it as a table has at least.
 const FAR_DEEPER: f64 = 100.0;
 
@@ -55,28 +52,27 @@ impl Profile {
                 break;
             }
             let (strays, other) = of_degree(degree);
-            // Written so that what is no number is the most.
-            if !(least <= strays) {
+            if strays < least {
                 (least, profile) = (strays, other);
             }
         }
         profile.swing().or_else(|| profile.overshoot()).map_or(Ok(profile), Err)
     }
 
-    /// By how much the logarithm of the modulus leaves those of the rows that it lies between, at most, over the largest step between rows;
-    /// after which row, and at which depth.
+    /// By how much the logarithm of the modulus leaves those of the rows that it lies between, over the largest step between rows, half-way
+    /// between two of them, at most; after which row, and at which depth.
     fn strays(&self) -> (f64, usize, f64) {
         let (depths, logarithms) = (self.curve.nodes(), &self.logarithms);
         let step = logarithms.windows(2).fold(LEAST_STEP, |most, ends| most.max((ends[1] - ends[0]).abs()));
         let mut worst = (0.0, 0, depths[0]);
         for (i, (ends, rows)) in depths.windows(2).zip(logarithms.windows(2)).enumerate() {
-            for part in BETWEEN {
-                let depth = ends[0] + part * (ends[1] - ends[0]);
-                let logarithm = self.curve.at(depth, logarithms);
-                let strays = (logarithm - rows[0].max(rows[1])).max(rows[0].min(rows[1]) - logarithm) / step;
-                if !(strays <= worst.0) {
-                    worst = (if strays.is_nan() { f64::INFINITY } else { strays }, i, depth);
-                }
+            let depth = f64::midpoint(ends[0], ends[1]);
+            let logarithm = self.curve.at(depth, logarithms);
+            let strays = (logarithm - rows[0].max(rows[1])).max(rows[0].min(rows[1]) - logarithm) / step;
+            // What is no number strays as far as can be.
+            let strays = if strays.is_nan() { f64::INFINITY } else { strays };
+            if strays > worst.0 {
+                worst = (strays, i, depth);
             }
         }
         worst
