@@ -141,8 +141,8 @@ fn number(value: f64, estimate: Option<f64>) -> String {
         _ if value == 0.0 => "0".into(),
         _ if !value.is_finite() => "not finite".into(),
         Some(0.0) => short(value, DIGITS_OF_EXACT),
-        // Not even its sign is.
-        Some(estimate) if estimate >= 1.0 => "unknown".into(),
+        // Not even its sign is; a bound is off by all of itself at most.
+        Some(estimate) if estimate > 1.0 => "unknown".into(),
         Some(estimate) => significant(value, digits(estimate)),
         None => significant(value, DIGITS_WITHOUT_ESTIMATE),
     }
@@ -324,6 +324,6 @@ assumptions  plane strain
 
     #[test]
     fn a_number_that_is_all_error_is_none() {
-        assert_eq!([0.3, 1.0, 3e192].map(|estimate| number(-2e187, Some(estimate))), ["-2e187", "unknown", "unknown"]);
+        assert_eq!([0.3, 1.0, 3e192].map(|estimate| number(-2e187, Some(estimate))), ["-2e187", "-2e187", "unknown"]);
     }
 }
