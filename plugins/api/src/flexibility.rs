@@ -83,4 +83,9 @@ pub trait LayerResponse: Send + Sync {
     fn thickness(&self) -> Option<f64> {
         self.depth()
     }
+
+    /// Whether [`Self::depth`] is where the law breaks, and not only how far it is known to be smooth.
+    fn breaks(&self) -> bool {
+        false
+    }
 }

@@ -65,6 +65,10 @@ impl LayerResponse for ByNeed {
         self.rough.thickness()
     }
 
+    fn breaks(&self) -> bool {
+        self.rough.breaks()
+    }
+
     fn roughly(&self, accuracy: f64) -> Option<&dyn LayerResponse> {
         (accuracy >= ROUGHNESS).then_some(&self.rough as &dyn LayerResponse)
     }
@@ -156,5 +160,13 @@ mod tests {
             assert!(rough != exact && distance(rough, exact) < ROUGHNESS, "s = {s}: {rough:?} for {exact:?}");
         }
         assert!(shared.roughly(0.5 * ROUGHNESS).is_none());
+    }
+
+    /// How far a law is known to be smooth may be less than all of the layer; there is no break there.
+    #[test]
+    fn what_is_smooth_has_no_break() {
+        let law = Wavy { slope: 0.7, wave: (0.5, 0.1), step: (0.3, 0.2), poisson: 0.4 };
+        let response = of(&law, Base::Rigid);
+        assert!(response.depth().unwrap() < 1.0 && !response.breaks(), "{:?}", response.depth());
     }
 }

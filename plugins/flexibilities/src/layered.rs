@@ -195,6 +195,10 @@ impl LayerResponse for Layered {
     fn thickness(&self) -> Option<f64> {
         Some(1.0)
     }
+
+    fn breaks(&self) -> bool {
+        self.depth() == Some(self.panels.first_break) && self.panels.first_break < 1.0
+    }
 }
 
 /// [`Layered::compliance`] in the vectors that the machine has.
@@ -248,6 +252,10 @@ impl LayerResponse for AgainstDatum {
 
     fn thickness(&self) -> Option<f64> {
         self.layer.thickness().map(|thickness| thickness.min(0.5 * self.datum))
+    }
+
+    fn breaks(&self) -> bool {
+        self.layer.breaks()
     }
 }
 

@@ -253,8 +253,8 @@ impl Split {
     /// How deep the surface's own law goes on.
     fn felt(&self, response: &dyn LayerResponse, request: &KernelRequest) -> Result<Felt, Refusal> {
         let nearest = crate::depth(response)?;
-        // Past a deeper one there would be little to gain.
-        let is_shallow = |thickness: &f64| felt::NEARER * nearest < *thickness;
+        // Past a deeper one there would be little to gain, and of a law that is smooth nothing comes back.
+        let is_shallow = |thickness: &f64| response.breaks() && felt::NEARER * nearest < *thickness;
         let thickness = response.thickness().filter(|thickness| is_shallow(thickness) && !self.is_pinned());
         let Some(thickness) = thickness else { return Ok(Felt::down_to(nearest)) };
         let plan = self.plan(response, request, thickness, (request.accuracy, 0.0), FEW_TERMS);

@@ -46,8 +46,9 @@ impl Profile {
             let strays = if profile.overshoot().is_some() { f64::INFINITY } else { profile.strays().0 };
             (strays, profile)
         };
-        let (mut least, mut profile) = of_degree(DEGREE.min(count - 1));
-        for degree in (0..DEGREE.min(count - 1)).rev() {
+        let highest = DEGREE.min(count - 1);
+        let (mut least, mut profile) = of_degree(highest);
+        for degree in (0..highest).rev() {
             if least <= STRAYS {
                 break;
             }
@@ -55,6 +56,9 @@ impl Profile {
             if strays < least {
                 (least, profile) = (strays, other);
             }
+        }
+        if least <= SWINGS {
+            return Ok(profile);
         }
         profile.swing().or_else(|| profile.overshoot()).map_or(Ok(profile), Err)
     }
