@@ -117,8 +117,12 @@ impl SlipCheck {
         normal: &mut Normal,
         shear: &Shear,
     ) -> Option<f64> {
-        self.strain(layer, problem, normal, shear);
         let sign = shear.friction.signum();
+        if !shear.zone.is_told() {
+            // So near to the edge nothing but the half-plane's strain drives the slip.
+            return (sign * problem.elastic.beta() < 0.0).then_some(1.0);
+        }
+        self.strain(layer, problem, normal, shear);
         // Trapezoidal rule in the grid's own variable, up to each node.
         let (mut slip, mut most, mut worst) = (0.0, 0.0_f64, (0.0, f64::NEG_INFINITY));
         for ((node, station), strain) in self.targets.iter().zip(&self.at).zip(&self.strain) {

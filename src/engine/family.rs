@@ -16,7 +16,7 @@ use super::half_plane_depth::HalfPlaneDepth;
 use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::rubbing::Rubbing;
-use super::sheet::Sheet;
+use super::sheet::{END, Sheet};
 use super::stage::{Stage, Task};
 use super::stick_search::Root;
 use super::stick_zone::StickZone;
@@ -75,6 +75,8 @@ pub(crate) struct Family {
     on_half_plane: HalfPlaneDepth,
     /// Where a datum is what depths are counted from.
     depths: Option<Depths>,
+    /// Where the places end at which shears are told.
+    end_of_shear: f64,
     /// What friction makes of it.
     rubbed: Option<Rubbed>,
     /// Rules and room of the flat punch, and of `W`.
@@ -171,6 +173,7 @@ impl Family {
             tilt_over: None,
             on_half_plane: HalfPlaneDepth::new(task.problem.layer.datum, task.problem.elastic.beta()),
             depths: None,
+            end_of_shear: END,
             rubbed: None,
             stage: Box::new(Stage::new(&flat, quadrature.refined(0))?),
             rule,

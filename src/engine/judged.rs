@@ -14,16 +14,11 @@ use slipzone_api::Refusal;
 pub(super) const SHEAR: f64 = 6.0;
 /// The same of the pressure between its nodes.
 pub(super) const BETWEEN: f64 = 3.0;
-/// Factor on what the series over the half-width are taken to leave of a shear. With 3 one of forty loads under a known punch was off by 1.07
-/// of what was claimed, with 2 by 1.15, well within what is allowed.
-const LEFT_OF_SHEAR: f64 = 4.0;
+/// Factor on what the series over the half-width are taken to leave of a shear. With 4 one of 480 loads under known punches was off by 1.01
+/// of what was claimed, with 2 one of forty by 1.15, well within what is allowed.
+const LEFT_OF_SHEAR: f64 = 5.0;
 /// Error of the pressure, of the shear, and of the strain left, over the tolerance, from which it is said among the assumptions.
 pub(super) const SAID: f64 = 3.0;
-/// Error of the shear under a contact that grew and sticks everywhere: what the slip zones left out would change, of the order of the
-/// root of their width, and what the stack misses so near to its edge.
-///
-/// Measured on a cylinder on a half-plane, whose closed form is known: 7e-7 at 0.96 b.
-const STUCK: f64 = 2e-6;
 /// What a stack leaves out, over the tolerance: its nodes are as many as that asks for.
 ///
 /// Measured: 2.4e-7 of the pressure in the middle of a rounded flat punch at 1e-3.
@@ -79,7 +74,7 @@ impl Judged {
     /// Completes what the resolutions told: errors that their differences do not see, and which of them count.
     pub(super) fn conclude(&mut self, problem: &Problem, layer: &PreparedLayer, tolerance: f64) {
         if let Some(of_shear) = self.of_shear {
-            self.errors.set(Quantity::Shear, of_shear.max(left_by_sticking(&self.outcome)));
+            self.errors.set(Quantity::Shear, of_shear);
         }
         if let Some(of_shear) = self.errors.get(Quantity::Shear) {
             // It is stacked of the pressures, too.
@@ -237,12 +232,6 @@ pub(super) fn share_in_shear(outcome: &Outcome) -> f64 {
     if share > 0.0 { share.min(1.0) } else { 1.0 }
 }
 
-/// [`STUCK`] of a contact that grew in which everything sticks.
-pub(super) fn left_by_sticking(outcome: &Outcome) -> f64 {
-    let is_full = outcome.rubbing.as_ref().is_some_and(|rubbing| rubbing.is_full);
-    if is_full && outcome.lost.is_some() { STUCK } else { 0.0 }
-}
-
 /// Errors of a stick zone that is only bounded, however close the bound is, or not found at all, in a contact as uncertain as that; `None`
 /// where it is found.
 fn bound_of_stick(outcome: &Outcome, of_contact: f64) -> Option<Numbers> {
@@ -250,7 +239,6 @@ fn bound_of_stick(outcome: &Outcome, of_contact: f64) -> Option<Numbers> {
     let (ratio, one_minus) = (rubbing.zone.ratio(), rubbing.zone.one_minus_ratio());
     let (of_ratio, of_gap) = match rubbing.verdict {
         Verdict::TooNarrow => (1.0, ratio / one_minus),
-        Verdict::TooWide => (one_minus / ratio, 1.0),
         Verdict::NotScanned => (1.0, 1.0),
         // There is none beside it.
         _ if rubbing.is_full => (one_minus / ratio, one_minus / ratio),

@@ -300,11 +300,6 @@ impl Normal {
         self.force / (2.0 * self.half_width)
     }
 
-    /// [`Rule::finest_gap`].
-    pub(crate) fn finest_gap(&self) -> f64 {
-        self.rule.finest_gap()
-    }
-
     /// Number of unknowns.
     pub(crate) fn size(&self) -> usize {
         self.unknowns.len()

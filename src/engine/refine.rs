@@ -6,9 +6,7 @@ mod ladder;
 
 use super::error_estimate::{SAFETY, Seen, extrapolated, judged_by_twin};
 use super::growing::Growing;
-use super::judged::{
-    BETWEEN, How, Judged, SHEAR, has_details, hidden_details, left_by_sticking, meets, with_the_rest, worst_judged,
-};
+use super::judged::{BETWEEN, How, Judged, SHEAR, has_details, hidden_details, meets, with_the_rest, worst_judged};
 use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
@@ -232,9 +230,7 @@ impl Ladder {
             let unknown =
                 aim.problem.wishes.profile && found.outcome.rubbing.as_ref().is_some_and(|rubbing| rubbing.is_full);
             let error = found.of_shear.unwrap_or(if unknown { 1.0 } else { 0.0 });
-            if is_known_between(found.of_pressure, aim.tolerance)
-                && error <= left_by_sticking(&found.outcome).max(SHEAR * aim.tolerance)
-            {
+            if is_known_between(found.of_pressure, aim.tolerance) && error <= SHEAR * aim.tolerance {
                 break;
             }
             if history.is_full() {
@@ -390,6 +386,6 @@ fn level(first: usize, step: usize) -> u32 {
 
 /// Whether a stick zone is only bounded, if that, and no finer step finds it.
 fn is_bounded(outcome: &Outcome) -> bool {
-    let is_beyond = |verdict: &Verdict| matches!(verdict, Verdict::TooNarrow | Verdict::TooWide | Verdict::NotScanned);
+    let is_beyond = |verdict: &Verdict| matches!(verdict, Verdict::TooNarrow | Verdict::NotScanned);
     outcome.rubbing.as_ref().is_some_and(|rubbing| is_beyond(&rubbing.verdict))
 }

@@ -31,10 +31,7 @@ pub(crate) enum Verdict {
     Fails(String),
     /// No root; the stick zone is narrower than what was looked for.
     TooNarrow,
-    /// No root; the slip zone is narrower than what the resolution can tell.
-    TooWide,
-    /// No root, and every slip zone that can be told from none was looked at: everything sticks. The shear is that of the widest
-    /// zone looked at.
+    /// No root; the slip zone is narrower than any that is looked for: everything sticks. The shear is that of the widest zone looked for.
     Sticks,
     /// No shear arises, whatever the zone: everything sticks without friction.
     NoShear,
@@ -79,12 +76,6 @@ impl Rubbing {
     /// `lambda` of that root.
     pub(super) fn root(&self) -> Option<f64> {
         self.reported().map(|root| root.lambda)
-    }
-
-    /// A stick zone of which no more is told than that it is at least as wide, in a contact of that half-width.
-    pub(crate) fn bounded(self, half_width: f64) -> Self {
-        let zone = StickZone::from_log(self.zone.log(), half_width);
-        Self { zone, verdict: Verdict::TooWide, is_full: false, ..self }
     }
 
     /// The condition that it fails.

@@ -8,7 +8,9 @@ use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 /// Where places end in the variable `u` of `x = c tanh((pi/2) sinh u)`: `1.7e-12 c` is left beyond it.
-const END: f64 = 2.9;
+pub(super) const END: f64 = 2.9;
+/// Where those end of what goes on as `ln(c - x)/sqrt(c - x)`: `4e-19 c` is left beyond it.
+pub(super) const FAR_END: f64 = 3.4;
 
 /// Places at which a density is told: this many, and more per unknown. A Chebyshev series takes half as many again as a sum
 /// of sinc functions on the same stretch.
@@ -18,15 +20,17 @@ const PLACES_PER_UNKNOWN: f64 = 1.5;
 /// A function on `(0, c)` for all half-widths of a blend: a sum of products of the blend's functions and of Chebyshev
 /// polynomials in `u`, in which powers and logarithms of the distance to `c` fade double-exponentially.
 pub(super) struct Sheet {
+    /// Where the places end.
+    end: f64,
     /// Polynomials beside each function of the half-width.
     width: usize,
     coefficients: Vec<f64>,
 }
 
 impl Sheet {
-    /// From a series of so many polynomials for each of the blend's functions.
-    pub(super) fn new(coefficients: Vec<f64>, width: usize) -> Self {
-        Self { width, coefficients }
+    /// From a series of so many polynomials for each of the blend's functions, over places up to an end.
+    pub(super) fn new(coefficients: Vec<f64>, width: usize, end: f64) -> Self {
+        Self { end, width, coefficients }
     }
 
     /// Through values at the stations of some places, one row for each of the blend's functions.
@@ -36,7 +40,12 @@ impl Sheet {
         for (row, to) in rows.chunks_exact(width).zip(coefficients.chunks_exact_mut(width)) {
             places.through_into(row, to);
         }
-        Self { width, coefficients }
+        Self::new(coefficients, width, places.end)
+    }
+
+    /// The place of a point in a contact; what is beyond the last is as good as there.
+    pub(super) fn place(&self, at: Station) -> f64 {
+        (double_exponential::locate(at) / self.end).min(1.0)
     }
 
     /// Polynomials beside each function of the half-width.
@@ -57,30 +66,31 @@ impl Sheet {
 /// The middle is one of them: what is wrong there is wrong of all members of a stack that are much wider than the point looked at is far
 /// from it, and under a pointed punch these are many.
 pub(super) struct Places {
+    end: f64,
     points: Arc<Points>,
     /// Where they are in a contact of unit half-width, the middle last.
     pub(super) stations: Vec<Station>,
 }
 
 impl Places {
-    /// Those for so many unknowns.
-    pub(super) fn of(unknowns: f64) -> Arc<Self> {
+    /// Those up to an end for so many unknowns.
+    pub(super) fn of(unknowns: f64, end: f64) -> Arc<Self> {
         const MOST: usize = 1 << 14;
-        static KNOWN: Shelf<usize, Places> = Shelf::new(MOST, |places| places.stations.len());
+        static KNOWN: Shelf<(usize, u64), Places> = Shelf::new(MOST, |places| places.stations.len());
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some dozens
-        let count = (FEWEST_PLACES + PLACES_PER_UNKNOWN * unknowns) as usize;
-        KNOWN.get(count, || Self::new(count))
+        let count = ((FEWEST_PLACES + PLACES_PER_UNKNOWN * unknowns) * end / END) as usize;
+        KNOWN.get((count, end.to_bits()), || Self::new(count, end))
     }
 
     /// So many, and the middle.
-    fn new(count: usize) -> Self {
+    fn new(count: usize, end: f64) -> Self {
         let points = Points::get(count);
         let station = |s: &f64| {
-            let w = FRAC_PI_2 * (END * s).sinh();
+            let w = FRAC_PI_2 * (end * s).sinh();
             Station { x: w.tanh(), gap: 2.0 / (1.0 + (2.0 * w).exp()) }
         };
         let stations = points.at.iter().chain(&[0.0]).map(station).collect();
-        Self { points, stations }
+        Self { end, points, stations }
     }
 
     /// Writes the series through values at the stations.
@@ -93,11 +103,6 @@ impl Places {
         let told: f64 = series.iter().enumerate().map(|(k, c)| sign(k) * c).sum();
         *last = sign(series.len()) * (middle - told);
     }
-}
-
-/// The place of a point in a contact; above 1 so close to its end that it is as good as there.
-pub(super) fn place(at: Station) -> f64 {
-    double_exponential::locate(at) / END
 }
 
 struct Values<'a> {
@@ -164,7 +169,7 @@ mod tests {
     #[test]
     fn what_is_smooth_in_both_comes_back_side_by_side() {
         let blend = Blend::new((0.0, 3.0), 20, &[(1, 1)]).unwrap();
-        let places = Places::new(60);
+        let places = Places::new(60, END);
         let f = |x: f64, gap: f64, b: f64| gap.sqrt() * (1.0 + 0.3 * x * b + 0.1 * gap * gap.ln()) / (2.0 + b);
         let rows: Vec<f64> = blend
             .half_widths()
@@ -176,7 +181,7 @@ mod tests {
         let half_widths: Lanes = std::array::from_fn(|i| 3.0 - 0.18 * i as f64);
         let (mut functions, mut room, mut values) = (Vec::new(), Vec::new(), [0.0; LANES]);
         blend.functions_into(&half_widths, &mut functions);
-        let places = gaps.map(|gap| place(Station { x: 1.0 - gap, gap }));
+        let places = gaps.map(|gap| sheet.place(Station { x: 1.0 - gap, gap }));
         assert!(places[0].abs() < f64::MIN_POSITIVE, "the middle");
         sheet.values_into(&functions, &places, &mut room, &mut values);
         for i in 0..LANES {

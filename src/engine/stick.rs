@@ -33,6 +33,8 @@ pub(crate) struct Shear {
     quadrature: Box<dyn Quadrature>,
     /// Its own, and those ever a step finer.
     grids: Vec<StickGrid>,
+    /// The zone that was resolved, unless it is the zone itself: all that are wider are told from it.
+    resolved: Option<StickZone>,
     /// What is taken off the shear in the zone solved last.
     known: HalfPlaneShear,
     /// `p(a)` times the friction that belongs to it.
@@ -96,6 +98,7 @@ impl Shear {
             along: None,
             quadrature,
             grids: vec![coarsest],
+            resolved: None,
             known: HalfPlaneShear::new(StickZone::default()),
             own: 0.0,
             used: 0,
@@ -136,6 +139,8 @@ impl Shear {
     }
 
     /// [`Self::solve`] on grids so many steps finer.
+    ///
+    /// A slip zone narrower than the grid's last gap is the half-plane's: what the layer makes of the shear does not change with it any more.
     fn solve_on(
         &mut self,
         steps: usize,
@@ -144,13 +149,33 @@ impl Shear {
         beta: f64,
         zone: StickZone,
     ) -> Result<f64, Refusal> {
-        let (p_edge, friction) = Room::lend(|room| {
-            let p_edge = self.see(steps, layer, normal, zone, room)?;
-            Ok((p_edge, self.balance(layer, beta, p_edge, room, |_, _, by_slip| [by_slip, 0.0])?))
-        })?;
-        (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, friction, friction * p_edge, true);
-        self.strain_rate = 0.0;
-        Ok(friction)
+        let widest = StickZone::from_log(-self.grids[steps].rule.finest_gap().ln(), zone.contact());
+        let is_wider = zone.slip_width < widest.slip_width;
+        let told = if is_wider { widest } else { zone };
+        if !(is_wider && self.is_solved && self.used == steps && self.resolved == Some(told)) {
+            let (p_edge, friction) = Room::lend(|room| {
+                let p_edge = self.see(steps, layer, normal, told, room)?;
+                Ok((p_edge, self.balance(layer, beta, p_edge, room, |_, _, by_slip| [by_slip, 0.0])?))
+            })?;
+            (self.zone, self.friction, self.at_edge, self.is_solved) = (told, friction, friction * p_edge, true);
+            self.strain_rate = 0.0;
+        }
+        if is_wider {
+            self.widen(normal, beta, zone);
+            self.resolved = Some(told);
+        }
+        Ok(self.friction)
+    }
+
+    /// Moves the end of the stick zone solved last nearer to the contact's edge, where all that changes is the shear of the half-plane.
+    fn widen(&mut self, normal: &Normal, beta: f64, zone: StickZone) {
+        let known = HalfPlaneShear::new(zone);
+        let p_edge = normal.at(Station { x: zone.half_width, gap: zone.slip_width });
+        let beside = self.friction - self.known.friction(beta);
+        self.grids[self.used].rule.stretch(zone.half_width);
+        (self.zone, self.known) = (zone, known);
+        self.friction = known.friction(beta) + beside;
+        (self.own, self.at_edge) = (p_edge * known.friction(beta), p_edge * self.friction);
     }
 
     /// Takes the shear of one stick zone on a half-plane, under its own pressure, and returns the friction coefficient that belongs to it:
@@ -159,7 +184,7 @@ impl Shear {
         let p_edge = normal.at(Station { x: zone.half_width, gap: zone.slip_width });
         self.known = HalfPlaneShear::new(zone);
         let friction = self.known.friction(beta);
-        self.used = 0;
+        (self.used, self.resolved) = (0, None);
         let rule = &mut self.grids[0].rule;
         rule.stretch(zone.half_width);
         self.unknowns.clear();
@@ -205,7 +230,7 @@ impl Shear {
         let StickGrid { rule, .. } = &mut self.grids[used];
         // Refused, the zone solved last stays as it is.
         layer.room_for((rule.unknowns() + 1, 1), &**rule, zone.half_width)?;
-        (self.used, self.is_solved, self.along) = (used, false, None);
+        (self.used, self.resolved, self.is_solved, self.along) = (used, None, false, None);
         let known = HalfPlaneShear::new(zone);
         self.known = known;
         rule.stretch(zone.half_width);
@@ -279,12 +304,6 @@ impl Shear {
         self.friction = friction;
         self.at_edge *= factor;
         self.own *= factor;
-        self.is_solved = false;
-    }
-
-    /// Another friction coefficient in the slip zone, the same shear in the stick zone.
-    pub(crate) fn slide_at(&mut self, friction: f64) {
-        self.friction = friction;
         self.is_solved = false;
     }
 

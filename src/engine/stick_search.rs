@@ -21,8 +21,6 @@ const WIDEST: f64 = FrictionCurve::WIDEST;
 const NARROWEST: f64 = FrictionCurve::NARROWEST;
 /// Half of the bracket around a root that the asymptote predicts.
 const PREDICTED: f64 = 0.25;
-/// The curve is trusted where the slip zone is this many times as wide as the finest gap resolved.
-const RESOLVED: f64 = 4.0;
 /// What is left of `eta(lambda) - eta` at a root, over `eta` or over what it is at the bracket's ends, is of the order of the root's
 /// tolerance; beside a pole it is huge. (Over a tiny `eta` alone every root would look like one.)
 const POLE: f64 = 0.01;
@@ -92,21 +90,14 @@ impl FrictionCurve<'_> {
         Ok(())
     }
 
-    /// `lambda` of the widest stick zone that the resolution can tell from the whole contact.
-    pub(crate) fn widest(&self) -> f64 {
-        (-(RESOLVED * self.normal.finest_gap()).ln()).min(WIDEST)
-    }
+    /// `lambda` of the widest stick zones, `1 - a/b = 5e-131`: of what is beside wider ones squares may underflow.
+    pub(crate) const WIDEST: f64 = 300.0;
 
-    /// `lambda = ln(a/(b - a))` of the stick zones sampled is within this: `a/b` or `1 - a/b` down to 7e-13.
-    pub(crate) const WIDEST: f64 = 28.0;
+    /// That of the narrowest that are sampled, `a/b = 7e-13`.
+    pub(crate) const NARROWEST_SAMPLED: f64 = -28.0;
 
-    /// `lambda` of the narrowest stick zones, `a/b = 5e-131`, where the curve follows its asymptote: of narrower ones squares may underflow.
-    pub(crate) const NARROWEST: f64 = -300.0;
-
-    /// Whether the resolution tells all zones that are looked for.
-    pub(crate) fn sees_all(&self) -> bool {
-        self.widest() >= Self::WIDEST
-    }
+    /// That of the narrowest, where the curve follows its asymptote.
+    pub(crate) const NARROWEST: f64 = -Self::WIDEST;
 
     /// All roots of `eta(lambda) = +-eta` within a sampled curve and beyond it, those of inward slip first.
     pub(crate) fn roots(&mut self, eta: f64, samples: &Samples) -> Result<Found, Refusal> {
@@ -204,11 +195,11 @@ impl FrictionCurve<'_> {
             return Ok(());
         }
         let predicted = lambda + (target - value) * PI / self.beta;
-        if !samples.high || predicted > self.widest() {
+        if !samples.high || predicted > WIDEST {
             found.wider |= target > 0.0;
             return Ok(());
         }
-        self.near(predicted, lambda, self.widest(), target, found)
+        self.near(predicted, lambda, WIDEST, target, found)
     }
 
     /// The root near a predicted place, between two limits.
@@ -226,7 +217,7 @@ impl FrictionCurve<'_> {
     /// A root known from a coarser resolution, followed to this one; `None` where it is lost.
     pub(crate) fn follow(&mut self, root: Root, eta: f64) -> Result<Option<Root>, Refusal> {
         let Root { lambda, branch, slope, doubt } = root;
-        let (target, widest) = (branch * eta, self.widest());
+        let (target, widest) = (branch * eta, WIDEST);
         if lambda > widest {
             return Ok(None);
         }

@@ -29,6 +29,9 @@ impl StickZone {
         Self { half_width: self.contact(), slip_width: 0.0 }
     }
 
+    /// Width of the narrowest slip zone that grids over the contact tell from none, over the half-width.
+    pub(crate) const TOLD: f64 = 7e-13;
+
     /// How near to the contact's edge the shear under a sharp one may be out of all proportion, over the half-width.
     pub(crate) const NEAR: f64 = 0.01;
 
@@ -40,6 +43,11 @@ impl StickZone {
     /// Half-width `b` of the contact.
     pub(crate) fn contact(self) -> f64 {
         self.half_width + self.slip_width
+    }
+
+    /// Whether grids over the contact tell its slip zone from none.
+    pub(crate) fn is_told(self) -> bool {
+        self.slip_width >= Self::TOLD * self.half_width
     }
 
     /// `a/b`.
@@ -67,9 +75,10 @@ impl StickZone {
     /// The pressure has a branch point at the contact's edge, `b - a` beyond the end. In the variable
     /// `sinh u = (2/pi) atanh(x/a)` of a double-exponential grid it stands at
     /// `sinh u = (ln(1 + 2 a/(b - a)) + i pi)/pi`, whose imaginary part is less than the `pi/2` of the end by
-    /// about the factor returned; convergence slows down by as much.
+    /// about the factor returned; convergence slows down by as much. In narrower slip zones than [`Self::TOLD`] it stands beyond the end of all grids.
     pub(crate) fn crowding(self) -> f64 {
-        (1.0 + ((2.0 * self.half_width / self.slip_width).ln_1p() / PI).powi(2)).sqrt()
+        let slip_width = self.slip_width.max(Self::TOLD * self.half_width);
+        (1.0 + ((2.0 * self.half_width / slip_width).ln_1p() / PI).powi(2)).sqrt()
     }
 }
 

@@ -105,13 +105,5 @@ fn of_stick(rubbing: &Rubbing, has_grown: bool) -> Option<(Status, String)> {
             );
             Some((Status::NotConverged, why))
         }
-        Verdict::TooWide => {
-            let why = format!(
-                "the surface sticks to within {:.1e} of the contact's edge, as close as this resolution can tell; the \
-                 stick zone reported is a lower bound",
-                rubbing.zone.one_minus_ratio()
-            );
-            Some((Status::NotConverged, why))
-        }
     }
 }

@@ -2,16 +2,18 @@
 
 use super::depths::Depths;
 use super::pressed::Pressed;
-use super::rubbed::{Approach, Found, Member, Rubbed};
+use super::rubbed::{Found, Member, Rubbed};
 use super::{CHECKED, Family, Room, Unfit, during, member};
 use crate::engine::blend::Blend;
 use crate::engine::error_estimate::apart;
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use crate::engine::rubbing::{Rubbing, Verdict};
+use crate::engine::sheet::{END, FAR_END};
 use crate::engine::stage::{Outcome, Task};
 use crate::engine::stick_search::Root;
 use slipzone_api::{Component, Refusal};
+use std::f64::consts::PI;
 
 /// A stick zone farther from the one expected is not near.
 const NEAR: f64 = 0.3;
@@ -37,6 +39,14 @@ impl Wrong {
     fn over(&self, widest: f64) -> f64 {
         self.0.map_or(f64::INFINITY, |most| most / widest)
     }
+}
+
+/// Where the places end at which shears are told under members one of which has that stick zone, if any has. Narrow ones are half-planes'.
+fn end_of_shear(flat: &Problem, zone: Option<Root>) -> f64 {
+    /// Of a zone as wide as that, at [`END`] the shear has met `eta p`.
+    const MET: f64 = 18.0;
+    let on_half_plane = flat.friction.unwrap_or(0.0) * PI / flat.elastic.beta();
+    if zone.is_some_and(|zone| on_half_plane.max(zone.lambda) < MET) { END } else { FAR_END }
 }
 
 impl Family {
@@ -90,9 +100,9 @@ impl Family {
     ) -> Result<(), Unfit> {
         let mut before: Option<Root> = None;
         let mut sticks = coarse.is_some_and(Family::sticks);
+        let flat = member(task.problem, contact, true);
         if coarse.is_none_or(|coarse| coarse.rubbed.is_none()) {
             // The contact itself, by a search of its own: the others follow.
-            let flat = member(task.problem, contact, true);
             let outcome = self.stage.solve(layer, Task { problem: &flat, ..task }, None, None)?;
             let found = outcome.rubbing.as_ref().expect("a stick zone, or why there is none");
             before = found.reported();
@@ -101,6 +111,7 @@ impl Family {
                 return Err(Unfit::Friction(contact, Box::new(found.clone())));
             }
         }
+        self.end_of_shear = end_of_shear(&flat, before.or_else(|| coarse.and_then(|coarse| coarse.root_at(contact))));
         self.solve_pressures(layer, task, coarse)?;
         // What a coarser resolution found to hold is not checked again; without one, nothing is known well enough.
         let (is_first, known) = (coarse.is_none(), coarse.is_some_and(Family::is_checked));
@@ -114,13 +125,7 @@ impl Family {
             self.take_pressure(b);
             let asked = !is_first && !known && k % CHECKED == 0;
             if sticks {
-                let member = match self.stick_member(layer, task, b, asked) {
-                    // At other times slip zones are seen beside the edge, just so: the contact's own is narrower.
-                    Err(Unfit::Friction(_, why)) if why.verdict == Verdict::TooWide => {
-                        return Err(Unfit::Friction(contact, Box::new(why.bounded(contact))));
-                    }
-                    member => member?,
-                };
+                let member = self.stick_member(layer, task, b, asked)?;
                 wrong.add_apart(coarse_zones, &member, b);
                 found.add(member);
                 continue;
@@ -140,7 +145,7 @@ impl Family {
             }
         }
         let told = coarse_zones.map(|coarse| (coarse.told, wrong.over(blend.widest())));
-        self.rubbed = Some(found.blended(blend, told));
+        self.rubbed = Some(found.blended(blend, self.end_of_shear, told));
         Ok(())
     }
 
@@ -221,7 +226,7 @@ impl Family {
             member
         } else {
             self.stage.curve(layer, task).at(root.lambda)?;
-            Member { root, lack: Found::lack(&self.stage, b), moves: None, least: None }
+            Member { root, lack: Found::lack(&self.stage, self.end_of_shear), moves: None, least: None }
         };
         Ok(Ok((member, rubbing.checked)))
     }
@@ -234,13 +239,14 @@ impl Family {
         let (lambda, least) = self.stage.stick(layer, task)?;
         let stuck = || Rubbing::sticking(b, lambda, asked);
         if least.abs() >= eta {
-            return Err(Unfit::Friction(b, Box::new(stuck().bounded(b))));
+            let slips = "the surface slips beside the contact's edge, but not always".into();
+            return Err(Unfit::Friction(b, Box::new(stuck().failing(slips))));
         }
         if asked && let Some(what) = self.stage.overload(layer, eta) {
             return Err(Unfit::Friction(b, Box::new(stuck().failing(what))));
         }
         let root = Root { lambda, branch: 1.0, slope: f64::NAN, doubt: f64::INFINITY };
-        Ok(Member { root, lack: Found::lack(&self.stage, b), moves: None, least: Some(least) })
+        Ok(Member { root, lack: Found::lack(&self.stage, self.end_of_shear), moves: None, least: Some(least) })
     }
 
     /// The stick zone of one member from near it.
@@ -252,11 +258,10 @@ impl Family {
         guess: Root,
         found: &mut Found,
     ) -> Result<Option<Member>, Refusal> {
-        let stage = &mut self.stage;
-        let approach = Approach { error: REFINED * task.tolerance, widest: stage.curve(layer, task).widest() };
-        found.approach(&approach, b, guess, |from| {
+        let (stage, end) = (&mut self.stage, self.end_of_shear);
+        found.approach(REFINED * task.tolerance, b, guess, |from| {
             let next = stage.follow(layer, task, b, from, NEAR)?;
-            Ok(next.map(|next| (next, Found::lack(stage, b))))
+            Ok(next.map(|next| (next, Found::lack(stage, end))))
         })
     }
 

@@ -7,7 +7,7 @@ use crate::engine::chebyshev::largest;
 use crate::engine::root::CERTAIN;
 use crate::engine::sheet::{Places, Sheet};
 use crate::engine::stage::Stage;
-use crate::engine::stick_search::Root;
+use crate::engine::stick_search::{FrictionCurve, Root};
 use crate::engine::stick_zone::StickZone;
 use slipzone_api::Station;
 use std::sync::Arc;
@@ -32,7 +32,7 @@ pub(super) struct Rubbed {
     /// Where everything sticks: how much of each function of the half-width there is in the friction coefficient from which on it
     /// does, with the sign of the shear at the edge.
     of_least: Option<Vec<f64>>,
-    /// What the shear lacks in the stick zone, times the half-width.
+    /// What the shear lacks in the stick zone, times `sqrt(b^2 - x^2)`.
     pub(super) lack: Sheet,
     /// By how much that moves with `lambda`, here or at a coarser resolution.
     pub(super) moves: Option<Arc<Moves>>,
@@ -111,7 +111,7 @@ impl Moves {
 /// A member's stick zone and shear.
 pub(super) struct Member {
     pub(super) root: Root,
-    /// What the shear lacks, times the half-width, as a series over the places.
+    /// What the shear lacks, times `sqrt(b^2 - x^2)`, as a series over the places.
     pub(super) lack: Vec<f64>,
     /// By how much that moves with `lambda`: measured, or known well enough before.
     pub(super) moves: Option<Vec<f64>>,
@@ -169,8 +169,8 @@ impl Found {
         self.branch.to_bits() == member.root.branch.to_bits()
     }
 
-    /// All members were found.
-    pub(super) fn blended(self, blend: Blend, coarse: Option<(Told, f64)>) -> Rubbed {
+    /// All members were found, their shears told at places up to an end.
+    pub(super) fn blended(self, blend: Blend, end: f64, coarse: Option<(Told, f64)>) -> Rubbed {
         let blend = Arc::new(blend);
         let is_known = self.moves.len() == self.lack.len();
         let (lack, width) = side_by_side(self.lack);
@@ -203,19 +203,19 @@ impl Found {
             branch: self.branch,
             slower: (of_lack / of_zone).max(1.0),
             of_least,
-            lack: Sheet::new(lack, width),
+            lack: Sheet::new(lack, width, end),
             moves: moves.or(self.known),
             checked: self.checked,
             blend,
         }
     }
 
-    /// What the shear solved last lacks, times the half-width, as a series over the places.
-    pub(super) fn lack(stage: &Stage, half_width: f64) -> Vec<f64> {
+    /// What the shear solved last lacks, times `sqrt(b^2 - x^2)`, as a series over the places up to an end.
+    pub(super) fn lack(stage: &Stage, end: f64) -> Vec<f64> {
         let shear = stage.shear.as_ref().expect("friction has shear");
         let zone = shear.zone;
         // The pressure has a branch point where the contact ends.
-        let places = Places::of(shear.unknowns().len() as f64 * finer(zone.crowding()));
+        let places = Places::of(shear.unknowns().len() as f64 * finer(zone.crowding()), end);
         let scaled = |at: &Station| Station { x: zone.half_width * at.x, gap: zone.half_width * at.gap };
         let mut at: Vec<Station> = places.stations.iter().map(scaled).collect();
         let (mut q, mut p) = (vec![0.0; at.len()], vec![0.0; at.len()]);
@@ -224,7 +224,9 @@ impl Found {
             *at = zone.in_contact(*at);
         }
         stage.normal.values_into(&at, &mut p);
-        p.iter_mut().zip(&q).for_each(|(p, q)| *p = half_width * (shear.friction * *p - q));
+        for ((p, q), at) in p.iter_mut().zip(&q).zip(&at) {
+            *p = (at.gap * (zone.contact() + at.x)).sqrt() * (shear.friction * *p - q);
+        }
         // What was the shear is room for the series.
         places.through_into(&p, &mut q);
         q
@@ -281,21 +283,13 @@ fn finer(crowding: f64) -> f64 {
     (0.5 * steps).exp2()
 }
 
-/// How a member is approached.
-pub(super) struct Approach {
-    /// The stick zone is wanted to within this.
-    pub(super) error: f64,
-    /// None wider can be told apart from the contact.
-    pub(super) widest: f64,
-}
-
 impl Found {
-    /// The stick zone of a member from near it, by systems that `one` solves: for the zone given it finds the next one
+    /// The stick zone of a member to within an error from near it, by systems that `one` solves: for the zone given it finds the next one
     /// along the slope given. What the shear lacks is moved with the last step: it is linear in so short a one. `None`
     /// where the guess was not near.
     pub(super) fn approach<E>(
         &mut self,
-        &Approach { error, widest }: &Approach,
+        error: f64,
         half_width: f64,
         mut from: Root,
         mut one: impl FnMut(Root) -> Result<Option<(Root, Vec<f64>)>, E>,
@@ -307,7 +301,7 @@ impl Found {
         let mut known = within.map(|moves| moves.at(half_width));
         let mut before: Option<(f64, f64, Vec<f64>)> = None;
         for _ in 0..SYSTEMS {
-            if from.lambda > widest {
+            if from.lambda > FrictionCurve::WIDEST {
                 return Ok(None);
             }
             let Some((root, mut lack)) = one(from)? else { return Ok(None) };
@@ -362,6 +356,7 @@ fn doubt(known: &[f64], measured: &[f64], share: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::sheet::END;
     use std::convert::Infallible;
 
     /// A zone approached along the slope given, where the friction rises by 0.14 per unit to what is wanted at 7, and jumps by so much just
@@ -374,7 +369,7 @@ mod tests {
             Ok::<_, Infallible>(Some((next, vec![1.0])))
         };
         let mut found = Found::new(None, true);
-        found.approach(&Approach { error: 1e-7, widest: 28.0 }, 1.0, start, one).unwrap()
+        found.approach(1e-7, 1.0, start, one).unwrap()
     }
 
     #[test]
@@ -397,7 +392,7 @@ mod tests {
                 let root = Root { lambda: 5.0 + b, branch: 1.0, slope, doubt: 0.0 };
                 found.add(Member { root, lack: vec![1.0], moves: None, least: None });
             }
-            found.blended(blend, None).root_at(1.0, 0.005).doubt
+            found.blended(blend, END, None).root_at(1.0, 0.005).doubt
         };
         assert!(doubt_of(0.14) < CERTAIN);
         assert!(doubt_of(0.3) > CERTAIN && doubt_of(-6.0) > CERTAIN);

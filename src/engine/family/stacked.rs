@@ -2,7 +2,7 @@
 
 use super::Family;
 use crate::engine::blend::{LANES, Lanes};
-use crate::engine::sheet::{self, Places, Sheet};
+use crate::engine::sheet::{END, Places, Sheet};
 use crate::engine::stack::Slice;
 use crate::engine::stick_zone::StickZone;
 use slipzone_api::Station;
@@ -24,7 +24,7 @@ impl Family {
             for (Slice { beyond, force, .. }, (place, factor)) in lanes {
                 // Of `b'`, `sqrt(1 - (x/b')^2)`.
                 let root = beyond.sqrt() * (2.0 * x + beyond).sqrt();
-                *place = sheet::place(Station { x, gap: *beyond }).min(1.0);
+                *place = sheet.place(Station { x, gap: *beyond });
                 *factor = if root > 0.0 { force / root } else { 0.0 };
             }
             self.pressed.blend.functions_into(&half_widths(slices), &mut self.room.side_by_side);
@@ -57,7 +57,7 @@ impl Family {
         if self.pressure_at.is_some() {
             return;
         }
-        let places = Places::of(self.pressed.pressure.width as f64);
+        let places = Places::of(self.pressed.pressure.width as f64, END);
         let stations = &places.stations;
         let mut rows = Vec::with_capacity(self.pressed.blend.functions() * stations.len());
         for row in self.pressed.pressure.numbers.chunks_exact(self.pressed.pressure.width) {
@@ -80,11 +80,12 @@ impl Family {
             let lambda = rubbed.lambda_in_lanes(&self.room.side_by_side);
             factors.fill(0.0);
             let lanes = slices.iter().zip(&lambda).zip(places.iter_mut().zip(&mut factors));
-            for ((Slice { half_width, force, .. }, lambda), (place, factor)) in lanes {
-                let gap = StickZone::from_log(*lambda, *half_width).half_width - x;
-                let at = if gap > 0.0 { sheet::place(Station { x, gap }) } else { 1.0 };
-                // Beside the stick zone nothing is lacking, and so close to its end next to nothing.
-                (*place, *factor) = if at < 1.0 { (at, force / half_width) } else { (1.0, 0.0) };
+            for ((Slice { half_width, beyond, force }, lambda), (place, factor)) in lanes {
+                let gap = beyond - StickZone::from_log(*lambda, *half_width).slip_width;
+                if gap > 0.0 {
+                    *place = rubbed.lack.place(Station { x, gap });
+                    *factor = force / (beyond.sqrt() * (2.0 * x + beyond).sqrt());
+                }
             }
             let mut values = [0.0; LANES];
             rubbed.lack.values_into(&self.room.side_by_side, &places, &mut self.room.polynomials, &mut values);

@@ -69,7 +69,6 @@ impl Growing {
             Verdict::Sticks => "all of the surface sticks, but not always",
             _ if at >= self.half_width || self.has_no_shear() => return rubbing,
             Verdict::TooNarrow => "the stick zone is narrower than any looked for",
-            Verdict::TooWide => "the surface sticks as close to the contact's edge as can be told",
             Verdict::NoShear => "no shear arises, but later",
             _ => "no stick zone belongs to this friction coefficient",
         };

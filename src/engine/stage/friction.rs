@@ -85,7 +85,7 @@ impl Stage {
                 failure = failure.or(Some(rubbing.failing(what)));
             }
         }
-        let nothing = Root { lambda: -FrictionCurve::WIDEST, branch: 1.0, slope: f64::NAN, doubt: f64::NAN };
+        let nothing = Root { lambda: FrictionCurve::NARROWEST_SAMPLED, branch: 1.0, slope: f64::NAN, doubt: f64::NAN };
         let lost = || Rubbing { verdict: Verdict::NotScanned, ..Rubbing::expected(nothing, b, true) };
         Ok(failure.unwrap_or_else(lost))
     }
@@ -163,9 +163,8 @@ impl Stage {
     /// the sign of the shear there: everything sticks with more. Leaves the shear.
     pub(crate) fn stick(&mut self, layer: &PreparedLayer, task: Task) -> Result<(f64, f64), Refusal> {
         self.refresh(layer);
-        let mut curve = self.curve(layer, task);
-        let widest = curve.widest();
-        Ok((widest, curve.at(widest)?))
+        let widest = FrictionCurve::WIDEST;
+        Ok((widest, self.curve(layer, task).at(widest)?))
     }
 
     /// Stick zones known roughly, found at this resolution to the tolerance; `None` where the one reported is lost.
@@ -202,16 +201,14 @@ impl Stage {
             _ => self.curve(layer, task).sample()?,
         };
         let mut curve = self.curve(layer, task);
-        let (found, sees_all) = (curve.roots(eta, &samples)?, curve.sees_all());
+        let found = curve.roots(eta, &samples)?;
         self.sampled = Some((b, samples));
-        let curve = self.curve(layer, task);
         let (lambda, verdict) = match (found.roots.first(), found.narrower) {
             (Some(root), _) => (root.lambda, Verdict::Holds),
             _ if found.largest < NO_SHEAR * eta => (0.0, Verdict::NoShear),
             (None, Some(bound)) => (bound, Verdict::TooNarrow),
-            _ if found.wider && sees_all => (curve.widest(), Verdict::Sticks),
-            _ if found.wider => (curve.widest(), Verdict::TooWide),
-            _ => (-FrictionCurve::WIDEST, Verdict::None),
+            _ if found.wider => (FrictionCurve::WIDEST, Verdict::Sticks),
+            _ => (FrictionCurve::NARROWEST_SAMPLED, Verdict::None),
         };
         let zone = match verdict {
             Verdict::NoShear => StickZone { half_width: b, slip_width: 0.0 },
@@ -269,7 +266,7 @@ impl Stage {
         self.refresh(layer);
         let target = guess.branch * task.problem.friction.unwrap_or(0.0);
         let mut curve = self.curve(layer, task);
-        let (widest, Root { mut lambda, mut slope, mut doubt, .. }) = (curve.widest(), guess);
+        let Root { mut lambda, mut slope, mut doubt, .. } = guess;
         let mut value = curve.at(lambda)?;
         for _ in 0..STEPS {
             let step = (target - value) / slope;
@@ -278,7 +275,7 @@ impl Stage {
             if step.abs() < error || is_last {
                 return Ok(Some(Root { lambda: lambda + step, slope, ..guess }));
             }
-            if step.is_nan() || step.abs() > WIDEST || lambda + step > widest {
+            if step.is_nan() || step.abs() > WIDEST || lambda + step > FrictionCurve::WIDEST {
                 return Ok(None);
             }
             let next = curve.at(lambda + step)?;
@@ -344,8 +341,6 @@ impl Stage {
         match rubbing.verdict {
             // The narrowest stick zone looked for wants more friction than there is: all but it slides.
             Verdict::TooNarrow => shear.rescale(sliding),
-            // The widest one needs less; what slips beyond it slides at the limit all the same.
-            Verdict::TooWide => shear.slide_at(sliding),
             Verdict::NoShear => {
                 shear.rescale(0.0);
                 shear.relocate(rubbing.zone);

@@ -90,14 +90,6 @@ impl Rule for DeSincRule {
         self.resolution.lost_for_room(thinness)
     }
 
-    /// Beyond the last point a density goes on as it does there.
-    ///
-    /// The power is that at which stick zones are trusted from the same resolutions on at which they were right to 1e-12 of the contact with
-    /// grids that went on until the root of the gap was nothing.
-    fn finest_gap(&self) -> f64 {
-        self.grid.staggered.last().map_or(1.0, |last| last.gap * last.gap)
-    }
-
     fn multiplications_beside(&self, thinness: f64) -> u64 {
         let (rows, finer) = (self.stations.len(), self.resolution.oversampling(thinness) - 1);
         (rows * rows * finer * self.unknowns()) as u64
