@@ -18,7 +18,7 @@ use super::problem::Problem;
 use super::rubbing::Rubbing;
 use super::sheet::{END, Sheet};
 use super::stage::{Stage, Task};
-use super::stick_search::Root;
+use super::stick_search::{FrictionCurve, Root};
 use super::stick_zone::StickZone;
 use super::work::Work;
 use depths::Depths;
@@ -230,21 +230,12 @@ impl Family {
 
     /// The stick zone of a contact of that half-width, as told between the members; `None` without friction.
     pub(crate) fn rubbing_between(&self, b: f64) -> Option<Rubbing> {
-        if self.sticks() {
-            return Some(Rubbing::sticking(b, self.zone(b).log(), self.is_checked()));
-        }
-        Some(Rubbing::expected(self.root_at(b)?, b, self.is_checked()))
-    }
-
-    /// Whether everything sticks under all of its members.
-    pub(crate) fn sticks(&self) -> bool {
-        self.rubbed.as_ref().is_some_and(Rubbed::sticks)
-    }
-
-    /// The friction coefficient that a member's shear lacks what it does of: where everything sticks the least with which it does.
-    pub(crate) fn sliding(&self, b: f64) -> f64 {
-        let least = self.rubbed.as_ref().and_then(|rubbed| rubbed.least_at(b));
-        least.unwrap_or_else(|| self.signed_friction())
+        let root = self.root_at(b)?;
+        Some(if root.lambda > FrictionCurve::WIDEST {
+            Rubbing::sticking(b, FrictionCurve::WIDEST, self.is_checked())
+        } else {
+            Rubbing::expected(root, b, self.is_checked())
+        })
     }
 
     /// What its series leave.
@@ -289,7 +280,7 @@ impl Family {
     /// The stick zone of a member.
     pub(crate) fn zone(&self, b: f64) -> StickZone {
         let rubbed = self.rubbed.as_ref().expect("a family with friction");
-        StickZone::from_log(rubbed.lambda_at(b), b)
+        StickZone::from_log(rubbed.lambda_at(b).min(FrictionCurve::WIDEST), b)
     }
 
     /// Friction coefficient, negative where the slip is outward.

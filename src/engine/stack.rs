@@ -442,16 +442,6 @@ impl Stack {
         family.stacked_pressure(&self.slices(problem, &self.crowded_ways, x, (x.max(self.breaks[0]), b)), x)
     }
 
-    /// What the shear at a point would be if each flat punch slid with [`Family::sliding`], beside that of all sliding as the widest does.
-    pub(crate) fn slides_beside(&self, problem: &Problem, family: &mut Family, b: f64, x: f64) -> f64 {
-        let (x, widest) = (apart(x.abs(), b), family.sliding(b));
-        let mut slices = self.slices(problem, &self.crowded_ways, x, (x.max(self.breaks[0]), b));
-        for slice in &mut slices {
-            slice.force *= family.sliding(slice.half_width) - widest;
-        }
-        family.stacked_pressure(&slices, x)
-    }
-
     /// Half-width at which the stick zone ended at a point; that of the face where it was never so narrow.
     fn stuck_since(&self, family: &Family, b: f64, x: f64) -> f64 {
         let face = self.breaks[0];

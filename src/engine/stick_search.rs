@@ -93,6 +93,9 @@ impl FrictionCurve<'_> {
     /// `lambda` of the widest stick zones, `1 - a/b = 5e-131`: of what is beside wider ones squares may underflow.
     pub(crate) const WIDEST: f64 = 300.0;
 
+    /// Where the curve rises by less than this with `lambda`, beside wide zones, it is as good as flat.
+    pub(crate) const FLAT: f64 = 3e-5;
+
     /// That of the narrowest that are sampled, `a/b = 7e-13`.
     pub(crate) const NARROWEST_SAMPLED: f64 = -28.0;
 

@@ -11,7 +11,8 @@ use crate::engine::problem::Problem;
 use crate::engine::rubbing::{Rubbing, Verdict};
 use crate::engine::sheet::{END, FAR_END};
 use crate::engine::stage::{Outcome, Task};
-use crate::engine::stick_search::Root;
+use crate::engine::stick_search::{FrictionCurve, Root};
+use crate::engine::stick_zone::StickZone;
 use slipzone_api::{Component, Refusal};
 use std::f64::consts::PI;
 
@@ -99,15 +100,16 @@ impl Family {
         (blend, coarse): (Blend, Option<&Family>),
     ) -> Result<(), Unfit> {
         let mut before: Option<Root> = None;
-        let mut sticks = coarse.is_some_and(Family::sticks);
         let flat = member(task.problem, contact, true);
         if coarse.is_none_or(|coarse| coarse.rubbed.is_none()) {
             // The contact itself, by a search of its own: the others follow.
             let outcome = self.stage.solve(layer, Task { problem: &flat, ..task }, None, None)?;
             let found = outcome.rubbing.as_ref().expect("a stick zone, or why there is none");
-            before = found.reported();
-            sticks = found.verdict == Verdict::Sticks;
-            if before.is_none() && !sticks {
+            before = match found.verdict {
+                Verdict::Sticks => self.stage.stuck(layer, Task { problem: &flat, ..task })?,
+                _ => found.reported(),
+            };
+            if before.is_none() {
                 return Err(Unfit::Friction(contact, Box::new(found.clone())));
             }
         }
@@ -124,12 +126,6 @@ impl Family {
             let task = Task { problem: &flat, ..task };
             self.take_pressure(b);
             let asked = !is_first && !known && k % CHECKED == 0;
-            if sticks {
-                let member = self.stick_member(layer, task, b, asked)?;
-                wrong.add_apart(coarse_zones, &member, b);
-                found.add(member);
-                continue;
-            }
             let told = coarse.and_then(|coarse| coarse.root_at(b));
             let start = told.or_else(|| found.continued(&half_widths[..k], b)).or(before.take());
             let (member, checked) = match self.solve_member(layer, task, b, (start, asked), &mut found)? {
@@ -143,6 +139,13 @@ impl Family {
                 let turned = "the direction of slip turns while the contact grows".into();
                 return Err(Unfit::Friction(b, Box::new(Rubbing::expected(root, b, false).failing(turned))));
             }
+        }
+        if flat.elastic.beta() < FrictionCurve::FLAT * PI
+            && let Some(b) = found.sticks_at_times(half_widths)
+        {
+            let sticks = "all of the surface sticks, but not always".into();
+            let zone = StickZone::from_log(FrictionCurve::WIDEST, b).log();
+            return Err(Unfit::Friction(b, Box::new(Rubbing::sticking(b, zone, false).failing(sticks))));
         }
         let told = coarse_zones.map(|coarse| (coarse.told, wrong.over(blend.widest())));
         self.rubbed = Some(found.blended(blend, self.end_of_shear, told));
@@ -212,6 +215,12 @@ impl Family {
         (start, asked): (Option<Root>, bool),
         found: &mut Found,
     ) -> Result<Result<(Member, bool), Box<Rubbing>>, Refusal> {
+        if start.is_some_and(|start| start.lambda > FrictionCurve::WIDEST) {
+            self.stage.press(layer, task, b)?;
+            if let Some(stuck) = self.stuck_member(layer, task, b, asked)? {
+                return Ok(stuck);
+            }
+        }
         if let Some(guess) = start
             && let Some(member) = self.approach(layer, task, b, guess, found)?
         {
@@ -221,32 +230,38 @@ impl Family {
         let start = start.map(|start| Outcome::of_rubbing(Rubbing::expected(start, b, !asked)));
         let outcome = self.stage.solve(layer, task, start.as_ref(), None)?;
         let rubbing = outcome.rubbing.expect("a stick zone, or why there is none");
+        if rubbing.verdict == Verdict::Sticks
+            && let Some(stuck) = self.stuck_member(layer, task, b, asked)?
+        {
+            return Ok(stuck);
+        }
         let Some(root) = rubbing.reported() else { return Ok(Err(Box::new(rubbing))) };
         let member = if let Some(member) = self.approach(layer, task, b, root, found)? {
             member
         } else {
             self.stage.curve(layer, task).at(root.lambda)?;
-            Member { root, lack: Found::lack(&self.stage, self.end_of_shear), moves: None, least: None }
+            let friction = self.stage.friction_of_shear();
+            Member { root, lack: Found::lack(&self.stage, friction, self.end_of_shear), moves: None }
         };
         Ok(Ok((member, rubbing.checked)))
     }
 
-    /// Solves one member of which all shall stick, and leaves its pressure in the stage; the conditions of that are looked at where
-    /// that is asked.
-    fn stick_member(&mut self, layer: &mut PreparedLayer, task: Task, b: f64, asked: bool) -> Result<Member, Unfit> {
-        self.stage.press(layer, task, b)?;
+    /// [`Self::solve_member`] of the member pressed last, where all of it sticks; `None` where it does not.
+    fn stuck_member(
+        &mut self,
+        layer: &PreparedLayer,
+        task: Task,
+        b: f64,
+        asked: bool,
+    ) -> Result<Option<Result<(Member, bool), Box<Rubbing>>>, Refusal> {
+        let Some(root) = self.stage.stuck(layer, task)? else { return Ok(None) };
         let eta = task.problem.friction.expect("friction that sticks");
-        let (lambda, least) = self.stage.stick(layer, task)?;
-        let stuck = || Rubbing::sticking(b, lambda, asked);
-        if least.abs() >= eta {
-            let slips = "the surface slips beside the contact's edge, but not always".into();
-            return Err(Unfit::Friction(b, Box::new(stuck().failing(slips))));
-        }
         if asked && let Some(what) = self.stage.overload(layer, eta) {
-            return Err(Unfit::Friction(b, Box::new(stuck().failing(what))));
+            let stuck = Rubbing::sticking(b, FrictionCurve::WIDEST, true);
+            return Ok(Some(Err(Box::new(stuck.failing(what)))));
         }
-        let root = Root { lambda, branch: 1.0, slope: f64::NAN, doubt: f64::INFINITY };
-        Ok(Member { root, lack: Found::lack(&self.stage, self.end_of_shear), moves: None, least: Some(least) })
+        let lack = Found::lack(&self.stage, eta, self.end_of_shear);
+        Ok(Some(Ok((Member { root, lack, moves: None }, asked))))
     }
 
     /// The stick zone of one member from near it.
@@ -261,7 +276,7 @@ impl Family {
         let (stage, end) = (&mut self.stage, self.end_of_shear);
         found.approach(REFINED * task.tolerance, b, guess, |from| {
             let next = stage.follow(layer, task, b, from, NEAR)?;
-            Ok(next.map(|next| (next, Found::lack(stage, end))))
+            Ok(next.map(|next| (next, Found::lack(stage, stage.friction_of_shear(), end))))
         })
     }
 
@@ -276,16 +291,16 @@ impl Family {
         for b in self.looked_at(half_width) {
             let flat = member(task.problem, b, true);
             let task = Task { problem: &flat, ..task };
-            if self.sticks() {
-                match self.stick_member(layer, task, b, true) {
-                    Ok(_) => continue,
-                    Err(Unfit::Refused(refusal)) => return Err(refusal),
-                    Err(Unfit::Friction(b, what)) => {
-                        return Ok(what.failure().map(|what| during(task.problem, b, what)));
-                    }
+            let known = self.root_at(b);
+            if known.is_some_and(|known| known.lambda > FrictionCurve::WIDEST) {
+                self.stage.press(layer, task, b)?;
+                match self.stuck_member(layer, task, b, true)? {
+                    Some(Ok(_)) => continue,
+                    Some(Err(what)) => return Ok(what.failure().map(|what| during(task.problem, b, what))),
+                    None => {}
                 }
             }
-            let start = self.root_at(b).map(|root| Outcome::of_rubbing(Rubbing::expected(root, b, false)));
+            let start = known.map(|root| Outcome::of_rubbing(Rubbing::expected(root, b, false)));
             let mut outcome = self.stage.solve(layer, task, start.as_ref(), None)?;
             self.stage.settle(layer, task, &mut outcome)?;
             let found = outcome.rubbing.as_ref().expect("a stick zone, or why there is none");
@@ -310,10 +325,10 @@ impl Family {
         b: f64,
     ) -> Result<Option<Rubbing>, Refusal> {
         let checked = self.is_checked();
-        if self.sticks() {
+        let Some(guess) = self.root_at(b) else { return Ok(None) };
+        if guess.lambda > FrictionCurve::WIDEST {
             return Ok(self.rubbing_between(b));
         }
-        let Some(guess) = self.root_at(b) else { return Ok(None) };
         let flat = member(task.problem, b, true);
         let root = self.stage.follow(layer, Task { problem: &flat, ..task }, b, guess, REFINED * task.tolerance)?;
         Ok(root.map(|root| Rubbing::expected(root, b, checked)))

@@ -29,9 +29,6 @@ pub(super) struct Rubbed {
     slope_left: f64,
     /// `+1` where the slip is inward, `-1` where it is outward.
     pub(super) branch: f64,
-    /// Where everything sticks: how much of each function of the half-width there is in the friction coefficient from which on it
-    /// does, with the sign of the shear at the edge.
-    of_least: Option<Vec<f64>>,
     /// What the shear lacks in the stick zone, times `sqrt(b^2 - x^2)`.
     pub(super) lack: Sheet,
     /// By how much that moves with `lambda`, here or at a coarser resolution.
@@ -53,29 +50,14 @@ impl Rubbed {
     }
 
     /// By how much a member of that half-width, of a finer resolution, differs from what is told of it, as far as that is the series: by
-    /// its stick zone, on which resolutions agree long before they do on the shear, or where everything sticks by the friction
-    /// coefficient from which on it does.
+    /// its stick zone, on which resolutions agree long before they do on the shear.
     pub(super) fn apart_from(&self, member: &Member, half_width: f64) -> f64 {
-        let of_zone = match (self.least_at(half_width), member.least) {
-            (Some(told), Some(least)) => told / least - 1.0,
-            _ => self.lambda_at(half_width) - member.root.lambda,
-        };
-        self.slower * of_zone.abs()
+        self.slower * (self.lambda_at(half_width) - member.root.lambda).abs() / felt(member.root.lambda)
     }
 
     /// Whether a half-width is between its members.
     pub(super) fn tells(&self, half_width: f64) -> bool {
         (self.blend.narrowest()..=self.blend.widest()).contains(&half_width)
-    }
-
-    /// Whether everything sticks.
-    pub(super) fn sticks(&self) -> bool {
-        self.of_least.is_some()
-    }
-
-    /// Where everything sticks, the friction coefficient from which on it does under a half-width.
-    pub(super) fn least_at(&self, half_width: f64) -> Option<f64> {
-        Some(self.blend.sum(half_width, self.of_least.as_ref()?))
     }
 
     /// The stick zones under half-widths side by side, from the blend's functions there.
@@ -115,8 +97,6 @@ pub(super) struct Member {
     pub(super) lack: Vec<f64>,
     /// By how much that moves with `lambda`: measured, or known well enough before.
     pub(super) moves: Option<Vec<f64>>,
-    /// Where everything sticks: the friction coefficient from which on it does. The shear lacks what it does to that.
-    pub(super) least: Option<f64>,
 }
 
 /// What was found of the members so far.
@@ -126,7 +106,6 @@ pub(super) struct Found {
     branch: f64,
     lack: Vec<Vec<f64>>,
     moves: Vec<Vec<f64>>,
-    least: Vec<f64>,
     /// What a coarser resolution knows of the moves, and by how much those measured last differ from it, relative.
     known: Option<Arc<Moves>>,
     doubt: f64,
@@ -142,7 +121,6 @@ impl Found {
             branch: 1.0,
             lack: Vec::new(),
             moves: Vec::new(),
-            least: Vec::new(),
             known,
             doubt,
             checked,
@@ -156,6 +134,13 @@ impl Found {
         Some(Root { lambda, branch: self.branch, slope: *self.slope.last()?, doubt: f64::INFINITY })
     }
 
+    /// The first of the half-widths at which everything sticks, where it does not at all of them.
+    pub(super) fn sticks_at_times(&self, half_widths: &[f64]) -> Option<f64> {
+        let sticks = |lambda: &f64| *lambda > FrictionCurve::WIDEST;
+        let first = self.lambda.iter().position(sticks)?;
+        (!self.lambda.iter().all(sticks)).then(|| half_widths[first])
+    }
+
     /// Adds a member; returns false where it slips another way than those before.
     pub(super) fn add(&mut self, member: Member) -> bool {
         if self.lambda.is_empty() {
@@ -165,7 +150,6 @@ impl Found {
         self.slope.push(member.root.slope);
         self.lack.push(member.lack);
         self.moves.extend(member.moves);
-        self.least.extend(member.least);
         self.branch.to_bits() == member.root.branch.to_bits()
     }
 
@@ -182,12 +166,8 @@ impl Found {
         let of_lambda = blend.coefficients(&self.lambda, 1);
         let of_slope = blend.coefficients(&self.slope, 1);
         let lack = blend.coefficients(&lack, width);
-        let of_least = (!self.least.is_empty()).then(|| blend.coefficients(&self.least, 1));
         // A zone is a logarithm.
-        let of_zone = match &of_least {
-            Some(of_least) => blend.last(of_least, 1) / largest(of_least),
-            None => blend.last(&of_lambda, 1),
-        };
+        let of_zone = blend.last(&of_lambda, 1) / felt(largest(&of_lambda));
         let of_lack = blend.last(&lack, width) / largest(&lack);
         let told = Told::new(blend.functions(), of_lack.max(of_zone), coarse);
         Rubbed {
@@ -202,7 +182,6 @@ impl Found {
             of_slope,
             branch: self.branch,
             slower: (of_lack / of_zone).max(1.0),
-            of_least,
             lack: Sheet::new(lack, width, end),
             moves: moves.or(self.known),
             checked: self.checked,
@@ -210,12 +189,13 @@ impl Found {
         }
     }
 
-    /// What the shear solved last lacks, times `sqrt(b^2 - x^2)`, as a series over the places up to an end.
-    pub(super) fn lack(stage: &Stage, end: f64) -> Vec<f64> {
+    /// What the shear solved last lacks to a friction coefficient's, times `sqrt(b^2 - x^2)`, as a series over the places up to an end.
+    pub(super) fn lack(stage: &Stage, friction: f64, end: f64) -> Vec<f64> {
         let shear = stage.shear.as_ref().expect("friction has shear");
         let zone = shear.zone;
         // The pressure has a branch point where the contact ends.
-        let places = Places::of(shear.unknowns().len() as f64 * finer(zone.crowding()), end);
+        let crowding = if zone.log() < FADED { zone.crowding() } else { 1.0 };
+        let places = Places::of(shear.unknowns().len() as f64 * finer(crowding), end);
         let scaled = |at: &Station| Station { x: zone.half_width * at.x, gap: zone.half_width * at.gap };
         let mut at: Vec<Station> = places.stations.iter().map(scaled).collect();
         let (mut q, mut p) = (vec![0.0; at.len()], vec![0.0; at.len()]);
@@ -225,12 +205,22 @@ impl Found {
         }
         stage.normal.values_into(&at, &mut p);
         for ((p, q), at) in p.iter_mut().zip(&q).zip(&at) {
-            *p = (at.gap * (zone.contact() + at.x)).sqrt() * (shear.friction * *p - q);
+            *p = (at.gap * (zone.contact() + at.x)).sqrt() * (friction * *p - q);
         }
         // What was the shear is room for the series.
         places.through_into(&p, &mut q);
         q
     }
+}
+
+/// Of slip zones as narrow as `exp(-FADED)` of the contact no place at which the shear is told sees anything.
+const FADED: f64 = 100.0;
+
+/// By how much less of a change of `lambda` is felt, as far as it is large: in proportion to the friction coefficient.
+fn felt(lambda: f64) -> f64 {
+    /// Slip zones of `exp(-SEEN)` of the contact are not seen at all.
+    const SEEN: f64 = 30.0;
+    (lambda / SEEN).max(1.0)
 }
 
 /// Parts of the way from one member to the next, over each of which a zone is taken to grow, or to shrink.
@@ -321,7 +311,7 @@ impl Found {
                         make_alike(&mut lack, known);
                         lack.iter_mut().zip(known).for_each(|(lack, moves)| *lack += step * *moves);
                     }
-                    return Ok(Some(Member { root, lack, moves: known, least: None }));
+                    return Ok(Some(Member { root, lack, moves: known }));
                 }
                 before = Some((from.lambda, step, lack));
                 from = root;
@@ -336,7 +326,7 @@ impl Found {
                     self.doubt = doubt(known, &moves, share);
                 }
                 lack.iter_mut().zip(&moves).for_each(|(lack, moves)| *lack += step * moves);
-                return Ok(Some(Member { root: next, lack, moves: Some(moves), least: None }));
+                return Ok(Some(Member { root: next, lack, moves: Some(moves) }));
             }
             before = Some((from.lambda, step, lack));
             from = next;
@@ -390,7 +380,7 @@ mod tests {
             for (k, b) in blend.half_widths().iter().enumerate() {
                 let slope = if k == 5 { odd } else { 0.14 + 0.001 * b };
                 let root = Root { lambda: 5.0 + b, branch: 1.0, slope, doubt: 0.0 };
-                found.add(Member { root, lack: vec![1.0], moves: None, least: None });
+                found.add(Member { root, lack: vec![1.0], moves: None });
             }
             found.blended(blend, END, None).root_at(1.0, 0.005).doubt
         };

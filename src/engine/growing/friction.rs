@@ -32,14 +32,14 @@ impl Growing {
             return Ok(rubbing.failing(during(problem, at, "the stick zone shrinks")));
         }
         // The pressure has a trace of its own.
-        let (friction, sticks) = (family.signed_friction(), family.sticks());
+        let friction = family.signed_friction();
         let mean = self.force / (2.0 * b);
         let lack = TRACED.map(|part| self.lack(problem, b, part * zone.half_width) / mean);
         let inner = ShearTrace::NEAR_MIDDLE.map(|part| self.lack(problem, b, part * zone.half_width) / mean);
         let own = |part: f64| Station { x: part * zone.half_width, gap: (1.0 - part) * zone.half_width };
         let shear = self.shear_traced(problem, normal, TRACED.map(|part| zone.in_contact(own(part))), lack);
-        if sticks {
-            // What slides is as much as the resolution makes it, and so is what is lacking to it.
+        if rubbing.is_full {
+            // Beside what slides with much friction what sticks may be little, and so may be the errors of what is lacking.
             let at = ShearTrace::NEAR_MIDDLE.map(|part| zone.in_contact(own(part)));
             let inner = self.shear_traced(problem, normal, at, inner);
             return Ok(rubbing.traced(ShearTrace { inner, ..ShearTrace::new(shear, shear, friction) }));
@@ -57,8 +57,9 @@ impl Growing {
     ) -> [f64; N] {
         let mut pressure = [0.0; N];
         self.pressure_into(problem, normal, &at, &mut pressure);
-        let (b, mean) = (self.half_width, self.force / (2.0 * self.half_width));
-        std::array::from_fn(|i| self.sliding(problem, b, at[i].x, pressure[i]) / mean - lack[i])
+        let mean = self.force / (2.0 * self.half_width);
+        let sliding = self.signed_friction().unwrap_or(0.0);
+        std::array::from_fn(|i| sliding * pressure[i] / mean - lack[i])
     }
 
     /// What could not be told of friction when the contact had grown to a half-width, in words, unless it is so now.
@@ -66,7 +67,6 @@ impl Growing {
         let rubbing = Rubbing { is_full: rubbing.is_full && !self.was_broken(), ..rubbing.clone() };
         let what = match &rubbing.verdict {
             Verdict::Fails(what) => what.as_str(),
-            Verdict::Sticks => "all of the surface sticks, but not always",
             _ if at >= self.half_width || self.has_no_shear() => return rubbing,
             Verdict::TooNarrow => "the stick zone is narrower than any looked for",
             Verdict::NoShear => "no shear arises, but later",
@@ -100,13 +100,14 @@ impl Growing {
         /// Points of the stick zone, denser at its end.
         const POINTS: usize = 16;
         let (family, friction) = (self.family.as_ref()?, problem.friction?);
+        let sliding = family.signed_friction();
         family.looked_at(self.half_width).into_iter().filter(|b| *b > problem.face()).find_map(|b| {
             let a = self.family.as_ref()?.zone(b).half_width;
             (1..POINTS).find_map(|i| {
                 let x = a * (0.5 * PI * i as f64 / POINTS as f64).sin();
                 let (family, stack) = self.family.as_mut().zip(self.stack.as_ref())?;
                 let p = stack.pressure(problem, family, b, x);
-                let q = self.sliding(problem, b, x, p) - self.lack(problem, b, x);
+                let q = sliding * p - self.lack(problem, b, x);
                 let load = q.abs() / (friction * p);
                 let at = x / b;
                 let what = if p < 0.0 {
@@ -128,30 +129,22 @@ impl Growing {
         }
         let (Some(family), Some(_), None) = (&self.family, &self.stack, &self.broken) else { return None };
         problem.friction?;
-        let (b, zone) = (self.half_width, family.zone(self.half_width));
+        let (b, zone, sliding) = (self.half_width, family.zone(self.half_width), family.signed_friction());
         let one = |(at, p): (&Station, &f64)| {
             let x = at.x.abs();
             if x == 0.0 {
                 return 0.0;
             }
             let lack = if x < zone.half_width { self.lack(problem, b, x) } else { 0.0 };
-            (self.sliding(problem, b, x, *p) - lack) * 1.0_f64.copysign(at.x)
+            (sliding * p - lack) * 1.0_f64.copysign(at.x)
         };
         Some(at.iter().zip(pressure).map(one).collect())
     }
 
-    /// What the shear at a point of the stick zone lacks to what slides, see [`Self::sliding`].
+    /// What the shear at a point of the stick zone lacks to what slides, `eta p`.
     pub(super) fn lack(&mut self, problem: &Problem, b: f64, x: f64) -> f64 {
         let (family, stack) = self.family.as_mut().zip(self.stack.as_ref()).expect("provided before");
         stack.lack(problem, family, b, x)
-    }
-
-    /// What the shear at a point of a contact so wide would be if all slid, where the pressure is `pressure`; where everything sticks, with as much friction
-    /// under each flat punch as that asks for.
-    pub(super) fn sliding(&mut self, problem: &Problem, b: f64, x: f64, pressure: f64) -> f64 {
-        let (family, stack) = self.family.as_mut().zip(self.stack.as_ref()).expect("provided before");
-        let friction = family.sliding(b);
-        friction * pressure + if family.sticks() { stack.slides_beside(problem, family, b, x) } else { 0.0 }
     }
 
     /// Friction coefficient of the shear, negative where the slip is outward; `None` where there is none to tell.

@@ -12,6 +12,7 @@ use crate::engine::stick_search::{Found, FrictionCurve, Root};
 use crate::engine::stick_zone::StickZone;
 use arrayvec::ArrayVec;
 use slipzone_api::Refusal;
+use std::f64::consts::PI;
 
 /// Friction below this share of the coefficient at every stick zone is rounding: there is no shear.
 const NO_SHEAR: f64 = 1e-10;
@@ -145,11 +146,8 @@ impl Stage {
         eta: f64,
         coarse: Option<&Rubbing>,
     ) -> Result<Rubbing, Refusal> {
-        if coarse.is_some_and(|coarse| coarse.verdict == Verdict::Sticks)
-            && let (lambda, least) = self.stick(layer, task)?
-            && least.abs() < eta
-        {
-            return Ok(Rubbing::sticking(self.normal.half_width, lambda, false));
+        if coarse.is_some_and(|coarse| coarse.verdict == Verdict::Sticks) && self.stuck(layer, task)?.is_some() {
+            return Ok(Rubbing::sticking(self.normal.half_width, FrictionCurve::WIDEST, false));
         }
         self.refresh(layer);
         let known = coarse.filter(|coarse| !coarse.found.roots.is_empty());
@@ -159,12 +157,20 @@ impl Stage {
         }
     }
 
-    /// The widest stick zone that this resolution can tell from all of the contact, and the friction coefficient that belongs to it, with
-    /// the sign of the shear there: everything sticks with more. Leaves the shear.
-    pub(crate) fn stick(&mut self, layer: &PreparedLayer, task: Task) -> Result<(f64, f64), Refusal> {
+    /// The stick zone, wider than all that are looked for, where everything sticks; leaves the shear of the widest of these. How wide it
+    /// is tells by how much friction is more than it takes; where the curve is flat all are that wide.
+    pub(crate) fn stuck(&mut self, layer: &PreparedLayer, task: Task) -> Result<Option<Root>, Refusal> {
         self.refresh(layer);
-        let widest = FrictionCurve::WIDEST;
-        Ok((widest, self.curve(layer, task).at(widest)?))
+        let eta = task.problem.friction.expect("friction that sticks");
+        let least = self.curve(layer, task).at(FrictionCurve::WIDEST)?;
+        let slope = (task.problem.elastic.beta() / PI).max(FrictionCurve::FLAT);
+        let lambda = FrictionCurve::WIDEST + (eta - least) / slope;
+        Ok((least.abs() < eta).then_some(Root { lambda, branch: 1.0, slope, doubt: 0.0 }))
+    }
+
+    /// The friction coefficient that the shear solved last belongs to.
+    pub(crate) fn friction_of_shear(&self) -> f64 {
+        self.shear.as_ref().map_or(0.0, |shear| shear.friction)
     }
 
     /// Stick zones known roughly, found at this resolution to the tolerance; `None` where the one reported is lost.

@@ -294,3 +294,40 @@ fn a_root_under_hardly_any_friction_is_no_pole() {
         assert!((ratio - 0.670_28).abs() < 1e-4 + 7.0 * coefficient, "{coefficient:e}: {ratio}");
     }
 }
+
+/// Nearly incompressible layers: narrow contacts slip beside 1e-9 of their half-width, wide ones beside 1e-15 or, so to say, 1e-140. Members of both
+/// kinds were in one history, which was a bound or refused. What sticks always is the same whatever the friction.
+#[test]
+fn a_history_of_slip_zones_of_all_sizes_is_told() {
+    let grown = |nu: f64, eta: f64, tolerance: f64| {
+        let sketch = Sketch::flat(2.0, 0.2, nu).cylinder().rubbing(eta);
+        let solution = sketch.with(&format!("[solver]\ntolerance = {tolerance:?}")).solve();
+        assert_eq!(solution.status, Status::Converged, "nu = {nu}, eta = {eta}: {:?}", solution.reason);
+        solution
+    };
+    let shears = |solution: &Solution| -> Vec<f64> {
+        solution.profile.shear.as_ref().expect("friction").iter().map(|q| q.unwrap_or(0.0)).collect()
+    };
+    let apart = |one: &Solution, other: &Solution| {
+        let (one, other) = (shears(one), shears(other));
+        let largest = other.iter().fold(0.0_f64, |most, q| most.max(q.abs()));
+        one.iter().zip(&other).fold(0.0_f64, |most, (one, other)| most.max((one - other).abs())) / largest
+    };
+    for (nu, eta) in [(0.45, 0.7), (0.47, 0.3), (0.47, 0.5), (0.48, 0.3), (0.495, 0.7)] {
+        let (coarse, fine) = (grown(nu, eta, 1e-5), grown(nu, eta, 1e-7));
+        let flat = Sketch::flat(2.0, 0.2, nu).rubbing(eta).solve().stick.unwrap().one_minus_ratio.unwrap();
+        for (solution, tolerance) in [(&coarse, 1e-5), (&fine, 1e-7)] {
+            let one_minus = solution.stick.as_ref().unwrap().one_minus_ratio.unwrap();
+            assert!(
+                (one_minus - flat).abs() <= 3.0 * tolerance * flat,
+                "{one_minus:e}, flat {flat:e}: nu = {nu}, eta = {eta}"
+            );
+        }
+        let apart = apart(&coarse, &fine);
+        assert!(apart <= coarse.error.each["profile.shear"], "{apart:e}: nu = {nu}, eta = {eta}");
+    }
+    let (few, much) = (grown(0.495, 0.7, 1e-7), grown(0.495, 50.0, 1e-7));
+    let apart = apart(&few, &much);
+    let claimed = few.error.each["profile.shear"] + much.error.each["profile.shear"];
+    assert!(apart <= claimed && claimed < 5e-6, "{apart:e}, {claimed:e} claimed");
+}
