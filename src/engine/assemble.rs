@@ -161,6 +161,7 @@ fn of_pressure(
             format!("the punch's heights scatter by {noise:.1e} (root mean square) around the smooth shape taken");
         solution.assumptions.push(rest.into());
     }
+    solution.assumptions.extend(problem.layer.law.remarks().into_iter().map(Cow::Owned));
     let rounded = problem.smoothing_errors(numbers).worst().map_or(0.0, |(_, error)| error);
     if rounded > 0.0 {
         let why = format!(
