@@ -2,6 +2,7 @@
 
 use super::Failure;
 use super::input::is_dash;
+use std::collections::BTreeSet;
 use std::fs::{self, Permissions};
 use std::io::{BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -19,6 +20,9 @@ const ABANDONED: Duration = Duration::from_hours(24);
 /// Temporary files that there are or were.
 static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
+/// Folders that were looked through for what other runs left.
+static CLEARED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
 fn temporary_files() -> MutexGuard<'static, Vec<PathBuf>> {
     TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -33,8 +37,12 @@ pub(super) fn abandon() -> MutexGuard<'static, Vec<PathBuf>> {
     files
 }
 
-/// Removes the temporary files of runs that were killed. What cannot be removed does no harm.
+/// Removes the temporary files of runs that were killed, once for all files in a folder: it may hold very many. What cannot
+/// be removed does no harm.
 fn clear(folder: &Path) {
+    if !CLEARED.lock().unwrap_or_else(PoisonError::into_inner).insert(folder.into()) {
+        return;
+    }
     let Ok(entries) = fs::read_dir(folder) else { return };
     for entry in entries.flatten() {
         let name = entry.file_name();
@@ -341,4 +349,26 @@ fn ordinary() -> Option<Permissions> {
 #[cfg(not(unix))]
 fn ordinary() -> Option<Permissions> {
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// To list it for each of the files would take as long as to write them where it holds very many.
+    #[test]
+    fn a_folder_is_looked_through_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let left = folder.path().join(".slipzone-aB3dE6");
+        let leave = || {
+            let file = fs::File::create(&left).unwrap();
+            file.set_modified(std::time::SystemTime::now() - 2 * ABANDONED).unwrap();
+        };
+        leave();
+        Target::new(&folder.path().join("one.json")).unwrap();
+        assert!(!left.exists());
+        leave();
+        Target::new(&folder.path().join("other.csv")).unwrap();
+        assert!(left.exists());
+    }
 }

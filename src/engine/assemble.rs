@@ -161,6 +161,11 @@ fn of_pressure(
             format!("the punch's heights scatter by {noise:.1e} (root mean square) around the smooth shape taken");
         solution.assumptions.push(rest.into());
     }
+    if problem.may_sink_as_far_again() {
+        let which = "of all contacts that sink as far against the datum, the narrowest: the force grew from zero";
+        solution.assumptions.push(which.into());
+    }
+    solution.assumptions.extend(problem.layer.law.remarks().into_iter().map(Cow::Owned));
     let rounded = problem.smoothing_errors(numbers).worst().map_or(0.0, |(_, error)| error);
     if rounded > 0.0 {
         let why = format!(

@@ -329,6 +329,12 @@ impl Problem {
         matches!(self.load, LoadInLayerUnits::Indentation(_))
     }
 
+    /// Whether contacts of several sizes may sink as far: a datum above a base that gives way sinks as well, in the end by more.
+    pub(crate) fn may_sink_as_far_again(&self) -> bool {
+        let gives_way = matches!(self.layer.base, Base::HalfPlane { .. });
+        self.is_pressed_by_depth() && self.fixed_half_width().is_none() && self.layer.datum.is_some() && gives_way
+    }
+
     /// The numbers of the result that the scene itself gives.
     pub(crate) fn given(&self) -> impl Iterator<Item = Quantity> {
         let by_load = match self.load {

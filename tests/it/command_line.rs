@@ -201,6 +201,27 @@ fn explain_says_what_the_layer_is() {
     insta::assert_snapshot!(said.join("\n\n"));
 }
 
+#[test]
+fn explain_names_the_degree_of_a_curve_where_it_is_low() {
+    let folder = folder();
+    let rows = [
+        "[0.0, 1.0], [2.0, 1.5], [3.0, 1.7], [5.0, 2.0]",
+        "[0.0, 1.0], [1.0, 1.5], [2.0, 2.2], [3.0, 3.1], [5.0, 5.5]",
+    ];
+    let notes = rows.map(|rows| {
+        let scene = format!(
+            "format = 1\nlayer = {{ thickness = 5.0, poisson = 0.3, grading = {{ type = 'table', points = [{rows}] }} }}\n\
+             punch = {{ type = 'flat', half_width = 1.0 }}\nload = {{ force = 1.0 }}"
+        );
+        let output = feed(folder.path(), &["explain", "-"], scene.as_bytes());
+        assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+        let text = String::from_utf8(output.stdout).unwrap();
+        text.lines().filter(|line| line.starts_with("# note ")).map(str::to_owned).collect::<Vec<_>>()
+    });
+    assert!(notes[0].len() == 1 && notes[0][0].contains("degree 3, not 4: 4 rows"), "{notes:?}");
+    assert!(notes[1].is_empty(), "{notes:?}");
+}
+
 #[cfg(feature = "plot")]
 #[test]
 fn explain_draws_the_layer() {

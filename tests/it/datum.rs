@@ -70,11 +70,21 @@ fn the_first_contact_that_sinks_so_far_is_met() {
             solution.load.indentation.expect("a datum")
         });
         assert!(depths.is_sorted(), "on the first rise: {depths:?}");
+        // Beyond it sinks less, and as far again, under pressures that are ones.
+        let [less, more] = [1.0, 3.0].map(|b| solved(&format!("{layer}load = {{ half_width = {b:?} }}\n")));
+        assert!([&less, &more].iter().all(|wider| wider.status == Status::Converged));
+        let depth = |wider: &Solution| wider.load.indentation.expect("a datum");
+        assert!(depth(&less) < depths[2] && depth(&more) > depths[2], "{layer}");
         for (depth, b) in depths.iter().zip(widths) {
             let solution = solved(&format!("{layer}load = {{ indentation = {depth:?} }}\n"));
             assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
             let found = solution.load.half_width.expect("a contact");
             assert!((found / b - 1.0).abs() < 1e-6, "{found} for {b}");
+            assert!(
+                solution.assumptions.iter().any(|said| said.contains("the narrowest")),
+                "{:?}",
+                solution.assumptions
+            );
         }
         // Whatever comes after it on a path.
         for last in [depths[2], 1.2 * depths[2]] {

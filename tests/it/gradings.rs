@@ -108,3 +108,25 @@ fn a_poisson_ratio_may_fade_to_nothing() {
     depth("0.3*exp(-y^2)");
     depth("0.3*(y/h)^8");
 }
+
+/// Rows that crowd where the modulus falls: a curve of degree 4 would swing between them.
+#[test]
+fn a_curve_of_lower_degree_is_named_among_the_assumptions() {
+    const CROWDED: &str = "type = \"table\"\npoints = [[0.0, 600.0], [0.5, 590.0], [1.0, 560.0], [1.2, 300.0], \
+                           [2.0, 210.0], [10.0, 205.0]]";
+    const EVEN: &str = "type = \"table\"\npoints = [[0.0, 1.0], [1.0, 1.5], [2.0, 2.2], [3.0, 3.1], [5.0, 5.5]]";
+    let said = |layer: &str, grading: &str| {
+        let assumptions = solve(&parse(layer, grading, &FILES).expect("a good scene")).assumptions;
+        assumptions.into_iter().filter(|said| said.contains("degree")).collect::<Vec<_>>()
+    };
+    let of_crowded = said("thickness = 10.0", CROWDED);
+    assert_eq!(of_crowded.len(), 1);
+    assert!(of_crowded[0].ends_with("not 4: curves of higher degrees swing between them"), "{of_crowded:?}");
+    assert!(said("thickness = 5.0", EVEN).is_empty());
+    let stacked = STACK.replacen("thickness = 1.0,", "thickness = 1.0, poisson = 0.2,", 1);
+    for stack in [STACK, &stacked] {
+        let few =
+            "sublayer 1: the curve through the rows of the grading is of degree 3, not 4: 4 rows allow no higher one";
+        assert_eq!(said("", stack), [few]);
+    }
+}

@@ -121,6 +121,14 @@ pub trait ModulusLaw: Debug + Send + Sync {
     fn sublayers(&self) -> &[Sublayer] {
         &[]
     }
+
+    /// What users are to know of how the law was made of what they gave, in words; as a rule nothing.
+    fn remarks(&self) -> Vec<String> {
+        let of = |(index, sublayer): (usize, &Sublayer)| {
+            sublayer.law.remarks().into_iter().map(move |remark| format!("sublayer {}: {remark}", index + 1))
+        };
+        self.sublayers().iter().enumerate().flat_map(of).collect()
+    }
 }
 
 /// A part of a stack.

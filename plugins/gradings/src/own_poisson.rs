@@ -77,4 +77,8 @@ impl ModulusLaw for OwnPoisson {
     fn sublayers(&self) -> &[Sublayer] {
         &self.sublayers
     }
+
+    fn remarks(&self) -> Vec<String> {
+        self.law().remarks()
+    }
 }

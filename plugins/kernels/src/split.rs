@@ -120,11 +120,16 @@ impl KernelStrategy for Split {
             if is_covered && draft.beyond > 0.5 * request.accuracy {
                 depth *= NEARER;
             }
+            let noise = draft.rounding;
             if best.as_ref().is_none_or(|best| draft.error < best.error) {
                 best = Some(draft);
             }
             if !is_covered && !self.is_pinned() {
                 if best.as_ref().is_some_and(|best| best.error.is_finite()) {
+                    break;
+                }
+                // Where what was covered is noisier than the loosest of them would allow, more attempts are vain.
+                if noise > accuracy / ATTEMPTS.1.powi(attempts.cast_signed() - 1) {
                     break;
                 }
                 // Noise passes for structure, and pieces ever narrower do not cover the reach.

@@ -20,6 +20,7 @@ pub(super) fn write(text: &mut String, scene: &Scene, known: &Known) -> Result {
         Err(refusal) => writeln!(text, "# refused: {refusal}")?,
     }
     if let Ok(model) = scene.layer.model() {
+        model.law.remarks().iter().try_for_each(|remark| writeln!(text, "# note         {remark}"))?;
         surface(text, &model)?;
     }
     match &known.response {

@@ -26,6 +26,7 @@ const FAR_DEEPER: f64 = 100.0;
 #[derive(Debug)]
 pub(super) struct Profile {
     curve: Interpolant,
+    degree: usize,
     logarithms: Vec<f64>,
     /// Poisson's ratios; none where the layer has one.
     ratios: Vec<f64>,
@@ -42,7 +43,7 @@ impl Profile {
         let logarithms: Vec<f64> = rows.moduli.iter().map(|modulus| (modulus * modulus_unit).ln()).collect();
         let of_degree = |degree: usize| {
             let curve = Interpolant::new(depths.clone(), degree);
-            let profile = Self { curve, logarithms: logarithms.clone(), ratios: rows.ratios.clone() };
+            let profile = Self { curve, degree, logarithms: logarithms.clone(), ratios: rows.ratios.clone() };
             let strays = if profile.overshoot().is_some() { f64::INFINITY } else { profile.strays().0 };
             (strays, profile)
         };
@@ -175,5 +176,18 @@ impl ModulusLaw for Law {
             return Vec::new();
         }
         self.profile.curve.series(&self.profile.ratios, self.thickness, terms).into_finite()
+    }
+
+    fn remarks(&self) -> Vec<String> {
+        let (degree, rows) = (self.profile.degree, self.profile.curve.nodes().len());
+        if degree == DEGREE {
+            return Vec::new();
+        }
+        let why = if degree + 1 == rows {
+            format!("{rows} rows allow no higher one")
+        } else {
+            "curves of higher degrees swing between them".to_owned()
+        };
+        vec![format!("the curve through the rows of the grading is of degree {degree}, not {DEGREE}: {why}")]
     }
 }

@@ -3,6 +3,7 @@
 mod bounds;
 
 use super::*;
+use slipzone_api::taylor::Taylor;
 use slipzone_api::{
     Base, Elastic, Flexibility, LayerModel, Moduli, ModulusLaw, Parts, PartsVec, Plane, Poisson, Solid,
     SurfaceFlexibility,
@@ -10,6 +11,7 @@ use slipzone_api::{
 use slipzone_flexibilities::Compliance;
 use std::f64::consts::{FRAC_PI_2, LN_2};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 const ALL: [Component; 4] = [Component::NormalSlope, Component::ShearStrain, Component::Coupling, Component::Depth];
 const NORMAL: [Component; 2] = [Component::NormalSlope, Component::Depth];
@@ -189,4 +191,58 @@ fn a_half_plane_has_no_kernel() {
     }
     let request = KernelRequest { reach: 1.0, components: &NORMAL, accuracy: 1e-6 };
     assert!(Split::default().tabulate(&HalfPlane, &request).is_err());
+}
+
+/// `1 + y^2 log(y + 1e-5)` over a depth of 0.3.
+#[derive(Debug)]
+struct Rough;
+
+impl ModulusLaw for Rough {
+    fn modulus(&self, depth: f64) -> f64 {
+        let y = 0.3 * depth;
+        1.0 + y * y * (y + 1e-5).ln()
+    }
+
+    fn surface_series(&self, terms: usize) -> Vec<f64> {
+        let logarithm = Taylor::line(1e-5, 0.3, terms).ln();
+        let depth = || Taylor::line(0.0, 0.3, terms);
+        (depth() * depth() * logarithm + 1.0).into_finite()
+    }
+}
+
+/// A response that counts at how many wave numbers it was asked.
+struct Counted(Box<dyn LayerResponse>, AtomicUsize);
+
+impl LayerResponse for Counted {
+    fn surface(&self, wave_number: f64) -> Result<SurfaceFlexibility, Refusal> {
+        self.1.fetch_add(1, Ordering::Relaxed);
+        self.0.surface(wave_number)
+    }
+
+    fn elastic(&self) -> Elastic {
+        self.0.elastic()
+    }
+
+    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
+        self.0.tail(terms)
+    }
+
+    fn depth(&self) -> Option<f64> {
+        self.0.depth()
+    }
+
+    fn thickness(&self) -> Option<f64> {
+        self.0.thickness()
+    }
+}
+
+/// Parts that cancel each other down to noise are looked at once: coarser tables of them are as noisy, and cost more.
+#[test]
+fn noise_is_not_looked_at_again() {
+    let counted = Counted(layer(Rough, 0.3), AtomicUsize::new(0));
+    let request = KernelRequest { reach: 2.0 / 0.3, components: &NORMAL, accuracy: 7e-10 };
+    assert!(matches!(Split::default().tabulate(&counted, &request), Err(Refusal::OutOfReach { .. })));
+    // One attempt takes 460 of them, all six 2,100.
+    let evaluations = counted.1.into_inner();
+    assert!((400..600).contains(&evaluations), "{evaluations}");
 }
