@@ -32,6 +32,12 @@ const CORNER: f64 = 8.0 * f64::EPSILON;
 /// A place this near beyond a kink, relative, is told from the kink by so few digits that a slope which goes with that distance feels it.
 const CLOSE: f64 = 1e-3;
 
+/// Sublayers above one so much softer than the surface bend as they do on a soft base. Under wedges and rounded ones on two sublayers,
+/// loads led past the first contact where the lower was softer by 33 and more, and now and then by 10.
+const SOFT: f64 = 1.0 / 9.0;
+/// Depths at which it is looked at.
+const DEPTHS: u32 = 32;
+
 /// What the engine solves.
 pub(crate) struct Problem {
     /// The elastic layer.
@@ -309,9 +315,14 @@ impl Problem {
         self.layer.base != Base::Infinite
     }
 
-    /// Whether the layer stands on something that gives way more than its surface does.
+    /// Whether the layer stands on something that gives way more than its surface does: a base, or a sublayer far softer.
     pub(crate) fn is_on_soft_base(&self) -> bool {
-        matches!(self.layer.base, Base::HalfPlane { shear, .. } if shear.get() < self.layer.surface_shear)
+        let LayerModel { base, surface_shear, law, .. } = &*self.layer;
+        let is_soft = |depth: f64| self.layer.material(&**law, depth).shear < SOFT;
+        matches!(base, Base::HalfPlane { shear, .. } if shear.get() < *surface_shear)
+            || self.has_base()
+                && !law.sublayers().is_empty()
+                && (1..=DEPTHS).any(|i| is_soft(f64::from(i) / f64::from(DEPTHS)))
     }
 
     /// Whether the layer stands on something that does not give way at all.

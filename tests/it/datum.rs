@@ -97,6 +97,30 @@ fn the_first_contact_that_sinks_so_far_is_met() {
     }
 }
 
+/// The same where it is no base that gives way but a soft sublayer above a rigid one: of the contacts that sink so far, or bear so
+/// much, a wider one, which pulls, was met and flagged.
+#[test]
+fn the_first_contact_is_met_above_a_soft_sublayer() {
+    let layer = "layer = { poisson = 0.3, grading = { type = \"stack\", layers = [\
+        { thickness = 0.15, grading = { type = \"homogeneous\", modulus = 1.0 } }, \
+        { thickness = 0.85, grading = { type = \"homogeneous\", modulus = 0.01 } }] } }\n";
+    for punch in ["type = \"wedge\", slope = 0.02", "type = \"rounded-wedge\", slope = 0.02, radius = 1.0"] {
+        for b in [0.018, 0.033, 0.045] {
+            let with = |load: String| solved(&format!("{layer}punch = {{ {punch} }}\nload = {{ {load} }}\n"));
+            let known = with(format!("half_width = {b:?}"));
+            assert_eq!(known.status, Status::Converged, "{:?}", known.reason);
+            let depth = known.load.indentation.expect("a rigid base");
+            let force = known.load.force.expect("a force");
+            for load in [format!("indentation = {depth:?}"), format!("force = {force:?}")] {
+                let solution = with(load.clone());
+                assert_eq!(solution.status, Status::Converged, "{punch}, {load}: {:?}", solution.reason);
+                let found = solution.load.half_width.expect("a contact");
+                assert!((found / b - 1.0).abs() < 1e-6, "{punch}, {load}: {found} for {b}");
+            }
+        }
+    }
+}
+
 /// Close to the greatest depth the contact is met, though one not much wider has risen above its datum.
 #[test]
 fn close_to_the_greatest_depth_the_contact_is_met() {

@@ -21,6 +21,9 @@ const NEAR: f64 = 0.3;
 /// Error of the members' stick zones over the tolerance.
 const REFINED: f64 = 0.1;
 
+/// A member and whether the conditions of friction were found to hold under it, or what is to be said of its stick zone.
+type Solved = Result<(Member, bool), Box<Rubbing>>;
+
 /// By how much a coarser family was wrong about members of this one, each in proportion to its half-width: narrow ones bear little.
 #[derive(Default)]
 struct Wrong(Option<f64>);
@@ -214,7 +217,7 @@ impl Family {
         b: f64,
         (start, asked): (Option<Root>, bool),
         found: &mut Found,
-    ) -> Result<Result<(Member, bool), Box<Rubbing>>, Refusal> {
+    ) -> Result<Solved, Refusal> {
         if start.is_some_and(|start| start.lambda > FrictionCurve::WIDEST) {
             self.stage.press(layer, task, b)?;
             if let Some(stuck) = self.stuck_member(layer, task, b, asked)? {
@@ -253,7 +256,7 @@ impl Family {
         task: Task,
         b: f64,
         asked: bool,
-    ) -> Result<Option<Result<(Member, bool), Box<Rubbing>>>, Refusal> {
+    ) -> Result<Option<Solved>, Refusal> {
         let Some(root) = self.stage.stuck(layer, task)? else { return Ok(None) };
         let eta = task.problem.friction.expect("friction that sticks");
         if asked && let Some(what) = self.stage.overload(layer, eta) {
