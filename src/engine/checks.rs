@@ -57,20 +57,22 @@ pub(crate) fn tension(
 /// Where friction of a coefficient cannot hold: `(x/b, |q|/(eta p))` of the worst point of the stick zone, if above 1.
 pub(crate) fn overload(layer: &PreparedLayer, normal: &Normal, shear: &Shear, eta: f64) -> Option<(f64, f64)> {
     let zone = shear.zone;
-    let (at, load) = Lookout::lend(|lookout| {
+    // What friction bears of the shear, `eta p/|q|`: below nothing where the pressure pulls.
+    let (at, bears) = Lookout::lend(|lookout| {
         shear.look(lookout);
         let Lookout { at, values, seen, beside: p } = lookout;
-        let loads_into = |at: &[Station], q: &mut [f64]| {
+        let lacks_into = |at: &[Station], q: &mut [f64]| {
             seen.clear();
             seen.extend(at.iter().map(|at| zone.in_contact(*at)));
             p.resize(at.len(), 0.0);
             shear.in_stick_into(at, q);
             normal.values_into(seen, p);
-            q.iter_mut().zip(&*p).for_each(|(q, p)| *q = q.abs() / (eta * p));
+            q.iter_mut().zip(&*p).for_each(|(q, p)| *q = -eta * p / q.abs());
         };
-        highest(inside(at, zone.half_width, layer.length()), values, |_| NEARLY, loads_into)
+        let highest = highest(inside(at, zone.half_width, layer.length()), values, |_| -NEARLY.recip(), lacks_into);
+        highest.map(|(at, lacks)| (at, -lacks))
     })?;
-    (load > 1.0 + MARGIN).then_some((at.x / normal.half_width, load))
+    (bears * (1.0 + MARGIN) < 1.0).then(|| (at.x / normal.half_width, bears.max(0.0).recip()))
 }
 
 /// Points that are not nearer to the end at a half-width than what happens beside it is wide.

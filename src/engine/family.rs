@@ -295,9 +295,15 @@ impl Family {
 
     /// Half-widths at which a contact that grew so wide is looked at.
     pub(crate) fn looked_at(&self, half_width: f64) -> Vec<f64> {
+        let all = self.half_widths_to(half_width);
+        [half_width].into_iter().chain(all[1..].iter().copied().step_by(CHECKED)).collect()
+    }
+
+    /// One, and those of all narrower members.
+    pub(crate) fn half_widths_to(&self, half_width: f64) -> Vec<f64> {
         let blend = self.rubbed.as_ref().map_or(&self.pressed.blend, |rubbed| &rubbed.blend);
         let narrower = blend.half_widths().iter().copied().filter(|b| *b < half_width);
-        [half_width].into_iter().chain(narrower.step_by(CHECKED)).collect()
+        [half_width].into_iter().chain(narrower).collect()
     }
 
     /// Whether the conditions of friction were found to hold under its members.

@@ -2,6 +2,7 @@
 //! under shapes that are not analytic.
 
 mod friction;
+mod overload;
 mod strain;
 
 use super::contact_size::{self, Size};

@@ -93,6 +93,11 @@ impl FrictionCurve<'_> {
     /// `lambda` of the widest stick zones, `1 - a/b = 5e-131`: of what is beside wider ones squares may underflow.
     pub(crate) const WIDEST: f64 = 300.0;
 
+    /// Whether stick zones of that `lambda` are looked for.
+    pub(crate) fn reaches(lambda: f64) -> bool {
+        (Self::NARROWEST..=Self::WIDEST).contains(&lambda)
+    }
+
     /// Where the curve rises by less than this with `lambda`, beside wide zones, it is as good as flat.
     pub(crate) const FLAT: f64 = 3e-5;
 
@@ -186,7 +191,7 @@ impl FrictionCurve<'_> {
             found.narrower = Some(NARROWEST);
             return Ok(());
         }
-        self.near(predicted, f64::NEG_INFINITY, lambda, target, found)
+        self.near(predicted, NARROWEST, lambda, target, found)
     }
 
     /// The root that the asymptote predicts above all samples.
@@ -220,18 +225,18 @@ impl FrictionCurve<'_> {
     /// A root known from a coarser resolution, followed to this one; `None` where it is lost.
     pub(crate) fn follow(&mut self, root: Root, eta: f64) -> Result<Option<Root>, Refusal> {
         let Root { lambda, branch, slope, doubt } = root;
-        let (target, widest) = (branch * eta, WIDEST);
-        if lambda > widest {
+        let target = branch * eta;
+        if !Self::reaches(lambda) {
             return Ok(None);
         }
         let wanted = ROOT_SHARE * self.tolerance;
         let start = root::Near { at: lambda, slope, doubt };
-        let near = root::polish(start, widest, wanted, |lambda| Ok(self.at(lambda)? - target))?;
+        let near = root::polish(start, WIDEST, wanted, |lambda| Ok(self.at(lambda)? - target))?;
         if let Some(root::Near { at: lambda, slope, doubt }) = near {
             return Ok(Some(Root { lambda, branch, slope, doubt }));
         }
         // Far from where it was.
-        self.around(lambda, LOST, (f64::NEG_INFINITY, widest), target, wanted)
+        self.around(lambda, LOST, (NARROWEST, WIDEST), target, wanted)
     }
 
     /// The root in the first of ever wider brackets around a place, within limits, that holds one.

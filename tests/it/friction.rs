@@ -179,6 +179,24 @@ fn friction_bears_what_grew_and_not_each_slice_of_it() {
     assert!(soft.reason.as_ref().is_some_and(|reason| reason.contains("eta p")), "{:?}", soft.reason);
 }
 
+/// A wedge on a stiff layer above a soft half-plane lifts off between its middle and its edge while it grows to some 1.65 of the thickness, and no
+/// more. That was seen or not, as it happened to be under one of four members.
+#[test]
+fn what_friction_did_not_bear_for_a_while_is_seen_at_any_tolerance() {
+    let layer = "thickness = 1.0\npoisson = 0.3\nbase = { type = \"half-plane\", shear = 0.171, poisson = 0.356 }\n\
+        grading = { type = \"formula\", modulus = \"1 + 0.821*(1-exp(-y/0.329))\" }";
+    for tolerance in [1e-2, 1e-3, 1e-4, 1e-5] {
+        let sketch = Sketch::on(layer).cylinder().loaded("half_width = 2.463").rubbing(0.733);
+        let text = sketch.with(&format!("[solver]\ntolerance = {tolerance:e}")).text();
+        let text = text.replace("type = \"cylinder\"\nradius = 1.0", "type = \"wedge\"\nslope = 0.0168");
+        slipzone::link_plugins();
+        let solution = slipzone::engine::solve(&slipzone::scene::parse("wedge.toml", &text).expect("a scene"));
+        assert_eq!(solution.status, Status::AssumptionViolated, "{tolerance:e}: {:?}", solution.reason);
+        let reason = solution.reason.expect("why");
+        assert!(reason.contains("while the contact grew, at a half-width of 1."), "{reason}");
+    }
+}
+
 /// On a thin layer the friction that full stick takes varies as the contact grows: the shear is that just before it,
 /// where slip zones are 1e-11 of the contact.
 #[test]

@@ -135,6 +135,10 @@ impl Family {
                 Ok(solved) => solved,
                 Err(why) => return Err(Unfit::Friction(b, why)),
             };
+            if !is_first && !known && !asked {
+                // Takes note of it where friction does not bear it: not for long, maybe.
+                self.stage.overload(layer, flat.friction.expect("friction"));
+            }
             found.checked &= checked || !asked;
             let root = member.root;
             wrong.add_apart(coarse_zones, &member, b);

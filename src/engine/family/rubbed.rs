@@ -291,7 +291,7 @@ impl Found {
         let mut known = within.map(|moves| moves.at(half_width));
         let mut before: Option<(f64, f64, Vec<f64>)> = None;
         for _ in 0..SYSTEMS {
-            if from.lambda > FrictionCurve::WIDEST {
+            if !FrictionCurve::reaches(from.lambda) {
                 return Ok(None);
             }
             let Some((root, mut lack)) = one(from)? else { return Ok(None) };

@@ -1,7 +1,6 @@
 //! Friction of a growing contact: its stick zone, its shear, and what cannot be told of either.
 
 use super::{Growing, ROOM_BESIDE_GUESS, STEADY};
-use crate::engine::checks::MARGIN;
 use crate::engine::family::{Family, during};
 use crate::engine::normal::Normal;
 use crate::engine::prepared_layer::PreparedLayer;
@@ -10,7 +9,6 @@ use crate::engine::quantity::ShearTrace;
 use crate::engine::rubbing::{Rubbing, Verdict};
 use crate::engine::stage::{Outcome, Task};
 use slipzone_api::{Refusal, Station};
-use std::f64::consts::PI;
 
 /// Where what the shear lacks is compared from resolution to resolution, over the half-width of the stick zone: near the middle
 /// it is stacked of the most members.
@@ -93,33 +91,6 @@ impl Growing {
             *rubbing = rubbing.clone().failing(what);
         }
         Ok(())
-    }
-
-    /// Where and when friction does not bear the shear of the contact as it grew.
-    pub(super) fn overload(&mut self, problem: &Problem) -> Option<String> {
-        /// Points of the stick zone, denser at its end.
-        const POINTS: usize = 16;
-        let (family, friction) = (self.family.as_ref()?, problem.friction?);
-        let sliding = family.signed_friction();
-        family.looked_at(self.half_width).into_iter().filter(|b| *b > problem.face()).find_map(|b| {
-            let a = self.family.as_ref()?.zone(b).half_width;
-            (1..POINTS).find_map(|i| {
-                let x = a * (0.5 * PI * i as f64 / POINTS as f64).sin();
-                let (family, stack) = self.family.as_mut().zip(self.stack.as_ref())?;
-                let p = stack.pressure(problem, family, b, x);
-                let q = sliding * p - self.lack(problem, b, x);
-                let load = q.abs() / (friction * p);
-                let at = x / b;
-                let what = if p < 0.0 {
-                    format!("the pressure pulls at x = {at:.4} b")
-                } else if load > 1.0 + MARGIN {
-                    format!("|q| reaches {load:.3} eta p at x = {at:.4} b inside the stick zone")
-                } else {
-                    return None;
-                };
-                Some(during(problem, b, &what))
-            })
-        })
     }
 
     /// Shear at points strictly inside the contact, where the pressures are `pressure`; `None` where there is none.

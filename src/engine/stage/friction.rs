@@ -268,6 +268,9 @@ impl Stage {
     ) -> Result<Option<Root>, Refusal> {
         const STEPS: usize = 6;
         const WIDEST: f64 = 0.3;
+        if !FrictionCurve::reaches(guess.lambda) {
+            return Ok(None);
+        }
         self.press(layer, task, half_width)?;
         self.refresh(layer);
         let target = guess.branch * task.problem.friction.unwrap_or(0.0);
@@ -281,7 +284,7 @@ impl Stage {
             if step.abs() < error || is_last {
                 return Ok(Some(Root { lambda: lambda + step, slope, ..guess }));
             }
-            if step.is_nan() || step.abs() > WIDEST || lambda + step > FrictionCurve::WIDEST {
+            if step.is_nan() || step.abs() > WIDEST || !FrictionCurve::reaches(lambda + step) {
                 return Ok(None);
             }
             let next = curve.at(lambda + step)?;

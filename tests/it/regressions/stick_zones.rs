@@ -331,3 +331,20 @@ fn a_history_of_slip_zones_of_all_sizes_is_told() {
     let claimed = few.error.each["profile.shear"] + much.error.each["profile.shear"];
     assert!(apart <= claimed && claimed < 5e-6, "{apart:e}, {claimed:e} claimed");
 }
+
+/// Members narrower than the contact have stick zones below 5e-131 of themselves: the search went on to where squares underflow, and ended in a
+/// system "singular to working precision".
+#[test]
+fn zones_below_all_that_are_looked_for_are_said_to_be() {
+    let layer = "thickness = 1.0\npoisson = 0.3\ngrading = { type = \"power-law\", surface = 1.0, length = 0.1, exponent = -1.0 }";
+    for (layer, eta) in [
+        (layer, 0.0029),
+        ("thickness = 1.0\npoisson = 0.33\ngrading = { type = \"homogeneous\", modulus = 1.0 }", 1e-3),
+    ] {
+        let sketch = Sketch::on(layer).cylinder().rubbing(eta).loaded("half_width = 0.5");
+        let solution = sketch.with("[solver]\ntolerance = 1e-4").solve();
+        assert_eq!(solution.status, Status::AssumptionViolated, "{:?}", solution.reason);
+        let reason = solution.reason.unwrap();
+        assert!(reason.contains("narrower than any looked for") && !reason.contains("singular"), "{reason}");
+    }
+}

@@ -1,0 +1,93 @@
+//! Where and when friction does not bear the shear of a contact as it grew.
+
+use super::Growing;
+use crate::engine::checks::MARGIN;
+use crate::engine::family::during;
+use crate::engine::problem::Problem;
+use std::f64::consts::FRAC_PI_2;
+
+/// Parts of the stick zone at whose ends it is looked at, denser at its own end.
+const PARTS: usize = 16;
+/// Friction that bears less than so many times the shear may bear too little nearby.
+const NEARLY: f64 = 4.0 / 3.0;
+/// How often the steps from a weakest place to its neighbours are halved.
+const HALVED: usize = 6;
+
+/// A place and a time: a half-width, and `(2/pi) asin(x/a)`.
+#[derive(Clone, Copy)]
+struct Moment {
+    half_width: f64,
+    place: f64,
+    /// `x/b`.
+    at: f64,
+    /// `eta p/|q|`.
+    bears: f64,
+}
+
+impl Moment {
+    /// What is wrong there, if anything is.
+    fn told(&self, problem: &Problem) -> Option<String> {
+        let Self { half_width, at, bears, .. } = *self;
+        let what = if bears < 0.0 {
+            format!("the pressure pulls at x = {at:.4} b")
+        } else if bears * (1.0 + MARGIN) < 1.0 {
+            format!("|q| reaches {:.3} eta p at x = {at:.4} b inside the stick zone", bears.recip())
+        } else {
+            return None;
+        };
+        Some(during(problem, half_width, &what))
+    }
+}
+
+impl Growing {
+    /// What the first member fails that is looked at, or a contact between these where friction bears hardly more than the shear.
+    pub(super) fn overload(&mut self, problem: &Problem) -> Option<String> {
+        let mut half_widths = self.family.as_ref()?.half_widths_to(self.half_width);
+        half_widths.retain(|b| *b > problem.face());
+        let mut weakest: Option<(usize, Moment)> = None;
+        for (k, b) in half_widths.iter().enumerate() {
+            for i in 1..PARTS {
+                let here = self.moment(problem, *b, i as f64 / PARTS as f64)?;
+                if let Some(what) = here.told(problem) {
+                    return Some(what);
+                }
+                if weakest.is_none_or(|(_, weakest)| here.bears < weakest.bears) {
+                    weakest = Some((k, here));
+                }
+            }
+        }
+        let (k, weakest) = weakest.filter(|(_, weakest)| weakest.bears < NEARLY)?;
+        let neighbours = &half_widths[k.saturating_sub(1)..(k + 2).min(half_widths.len())];
+        let way = (neighbours.first()? - neighbours.last()?) / neighbours.len() as f64;
+        self.weaker(problem, weakest, [0.5 * way, 0.5 / PARTS as f64]).told(problem)
+    }
+
+    /// The weakest moment near one, by ever smaller steps in half-width and place.
+    fn weaker(&mut self, problem: &Problem, mut weakest: Moment, mut steps: [f64; 2]) -> Moment {
+        let range = (problem.face(), self.half_width);
+        for _ in 0..HALVED {
+            let centre = weakest;
+            for (in_width, in_place) in [(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0)] {
+                let half_width = (centre.half_width + in_width * steps[0]).clamp(range.0, range.1);
+                let place = (centre.place + in_place * steps[1]).clamp(0.5 / PARTS as f64, 1.0 - 0.5 / PARTS as f64);
+                if half_width <= range.0 {
+                    continue;
+                }
+                if let Some(here) = self.moment(problem, half_width, place).filter(|here| here.bears < weakest.bears) {
+                    weakest = here;
+                }
+            }
+            steps = steps.map(|step| 0.5 * step);
+        }
+        weakest
+    }
+
+    fn moment(&mut self, problem: &Problem, half_width: f64, place: f64) -> Option<Moment> {
+        let family = self.family.as_mut()?;
+        let (sliding, a) = (family.signed_friction(), family.zone(half_width).half_width);
+        let x = a * (FRAC_PI_2 * place).sin();
+        let p = self.stack.as_ref()?.pressure(problem, family, half_width, x);
+        let q = sliding * p - self.lack(problem, half_width, x);
+        Some(Moment { half_width, place, at: x / half_width, bears: sliding.abs() * p / q.abs() })
+    }
+}
