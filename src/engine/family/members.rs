@@ -12,7 +12,6 @@ use crate::engine::rubbing::{Rubbing, Verdict};
 use crate::engine::sheet::{END, FAR_END};
 use crate::engine::stage::{Outcome, Task};
 use crate::engine::stick_search::{FrictionCurve, Root};
-use crate::engine::stick_zone::StickZone;
 use slipzone_api::{Component, Refusal};
 use std::f64::consts::PI;
 
@@ -151,8 +150,8 @@ impl Family {
             && let Some(b) = found.sticks_at_times(half_widths)
         {
             let sticks = "all of the surface sticks, but not always".into();
-            let zone = StickZone::from_log(FrictionCurve::WIDEST, b).log();
-            return Err(Unfit::Friction(b, Box::new(Rubbing::sticking(b, zone, false).failing(sticks))));
+            let stuck = Rubbing::sticking(b, FrictionCurve::WIDEST, false);
+            return Err(Unfit::Friction(b, Box::new(stuck.failing(sticks))));
         }
         let told = coarse_zones.map(|coarse| (coarse.told, wrong.over(blend.widest())));
         self.rubbed = Some(found.blended(blend, self.end_of_shear, told));
