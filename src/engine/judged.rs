@@ -1,6 +1,6 @@
 //! How sure a solved contact is.
 
-use super::error_estimate::{ROUNDING, SAFETY};
+use super::error_estimate::{ROUNDING, SAFETY, SLIP_ROUNDING};
 use super::half_plane_shear::HalfPlaneShear;
 use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
@@ -206,7 +206,24 @@ pub(super) fn with_the_rest(
     if let Some(centre) = errors.get(Quantity::Centre) {
         errors.set(Quantity::Centre, centre + rest * (1.0 / share_in_middle(outcome) - 1.0));
     }
+    share_zones(&mut errors, &outcome.numbers);
     errors
+}
+
+/// Stick zone and slip zones make up the contact: what is wrong of the narrower is wrong of the wider, over its width.
+fn share_zones(errors: &mut Numbers, numbers: &Numbers) {
+    let parts = [Quantity::StickRatio, Quantity::OneMinusRatio];
+    let [Some(stick), Some(slip)] = parts.map(|part| numbers.get(part)) else { return };
+    let (narrow, wide, quotient) =
+        if slip < stick { (parts[1], parts[0], slip / stick) } else { (parts[0], parts[1], stick / slip) };
+    let Some(of_wide) = errors.get(narrow).map(|of_narrow| (quotient * of_narrow).max(SLIP_ROUNDING)) else { return };
+    let of_contact = errors.get(Quantity::HalfWidth).unwrap_or(0.0);
+    let half_width = (wide == Quantity::StickRatio).then_some((Quantity::StickHalfWidth, of_wide + of_contact));
+    for (quantity, most) in [(wide, of_wide)].into_iter().chain(half_width) {
+        if let Some(error) = errors.get(quantity) {
+            errors.set(quantity, error.min(most));
+        }
+    }
 }
 
 /// The pressure in the middle over the mean, where it is the smaller: what moves all of the pressure moves it by so much more.
