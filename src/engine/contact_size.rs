@@ -111,13 +111,14 @@ pub(crate) fn press(
     let by_force = matches!(problem.load, LoadInLayerUnits::Force(_));
     let sinks_with_datum = !by_force && problem.layer.datum.is_some();
     // ln(reached/target) is nearly linear in ln b for any punch.
-    let widest = Cell::new(0.0_f64);
+    let (widest, pulls) = (Cell::new(0.0_f64), Cell::new(false));
     let mut excess = |log_b: f64| -> Result<f64, Refusal> {
         // What the logarithm rounds must not leave the shape.
         let half_width = log_b.exp().min(problem.reach());
         widest.set(half_width.max(widest.get()));
         layer.tabulate(roomy(half_width), wanted)?;
         normal.press_smooth(layer, problem, half_width)?;
+        pulls.set(normal.unknowns().iter().any(|p| *p < 0.0));
         let reached = if by_force { Some(normal.force) } else { normal.depth(layer, problem) };
         match reached {
             Some(reached) if reached > 0.0 => Ok((reached / target).ln()),
@@ -155,7 +156,18 @@ pub(crate) fn press(
         bends,
         length: problem.length,
     };
-    let (log_b, slope, is_beside_top) = match search(walk, position, &mut excess) {
+    let mut found = search(walk, position, &mut excess);
+    if !bends
+        && problem.has_soft_sublayer()
+        && let Ok((log_b, ..)) = found
+        && excess(log_b).is_ok()
+        && pulls.get()
+    {
+        // Beyond the contact that a stiff surface bears before it bends.
+        let start = (FAR_BELOW * first_size(problem, target, by_force)).ln();
+        found = search(Walk { start, step: LN_2, bends: true, ..walk }, position, &mut excess).or(found);
+    }
+    let (log_b, slope, is_beside_top) = match found {
         Ok(found) => found,
         Err(refusal) => {
             // Beyond a flaw of the punch nothing was worth trying, nor is what came of it worth telling.

@@ -315,14 +315,16 @@ impl Problem {
         self.layer.base != Base::Infinite
     }
 
-    /// Whether the layer stands on something that gives way more than its surface does: a base, or a sublayer far softer.
+    /// Whether the layer stands on something that gives way more than its surface does.
     pub(crate) fn is_on_soft_base(&self) -> bool {
-        let LayerModel { base, surface_shear, law, .. } = &*self.layer;
-        let is_soft = |depth: f64| self.layer.material(&**law, depth).shear < SOFT;
-        matches!(base, Base::HalfPlane { shear, .. } if shear.get() < *surface_shear)
-            || self.has_base()
-                && !law.sublayers().is_empty()
-                && (1..=DEPTHS).any(|i| is_soft(f64::from(i) / f64::from(DEPTHS)))
+        matches!(self.layer.base, Base::HalfPlane { shear, .. } if shear.get() < self.layer.surface_shear)
+    }
+
+    /// Whether sublayers stand on one that gives way far more than the surface does.
+    pub(crate) fn has_soft_sublayer(&self) -> bool {
+        let law = &*self.layer.law;
+        let is_soft = |depth: f64| self.layer.material(law, depth).shear < SOFT;
+        !law.sublayers().is_empty() && (1..=DEPTHS).any(|i| is_soft(f64::from(i) / f64::from(DEPTHS)))
     }
 
     /// Whether the layer stands on something that does not give way at all.

@@ -321,12 +321,14 @@ impl Stack {
     pub(crate) fn under(&mut self, problem: &Problem, family: &mut Family, load: LoadInLayerUnits) -> Option<f64> {
         match load {
             LoadInLayerUnits::HalfWidth(half_width) => Some(half_width),
-            LoadInLayerUnits::Force(force) => {
-                self.first(problem.is_on_soft_base(), |stack, b| stack.force(problem, b) / force - 1.0)
-            }
-            LoadInLayerUnits::Indentation(depth) => {
-                self.first(!problem.layer.is_grounded(), |stack, b| stack.depth(problem, family, b) / depth - 1.0)
-            }
+            LoadInLayerUnits::Force(force) => self
+                .first(problem.is_on_soft_base() || problem.has_soft_sublayer(), |stack, b| {
+                    stack.force(problem, b) / force - 1.0
+                }),
+            LoadInLayerUnits::Indentation(depth) => self
+                .first(!problem.layer.is_grounded() || problem.has_soft_sublayer(), |stack, b| {
+                    stack.depth(problem, family, b) / depth - 1.0
+                }),
         }
     }
 
