@@ -267,7 +267,7 @@ fn how(judged: &Judged) -> String {
 fn slip(stage: &Stage, judged: &Judged) -> Option<Slip> {
     let (friction, rubbing) = (stage.signed_friction()?, judged.outcome.rubbing.as_ref()?);
     if matches!(rubbing.verdict, Verdict::NoShear | Verdict::Sticks | Verdict::NotScanned) {
-        return None; // nothing slips, or too narrow a zone to tell which way
+        return None; // nothing slips, or nothing was found
     }
     Some(if friction < 0.0 { Slip::Outward } else { Slip::Inward })
 }

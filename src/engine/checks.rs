@@ -75,6 +75,15 @@ pub(crate) fn overload(layer: &PreparedLayer, normal: &Normal, shear: &Shear, et
     (bears * (1.0 + MARGIN) < 1.0).then(|| (at.x / normal.half_width, bears.max(0.0).recip()))
 }
 
+/// What friction does not bear at `x/b`, in words, where the shear is so many times what it does; infinitely many where the pressure pulls.
+pub(crate) fn overloaded(load: f64, at: f64) -> String {
+    if load.is_finite() {
+        format!("|q| reaches {load:.3} eta p at x = {at:.4} b")
+    } else {
+        format!("the pressure pulls at x = {at:.4} b")
+    }
+}
+
 /// Points that are not nearer to the end at a half-width than what happens beside it is wide.
 fn inside(at: &[Station], half_width: f64, length: f64) -> &[Station] {
     let nearest = (BESIDE_END * half_width).min(SEEN * length);
@@ -242,6 +251,12 @@ mod tests {
     use crate::plan;
     use crate::scene::parse;
     use slipzone_api::Edge;
+
+    #[test]
+    fn what_pulls_is_not_said_to_be_infinitely_loaded() {
+        assert_eq!(overloaded(1.0185, 0.5), "|q| reaches 1.018 eta p at x = 0.5000 b");
+        assert_eq!(overloaded(f64::INFINITY, 0.5), "the pressure pulls at x = 0.5000 b");
+    }
 
     /// docs/theory.md, "Direction of slip": at nu = 0.45, h = 0.5 b and eta = 0.1 the true root slips outwards
     /// with a/b = 0.281461; a second one at 1 - a/b = 1.6e-4 would need |q| = 2.7 eta p inside the stick zone.

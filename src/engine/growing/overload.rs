@@ -1,7 +1,7 @@
 //! Where and when friction does not bear the shear of a contact as it grew.
 
 use super::Growing;
-use crate::engine::checks::MARGIN;
+use crate::engine::checks::{MARGIN, overloaded};
 use crate::engine::family::during;
 use crate::engine::problem::Problem;
 use std::f64::consts::FRAC_PI_2;
@@ -28,14 +28,11 @@ impl Moment {
     /// What is wrong there, if anything is.
     fn told(&self, problem: &Problem) -> Option<String> {
         let Self { half_width, at, bears, .. } = *self;
-        let what = if bears < 0.0 {
-            format!("the pressure pulls at x = {at:.4} b")
-        } else if bears * (1.0 + MARGIN) < 1.0 {
-            format!("|q| reaches {:.3} eta p at x = {at:.4} b inside the stick zone", bears.recip())
-        } else {
-            return None;
+        let what = || {
+            let what = overloaded(bears.max(0.0).recip(), at);
+            if bears < 0.0 { what } else { what + " inside the stick zone" }
         };
-        Some(during(problem, half_width, &what))
+        (bears * (1.0 + MARGIN) < 1.0).then(|| during(problem, half_width, &what()))
     }
 }
 

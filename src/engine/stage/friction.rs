@@ -82,7 +82,7 @@ impl Stage {
                 let Some((x, load)) = checks::overload(layer, curve.normal, curve.shear, eta) else {
                     return Ok(rubbing);
                 };
-                let what = format!("|q| reaches {load:.3} eta p at x = {x:.4} b inside the stick zone");
+                let what = format!("{} inside the stick zone", checks::overloaded(load, x));
                 failure = failure.or(Some(rubbing.failing(what)));
             }
         }
@@ -390,7 +390,7 @@ impl Stage {
     pub(crate) fn overload(&mut self, layer: &PreparedLayer, eta: f64) -> Option<String> {
         let (x, load) = checks::overload(layer, &self.normal, self.shear.as_deref()?, eta)?;
         self.is_overloaded = true;
-        (!self.of_slices).then(|| format!("where everything sticks |q| reaches {load:.3} eta p at x = {x:.4} b"))
+        (!self.of_slices).then(|| format!("where everything sticks {}", checks::overloaded(load, x)))
     }
 
     /// The condition of friction that the stick zone solved last fails, and where.
@@ -402,8 +402,8 @@ impl Stage {
             self.is_overloaded = true;
             if !self.of_slices {
                 return Some(format!(
-                    "with {direction} slip and a/b = {ratio:.6}, |q| reaches {load:.3} eta p at x = {x:.4} b inside \
-                     the stick zone"
+                    "with {direction} slip and a/b = {ratio:.6}, {} inside the stick zone",
+                    checks::overloaded(load, x)
                 ));
             }
         }
