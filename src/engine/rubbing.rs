@@ -14,7 +14,7 @@ pub(crate) struct Rubbing {
     pub(super) found: Found,
     /// Which of the roots is reported.
     pub(super) chosen: usize,
-    /// Whether the roots come from this resolution's own scan.
+    /// Whether a resolution that knew the zone has looked for all roots again.
     pub(super) scanned: bool,
     /// Whether the root reported is known to satisfy the conditions of friction.
     pub(super) checked: bool,

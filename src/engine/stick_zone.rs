@@ -60,6 +60,15 @@ impl StickZone {
         self.slip_width / self.contact()
     }
 
+    /// How wide it is, in words: beside the edge by how much it misses the contact's.
+    pub(crate) fn words(self) -> String {
+        if self.is_crowded() {
+            format!("1 - a/b = {:.3e}", self.one_minus_ratio())
+        } else {
+            format!("a/b = {:.6}", self.ratio())
+        }
+    }
+
     /// The point of the contact that is this point of the stick zone: its gap is to the contact's edge.
     pub(crate) fn in_contact(self, station: Station) -> Station {
         Station { x: station.x, gap: station.gap + self.slip_width }

@@ -10,7 +10,7 @@ use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use crate::engine::rubbing::{Rubbing, Verdict};
 use crate::engine::sheet::{END, FAR_END};
-use crate::engine::stage::{Outcome, Task};
+use crate::engine::stage::{Outcome, Stage, Task};
 use crate::engine::stick_search::{FrictionCurve, Root};
 use slipzone_api::{Component, Refusal};
 use std::f64::consts::PI;
@@ -230,7 +230,8 @@ impl Family {
         if let Some(guess) = start
             && let Some(member) = self.approach(layer, task, b, guess, found)?
         {
-            let holds = asked && self.stage.holds(layer, task, guess.lambda, member.root.lambda)?;
+            let lambda = member.root.lambda;
+            let holds = asked && Stage::is_known(guess.lambda, lambda) && self.stage.holds(layer, task, lambda)?;
             return Ok(Ok((member, holds)));
         }
         let start = start.map(|start| Outcome::of_rubbing(Rubbing::expected(start, b, !asked)));

@@ -8,9 +8,8 @@ use crate::engine::problem::Problem;
 use crate::engine::root::CERTAIN;
 use crate::engine::rubbing::{Rubbing, Verdict};
 use crate::engine::sharpen::{apart_from_twin, sharpen};
-use crate::engine::stick_search::{Found, FrictionCurve, Root};
+use crate::engine::stick_search::{FrictionCurve, Root};
 use crate::engine::stick_zone::StickZone;
-use arrayvec::ArrayVec;
 use slipzone_api::Refusal;
 use std::f64::consts::PI;
 
@@ -48,9 +47,7 @@ impl Stage {
             return Ok(rubbing.clone());
         }
         let mut rubbing = self.find(layer, task, eta, coarse)?;
-        if let Some(lambda) = rubbing.solved() {
-            self.examine(layer, task, lambda, &mut rubbing, coarse.and_then(Rubbing::root))?;
-        }
+        self.examine(layer, task, eta, &mut rubbing, coarse.and_then(Rubbing::root))?;
         self.rubbed = Some((b, eta, rubbing.clone()));
         Ok(rubbing)
     }
@@ -97,30 +94,49 @@ impl Stage {
         &mut self,
         layer: &PreparedLayer,
         task: Task,
-        lambda: f64,
+        eta: f64,
         rubbing: &mut Rubbing,
         before: Option<f64>,
     ) -> Result<(), Refusal> {
+        let known = before.zip(rubbing.root()).filter(|(before, lambda)| Self::is_known(*before, *lambda));
+        if let Some((_, lambda)) = known.filter(|_| !rubbing.checked) {
+            if self.of_slices || rubbing.scanned {
+                rubbing.checked = self.holds(layer, task, lambda)?;
+            } else if self.judge(layer, task, KNOWN, rubbing)?.is_some() {
+                self.look_again(layer, task, eta, rubbing)?;
+            }
+        }
+        let Some(lambda) = rubbing.solved() else { return Ok(()) };
         self.curve(layer, task).at_or_near(lambda, KNOWN)?;
         let shear = self.shear.as_ref().expect("room for the shear was made with friction");
         rubbing.shear = Some(shear.trace(self.normal.mean()));
-        if let Some(before) = before.filter(|_| !rubbing.checked) {
-            rubbing.checked = self.holds(layer, task, before, lambda)?;
+        Ok(())
+    }
+
+    /// Looks for all stick zones again where none of those known holds: this resolution may see what the coarser one that was scanned did
+    /// not. Finer ones need not look.
+    fn look_again(
+        &mut self,
+        layer: &PreparedLayer,
+        task: Task,
+        eta: f64,
+        rubbing: &mut Rubbing,
+    ) -> Result<(), Refusal> {
+        rubbing.scanned = true;
+        let again = self.scan(layer, task, eta)?;
+        if let Some(again) = self.followed(layer, task, eta, &again)? {
+            *rubbing = Rubbing { scanned: true, ..again };
         }
         Ok(())
     }
 
-    /// Whether a stick zone was nearly known before, and both conditions of friction hold in it.
-    pub(crate) fn holds(
-        &mut self,
-        layer: &PreparedLayer,
-        task: Task,
-        before: f64,
-        lambda: f64,
-    ) -> Result<bool, Refusal> {
-        if (before - lambda).abs() >= KNOWN {
-            return Ok(false);
-        }
+    /// Whether a stick zone is known well enough for its conditions to be checked, from where two resolutions find it.
+    pub(crate) fn is_known(before: f64, lambda: f64) -> bool {
+        (before - lambda).abs() < KNOWN
+    }
+
+    /// Whether both conditions of friction hold in a stick zone.
+    pub(crate) fn holds(&mut self, layer: &PreparedLayer, task: Task, lambda: f64) -> Result<bool, Refusal> {
         self.curve(layer, task).at_or_near(lambda, KNOWN)?;
         Ok(self.violation(layer, task.problem).is_none())
     }
@@ -150,8 +166,7 @@ impl Stage {
             return Ok(Rubbing::sticking(self.normal.half_width, FrictionCurve::WIDEST, false));
         }
         self.refresh(layer);
-        let known = coarse.filter(|coarse| !coarse.found.roots.is_empty());
-        match known.map(|coarse| self.followed(layer, task, eta, coarse)).transpose()?.flatten() {
+        match coarse.map(|coarse| self.followed(layer, task, eta, coarse)).transpose()?.flatten() {
             Some(rubbing) => Ok(rubbing),
             None => self.scan(layer, task, eta),
         }
@@ -173,7 +188,8 @@ impl Stage {
         self.shear.as_ref().map_or(0.0, |shear| shear.friction)
     }
 
-    /// Stick zones known roughly, found at this resolution to the tolerance; `None` where the one reported is lost.
+    /// The stick zone reported, known roughly, found at this resolution to the tolerance; `None` where it is lost. Others stay as they are:
+    /// they are asked for only should this one fail a condition.
     fn followed(
         &mut self,
         layer: &PreparedLayer,
@@ -181,22 +197,12 @@ impl Stage {
         eta: f64,
         known: &Rubbing,
     ) -> Result<Option<Rubbing>, Refusal> {
-        let mut curve = self.curve(layer, task);
-        let mut found = Found { roots: ArrayVec::new(), ..known.found.clone() };
-        let mut chosen = None;
-        for (i, root) in known.found.roots.iter().enumerate() {
-            if let Some(root) = curve.follow(*root, eta)? {
-                if i == known.chosen {
-                    chosen = Some(found.roots.len());
-                }
-                found.roots.push(root);
-            }
-        }
-        let Some(chosen) = chosen else { return Ok(None) };
-        let zone = StickZone::from_log(found.roots[chosen].lambda, self.normal.half_width);
-        let checked = known.checked;
-        let (verdict, is_full) = (Verdict::Holds, false);
-        Ok(Some(Rubbing { zone, verdict, is_full, found, chosen, scanned: false, checked, shear: None }))
+        let Some(root) = known.found.roots.get(known.chosen) else { return Ok(None) };
+        let Some(root) = self.curve(layer, task).follow(*root, eta)? else { return Ok(None) };
+        let mut rubbing = Rubbing { verdict: Verdict::Holds, is_full: false, shear: None, ..known.clone() };
+        rubbing.zone = StickZone::from_log(root.lambda, self.normal.half_width);
+        rubbing.found.roots[known.chosen] = root;
+        Ok(Some(rubbing))
     }
 
     /// Looks for all stick zones, and for the first that holds where there are several.
@@ -222,38 +228,43 @@ impl Stage {
         };
         let is_full = verdict == Verdict::Sticks;
         let mut rubbing =
-            Rubbing { zone, verdict, is_full, found, chosen: 0, scanned: true, checked: false, shear: None };
-        if rubbing.found.roots.len() > 1 {
-            self.choose(layer, task, &mut rubbing)?;
+            Rubbing { zone, verdict, is_full, found, chosen: 0, scanned: false, checked: false, shear: None };
+        if rubbing.found.roots.len() > 1
+            && let Some(what) = self.judge(layer, task, task.tolerance, &mut rubbing)?
+        {
+            rubbing.verdict = Verdict::Fails(what);
         }
         Ok(rubbing)
     }
 
-    /// Chooses the first root that satisfies both conditions of friction, if any does; leaves its shear.
-    fn choose(&mut self, layer: &PreparedLayer, task: Task, rubbing: &mut Rubbing) -> Result<(), Refusal> {
-        let b = self.normal.half_width;
-        let mut failure = None;
-        let first = rubbing.chosen;
+    /// Checks the stick zone reported, known to within an error, unless it was; where it fails a condition of friction, reports the first of
+    /// the others that satisfies both. Otherwise returns what it fails. Leaves the shear of the zone checked last.
+    fn judge(
+        &mut self,
+        layer: &PreparedLayer,
+        task: Task,
+        error: f64,
+        rubbing: &mut Rubbing,
+    ) -> Result<Option<String>, Refusal> {
+        let eta = task.problem.friction.expect("friction that holds");
+        let (first, mut failure) = (rubbing.chosen, None);
         let others = (0..rubbing.found.roots.len()).filter(|i| *i != first);
         for i in [first].into_iter().chain(others) {
-            let lambda = rubbing.found.roots[i].lambda;
-            self.curve(layer, task).at_or_near(lambda, task.tolerance)?;
-            let known = rubbing.checked && i == first;
-            match if known { None } else { self.violation(layer, task.problem) } {
-                None => {
-                    rubbing.chosen = i;
-                    rubbing.checked = true;
-                    rubbing.zone = StickZone::from_log(lambda, b);
-                    rubbing.verdict = Verdict::Holds;
-                    return Ok(());
-                }
-                Some(what) => failure = failure.or(Some(what)),
+            if i != first {
+                let Some(root) = self.curve(layer, task).follow(rubbing.found.roots[i], eta)? else { continue };
+                rubbing.found.roots[i] = root;
             }
+            let lambda = rubbing.found.roots[i].lambda;
+            self.curve(layer, task).at_or_near(lambda, error)?;
+            let known = rubbing.checked && i == first;
+            let Some(what) = (if known { None } else { self.violation(layer, task.problem) }) else {
+                (rubbing.chosen, rubbing.checked, rubbing.verdict) = (i, true, Verdict::Holds);
+                rubbing.zone = StickZone::from_log(lambda, self.normal.half_width);
+                return Ok(None);
+            };
+            failure = failure.or(Some(what));
         }
-        if let Some(what) = failure {
-            rubbing.verdict = Verdict::Fails(what);
-        }
-        Ok(())
+        Ok(failure)
     }
 
     /// The stick zone under a flat punch from a guess, to within an error; its shear is left in `shear`. `None` where the
@@ -317,16 +328,13 @@ impl Stage {
         self.refresh(layer);
         if !rubbing.found.roots.is_empty() {
             let before = rubbing.zone;
-            self.choose(layer, task, rubbing)?;
-            if rubbing.verdict != Verdict::Holds && !rubbing.scanned {
-                // This resolution may see what the one that was scanned did not.
-                let again = self.scan(layer, task, eta)?;
-                if let Some(again) = self.followed(layer, task, eta, &again)? {
-                    *rubbing = Rubbing { scanned: true, ..again };
-                    self.choose(layer, task, rubbing)?;
-                }
+            let mut failure = self.judge(layer, task, task.tolerance, rubbing)?;
+            if failure.is_some() && !rubbing.scanned {
+                self.look_again(layer, task, eta, rubbing)?;
+                failure = self.judge(layer, task, task.tolerance, rubbing)?;
             }
-            if matches!(rubbing.verdict, Verdict::Fails(_)) {
+            if let Some(what) = failure {
+                rubbing.verdict = Verdict::Fails(what);
                 let lambda = rubbing.found.roots[rubbing.chosen].lambda;
                 self.curve(layer, task).at(lambda)?;
             }
@@ -397,19 +405,19 @@ impl Stage {
     fn violation(&mut self, layer: &PreparedLayer, problem: &Problem) -> Option<String> {
         let (normal, shear) = (&mut self.normal, self.shear.as_deref()?);
         let direction = if shear.friction < 0.0 { "outward" } else { "inward" };
-        let ratio = shear.zone.ratio();
+        let zone = shear.zone.words();
         if let Some((x, load)) = checks::overload(layer, normal, shear, shear.friction.abs()) {
             self.is_overloaded = true;
             if !self.of_slices {
                 return Some(format!(
-                    "with {direction} slip and a/b = {ratio:.6}, {} inside the stick zone",
+                    "with {direction} slip and {zone}, {} inside the stick zone",
                     checks::overloaded(load, x)
                 ));
             }
         }
         let slip_check = self.slip_check.get_or_insert_default();
-        slip_check.wrong_slip(layer, problem, normal, shear).map(|x| {
-            format!("with {direction} slip and a/b = {ratio:.6}, the surface slides the other way at x = {x:.4} b")
-        })
+        slip_check
+            .wrong_slip(layer, problem, normal, shear)
+            .map(|x| format!("with {direction} slip and {zone}, the surface slides the other way at x = {x:.4} b"))
     }
 }
