@@ -16,9 +16,9 @@ use super::stick_zone::StickZone;
 use crate::plan;
 use crate::scene::Scene;
 use slipzone_api::double_exponential::{self, Node};
-use slipzone_api::{Component, Edge, Quadrature, Refusal, Station};
+use slipzone_api::{Component, Edge, Quadrature, Refusal, Shelf, Station};
 use std::f64::consts::PI;
-use std::sync::OnceLock;
+use std::sync::Arc;
 
 /// `a/b`, and `c` there: the largest over Poisson's ratios from 0 to 0.45 (`tests/data/coupled_half_plane.csv`).
 const MEASURED: [(f64, f64); 6] = [(0.1, 0.60), (0.25, 0.66), (0.5, 0.78), (0.75, 1.0), (0.9, 1.36), (0.99, 2.32)];
@@ -28,9 +28,14 @@ const MOST: f64 = 0.9;
 const COARSEST: f64 = 1.0;
 const FINEST: f64 = 8.0;
 /// Kernel lengths in the half-width that the coarsest one serves.
-const SERVED: f64 = 3.0;
-/// Nodes on either side of the middle of the stick zone, and of the slip zone.
+const SERVED: f64 = 6.0;
+/// Nodes on either side of the middle of the stick zone, and of the slip zone, the kernel lengths in the half-width that they serve, and by
+/// how many times as many there may be.
 const NODES: usize = 10;
+const SERVED_BY_NODES: f64 = 1.4;
+const MOST_TIMES: usize = 64;
+/// Numbers that all such grids take.
+const MOST_NUMBERS: usize = 4 * NODES * MOST_TIMES;
 /// Where those grids end: sums over the shear see no more of the edge.
 const END: f64 = 3.0;
 
@@ -42,8 +47,12 @@ pub(super) fn neglected(layer: &PreparedLayer, problem: &Problem, zone: StickZon
     if layer.is_plain() {
         return Some(of_half_plane);
     }
+    let thinness = zone.contact() / layer.length();
+    if thinness > SERVED_BY_NODES * MOST_TIMES as f64 {
+        return None;
+    }
     // A level tells details shorter by sqrt 2.
-    let finer = 2.0 * (zone.contact() / (SERVED * layer.length())).log2();
+    let finer = 2.0 * (thinness / SERVED).log2();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few
     let level = (COARSEST + finer.max(0.0)).ceil().min(FINEST) as u32;
     let quadrature = scene.solver.quadrature.as_ref()?.refined(level);
@@ -86,7 +95,7 @@ fn first_step(
     let own = shear.values(&at, &pressure);
     let mut slopes: Vec<f64> = own.iter().map(|q| beta * q).collect();
     if !layer.is_plain() {
-        let points = right_half(zone, &normal, &shear);
+        let points = right_half(zone, &normal, &shear, &grid(zone.contact() / layer.length()));
         let mut distances = Vec::with_capacity(2 * points.len() * at.len());
         for Station { x, .. } in &at {
             for (r, _) in &points {
@@ -106,10 +115,16 @@ fn first_step(
     Ok(shear.solve(layer, &mut normal, beta, zone)? / goodman - 1.0)
 }
 
+/// A grid for the sums over the shear, as much finer than the coarsest as kernels so short ask for.
+fn grid(thinness: f64) -> Arc<Vec<Node>> {
+    static GRIDS: Shelf<usize, Vec<Node>> = Shelf::new(MOST_NUMBERS, Vec::len);
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few
+    let times = ((thinness / SERVED_BY_NODES).ceil() as usize).clamp(1, MOST_TIMES).next_power_of_two();
+    GRIDS.get(times, || double_exponential::nodes_up_to(1.0, NODES * times, END))
+}
+
 /// Points of the right half of the contact, and the shear that each stands for.
-fn right_half(zone: StickZone, normal: &Normal, shear: &Shear) -> Vec<(f64, f64)> {
-    static GRID: OnceLock<Vec<Node>> = OnceLock::new();
-    let grid = GRID.get_or_init(|| double_exponential::nodes_up_to(1.0, NODES, END));
+fn right_half(zone: StickZone, normal: &Normal, shear: &Shear, grid: &[Node]) -> Vec<(f64, f64)> {
     let a = zone.half_width;
     // The gaps of the stick zone's points are to its own end, as its rule wants them.
     let sticking: Vec<Station> =

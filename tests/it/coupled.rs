@@ -14,8 +14,11 @@ use std::sync::Arc;
 
 /// Wave numbers up to which the kernels are summed, and panels of that sum.
 const WAVES: (f64, usize) = (150.0, 110);
-/// Elements over the stick zone and over the slip zone.
+/// Elements over the stick zone and over the slip zone, and where the layer is thin.
 const ELEMENTS: [usize; 2] = [44, 56];
+const MORE_ELEMENTS: [usize; 2] = [130, 60];
+/// Thickness, in half-widths, below which it is.
+const THIN: f64 = 0.25;
 
 /// An element of constant traction, its mirror image understood.
 #[derive(Clone, Copy)]
@@ -66,7 +69,7 @@ impl Coupled {
                 waves.push((s, weight * half, f));
             }
         }
-        let [inside, outside] = ELEMENTS;
+        let [inside, outside] = if h < THIN { MORE_ELEMENTS } else { ELEMENTS };
         let one_end = |i: usize| a * (1.0 - (1.0 - i as f64 / inside as f64).powi(5));
         let both_ends = |i: usize| {
             let (t, rest) = (i as f64 / outside as f64, 1.0 - i as f64 / outside as f64);
@@ -175,6 +178,8 @@ fn what_goodman_neglects_on_layers_is_what_the_coupled_equations_say() {
         (0.5, 1.0, 0.45, 0.1, false),
         (20.0, 1.0, 0.0, 0.25, false),
         (0.5, 1.0, 0.5, 0.1, false),
+        (0.2, 0.125, 0.49, 0.3, false),
+        (0.2, 0.125, 0.45, 0.1, false),
     ];
     for (h, ratio, nu, eta, grown) in layers {
         let flat = Sketch::flat(h, ratio, nu).rubbing(eta);
