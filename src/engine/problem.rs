@@ -315,6 +315,11 @@ impl Problem {
         self.layer.base != Base::Infinite
     }
 
+    /// Whether the layer stands on a half-plane, which gives way.
+    pub(crate) fn is_on_half_plane(&self) -> bool {
+        matches!(self.layer.base, Base::HalfPlane { .. })
+    }
+
     /// Whether the layer stands on something that gives way more than its surface does.
     pub(crate) fn is_on_soft_base(&self) -> bool {
         matches!(self.layer.base, Base::HalfPlane { shear, .. } if shear.get() < self.layer.surface_shear)
@@ -344,8 +349,10 @@ impl Problem {
 
     /// Whether contacts of several sizes may sink as far: a datum above a base that gives way sinks as well, in the end by more.
     pub(crate) fn may_sink_as_far_again(&self) -> bool {
-        let gives_way = matches!(self.layer.base, Base::HalfPlane { .. });
-        self.is_pressed_by_depth() && self.fixed_half_width().is_none() && self.layer.datum.is_some() && gives_way
+        self.is_pressed_by_depth()
+            && self.fixed_half_width().is_none()
+            && self.layer.datum.is_some()
+            && self.is_on_half_plane()
     }
 
     /// The numbers of the result that the scene itself gives.
