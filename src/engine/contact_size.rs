@@ -5,7 +5,7 @@ use super::normal::Normal;
 use super::prepared_layer::{PreparedLayer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
 use basin::{RootError, Toms748Root};
-use slipzone_api::{Refusal, short};
+use slipzone_api::{Flaw, Refusal, short};
 use std::f64::consts::{FRAC_PI_2, LN_2};
 
 /// Steps of the walk towards a sign change; each is at least a factor of 2 at the coarsest resolution.
@@ -249,11 +249,10 @@ impl Search<'_> {
     /// What a walk that was refused finds before the first flaw of the punch: beyond it nothing was worth trying, nor is what came of
     /// it worth telling.
     fn walk_to_flaw(&mut self, walk: Walk, refusal: Refusal) -> Result<Crossing, Refusal> {
-        let flaw = self.problem.first_flaw(self.widest).filter(|(_, x)| *x > 0.0);
-        let Some((flaw, end)) = flaw else { return Err(refusal) };
-        let start = walk.start.min(end.ln() - LN_2);
-        let walk = Walk { start, limit: end.ln(), step: LN_2, smallest: SMALLEST_AT_END, ..walk };
-        self.walk(walk).map_err(|_| ended(&flaw, end * self.problem.length))
+        let Some(flaw) = self.problem.flaw(self.widest).filter(|flaw| flaw.x > 0.0) else { return Err(refusal) };
+        let limit = (flaw.x / self.problem.length).ln();
+        let walk = Walk { start: walk.start.min(limit - LN_2), limit, step: LN_2, smallest: SMALLEST_AT_END, ..walk };
+        self.walk(walk).map_err(|_| ended(&flaw))
     }
 
     /// The sign change from a start that may be far off and below a limit.
@@ -380,10 +379,10 @@ pub(crate) fn outgrown(x: f64) -> Refusal {
 }
 
 /// The load asks for more of the shape than is sound.
-fn ended(flaw: &str, x: f64) -> Refusal {
+fn ended(flaw: &Flaw) -> Refusal {
     Refusal::OutOfReach {
         method: "contact size",
-        why: format!("{flaw} at x = {}, and up to there no contact bears this load", short(x)),
+        why: format!("{} at x = {}, and up to there no contact bears this load", flaw.what, short(flaw.x)),
         remedy: "take a smaller load, or mend the shape",
     }
 }

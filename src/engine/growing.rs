@@ -300,13 +300,13 @@ impl Growing {
             let found = stack.under(problem, family, problem.load);
             // Beyond a pole a force is found, too, but no contact.
             let flaw = match found {
-                Some(half_width) => problem.end(half_width),
+                Some(half_width) => problem.flaw(half_width).filter(|flaw| problem.ends_at(flaw)),
                 None => problem.flaw(widest),
             };
-            if let Some(why) = flaw {
+            if let Some(flaw) = flaw {
                 return Err(Refusal::OutOfReach {
                     method: "punch",
-                    why,
+                    why: problem.objection(&flaw),
                     remedy: "take a smaller load, or mend the shape",
                 });
             }
@@ -416,8 +416,8 @@ impl Growing {
 
 /// A half-width up to which a family reaches beside a contact: not so far as the shape ends, where no flat punch has a slope.
 fn short_of_end(problem: &Problem, contact: f64, wide: f64) -> f64 {
-    match problem.end_within(wide) {
-        Some(end) => f64::midpoint(contact, end),
+    match problem.flaw(wide).filter(|flaw| problem.ends_at(flaw)) {
+        Some(end) => f64::midpoint(contact, end.x / problem.length),
         None => wide.min(problem.reach()),
     }
 }
