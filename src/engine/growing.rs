@@ -9,12 +9,12 @@ use super::contact_size::{self, Size};
 use super::family::{Family, Left, Unfit};
 use super::lookout::Lookout;
 use super::normal::Normal;
+use super::outcome::{Outcome, Task};
 use super::prepared_layer::PreparedLayer;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity, Traces};
 use super::rubbing::Rubbing;
 use super::stack::Stack;
-use super::stage::{Outcome, Task};
 use super::work::Work;
 use slipzone_api::{Quadrature, Refusal, Station};
 

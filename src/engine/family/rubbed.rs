@@ -4,9 +4,9 @@
 use super::told::Told;
 use crate::engine::blend::{Blend, LANES, Lanes, add_rows};
 use crate::engine::chebyshev::largest;
+use crate::engine::contact::Contact;
 use crate::engine::root::CERTAIN;
 use crate::engine::sheet::{Places, Sheet};
-use crate::engine::stage::Stage;
 use crate::engine::stick_search::{FrictionCurve, Root};
 use crate::engine::stick_zone::StickZone;
 use slipzone_api::Station;
@@ -190,8 +190,8 @@ impl Found {
     }
 
     /// What the shear solved last lacks to a friction coefficient's, times `sqrt(b^2 - x^2)`, as a series over the places up to an end.
-    pub(super) fn lack(stage: &Stage, friction: f64, end: f64) -> Vec<f64> {
-        let shear = stage.shear.as_ref().expect("friction has shear");
+    pub(super) fn lack(contact: &Contact, friction: f64, end: f64) -> Vec<f64> {
+        let shear = contact.shear.as_ref().expect("friction has shear");
         let zone = shear.zone;
         // The pressure has a branch point where the contact ends.
         let crowding = if zone.log() < FADED { zone.crowding() } else { 1.0 };
@@ -203,7 +203,7 @@ impl Found {
         for at in &mut at {
             *at = zone.in_contact(*at);
         }
-        stage.normal.values_into(&at, &mut p);
+        contact.normal.values_into(&at, &mut p);
         for ((p, q), at) in p.iter_mut().zip(&q).zip(&at) {
             *p = (at.gap * (zone.contact() + at.x)).sqrt() * (friction * *p - q);
         }

@@ -3,11 +3,11 @@
 use super::{Growing, ROOM_BESIDE_GUESS, STEADY};
 use crate::engine::family::{Family, during};
 use crate::engine::normal::Normal;
+use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use crate::engine::quantity::ShearTrace;
 use crate::engine::rubbing::{Rubbing, Verdict};
-use crate::engine::stage::{Outcome, Task};
 use slipzone_api::{Refusal, Station};
 
 /// Where what the shear lacks is compared from resolution to resolution, over the half-width of the stick zone: near the middle

@@ -3,10 +3,11 @@
 use crate::engine::error_estimate::Pace;
 use crate::engine::family::Family;
 use crate::engine::judged::{share_in_middle, share_in_shear};
+use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::{PreparedLayer, Wanted};
 use crate::engine::problem::Problem;
 use crate::engine::rubbing::Rubbing;
-use crate::engine::stage::{Outcome, Stage, Task};
+use crate::engine::stage::Stage;
 use crate::engine::work::Work;
 use crate::plan::Methods;
 use slipzone_api::Refusal;
