@@ -64,7 +64,7 @@ pub(crate) struct Growing {
     /// What keeps friction from being told.
     broken: Option<(f64, Rubbing)>,
     /// The same of coarser resolutions, where this one is not to look for it again.
-    forsaken: Option<(f64, Rubbing)>,
+    given_up: Option<(f64, Rubbing)>,
 }
 
 impl Growing {
@@ -79,7 +79,7 @@ impl Growing {
             is_solver: problem.is_stacked(),
             is_kinked: problem.is_kinked(),
             broken: None,
-            forsaken: None,
+            given_up: None,
         }
     }
 
@@ -248,12 +248,12 @@ impl Growing {
         room: f64,
         coarse: Option<&Family>,
     ) -> Result<(), Refusal> {
-        self.broken.clone_from(&self.forsaken);
-        if self.forsaken.is_some() && !self.is_kinked {
+        self.broken.clone_from(&self.given_up);
+        if self.given_up.is_some() && !self.is_kinked {
             (self.family, self.stack) = (None, None);
             return Ok(());
         }
-        let rubs = task.problem.friction.is_some() && self.forsaken.is_none();
+        let rubs = task.problem.friction.is_some() && self.given_up.is_none();
         if self.family.as_ref().is_some_and(|family| family.serves(task, rubs, half_width)) {
             return if self.stack.is_none() { self.stacked_on(task) } else { Ok(()) };
         }

@@ -102,7 +102,7 @@ impl Ladder {
 
     /// Takes finer steps until the estimate meets the tolerance, and as many more as the tractions want.
     fn refined(&mut self, layer: &mut PreparedLayer, aim: Aim) -> Result<Judged, Refusal> {
-        self.forsaken = None;
+        self.given_up = None;
         if let Some(judged) = self.pressed_again(layer, aim) {
             return Ok(judged);
         }
@@ -185,7 +185,7 @@ impl Ladder {
                 || self.is_hopeless(layer, aim, (step, first), &outcome, &estimate.errors);
             if self.is_broken(step, first, &estimate.errors) {
                 // The pressure does not depend on it.
-                self.forsaken = self.stages[step].growing.as_deref().and_then(Growing::broken).cloned();
+                self.given_up = self.stages[step].growing.as_deref().and_then(Growing::broken).cloned();
             }
             if done || step + first == FINEST {
                 let task = self.task(aim, level);

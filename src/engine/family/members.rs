@@ -2,7 +2,7 @@
 
 use super::depths::Depths;
 use super::pressed::Pressed;
-use super::rubbed::{Found, Member, Rubbed};
+use super::rubbed::{Member, Members, Rubbed};
 use super::{CHECKED, Family, Room, Unfit, during, member};
 use crate::engine::blend::Blend;
 use crate::engine::error_estimate::apart;
@@ -119,7 +119,7 @@ impl Family {
         self.solve_pressures(layer, task, coarse)?;
         // What a coarser resolution found to hold is not checked again; without one, nothing is known well enough.
         let (is_first, known) = (coarse.is_none(), coarse.is_some_and(Family::is_checked));
-        let mut found = Found::new(coarse.and_then(Family::moves), !is_first);
+        let mut members = Members::new(coarse.and_then(Family::moves), !is_first);
         let half_widths = blend.half_widths();
         let coarse_zones = coarse.and_then(|coarse| coarse.rubbed.as_ref());
         let mut wrong = Wrong::default();
@@ -129,8 +129,8 @@ impl Family {
             self.take_pressure(b);
             let asked = !is_first && !known && k % CHECKED == 0;
             let told = coarse.and_then(|coarse| coarse.root_at(b));
-            let start = told.or_else(|| found.continued(&half_widths[..k], b)).or(before.take());
-            let (member, checked) = match self.solve_member(layer, task, b, (start, asked), &mut found)? {
+            let start = told.or_else(|| members.continued(&half_widths[..k], b)).or(before.take());
+            let (member, checked) = match self.solve_member(layer, task, b, (start, asked), &mut members)? {
                 Ok(solved) => solved,
                 Err(why) => return Err(Unfit::Friction(b, why)),
             };
@@ -138,23 +138,23 @@ impl Family {
                 // Takes note of it where friction does not bear it: not for long, maybe.
                 self.contact.overload(layer, flat.friction.expect("friction"));
             }
-            found.checked &= checked || !asked;
+            members.checked &= checked || !asked;
             let root = member.root;
             wrong.add_apart(coarse_zones, &member, b);
-            if !found.add(member) {
+            if !members.add(member) {
                 let turned = "the direction of slip turns while the contact grows".into();
                 return Err(Unfit::Friction(b, Box::new(Rubbing::expected(root, b, false).failing(turned))));
             }
         }
         if flat.elastic.beta() < FrictionCurve::FLAT * PI
-            && let Some(b) = found.sticks_at_times(half_widths)
+            && let Some(b) = members.sticks_at_times(half_widths)
         {
             let sticks = "all of the surface sticks, but not always".into();
             let stuck = Rubbing::sticking(b, FrictionCurve::WIDEST, false);
             return Err(Unfit::Friction(b, Box::new(stuck.failing(sticks))));
         }
         let told = coarse_zones.map(|coarse| (coarse.told, wrong.over(blend.widest())));
-        self.rubbed = Some(found.blended(blend, self.end_of_shear, told));
+        self.rubbed = Some(members.blended(blend, self.end_of_shear, told));
         Ok(())
     }
 
@@ -219,7 +219,7 @@ impl Family {
         task: Task,
         b: f64,
         (start, asked): (Option<Root>, bool),
-        found: &mut Found,
+        members: &mut Members,
     ) -> Result<Solved, Refusal> {
         if start.is_some_and(|start| start.lambda > FrictionCurve::WIDEST) {
             self.contact.press(layer, task, b)?;
@@ -228,7 +228,7 @@ impl Family {
             }
         }
         if let Some(guess) = start
-            && let Some(member) = self.approach(layer, task, b, guess, found)?
+            && let Some(member) = self.approach(layer, task, b, guess, members)?
         {
             let holds = asked && self.contact.holds(layer, task, guess.lambda, member.root.lambda)?;
             return Ok(Ok((member, holds)));
@@ -242,12 +242,12 @@ impl Family {
             return Ok(stuck);
         }
         let Some(root) = rubbing.reported() else { return Ok(Err(Box::new(rubbing))) };
-        let member = if let Some(member) = self.approach(layer, task, b, root, found)? {
+        let member = if let Some(member) = self.approach(layer, task, b, root, members)? {
             member
         } else {
             self.contact.curve(layer, task).at(root.lambda)?;
             let friction = self.contact.friction_of_shear();
-            Member { root, lack: Found::lack(&self.contact, friction, self.end_of_shear), moves: None }
+            Member { root, lack: Member::lack(&self.contact, friction, self.end_of_shear), moves: None }
         };
         Ok(Ok((member, rubbing.checked)))
     }
@@ -266,7 +266,7 @@ impl Family {
             let stuck = Rubbing::sticking(b, FrictionCurve::WIDEST, true);
             return Ok(Some(Err(Box::new(stuck.failing(what)))));
         }
-        let lack = Found::lack(&self.contact, eta, self.end_of_shear);
+        let lack = Member::lack(&self.contact, eta, self.end_of_shear);
         Ok(Some(Ok((Member { root, lack, moves: None }, asked))))
     }
 
@@ -277,12 +277,12 @@ impl Family {
         task: Task,
         b: f64,
         guess: Root,
-        found: &mut Found,
+        members: &mut Members,
     ) -> Result<Option<Member>, Refusal> {
         let (contact, end) = (&mut self.contact, self.end_of_shear);
-        found.approach(REFINED * task.tolerance, b, guess, |from| {
+        members.approach(REFINED * task.tolerance, b, guess, |from| {
             let next = contact.follow(layer, task, b, from, NEAR)?;
-            Ok(next.map(|next| (next, Found::lack(contact, contact.friction_of_shear(), end))))
+            Ok(next.map(|next| (next, Member::lack(contact, contact.friction_of_shear(), end))))
         })
     }
 

@@ -129,8 +129,8 @@ impl Growing {
     }
 
     /// From now on friction is not looked for where coarser resolutions could not tell it; `None` takes that back.
-    pub(crate) fn forsake(&mut self, broken: Option<&(f64, Rubbing)>) {
-        self.forsaken = broken.cloned();
+    pub(crate) fn give_up(&mut self, broken: Option<&(f64, Rubbing)>) {
+        self.given_up = broken.cloned();
     }
 
     /// Whether friction cannot be told of the contact as it grew.
