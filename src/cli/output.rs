@@ -104,7 +104,7 @@ impl Target {
     }
 
     fn folder(&self) -> &Path {
-        self.real.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+        folder_of(&self.real)
     }
 
     /// An empty file beside the target, with the permissions of the file it replaces, or of any new file.
@@ -301,6 +301,11 @@ fn is_replaceable(path: &Path) -> bool {
     fs::metadata(path).map_or(true, |found| found.is_file())
 }
 
+/// The folder that a file is in.
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
 /// The file that a path means: links followed, and the folder made absolute when the file is yet to come.
 fn real(path: &Path) -> std::io::Result<PathBuf> {
     match path.canonicalize() {
@@ -309,7 +314,7 @@ fn real(path: &Path) -> std::io::Result<PathBuf> {
         Err(_) if path.exists() => Ok(path.into()),
         Err(error) => {
             let name = path.file_name().ok_or(error)?;
-            let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+            let folder = folder_of(path);
             let folder = folder.canonicalize().map_err(|error| {
                 std::io::Error::new(error.kind(), format!("its folder {}: {error}", folder.display()))
             })?;

@@ -312,7 +312,7 @@ fn tractions(
     stage: &mut Stage,
     b: f64,
 ) -> Result<Profile, Refusal> {
-    let sharp = stage.normal.is_sharp();
+    let sharp = stage.contact.normal.is_sharp();
     let value = |found: Option<f64>| match found {
         Some(value) => value.is_finite().then_some(value * problem.stress),
         None => (!sharp).then_some(0.0),

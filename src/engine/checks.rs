@@ -21,7 +21,7 @@ const PULLS: f64 = 1e-9;
 /// A low pressure below this share of the mean may be negative between the points at which it is looked at.
 const FAINT: f64 = 0.25;
 /// Relative excess that rounding and discretisation may cause.
-pub(crate) const MARGIN: f64 = 1e-3;
+const MARGIN: f64 = 1e-3;
 /// Nodes on either side of the grids on which the slip is integrated.
 const SLIP_NODES: usize = 8;
 /// Nodes on either side of the grids over which the tractions are, times [`StickZone::crowding`]: more where the slip zone
@@ -72,7 +72,12 @@ pub(crate) fn overload(layer: &PreparedLayer, normal: &Normal, shear: &Shear, et
         let highest = highest(inside(at, zone.half_width, layer.length()), values, |_| -NEARLY.recip(), lacks_into);
         highest.map(|(at, lacks)| (at, -lacks))
     })?;
-    (bears * (1.0 + MARGIN) < 1.0).then(|| (at.x / normal.half_width, bears.max(0.0).recip()))
+    is_too_little(bears).then(|| (at.x / normal.half_width, bears.max(0.0).recip()))
+}
+
+/// Whether friction that bears so much of the shear, `eta p/|q|`, bears less than all of it.
+pub(crate) fn is_too_little(bears: f64) -> bool {
+    bears * (1.0 + MARGIN) < 1.0
 }
 
 /// What friction does not bear at `x/b`, in words, where the shear is so many times what it does; infinitely many where the pressure pulls.

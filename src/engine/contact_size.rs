@@ -5,8 +5,7 @@ use super::normal::Normal;
 use super::prepared_layer::{PreparedLayer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
 use basin::{RootError, Toms748Root};
-use slipzone_api::{Refusal, short};
-use std::cell::Cell;
+use slipzone_api::{Flaw, Refusal, short};
 use std::f64::consts::{FRAC_PI_2, LN_2};
 
 /// Steps of the walk towards a sign change; each is at least a factor of 2 at the coarsest resolution.
@@ -100,120 +99,23 @@ pub(crate) fn press(
     tolerance: f64,
     known: Option<Size>,
 ) -> Result<Size, Refusal> {
-    let target = match problem.load {
+    let (target, by_force) = match problem.load {
         LoadInLayerUnits::HalfWidth(half_width) => {
             layer.tabulate(half_width, wanted)?;
             normal.press_smooth(layer, problem, half_width)?;
             return Ok(Size::exactly(half_width));
         }
-        LoadInLayerUnits::Force(target) | LoadInLayerUnits::Indentation(target) => target,
+        LoadInLayerUnits::Force(target) => (target, true),
+        LoadInLayerUnits::Indentation(target) => (target, false),
     };
-    let by_force = matches!(problem.load, LoadInLayerUnits::Force(_));
-    let sinks_with_datum = !by_force && problem.layer.datum.is_some();
-    // ln(reached/target) is nearly linear in ln b for any punch.
-    let (widest, pulls) = (Cell::new(0.0_f64), Cell::new(false));
-    let mut excess = |log_b: f64| -> Result<f64, Refusal> {
-        // What the logarithm rounds must not leave the shape.
-        let half_width = log_b.exp().min(problem.reach());
-        widest.set(half_width.max(widest.get()));
-        layer.tabulate(roomy(half_width), wanted)?;
-        normal.press_smooth(layer, problem, half_width)?;
-        pulls.set(normal.unknowns().iter().any(|p| *p < 0.0));
-        let reached = if by_force { Some(normal.force) } else { normal.depth(layer, problem) };
-        match reached {
-            Some(reached) if reached > 0.0 => Ok((reached / target).ln()),
-            // The datum sinks more than the punch does; under a wider contact it may sink less.
-            Some(_) if sinks_with_datum && half_width < WIDEST_SUNK => Ok(SUNK),
-            Some(_) if sinks_with_datum => Err(Refusal::OutOfReach {
-                method: "contact size",
-                why: format!("under a contact of half-width {half_width:.3e} h the datum sinks more than the punch"),
-                remedy: "give the force or the half-width, or a deeper `datum`",
-            }),
-            _ => Err(no_size(format!(
-                "at this resolution a contact of half-width {half_width:.3e} h bears no load: it is too wide beside the \
-                 layer for the nodes, or the cutoff too small"
-            ))),
-        }
-    };
+    let mut search = Search { layer, problem, normal, wanted, tolerance, target, by_force, widest: 0.0, pulls: false };
     let known = known.filter(|known| !known.is_beside_top);
-    let near = match known {
-        Some(size) => follow(size, MISSED * tolerance, &mut excess)?,
-        None => None,
-    };
-    if let Some(near) = near {
+    if let Some(size) = known
+        && let Some(near) = search.follow(size)?
+    {
         return Ok(near);
     }
-    let bends = problem.is_on_soft_base() || !by_force && problem.has_base() && !problem.is_on_rigid_base();
-    let from = if bends { FAR_BELOW } else { 1.0 };
-    let start = known.map_or_else(|| from * first_size(problem, target, by_force), |size| size.half_width);
-    let position = POSITION * tolerance;
-    let first_step = if known.is_some() { 0.01 } else { LN_2 };
-    let walk = Walk {
-        start: start.ln(),
-        limit: problem.reach().ln(),
-        step: first_step,
-        smallest: SMALLEST_STEP,
-        bends,
-        length: problem.length,
-    };
-    let mut found = search(walk, position, &mut excess);
-    if !bends
-        && problem.has_soft_sublayer()
-        && let Ok((log_b, ..)) = found
-        && excess(log_b).is_ok()
-        && pulls.get()
-    {
-        // Beyond the contact that a stiff surface bears before it bends.
-        let start = (FAR_BELOW * first_size(problem, target, by_force)).ln();
-        found = search(Walk { start, step: LN_2, bends: true, ..walk }, position, &mut excess).or(found);
-    }
-    let (log_b, slope, is_beside_top) = match found {
-        Ok(found) => found,
-        Err(refusal) => {
-            // Beyond a flaw of the punch nothing was worth trying, nor is what came of it worth telling.
-            let flaw = problem.first_flaw(widest.get()).filter(|(_, x)| *x > 0.0);
-            let Some((flaw, end)) = flaw else { return Err(refusal) };
-            let start = walk.start.min(end.ln() - LN_2);
-            let walk = Walk { start, limit: end.ln(), step: LN_2, smallest: SMALLEST_AT_END, ..walk };
-            search(walk, position, &mut excess).map_err(|_| ended(&flaw, end * problem.length))?
-        }
-    };
-    let missed = excess(log_b)?.abs();
-    let slope = if SLOPES.contains(&slope) { slope } else { f64::NAN };
-    Ok(Size { half_width: log_b.exp(), slope, missed, is_guess: false, is_beside_top })
-}
-
-/// The size of a coarser resolution, moved along the slope until little is missed; `None` where it is not near.
-///
-/// No sign change is asked for: the load is borne at the size returned, all but what is missed.
-fn follow(
-    known: Size,
-    allowed: f64,
-    excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
-) -> Result<Option<Size>, Refusal> {
-    let Size { half_width, mut slope, is_beside_top, .. } = known;
-    let mut log_b = half_width.ln();
-    let mut missed = excess(log_b)?;
-    let enough = if known.is_guess { allowed } else { allowed.max(CONTRACTED * missed.abs()) };
-    for _ in 0..STEPS {
-        if missed.abs() <= enough {
-            let (half_width, missed) = (log_b.exp(), missed.abs());
-            return Ok(Some(Size { half_width, slope, missed, is_guess: false, is_beside_top }));
-        }
-        let step = -missed / slope;
-        if !SLOPES.contains(&slope) || step.abs() > LN_2 {
-            break;
-        }
-        let next = excess(log_b + step)?;
-        slope = (next - missed) / step;
-        (log_b, missed) = (log_b + step, next);
-    }
-    Ok(None)
-}
-
-/// A half-width that tables are made for, so that a search changes them rarely: the next power of two.
-fn roomy(half_width: f64) -> f64 {
-    half_width.log2().ceil().exp2().max(half_width)
+    search.search(known.map(|known| known.half_width))
 }
 
 /// A walk towards a sign change, in `ln b`.
@@ -228,86 +130,210 @@ struct Walk {
     smallest: f64,
     /// Whether what is looked for may grow, shrink and grow again on the way.
     bends: bool,
-    /// The user's unit of length over that of the half-width.
-    length: f64,
 }
 
-/// The root from a start that may be far off and below a limit, the slope there, and whether a top beside it is nearly one.
-fn search(
-    walk: Walk,
-    position: f64,
-    excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
-) -> Result<(f64, f64, bool), Refusal> {
-    let mut trail = Trail::default();
-    let (lower, upper) = bracket(excess, walk, &mut trail)?;
-    let mut last = [(lower, 0.0); 2];
-    let position = position.max(4.0 * f64::EPSILON * lower.abs().max(1.0));
-    let found = Toms748Root::new(lower, upper).with_absolute_position_tolerance(position).solve(|log_b| {
-        let excess = excess(log_b)?;
-        last = [last[1], (log_b, excess)];
-        Ok(excess)
-    });
-    let root = match found {
-        Ok(root) => root.root(),
-        // The walk widens the kernel tables, which changes last bits: a root at one end may lose its sign.
-        Err(RootError::NotBracketed { lower, f_lower, .. }) if f_lower.abs() < ROUNDING => lower,
-        Err(RootError::NotBracketed { upper, f_upper, .. }) if f_upper.abs() < ROUNDING => upper,
-        Err(RootError::Evaluation(refusal)) => return Err(refusal),
-        Err(other) => return Err(no_size(other.to_string())),
-    };
-    let [(x0, f0), (x1, f1)] = last;
-    Ok((root, (f1 - f0) / (x1 - x0), trail.highest.is_some_and(|height| height > -BESIDE_TOP)))
+/// A sign change between two steps of a walk, in `ln b`.
+struct Crossing {
+    log_b: f64,
+    /// The slope there.
+    slope: f64,
+    /// Whether a top beside it is nearly one.
+    is_beside_top: bool,
 }
 
-/// Walks from `start` towards the sign change of an increasing function, in growing steps.
-fn bracket(
-    excess: &mut impl FnMut(f64) -> Result<f64, Refusal>,
-    Walk { start, limit, mut step, smallest, bends, length }: Walk,
-    trail: &mut Trail,
-) -> Result<(f64, f64), Refusal> {
-    let start = start.min(limit);
-    let from = excess(start)?;
-    let direction = if from > 0.0 { -1.0 } else { 1.0 };
-    let longest = if bends { BENDING_STEP } else { 2.0 * LN_2 };
-    let (mut here, mut growth) = (start, 2.0);
-    trail.pass((start, from));
-    let climbs = bends && direction > 0.0;
-    for _ in 0..MOST_STEPS {
-        let next = (here + direction * step).min(limit);
-        if next <= here && direction > 0.0 {
-            return Err(outgrown(limit.exp() * length));
-        }
-        match excess(next) {
-            Ok(there) if climbs && there >= 0.0 => return Ok(first_part((here, next), excess)),
-            Ok(excess) if excess * direction >= 0.0 => return Ok((here.min(next), here.max(next))),
-            Ok(excess_there) => {
-                if climbs && let Some(top) = trail.top((next, excess_there), |at| excess(at).unwrap_or(SUNK)) {
-                    return Ok(top);
-                }
-                trail.pass((next, excess_there));
-                here = next;
-                step = (growth * step).min(if climbs && excess_there > NEAR { 0.5 * longest } else { longest });
-            }
-            Err(refusal) if step < smallest => return Err(refusal),
-            // Beyond what this resolution can solve, or what it sinks to is above the datum; the load may be borne before.
-            Err(_) => {
-                if climbs && let Some(top) = trail.top((next, SUNK), |at| excess(at).unwrap_or(SUNK)) {
-                    return Ok(top);
-                }
-                step *= 0.5;
-                growth = 1.0;
-            }
+/// The search for the contact that bears a load.
+struct Search<'a> {
+    layer: &'a mut PreparedLayer,
+    problem: &'a Problem,
+    normal: &'a mut Normal,
+    wanted: Wanted,
+    tolerance: f64,
+    /// The load wanted: a force or an indentation.
+    target: f64,
+    by_force: bool,
+    /// The widest contact tried so far.
+    widest: f64,
+    /// Whether the one tried last pulls somewhere.
+    pulls: bool,
+}
+
+impl Search<'_> {
+    /// Presses a contact of half-width `b`, and tells by how much the load that it takes is beyond the one wanted: `ln(reached/target)`,
+    /// which is nearly linear in `ln b` for any punch.
+    fn excess(&mut self, log_b: f64) -> Result<f64, Refusal> {
+        let problem = self.problem;
+        // What the logarithm rounds must not leave the shape.
+        let half_width = log_b.exp().min(problem.reach());
+        self.widest = half_width.max(self.widest);
+        self.layer.tabulate(roomy(half_width), self.wanted)?;
+        self.normal.press_smooth(self.layer, problem, half_width)?;
+        self.pulls = self.normal.unknowns().iter().any(|p| *p < 0.0);
+        let reached = if self.by_force { Some(self.normal.force) } else { self.normal.depth(self.layer, problem) };
+        let sinks_with_datum = !self.by_force && problem.layer.datum.is_some();
+        match reached {
+            Some(reached) if reached > 0.0 => Ok((reached / self.target).ln()),
+            // The datum sinks more than the punch does; under a wider contact it may sink less.
+            Some(_) if sinks_with_datum && half_width < WIDEST_SUNK => Ok(SUNK),
+            Some(_) if sinks_with_datum => Err(Refusal::OutOfReach {
+                method: "contact size",
+                why: format!("under a contact of half-width {half_width:.3e} h the datum sinks more than the punch"),
+                remedy: "give the force or the half-width, or a deeper `datum`",
+            }),
+            _ => Err(no_size(format!(
+                "at this resolution a contact of half-width {half_width:.3e} h bears no load: it is too wide beside the \
+                 layer for the nodes, or the cutoff too small"
+            ))),
         }
     }
-    Err(no_size(format!("no half-width between {:.3e} h and {:.3e} h bears the load", start.exp(), here.exp())))
+
+    /// The same, where what cannot be solved counts as low.
+    fn excess_or_sunk(&mut self, log_b: f64) -> f64 {
+        self.excess(log_b).unwrap_or(SUNK)
+    }
+
+    /// The size of a coarser resolution, moved along the slope until little is missed; `None` where it is not near.
+    ///
+    /// No sign change is asked for: the load is borne at the size returned, all but what is missed.
+    fn follow(&mut self, known: Size) -> Result<Option<Size>, Refusal> {
+        let Size { half_width, mut slope, is_beside_top, .. } = known;
+        let mut log_b = half_width.ln();
+        let mut missed = self.excess(log_b)?;
+        let allowed = MISSED * self.tolerance;
+        let enough = if known.is_guess { allowed } else { allowed.max(CONTRACTED * missed.abs()) };
+        for _ in 0..STEPS {
+            if missed.abs() <= enough {
+                let (half_width, missed) = (log_b.exp(), missed.abs());
+                return Ok(Some(Size { half_width, slope, missed, is_guess: false, is_beside_top }));
+            }
+            let step = -missed / slope;
+            if !SLOPES.contains(&slope) || step.abs() > LN_2 {
+                break;
+            }
+            let next = self.excess(log_b + step)?;
+            slope = (next - missed) / step;
+            (log_b, missed) = (log_b + step, next);
+        }
+        Ok(None)
+    }
+
+    /// Looks for the size from one that is known, or from that on a half-plane.
+    fn search(&mut self, known: Option<f64>) -> Result<Size, Refusal> {
+        let (problem, target, by_force) = (self.problem, self.target, self.by_force);
+        let bends = problem.is_on_soft_base() || !by_force && problem.is_on_half_plane();
+        let first = || first_size(problem, target, by_force);
+        let from = if bends { FAR_BELOW } else { 1.0 };
+        let walk = Walk {
+            start: known.unwrap_or_else(|| from * first()).ln(),
+            limit: problem.reach().ln(),
+            step: if known.is_some() { 0.01 } else { LN_2 },
+            smallest: SMALLEST_STEP,
+            bends,
+        };
+        let mut found = self.walk(walk);
+        if !bends
+            && problem.has_soft_sublayer()
+            && let Ok(Crossing { log_b, .. }) = found
+            && self.excess(log_b).is_ok()
+            && self.pulls
+        {
+            // Beyond the contact that a stiff surface bears before it bends.
+            let start = (FAR_BELOW * first()).ln();
+            found = self.walk(Walk { start, step: LN_2, bends: true, ..walk }).or(found);
+        }
+        let Crossing { log_b, slope, is_beside_top } = found.or_else(|refusal| self.walk_to_flaw(walk, refusal))?;
+        let missed = self.excess(log_b)?.abs();
+        let slope = if SLOPES.contains(&slope) { slope } else { f64::NAN };
+        Ok(Size { half_width: log_b.exp(), slope, missed, is_guess: false, is_beside_top })
+    }
+
+    /// What a walk that was refused finds before the first flaw of the punch: beyond it nothing was worth trying, nor is what came of
+    /// it worth telling.
+    fn walk_to_flaw(&mut self, walk: Walk, refusal: Refusal) -> Result<Crossing, Refusal> {
+        let Some(flaw) = self.problem.flaw(self.widest).filter(|flaw| flaw.x > 0.0) else { return Err(refusal) };
+        let limit = (flaw.x / self.problem.length).ln();
+        let walk = Walk { start: walk.start.min(limit - LN_2), limit, step: LN_2, smallest: SMALLEST_AT_END, ..walk };
+        self.walk(walk).map_err(|_| ended(&flaw))
+    }
+
+    /// The sign change from a start that may be far off and below a limit.
+    fn walk(&mut self, walk: Walk) -> Result<Crossing, Refusal> {
+        let mut trail = Trail::default();
+        let (lower, upper) = self.bracket(walk, &mut trail)?;
+        let mut last = [(lower, 0.0); 2];
+        let position = (POSITION * self.tolerance).max(4.0 * f64::EPSILON * lower.abs().max(1.0));
+        let found = Toms748Root::new(lower, upper).with_absolute_position_tolerance(position).solve(|log_b| {
+            let excess = self.excess(log_b)?;
+            last = [last[1], (log_b, excess)];
+            Ok(excess)
+        });
+        let log_b = match found {
+            Ok(root) => root.root(),
+            // The walk widens the kernel tables, which changes last bits: a root at one end may lose its sign.
+            Err(RootError::NotBracketed { lower, f_lower, .. }) if f_lower.abs() < ROUNDING => lower,
+            Err(RootError::NotBracketed { upper, f_upper, .. }) if f_upper.abs() < ROUNDING => upper,
+            Err(RootError::Evaluation(refusal)) => return Err(refusal),
+            Err(other) => return Err(no_size(other.to_string())),
+        };
+        let [(x0, f0), (x1, f1)] = last;
+        let is_beside_top = trail.highest.is_some_and(|height| height > -BESIDE_TOP);
+        Ok(Crossing { log_b, slope: (f1 - f0) / (x1 - x0), is_beside_top })
+    }
+
+    /// Walks towards the sign change of an increasing function, in growing steps.
+    fn bracket(
+        &mut self,
+        Walk { start, limit, mut step, smallest, bends }: Walk,
+        trail: &mut Trail,
+    ) -> Result<(f64, f64), Refusal> {
+        let start = start.min(limit);
+        let from = self.excess(start)?;
+        let direction = if from > 0.0 { -1.0 } else { 1.0 };
+        let longest = if bends { BENDING_STEP } else { 2.0 * LN_2 };
+        let (mut here, mut growth) = (start, 2.0);
+        trail.pass((start, from));
+        let climbs = bends && direction > 0.0;
+        for _ in 0..MOST_STEPS {
+            let next = (here + direction * step).min(limit);
+            if next <= here && direction > 0.0 {
+                return Err(outgrown(limit.exp() * self.problem.length));
+            }
+            match self.excess(next) {
+                Ok(there) if climbs && there >= 0.0 => return Ok(self.first_part(here, next)),
+                Ok(there) if there * direction >= 0.0 => return Ok((here.min(next), here.max(next))),
+                Ok(there) => {
+                    if climbs && let Some(top) = trail.top((next, there), |at| self.excess_or_sunk(at)) {
+                        return Ok(top);
+                    }
+                    trail.pass((next, there));
+                    here = next;
+                    step = (growth * step).min(if climbs && there > NEAR { 0.5 * longest } else { longest });
+                }
+                Err(refusal) if step < smallest => return Err(refusal),
+                // Beyond what this resolution can solve, or what it sinks to is above the datum; the load may be borne before.
+                Err(_) => {
+                    if climbs && let Some(top) = trail.top((next, SUNK), |at| self.excess_or_sunk(at)) {
+                        return Ok(top);
+                    }
+                    step *= 0.5;
+                    growth = 1.0;
+                }
+            }
+        }
+        Err(no_size(format!("no half-width between {:.3e} h and {:.3e} h bears the load", start.exp(), here.exp())))
+    }
+
+    /// The first part of a step in which the excess grows through zero, which it has at its end.
+    fn first_part(&mut self, from: f64, to: f64) -> (f64, f64) {
+        let at = |part: u32| from + (to - from) * f64::from(part) / f64::from(PARTS);
+        let mut met = |part: &u32| self.excess(at(*part)).is_ok_and(|excess| excess >= 0.0);
+        let part = (1..PARTS).find(|part| met(part)).unwrap_or(PARTS);
+        (at(part - 1), if part == PARTS { to } else { at(part) })
+    }
 }
 
-/// The first part of a step in which something grows through zero, which has at its end.
-fn first_part((from, to): (f64, f64), excess: &mut impl FnMut(f64) -> Result<f64, Refusal>) -> (f64, f64) {
-    let at = |part: u32| from + (to - from) * f64::from(part) / f64::from(PARTS);
-    let mut met = |part: &u32| excess(at(*part)).is_ok_and(|excess| excess >= 0.0);
-    let part = (1..PARTS).find(|part| met(part)).unwrap_or(PARTS);
-    (at(part - 1), if part == PARTS { to } else { at(part) })
+/// A half-width that tables are made for, so that a search changes them rarely: the next power of two.
+fn roomy(half_width: f64) -> f64 {
+    half_width.log2().ceil().exp2().max(half_width)
 }
 
 /// A half-width that the contact on a half-plane is hardly wider than; exact where the scene gives it.
@@ -353,10 +379,10 @@ pub(crate) fn outgrown(x: f64) -> Refusal {
 }
 
 /// The load asks for more of the shape than is sound.
-fn ended(flaw: &str, x: f64) -> Refusal {
+fn ended(flaw: &Flaw) -> Refusal {
     Refusal::OutOfReach {
         method: "contact size",
-        why: format!("{flaw} at x = {}, and up to there no contact bears this load", short(x)),
+        why: format!("{} at x = {}, and up to there no contact bears this load", flaw.what, short(flaw.x)),
         remedy: "take a smaller load, or mend the shape",
     }
 }

@@ -11,13 +11,14 @@ mod told;
 
 use super::blend::{Blend, Lanes, Term};
 use super::budget::Meter;
+use super::contact::Contact;
 use super::dense::Dense;
 use super::half_plane_depth::HalfPlaneDepth;
+use super::outcome::Task;
 use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::rubbing::Rubbing;
 use super::sheet::{END, Sheet};
-use super::stage::{Stage, Task};
 use super::stick_search::{FrictionCurve, Root};
 use super::stick_zone::StickZone;
 use super::work::Work;
@@ -80,7 +81,7 @@ pub(crate) struct Family {
     /// What friction makes of it.
     rubbed: Option<Rubbed>,
     /// Rules and room of the flat punch, and of `W`.
-    stage: Box<Stage>,
+    contact: Contact,
     rule: Box<dyn Rule>,
     system: Dense,
     room: Room,
@@ -175,15 +176,15 @@ impl Family {
             depths: None,
             end_of_shear: END,
             rubbed: None,
-            stage: Box::new(Stage::new(&flat, quadrature.refined(0))?),
+            contact: Contact::new(&flat, quadrature.refined(0))?,
             rule,
             system: Dense::new(n, 1),
             room: Room::default(),
             meter: Arc::clone(layer.meter()),
         };
-        family.stage.of_slices = true;
+        family.contact.of_slices = true;
         // What a coarser resolution found to hold is not looked at again.
-        family.stage.is_overloaded = coarse.is_some_and(Family::is_overloaded);
+        family.contact.is_overloaded = coarse.is_some_and(Family::is_overloaded);
         if friction {
             let rubbed = members(coarse.and_then(|coarse| Some(coarse.rubbed.as_ref()?.told)), LEFT_OF_SHEAR);
             let blend = Blend::new(ends, rubbed, OF_SHEAR)?;
@@ -250,7 +251,7 @@ impl Family {
 
     /// Work in its systems so far.
     pub(crate) fn work(&self) -> Work {
-        self.stage.work() + self.system.work
+        self.contact.work() + self.system.work
     }
 
     /// Kernel lengths in its widest half-width.
@@ -260,7 +261,7 @@ impl Family {
 
     /// Unknowns of a member's pressure.
     pub(crate) fn unknowns(&self) -> usize {
-        self.stage.normal.size()
+        self.contact.normal.size()
     }
 
     /// The stick zone to be expected under a member. Beyond the widest nothing is told but its own, below the narrowest nothing.
@@ -290,7 +291,7 @@ impl Family {
 
     /// Whether friction does not bear one of its members by itself.
     pub(crate) fn is_overloaded(&self) -> bool {
-        self.stage.is_overloaded
+        self.contact.is_overloaded
     }
 
     /// Half-widths at which a contact that grew so wide is looked at.
@@ -351,7 +352,7 @@ impl Family {
         self.count(self.pressed.pressure.width, at.len());
         self.pressed.blend.functions_at(b, &mut self.room.functions);
         self.pressed.pressure.blend_into(&self.room.functions, &mut self.room.density);
-        self.stage.normal.values_of(b, &self.room.density, at, out);
+        self.contact.normal.values_of(b, &self.room.density, at, out);
         for p in out {
             *p /= b;
         }

@@ -9,12 +9,12 @@ use super::contact_size::{self, Size};
 use super::family::{Family, Left, Unfit};
 use super::lookout::Lookout;
 use super::normal::Normal;
+use super::outcome::{Outcome, Task};
 use super::prepared_layer::PreparedLayer;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity, Traces};
 use super::rubbing::Rubbing;
 use super::stack::Stack;
-use super::stage::{Outcome, Task};
 use super::work::Work;
 use slipzone_api::{Quadrature, Refusal, Station};
 
@@ -64,7 +64,7 @@ pub(crate) struct Growing {
     /// What keeps friction from being told.
     broken: Option<(f64, Rubbing)>,
     /// The same of coarser resolutions, where this one is not to look for it again.
-    forsaken: Option<(f64, Rubbing)>,
+    given_up: Option<(f64, Rubbing)>,
 }
 
 impl Growing {
@@ -79,7 +79,7 @@ impl Growing {
             is_solver: problem.is_stacked(),
             is_kinked: problem.is_kinked(),
             broken: None,
-            forsaken: None,
+            given_up: None,
         }
     }
 
@@ -248,12 +248,12 @@ impl Growing {
         room: f64,
         coarse: Option<&Family>,
     ) -> Result<(), Refusal> {
-        self.broken.clone_from(&self.forsaken);
-        if self.forsaken.is_some() && !self.is_kinked {
+        self.broken.clone_from(&self.given_up);
+        if self.given_up.is_some() && !self.is_kinked {
             (self.family, self.stack) = (None, None);
             return Ok(());
         }
-        let rubs = task.problem.friction.is_some() && self.forsaken.is_none();
+        let rubs = task.problem.friction.is_some() && self.given_up.is_none();
         if self.family.as_ref().is_some_and(|family| family.serves(task, rubs, half_width)) {
             return if self.stack.is_none() { self.stacked_on(task) } else { Ok(()) };
         }
@@ -300,13 +300,13 @@ impl Growing {
             let found = stack.under(problem, family, problem.load);
             // Beyond a pole a force is found, too, but no contact.
             let flaw = match found {
-                Some(half_width) => problem.end(half_width),
+                Some(half_width) => problem.flaw(half_width).filter(|flaw| problem.ends_at(flaw)),
                 None => problem.flaw(widest),
             };
-            if let Some(why) = flaw {
+            if let Some(flaw) = flaw {
                 return Err(Refusal::OutOfReach {
                     method: "punch",
-                    why,
+                    why: problem.objection(&flaw),
                     remedy: "take a smaller load, or mend the shape",
                 });
             }
@@ -416,8 +416,8 @@ impl Growing {
 
 /// A half-width up to which a family reaches beside a contact: not so far as the shape ends, where no flat punch has a slope.
 fn short_of_end(problem: &Problem, contact: f64, wide: f64) -> f64 {
-    match problem.end_within(wide) {
-        Some(end) => f64::midpoint(contact, end),
+    match problem.flaw(wide).filter(|flaw| problem.ends_at(flaw)) {
+        Some(end) => f64::midpoint(contact, end.x / problem.length),
         None => wide.min(problem.reach()),
     }
 }

@@ -2,11 +2,11 @@
 
 use super::error_estimate::{ROUNDING, SAFETY, SLIP_ROUNDING};
 use super::half_plane_shear::HalfPlaneShear;
+use super::outcome::Outcome;
 use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity, ShearTrace, worst};
 use super::rubbing::Verdict;
-use super::stage::Outcome;
 use slipzone_api::Refusal;
 
 /// Error of the shear, over the tolerance, from which it takes finer steps. Of 700 random contacts the true one was below a tenth of the estimate in

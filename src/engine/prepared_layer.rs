@@ -38,10 +38,7 @@ struct Tables {
     /// The depth's, where it is counted from a datum.
     depth: Option<Counted>,
     reach: f64,
-    frictional: bool,
-    deep: bool,
-    accuracy: f64,
-    level: u32,
+    serves: Wanted,
 }
 
 impl Tables {
@@ -99,9 +96,9 @@ impl PreparedLayer {
         let reach = 2.0 * half_width;
         let wanted = Wanted { accuracy: wanted.accuracy / spread(half_width), ..wanted };
         let serves = |tables: &Tables| {
-            let precise =
-                if tables.prove() { tables.accuracy <= wanted.accuracy } else { tables.level == wanted.level };
-            let complete = (tables.frictional || !wanted.frictional) && (tables.deep || !wanted.deep);
+            let known = tables.serves;
+            let precise = if tables.prove() { known.accuracy <= wanted.accuracy } else { known.level == wanted.level };
+            let complete = (known.frictional || !wanted.frictional) && (known.deep || !wanted.deep);
             precise && reach <= tables.reach && complete
         };
         if self.is_plain() && !(self.has_depths() && wanted.deep) || self.tables.as_ref().is_some_and(serves) {
@@ -131,8 +128,7 @@ impl PreparedLayer {
         let evaluations = kernels.iter().chain(&depth).map(KernelTable::flexibility_evaluations).sum::<usize>();
         self.flexibility_evaluations += evaluations;
         self.meter.count_wave_numbers(evaluations);
-        let Wanted { frictional, deep, accuracy, level, .. } = wanted;
-        self.tables = Some(Tables { kernels, depth, reach, frictional, deep, accuracy, level });
+        self.tables = Some(Tables { kernels, depth, reach, serves: wanted });
         Ok(())
     }
 
@@ -140,8 +136,8 @@ impl PreparedLayer {
     pub(crate) fn fineness(&self) -> u64 {
         match &self.tables {
             None => 0,
-            Some(tables) if tables.prove() => tables.accuracy.to_bits(),
-            Some(tables) => 1 + u64::from(tables.level),
+            Some(tables) if tables.prove() => tables.serves.accuracy.to_bits(),
+            Some(tables) => 1 + u64::from(tables.serves.level),
         }
     }
 
@@ -162,7 +158,7 @@ impl PreparedLayer {
     /// has no meaning or was not wanted.
     pub(crate) fn kernel(&self, component: Component) -> Option<(&dyn KernelTable, Component)> {
         let tables = self.tables.as_ref()?;
-        if component == Component::Depth && !tables.deep {
+        if component == Component::Depth && !tables.serves.deep {
             return None;
         }
         let is_apart = component == Component::Depth && !self.is_grounded;

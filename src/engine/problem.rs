@@ -293,7 +293,7 @@ impl Problem {
     }
 
     /// [`Self::flaw`] of the contact where the load gives its half-width.
-    pub(crate) fn flaw_under_load(&self) -> Option<String> {
+    pub(crate) fn flaw_under_load(&self) -> Option<Flaw> {
         match self.load {
             LoadInLayerUnits::HalfWidth(half_width) => self.flaw(half_width),
             LoadInLayerUnits::Force(_) | LoadInLayerUnits::Indentation(_) => None,
@@ -313,6 +313,11 @@ impl Problem {
     /// Whether the layer stands on something, rigid or not.
     pub(crate) fn has_base(&self) -> bool {
         self.layer.base != Base::Infinite
+    }
+
+    /// Whether the layer stands on a half-plane, which gives way.
+    pub(crate) fn is_on_half_plane(&self) -> bool {
+        matches!(self.layer.base, Base::HalfPlane { .. })
     }
 
     /// Whether the layer stands on something that gives way more than its surface does.
@@ -344,8 +349,10 @@ impl Problem {
 
     /// Whether contacts of several sizes may sink as far: a datum above a base that gives way sinks as well, in the end by more.
     pub(crate) fn may_sink_as_far_again(&self) -> bool {
-        let gives_way = matches!(self.layer.base, Base::HalfPlane { .. });
-        self.is_pressed_by_depth() && self.fixed_half_width().is_none() && self.layer.datum.is_some() && gives_way
+        self.is_pressed_by_depth()
+            && self.fixed_half_width().is_none()
+            && self.layer.datum.is_some()
+            && self.is_on_half_plane()
     }
 
     /// The numbers of the result that the scene itself gives.
@@ -413,41 +420,23 @@ impl Problem {
         self.shape.natural_length() / self.length
     }
 
-    /// What the first flaw of the punch within a half-width is, and where, in layer units.
-    pub(crate) fn first_flaw(&self, half_width: f64) -> Option<(String, f64)> {
-        let flaw = self.shape.flaw(half_width * self.length)?;
-        Some((flaw.what, flaw.x / self.length))
+    /// What is wrong with the shape within a half-width, and where that begins, in the scene's unit.
+    pub(crate) fn flaw(&self, half_width: f64) -> Option<Flaw> {
+        self.shape.flaw(half_width * self.length)
     }
 
-    /// Where the shape ends within a half-width as its first flaw: it has no height there, or no slope.
-    pub(crate) fn end_within(&self, half_width: f64) -> Option<f64> {
-        let flaw = self.shape.flaw(half_width * self.length)?;
-        self.is_end(&flaw).then_some(flaw.x / self.length)
-    }
-
-    fn is_end(&self, flaw: &Flaw) -> bool {
+    /// Whether the shape ends there: it has no height, or no slope.
+    pub(crate) fn ends_at(&self, flaw: &Flaw) -> bool {
         !(self.shape.height(flaw.x).is_finite() && self.shape.slope(flaw.x).is_finite())
     }
 
-    /// What keeps a contact as wide as that from being one interval that grew with the load, in words.
-    pub(crate) fn flaw(&self, half_width: f64) -> Option<String> {
-        self.flaw_and_end(half_width).map(|(what, _)| what)
-    }
-
-    /// The same where the shape ends there: it has no height, or no slope.
-    pub(crate) fn end(&self, half_width: f64) -> Option<String> {
-        self.flaw_and_end(half_width).filter(|(_, is_end)| *is_end).map(|(what, _)| what)
-    }
-
-    /// The first flaw within a half-width in words, and whether the shape ends there.
-    fn flaw_and_end(&self, half_width: f64) -> Option<(String, bool)> {
-        let flaw = self.shape.flaw(half_width * self.length)?;
-        let is_end = self.is_end(&flaw);
-        let so = if is_end {
+    /// What keeps a contact over a flaw from being one interval that grew with the load, in words.
+    pub(crate) fn objection(&self, flaw: &Flaw) -> String {
+        let so = if self.ends_at(flaw) {
             "no contact is as wide as that"
         } else {
             "the contact may break up or tilt, and what is solved is one that is symmetric about x = 0"
         };
-        Some((format!("{} at x = {}: {so}", flaw.what, short(flaw.x)), is_end))
+        format!("{} at x = {}: {so}", flaw.what, short(flaw.x))
     }
 }

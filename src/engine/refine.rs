@@ -7,11 +7,12 @@ mod ladder;
 use super::error_estimate::{SAFETY, Seen, extrapolated, judged_by_twin};
 use super::growing::Growing;
 use super::judged::{BETWEEN, How, Judged, SHEAR, has_details, hidden_details, meets, with_the_rest, worst_judged};
+use super::outcome::{Outcome, Task};
 use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
 use super::rubbing::Verdict;
-use super::stage::{Outcome, Stage, Task};
+use super::stage::Stage;
 use arrayvec::ArrayVec;
 use estimate::{Estimate, fastest};
 use slipzone_api::Refusal;
@@ -90,7 +91,9 @@ impl Ladder {
         let hidden = hidden_details(aim.problem, &outcome, self.stages[0].unknowns());
         let mut errors = judged_by_twin(&outcome.seen(), &twin.seen()).plus(hidden);
         // The few points of the traces do not see the end of the zone.
-        if let Some((traced, apart)) = errors.get(Quantity::Shear).zip(self.stages[0].shear_apart(&self.stages[1])) {
+        if let Some((traced, apart)) =
+            errors.get(Quantity::Shear).zip(self.stages[0].contact.shear_apart(&self.stages[1].contact))
+        {
             errors.set(Quantity::Shear, traced.max(SAFETY * apart));
         }
         let of_pressure = self.lost_between(aim, 0);
@@ -99,7 +102,7 @@ impl Ladder {
 
     /// Takes finer steps until the estimate meets the tolerance, and as many more as the tractions want.
     fn refined(&mut self, layer: &mut PreparedLayer, aim: Aim) -> Result<Judged, Refusal> {
-        self.forsaken = None;
+        self.given_up = None;
         if let Some(judged) = self.pressed_again(layer, aim) {
             return Ok(judged);
         }
@@ -182,7 +185,7 @@ impl Ladder {
                 || self.is_hopeless(layer, aim, (step, first), &outcome, &estimate.errors);
             if self.is_broken(step, first, &estimate.errors) {
                 // The pressure does not depend on it.
-                self.forsaken = self.stages[step].growing.as_deref().and_then(Growing::broken).cloned();
+                self.given_up = self.stages[step].growing.as_deref().and_then(Growing::broken).cloned();
             }
             if done || step + first == FINEST {
                 let task = self.task(aim, level);
@@ -287,7 +290,8 @@ impl Ladder {
         let known = errors.judged_by(wishes);
         let at_nodes = known.iter().filter(|(quantity, _)| is_of_pressure(*quantity)).map(|(_, error)| error);
         let of_pressure = at_nodes.fold(stage.lost_between().unwrap_or(0.0), f64::max);
-        let shear = stage.sharpen(layer, task, outcome, of_pressure, coarser.last())?;
+        let shear =
+            stage.contact.sharpen(layer, task, outcome, of_pressure, coarser.last().map(|stage| &stage.contact))?;
         Ok(Settled::Here { shear })
     }
 
@@ -304,7 +308,7 @@ impl Ladder {
         }
         let told = worst_judged(aim.problem, &estimate.errors).map_or(0.0, |(_, error)| error);
         let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
-        let lost = |stage: usize| self.stages[stage].normal.lost_for_room(half_width, layer.length());
+        let lost = |stage: usize| self.stages[stage].contact.normal.lost_for_room(half_width, layer.length());
         let here = lost(stage);
         if here <= told || here <= lost(stage - 1) {
             return None;

@@ -257,7 +257,8 @@ impl Solver {
             Ok(solution) => solution,
             Err(refusal) => {
                 // Of a shape that is not defined all over the contact there may be no more to tell than that.
-                let reason = self.problem.flaw_under_load().unwrap_or_else(|| refusal.to_string());
+                let flaw = self.problem.flaw_under_load();
+                let reason = flaw.map_or_else(|| refusal.to_string(), |flaw| self.problem.objection(&flaw));
                 return Solution::refused(&self.chosen.scene, self.chosen.plan.clone(), reason);
             }
         };

@@ -161,38 +161,32 @@ impl Shear {
             self.strain_rate = 0.0;
         }
         if is_wider {
-            self.widen(normal, beta, zone);
+            let of_layer = self.friction - self.known.friction(beta);
+            self.move_to(normal, beta, zone, of_layer);
             self.resolved = Some(told);
         }
         Ok(self.friction)
     }
 
-    /// Moves the end of the stick zone solved last nearer to the contact's edge, where all that changes is the shear of the half-plane.
-    fn widen(&mut self, normal: &Normal, beta: f64, zone: StickZone) {
-        let known = HalfPlaneShear::new(zone);
-        let p_edge = normal.at(Station { x: zone.half_width, gap: zone.slip_width });
-        let beside = self.friction - self.known.friction(beta);
-        self.grids[self.used].rule.stretch(zone.half_width);
-        (self.zone, self.known) = (zone, known);
-        self.friction = known.friction(beta) + beside;
-        (self.own, self.at_edge) = (p_edge * known.friction(beta), p_edge * self.friction);
-    }
-
     /// Takes the shear of one stick zone on a half-plane, under its own pressure, and returns the friction coefficient that belongs to it:
     /// there is nothing to solve.
     pub(crate) fn know(&mut self, normal: &Normal, beta: f64, zone: StickZone) -> f64 {
-        let p_edge = normal.at(Station { x: zone.half_width, gap: zone.slip_width });
-        self.known = HalfPlaneShear::new(zone);
-        let friction = self.known.friction(beta);
-        (self.used, self.resolved) = (0, None);
-        let rule = &mut self.grids[0].rule;
-        rule.stretch(zone.half_width);
-        self.unknowns.clear();
-        self.unknowns.resize(rule.unknowns(), 0.0);
-        self.own = p_edge * friction;
-        (self.zone, self.friction, self.at_edge, self.is_solved) = (zone, friction, self.own, true);
+        (self.used, self.resolved, self.is_solved) = (0, None, true);
         (self.along, self.strain_rate) = (None, 0.0);
-        friction
+        self.unknowns.clear();
+        self.unknowns.resize(self.grids[0].rule.unknowns(), 0.0);
+        self.move_to(normal, beta, zone, 0.0);
+        self.friction
+    }
+
+    /// Takes another zone, for which only the shear of the half-plane differs; the layer adds `of_layer` to the friction that it takes.
+    fn move_to(&mut self, normal: &Normal, beta: f64, zone: StickZone, of_layer: f64) {
+        let p_edge = normal.at(Station { x: zone.half_width, gap: zone.slip_width });
+        (self.zone, self.known) = (zone, HalfPlaneShear::new(zone));
+        self.grids[self.used].rule.stretch(zone.half_width);
+        let of_half_plane = self.known.friction(beta);
+        self.friction = of_half_plane + of_layer;
+        (self.own, self.at_edge) = (p_edge * of_half_plane, p_edge * self.friction);
     }
 
     /// Solves the tangential equation for one stick zone in which the strain is `C|x|`, with `C/A0` as one more unknown,

@@ -36,8 +36,8 @@ fn objection(
     judged: &Judged,
     tolerance: f64,
 ) -> Option<(Status, String)> {
-    if let Some(why) = problem.flaw(judged.outcome.numbers.get(Quantity::HalfWidth)?) {
-        return Some((Status::AssumptionViolated, why));
+    if let Some(flaw) = problem.flaw(judged.outcome.numbers.get(Quantity::HalfWidth)?) {
+        return Some((Status::AssumptionViolated, problem.objection(&flaw)));
     }
     let (worst, error) = judged.errors.worst().unwrap_or((Quantity::Force, 0.0));
     let inexact = || {

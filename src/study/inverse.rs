@@ -202,40 +202,44 @@ impl Question<'_> {
         found.extend(hit.map(|pair| (pair[usize::from(pair[0].excess != 0.0)].at, slope(&pair[0], &pair[1]))));
         found.sort_by(|one, other| one.0.total_cmp(&other.0));
         found.dedup_by(|one, other| one.0.to_bits() == other.0.to_bits());
-        let Find { field, quantity, from, to, .. } = self.find;
         if found.is_empty() {
-            let (least, most) = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), point| {
-                (least.min(point.excess), most.max(point.excess))
-            });
-            let range = format!("for {field} from {from:?} to {to:?}");
-            return Err(match self.find.wanted {
-                Wanted::HalfPlaneWithin(share) => {
-                    let side = if most < 0.0 { "never further" } else { "never nearer" };
-                    let off = if most < 0.0 { share + most } else { share + least };
-                    format!(
-                        "{quantity} is {side} than {off:.3e} from that of the half-plane {range}; wanted is {share:?}"
-                    )
-                }
-                Wanted::Target(target) => {
-                    let numbers = || points.iter().map(|point| point.number);
-                    format!(
-                        "{quantity} stays between {:.6e} and {:.6e} at the {} values tried {range}; wanted is {target:?}",
-                        numbers().fold(f64::INFINITY, f64::min),
-                        numbers().fold(f64::NEG_INFINITY, f64::max),
-                        points.len()
-                    )
-                }
-                Wanted::Minimum | Wanted::Maximum => unreachable!("no crossing is looked for"),
-            });
+            return Err(self.missed(points));
         }
         if matches!(self.find.wanted, Wanted::HalfPlaneWithin(_))
             && points.last().is_none_or(|p| p.excess > 0.0 || p.at < 1.0)
         {
+            let Find { field, quantity, to, .. } = self.find;
             return Err(format!(
                 "{quantity} is not within what is wanted at the end of the range, {field} = {to:?}, or cannot be told there"
             ));
         }
         Ok(found)
+    }
+
+    /// That the number is nowhere as wanted, in words.
+    fn missed(&self, points: &[Point]) -> String {
+        let Find { field, quantity, from, to, .. } = self.find;
+        let range = format!("for {field} from {from:?} to {to:?}");
+        let ends = |number: fn(&Point) -> f64| {
+            let numbers = || points.iter().map(number);
+            (numbers().fold(f64::INFINITY, f64::min), numbers().fold(f64::NEG_INFINITY, f64::max))
+        };
+        match self.find.wanted {
+            Wanted::HalfPlaneWithin(share) => {
+                let (least, most) = ends(|point| point.excess);
+                let side = if most < 0.0 { "never further" } else { "never nearer" };
+                let off = if most < 0.0 { share + most } else { share + least };
+                format!("{quantity} is {side} than {off:.3e} from that of the half-plane {range}; wanted is {share:?}")
+            }
+            Wanted::Target(target) => {
+                let (least, most) = ends(|point| point.number);
+                let count = points.len();
+                format!(
+                    "{quantity} stays between {least:.6e} and {most:.6e} at the {count} values tried {range}; wanted is {target:?}"
+                )
+            }
+            Wanted::Minimum | Wanted::Maximum => unreachable!("no crossing is looked for"),
+        }
     }
 
     /// Where the number is least, over the range taken as 0 to 1.

@@ -47,6 +47,9 @@ pub(crate) enum Source {
     Number(&'static str),
 }
 
+/// Abscissa, ordinates and the number over both.
+type Sources = (Option<Source>, Vec<Source>, Option<Source>);
+
 /// A figure whose names are found.
 #[cfg_attr(not(feature = "plot"), allow(dead_code))] // what is drawn of it
 #[derive(Clone, Debug)]
@@ -108,14 +111,9 @@ impl Study {
         shown.only.iter().find(|only| only.0 == axis).map_or(self.axes[axis].count, |only| only.1.len() as u64)
     }
 
-    /// Abscissa, ordinates and the number over both.
-    #[allow(clippy::type_complexity)] // told apart right away
-    fn sources(&self, plot: &Plot) -> Result<(Option<Source>, Vec<Source>, Option<Source>), PlotFault> {
+    /// What a figure takes its numbers from.
+    fn sources(&self, plot: &Plot) -> Result<Sources, PlotFault> {
         let names = plot.y.as_ref().map_or(&[][..], OneOrMore::names);
-        let each = |of: &dyn Fn(&[&str], &str) -> Result<Source, PlotFault>| -> Result<Vec<Source>, PlotFault> {
-            let one = |(index, name): (usize, &String)| of(&["y", &index.to_string()], name);
-            names.iter().enumerate().map(one).collect()
-        };
         if names.len() > MOST_NUMBERS {
             let fault = PlotFault::new(&["y"], "too many numbers in one figure", format!("at most {MOST_NUMBERS}"));
             return Err(fault
@@ -125,70 +123,67 @@ impl Study {
         if plot.kind != PlotKind::Map && plot.z.is_some() {
             return Err(PlotFault::new(&["z"], "only a map has a `z`", "`kind = \"map\"`, or no `z`"));
         }
-        match plot.kind {
-            PlotKind::Tractions => {
-                if plot.x.is_some() {
-                    return Err(PlotFault::new(&["x"], "tractions are drawn over x/b", "no `x`"));
-                }
-                let traction = |path: &[&str], name: &str| match TRACTIONS.into_iter().find(|known| *known == name) {
-                    Some(known) => Ok(Source::Number(known)),
-                    None => {
-                        Err(PlotFault::new(path, "not a traction", "`pressure`, `shear`").found(format!("`{name}`")))
-                    }
-                };
-                let mean = (plot.over == Over::Mean).then_some("pressure.mean");
-                for needed in ["profile", "load.half_width"].into_iter().chain(mean) {
-                    self.is_asked_for(&["kind"], needed)?;
-                }
-                let y = if names.is_empty() { TRACTIONS.map(Source::Number).into() } else { each(&traction)? };
-                Ok((None, y, None))
-            }
-            PlotKind::Curves | PlotKind::Map => {
-                let Some(x) = &plot.x else {
-                    return Err(PlotFault::new(
-                        &[],
-                        "missing key `x`",
-                        "the abscissa: an axis, or a number of the result",
-                    ));
-                };
-                if names.is_empty() {
-                    return Err(PlotFault::new(&[], "missing key `y`", "the ordinate"));
-                }
-                if plot.kind == PlotKind::Curves {
-                    let y = each(&|path, name| self.source(path, name))?;
-                    return Ok((Some(self.source(&["x"], x)?), y, None));
-                }
-                let [y] = names else {
-                    return Err(PlotFault::new(&["y"], "a map has one second axis", "the name of one axis"));
-                };
-                let Some(z) = &plot.z else {
-                    return Err(PlotFault::new(
-                        &[],
-                        "missing key `z`",
-                        "the number that the map shows, such as `stick.ratio`",
-                    ));
-                };
-                let (x, y) = (self.along_map("x", x)?, self.along_map("y", y)?);
-                if x.axis == y.axis {
-                    return Err(PlotFault::new(&["y"], "a map needs two axes", "an axis other than that of `x`"));
-                }
-                for (key, place) in [("x", x), ("y", y)] {
-                    if self.axes[place.axis].is_drawn() {
-                        return Err(PlotFault::new(
-                            &[key],
-                            "a map is drawn over a grid",
-                            "an axis that is not `random`",
-                        ));
-                    }
-                }
-                Ok((Some(Source::Field(x)), vec![Source::Field(y)], Some(self.source(&["z"], z)?)))
+        if plot.kind == PlotKind::Tractions {
+            return self.tractions(plot, names);
+        }
+        let Some(x) = &plot.x else {
+            return Err(PlotFault::new(&[], "missing key `x`", "the abscissa: an axis, or a number of the result"));
+        };
+        if names.is_empty() {
+            return Err(PlotFault::new(&[], "missing key `y`", "the ordinate"));
+        }
+        if plot.kind == PlotKind::Map {
+            return self.map(plot, x, names);
+        }
+        let y = ordinates(names, |path, name| self.source(path, name))?;
+        Ok((Some(self.source(&["x"], x)?), y, None))
+    }
+
+    /// [`Self::sources`] of tractions along the contact.
+    fn tractions(&self, plot: &Plot, names: &[String]) -> Result<Sources, PlotFault> {
+        if plot.x.is_some() {
+            return Err(PlotFault::new(&["x"], "tractions are drawn over x/b", "no `x`"));
+        }
+        let mean = (plot.over == Over::Mean).then_some("pressure.mean");
+        for needed in ["profile", "load.half_width"].into_iter().chain(mean) {
+            self.is_asked_for(&["kind"], needed)?;
+        }
+        let traction = |path: &[&str], name: &str| match TRACTIONS.into_iter().find(|known| *known == name) {
+            Some(known) => Ok(Source::Number(known)),
+            None => Err(PlotFault::new(path, "not a traction", "`pressure`, `shear`").found(format!("`{name}`"))),
+        };
+        let y = if names.is_empty() { TRACTIONS.map(Source::Number).into() } else { ordinates(names, traction)? };
+        Ok((None, y, None))
+    }
+
+    /// [`Self::sources`] of a number over two axes.
+    fn map(&self, plot: &Plot, x: &str, names: &[String]) -> Result<Sources, PlotFault> {
+        let [y] = names else {
+            return Err(PlotFault::new(&["y"], "a map has one second axis", "the name of one axis"));
+        };
+        let Some(z) = &plot.z else {
+            return Err(PlotFault::new(&[], "missing key `z`", "the number that the map shows, such as `stick.ratio`"));
+        };
+        let (x, y) = (self.along_map("x", x)?, self.along_map("y", y)?);
+        if x.axis == y.axis {
+            return Err(PlotFault::new(&["y"], "a map needs two axes", "an axis other than that of `x`"));
+        }
+        for (key, place) in [("x", x), ("y", y)] {
+            if self.axes[place.axis].is_drawn() {
+                return Err(PlotFault::new(&[key], "a map is drawn over a grid", "an axis that is not `random`"));
             }
         }
+        Ok((Some(Source::Field(x)), vec![Source::Field(y)], Some(self.source(&["z"], z)?)))
+    }
+
+    /// Numbers that a figure of this study may show.
+    fn numbers(&self) -> impl Iterator<Item = &'static str> {
+        numbers().chain(self.find.is_some().then_some(FOUND))
     }
 
     /// A field by its path or label, or a number of the result.
     fn source(&self, path: &[&str], name: &str) -> Result<Source, PlotFault> {
-        let number = numbers().chain(self.find.is_some().then_some(FOUND)).find(|number| *number == name);
+        let number = self.numbers().find(|number| *number == name);
         match number {
             // A label that hides a number of the result would be taken for it.
             Some(number) if self.field(name).is_none() => {
@@ -230,7 +225,7 @@ impl Study {
             return self.numbers_along(&[key], name);
         }
         let fault = self.unknown(&[key], name, &[]);
-        let is_number = numbers().chain(self.find.is_some().then_some(FOUND)).any(|number| number == name);
+        let is_number = self.numbers().any(|number| number == name);
         Err(if is_number {
             fault.hint(format!("a number of the result is what the map shows: z = \"{name}\""))
         } else {
@@ -330,6 +325,14 @@ impl Study {
         }
         Ok(())
     }
+}
+
+/// Where each ordinate is taken from.
+fn ordinates(
+    names: &[String],
+    source: impl Fn(&[&str], &str) -> Result<Source, PlotFault>,
+) -> Result<Vec<Source>, PlotFault> {
+    names.iter().enumerate().map(|(index, name)| source(&["y", &index.to_string()], name)).collect()
 }
 
 impl Axis {

@@ -12,6 +12,7 @@
 //! those of `docs/theory.md`: `y` points into the solid, `p` and `q` act on it along +y and +x.
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+pub mod chebyshev;
 pub mod details;
 pub mod double_exponential;
 mod elastic;

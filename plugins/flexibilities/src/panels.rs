@@ -5,6 +5,7 @@ use crate::precision::Precision;
 use crate::propagator::Propagator;
 use crate::slices::Slices;
 use pulp::{Arch, Simd, WithSimd};
+use slipzone_api::chebyshev::in_powers;
 use slipzone_api::{LayerModel, Material, ModulusLaw, Stretch};
 use std::f64::consts::PI;
 use std::sync::{Arc, OnceLock};
@@ -274,15 +275,7 @@ impl Chebyshev {
         static CHEBYSHEV: OnceLock<Chebyshev> = OnceLock::new();
         CHEBYSHEV.get_or_init(|| {
             let angle = |j: usize| PI * (2 * j + 1) as f64 / (2 * MOST) as f64;
-            let mut powers = [[0.0; MOST]; MOST];
-            powers[0][0] = 1.0;
-            powers[1][1] = 1.0;
-            for k in 2..MOST {
-                for j in 0..MOST {
-                    let raised = if j == 0 { 0.0 } else { 2.0 * powers[k - 1][j - 1] };
-                    powers[k][j] = raised - powers[k - 2][j];
-                }
-            }
+            let powers: [[f64; MOST]; MOST] = in_powers([0.0, 1.0]);
             Self {
                 nodes: std::array::from_fn(|j| angle(j).cos()),
                 cosines: std::array::from_fn(|k| std::array::from_fn(|j| (k as f64 * angle(j)).cos())),

@@ -2,15 +2,16 @@
 
 use super::depths::Depths;
 use super::pressed::Pressed;
-use super::rubbed::{Found, Member, Rubbed};
+use super::rubbed::{Member, Members, Rubbed};
 use super::{CHECKED, Family, Room, Unfit, during, member};
 use crate::engine::blend::Blend;
+use crate::engine::contact::Contact;
 use crate::engine::error_estimate::apart;
+use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use crate::engine::rubbing::{Rubbing, Verdict};
 use crate::engine::sheet::{END, FAR_END};
-use crate::engine::stage::{Outcome, Stage, Task};
 use crate::engine::stick_search::{FrictionCurve, Root};
 use slipzone_api::{Component, Refusal};
 use std::f64::consts::PI;
@@ -63,7 +64,7 @@ impl Family {
         let mut wrong = Wrong::default();
         for b in self.pressed.blend.half_widths().to_vec() {
             let flat = member(task.problem, b, false);
-            self.stage.press(layer, Task { problem: &flat, ..task }, b)?;
+            self.contact.press(layer, Task { problem: &flat, ..task }, b)?;
             self.keep_pressure(layer, &flat, b)?;
             if let Some(coarse) = coarse.filter(|coarse| b <= coarse.widest()) {
                 wrong.add(b, self.apart_at_edge(coarse, b));
@@ -80,10 +81,10 @@ impl Family {
         let Pressed { blend, pressure, tilt, .. } = &coarse.pressed;
         blend.functions_at(b, functions);
         pressure.blend_into(functions, density);
-        let told = coarse.stage.normal.edge_factor_of(density);
+        let told = coarse.contact.normal.edge_factor_of(density);
         tilt.blend_into(functions, density);
         let told = [told, coarse.edge_factor_of_tilt(density)];
-        let normal = &self.stage.normal;
+        let normal = &self.contact.normal;
         let here = [b * normal.edge_factor_of(normal.unknowns()), self.edge_factor_of_tilt(self.system.column(0))];
         apart(&[told[0] / here[0], told[1] / here[1]], &[1.0; 2], 1.0)
     }
@@ -105,10 +106,10 @@ impl Family {
         let flat = member(task.problem, contact, true);
         if coarse.is_none_or(|coarse| coarse.rubbed.is_none()) {
             // The contact itself, by a search of its own: the others follow.
-            let outcome = self.stage.solve(layer, Task { problem: &flat, ..task }, None, None)?;
+            let outcome = self.contact.solve(layer, Task { problem: &flat, ..task }, None)?;
             let found = outcome.rubbing.as_ref().expect("a stick zone, or why there is none");
             before = match found.verdict {
-                Verdict::Sticks => self.stage.stuck(layer, Task { problem: &flat, ..task })?,
+                Verdict::Sticks => self.contact.stuck(layer, Task { problem: &flat, ..task })?,
                 _ => found.reported(),
             };
             if before.is_none() {
@@ -119,7 +120,7 @@ impl Family {
         self.solve_pressures(layer, task, coarse)?;
         // What a coarser resolution found to hold is not checked again; without one, nothing is known well enough.
         let (is_first, known) = (coarse.is_none(), coarse.is_some_and(Family::is_checked));
-        let mut found = Found::new(coarse.and_then(Family::moves), !is_first);
+        let mut members = Members::new(coarse.and_then(Family::moves), !is_first);
         let half_widths = blend.half_widths();
         let coarse_zones = coarse.and_then(|coarse| coarse.rubbed.as_ref());
         let mut wrong = Wrong::default();
@@ -129,49 +130,49 @@ impl Family {
             self.take_pressure(b);
             let asked = !is_first && !known && k % CHECKED == 0;
             let told = coarse.and_then(|coarse| coarse.root_at(b));
-            let start = told.or_else(|| found.continued(&half_widths[..k], b)).or(before.take());
-            let (member, checked) = match self.solve_member(layer, task, b, (start, asked), &mut found)? {
+            let start = told.or_else(|| members.continued(&half_widths[..k], b)).or(before.take());
+            let (member, checked) = match self.solve_member(layer, task, b, (start, asked), &mut members)? {
                 Ok(solved) => solved,
                 Err(why) => return Err(Unfit::Friction(b, why)),
             };
             if !is_first && !known && !asked {
                 // Takes note of it where friction does not bear it: not for long, maybe.
-                self.stage.overload(layer, flat.friction.expect("friction"));
+                self.contact.overload(layer, flat.friction.expect("friction"));
             }
-            found.checked &= checked || !asked;
+            members.checked &= checked || !asked;
             let root = member.root;
             wrong.add_apart(coarse_zones, &member, b);
-            if !found.add(member) {
+            if !members.add(member) {
                 let turned = "the direction of slip turns while the contact grows".into();
                 return Err(Unfit::Friction(b, Box::new(Rubbing::expected(root, b, false).failing(turned))));
             }
         }
         if flat.elastic.beta() < FrictionCurve::FLAT * PI
-            && let Some(b) = found.sticks_at_times(half_widths)
+            && let Some(b) = members.sticks_at_times(half_widths)
         {
             let sticks = "all of the surface sticks, but not always".into();
             let stuck = Rubbing::sticking(b, FrictionCurve::WIDEST, false);
             return Err(Unfit::Friction(b, Box::new(stuck.failing(sticks))));
         }
         let told = coarse_zones.map(|coarse| (coarse.told, wrong.over(blend.widest())));
-        self.rubbed = Some(found.blended(blend, self.end_of_shear, told));
+        self.rubbed = Some(members.blended(blend, self.end_of_shear, told));
         Ok(())
     }
 
-    /// Gives the stage the pressure of a member, as it is told between those solved.
+    /// Gives the contact the pressure of a member, as it is told between those solved.
     pub(crate) fn take_pressure(&mut self, b: f64) {
         self.pressed.blend.functions_at(b, &mut self.room.functions);
         self.pressed.pressure.blend_into(&self.room.functions, &mut self.room.density);
-        self.stage.normal.take_flat(b, self.room.density.iter().map(|p| p / b));
+        self.contact.normal.take_flat(b, self.room.density.iter().map(|p| p / b));
     }
 
     /// Keeps what the pressure of the member solved last tells.
     fn keep_pressure(&mut self, layer: &PreparedLayer, flat: &Problem, b: f64) -> Result<(), Refusal> {
-        self.pressed.pressure.push(self.stage.normal.unknowns().iter().map(|p| p * b));
+        self.pressed.pressure.push(self.contact.normal.unknowns().iter().map(|p| p * b));
         self.tilted(layer, b)?;
         // Against a datum they are taken elsewhere, see [`Depths`].
         let is_by_members = flat.layer.datum.is_none();
-        let depth = if is_by_members { self.stage.normal.depth(layer, flat) } else { None };
+        let depth = if is_by_members { self.contact.normal.depth(layer, flat) } else { None };
         self.pressed.depth.push(depth.map_or(0.0, |depth| depth / flat.elastic.a0() - self.on_half_plane.at(b)));
         Ok(())
     }
@@ -186,10 +187,10 @@ impl Family {
     ) -> Result<Depths, Refusal> {
         let flat = member(task.problem, ends.1, false);
         let Self { pressed: Pressed { blend, pressure, .. }, room: Room { functions, density, .. }, .. } = self;
-        Depths::new(datum, ends, self.stage.normal.size(), |b| {
+        Depths::new(datum, ends, self.contact.normal.size(), |b| {
             blend.functions_at(b, functions);
             pressure.blend_into(functions, density);
-            let depth = self.stage.normal.depth_of(b, density, (layer, &flat));
+            let depth = self.contact.normal.depth_of(b, density, (layer, &flat));
             depth.map_or(0.0, |depth| depth / (b * flat.elastic.a0()) - self.on_half_plane.at(b))
         })
     }
@@ -211,7 +212,7 @@ impl Family {
         Ok(())
     }
 
-    /// Solves one member under friction from a guess of its stick zone, and leaves its pressure in the stage: what is found,
+    /// Solves one member under friction from a guess of its stick zone, and leaves its pressure in the contact: what is found,
     /// and whether the conditions of friction were found to hold where that is asked; or else what is to be said of it.
     fn solve_member(
         &mut self,
@@ -219,23 +220,23 @@ impl Family {
         task: Task,
         b: f64,
         (start, asked): (Option<Root>, bool),
-        found: &mut Found,
+        members: &mut Members,
     ) -> Result<Solved, Refusal> {
         if start.is_some_and(|start| start.lambda > FrictionCurve::WIDEST) {
-            self.stage.press(layer, task, b)?;
+            self.contact.press(layer, task, b)?;
             if let Some(stuck) = self.stuck_member(layer, task, b, asked)? {
                 return Ok(stuck);
             }
         }
         if let Some(guess) = start
-            && let Some(member) = self.approach(layer, task, b, guess, found)?
+            && let Some(member) = self.approach(layer, task, b, guess, members)?
         {
             let lambda = member.root.lambda;
-            let holds = asked && Stage::is_known(guess.lambda, lambda) && self.stage.holds(layer, task, lambda)?;
+            let holds = asked && Contact::is_known(guess.lambda, lambda) && self.contact.holds(layer, task, lambda)?;
             return Ok(Ok((member, holds)));
         }
         let start = start.map(|start| Outcome::of_rubbing(Rubbing::expected(start, b, !asked)));
-        let outcome = self.stage.solve(layer, task, start.as_ref(), None)?;
+        let outcome = self.contact.solve(layer, task, start.as_ref())?;
         let rubbing = outcome.rubbing.expect("a stick zone, or why there is none");
         if rubbing.verdict == Verdict::Sticks
             && let Some(stuck) = self.stuck_member(layer, task, b, asked)?
@@ -243,12 +244,12 @@ impl Family {
             return Ok(stuck);
         }
         let Some(root) = rubbing.reported() else { return Ok(Err(Box::new(rubbing))) };
-        let member = if let Some(member) = self.approach(layer, task, b, root, found)? {
+        let member = if let Some(member) = self.approach(layer, task, b, root, members)? {
             member
         } else {
-            self.stage.curve(layer, task).at(root.lambda)?;
-            let friction = self.stage.friction_of_shear();
-            Member { root, lack: Found::lack(&self.stage, friction, self.end_of_shear), moves: None }
+            self.contact.curve(layer, task).at(root.lambda)?;
+            let friction = self.contact.friction_of_shear();
+            Member { root, lack: Member::lack(&self.contact, friction, self.end_of_shear), moves: None }
         };
         Ok(Ok((member, rubbing.checked)))
     }
@@ -261,13 +262,13 @@ impl Family {
         b: f64,
         asked: bool,
     ) -> Result<Option<Solved>, Refusal> {
-        let Some(root) = self.stage.stuck(layer, task)? else { return Ok(None) };
+        let Some(root) = self.contact.stuck(layer, task)? else { return Ok(None) };
         let eta = task.problem.friction.expect("friction that sticks");
-        if asked && let Some(what) = self.stage.overload(layer, eta) {
+        if asked && let Some(what) = self.contact.overload(layer, eta) {
             let stuck = Rubbing::sticking(b, FrictionCurve::WIDEST, true);
             return Ok(Some(Err(Box::new(stuck.failing(what)))));
         }
-        let lack = Found::lack(&self.stage, eta, self.end_of_shear);
+        let lack = Member::lack(&self.contact, eta, self.end_of_shear);
         Ok(Some(Ok((Member { root, lack, moves: None }, asked))))
     }
 
@@ -278,12 +279,12 @@ impl Family {
         task: Task,
         b: f64,
         guess: Root,
-        found: &mut Found,
+        members: &mut Members,
     ) -> Result<Option<Member>, Refusal> {
-        let (stage, end) = (&mut self.stage, self.end_of_shear);
-        found.approach(REFINED * task.tolerance, b, guess, |from| {
-            let next = stage.follow(layer, task, b, from, NEAR)?;
-            Ok(next.map(|next| (next, Found::lack(stage, stage.friction_of_shear(), end))))
+        let (contact, end) = (&mut self.contact, self.end_of_shear);
+        members.approach(REFINED * task.tolerance, b, guess, |from| {
+            let next = contact.follow(layer, task, b, from, NEAR)?;
+            Ok(next.map(|next| (next, Member::lack(contact, contact.friction_of_shear(), end))))
         })
     }
 
@@ -300,7 +301,7 @@ impl Family {
             let task = Task { problem: &flat, ..task };
             let known = self.root_at(b);
             if known.is_some_and(|known| known.lambda > FrictionCurve::WIDEST) {
-                self.stage.press(layer, task, b)?;
+                self.contact.press(layer, task, b)?;
                 match self.stuck_member(layer, task, b, true)? {
                     Some(Ok(_)) => continue,
                     Some(Err(what)) => return Ok(what.failure().map(|what| during(task.problem, b, what))),
@@ -308,8 +309,8 @@ impl Family {
                 }
             }
             let start = known.map(|root| Outcome::of_rubbing(Rubbing::expected(root, b, false)));
-            let mut outcome = self.stage.solve(layer, task, start.as_ref(), None)?;
-            self.stage.settle(layer, task, &mut outcome)?;
+            let mut outcome = self.contact.solve(layer, task, start.as_ref())?;
+            self.contact.settle(layer, task, &mut outcome)?;
             let found = outcome.rubbing.as_ref().expect("a stick zone, or why there is none");
             match &found.verdict {
                 Verdict::Holds => {}
@@ -337,7 +338,7 @@ impl Family {
             return Ok(self.rubbing_between(b));
         }
         let flat = member(task.problem, b, true);
-        let root = self.stage.follow(layer, Task { problem: &flat, ..task }, b, guess, REFINED * task.tolerance)?;
+        let root = self.contact.follow(layer, Task { problem: &flat, ..task }, b, guess, REFINED * task.tolerance)?;
         Ok(root.map(|root| Rubbing::expected(root, b, checked)))
     }
 }

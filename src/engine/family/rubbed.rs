@@ -4,9 +4,9 @@
 use super::told::Told;
 use crate::engine::blend::{Blend, LANES, Lanes, add_rows};
 use crate::engine::chebyshev::largest;
+use crate::engine::contact::Contact;
 use crate::engine::root::CERTAIN;
 use crate::engine::sheet::{Places, Sheet};
-use crate::engine::stage::Stage;
 use crate::engine::stick_search::{FrictionCurve, Root};
 use crate::engine::stick_zone::StickZone;
 use slipzone_api::Station;
@@ -99,8 +99,33 @@ pub(super) struct Member {
     pub(super) moves: Option<Vec<f64>>,
 }
 
+impl Member {
+    /// What the shear solved last lacks to a friction coefficient's, times `sqrt(b^2 - x^2)`, as a series over the places up to an end.
+    pub(super) fn lack(contact: &Contact, friction: f64, end: f64) -> Vec<f64> {
+        let shear = contact.shear.as_ref().expect("friction has shear");
+        let zone = shear.zone;
+        // The pressure has a branch point where the contact ends.
+        let crowding = if zone.log() < FADED { zone.crowding() } else { 1.0 };
+        let places = Places::of(shear.unknowns().len() as f64 * finer(crowding), end);
+        let scaled = |at: &Station| Station { x: zone.half_width * at.x, gap: zone.half_width * at.gap };
+        let mut at: Vec<Station> = places.stations.iter().map(scaled).collect();
+        let (mut q, mut p) = (vec![0.0; at.len()], vec![0.0; at.len()]);
+        shear.in_stick_into(&at, &mut q);
+        for at in &mut at {
+            *at = zone.in_contact(*at);
+        }
+        contact.normal.values_into(&at, &mut p);
+        for ((p, q), at) in p.iter_mut().zip(&q).zip(&at) {
+            *p = (at.gap * (zone.contact() + at.x)).sqrt() * (friction * *p - q);
+        }
+        // What was the shear is room for the series.
+        places.through_into(&p, &mut q);
+        q
+    }
+}
+
 /// What was found of the members so far.
-pub(super) struct Found {
+pub(super) struct Members {
     lambda: Vec<f64>,
     slope: Vec<f64>,
     branch: f64,
@@ -112,7 +137,7 @@ pub(super) struct Found {
     pub(super) checked: bool,
 }
 
-impl Found {
+impl Members {
     pub(super) fn new(known: Option<Arc<Moves>>, checked: bool) -> Self {
         let doubt = known.as_ref().map_or(f64::INFINITY, |known| known.doubt);
         Self {
@@ -188,29 +213,6 @@ impl Found {
             blend,
         }
     }
-
-    /// What the shear solved last lacks to a friction coefficient's, times `sqrt(b^2 - x^2)`, as a series over the places up to an end.
-    pub(super) fn lack(stage: &Stage, friction: f64, end: f64) -> Vec<f64> {
-        let shear = stage.shear.as_ref().expect("friction has shear");
-        let zone = shear.zone;
-        // The pressure has a branch point where the contact ends.
-        let crowding = if zone.log() < FADED { zone.crowding() } else { 1.0 };
-        let places = Places::of(shear.unknowns().len() as f64 * finer(crowding), end);
-        let scaled = |at: &Station| Station { x: zone.half_width * at.x, gap: zone.half_width * at.gap };
-        let mut at: Vec<Station> = places.stations.iter().map(scaled).collect();
-        let (mut q, mut p) = (vec![0.0; at.len()], vec![0.0; at.len()]);
-        shear.in_stick_into(&at, &mut q);
-        for at in &mut at {
-            *at = zone.in_contact(*at);
-        }
-        stage.normal.values_into(&at, &mut p);
-        for ((p, q), at) in p.iter_mut().zip(&q).zip(&at) {
-            *p = (at.gap * (zone.contact() + at.x)).sqrt() * (friction * *p - q);
-        }
-        // What was the shear is room for the series.
-        places.through_into(&p, &mut q);
-        q
-    }
 }
 
 /// Of slip zones as narrow as `exp(-FADED)` of the contact no place at which the shear is told sees anything.
@@ -273,7 +275,7 @@ fn finer(crowding: f64) -> f64 {
     (0.5 * steps).exp2()
 }
 
-impl Found {
+impl Members {
     /// The stick zone of a member to within an error from near it, by systems that `one` solves: for the zone given it finds the next one
     /// along the slope given. What the shear lacks is moved with the last step: it is linear in so short a one. `None`
     /// where the guess was not near.
@@ -358,7 +360,7 @@ mod tests {
             let next = Root { lambda: from.lambda - excess(from.lambda) / from.slope, ..from };
             Ok::<_, Infallible>(Some((next, vec![1.0])))
         };
-        let mut found = Found::new(None, true);
+        let mut found = Members::new(None, true);
         found.approach(1e-7, 1.0, start, one).unwrap()
     }
 
@@ -376,7 +378,7 @@ mod tests {
     fn one_slope_that_is_none_of_the_others_puts_all_in_doubt() {
         let doubt_of = |odd: f64| {
             let blend = Blend::new((0.0, 3.0), 16, &[]).unwrap();
-            let mut found = Found::new(None, true);
+            let mut found = Members::new(None, true);
             for (k, b) in blend.half_widths().iter().enumerate() {
                 let slope = if k == 5 { odd } else { 0.14 + 0.001 * b };
                 let root = Root { lambda: 5.0 + b, branch: 1.0, slope, doubt: 0.0 };

@@ -63,7 +63,7 @@ impl Family {
         for row in self.pressed.pressure.numbers.chunks_exact(self.pressed.pressure.width) {
             let first = rows.len();
             rows.resize(first + stations.len(), 0.0);
-            self.stage.normal.values_of(1.0, row, stations, &mut rows[first..]);
+            self.contact.normal.values_of(1.0, row, stations, &mut rows[first..]);
             rows[first..].iter_mut().zip(stations).for_each(|(p, at)| *p *= (at.gap * (2.0 - at.gap)).sqrt());
         }
         self.pressure_at = Some(Sheet::through(&places, &rows));

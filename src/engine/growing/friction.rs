@@ -3,11 +3,11 @@
 use super::{Growing, ROOM_BESIDE_GUESS, STEADY};
 use crate::engine::family::{Family, during};
 use crate::engine::normal::Normal;
+use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use crate::engine::quantity::ShearTrace;
 use crate::engine::rubbing::{Rubbing, Verdict};
-use crate::engine::stage::{Outcome, Task};
 use slipzone_api::{Refusal, Station};
 
 /// Where what the shear lacks is compared from resolution to resolution, over the half-width of the stick zone: near the middle
@@ -129,8 +129,8 @@ impl Growing {
     }
 
     /// From now on friction is not looked for where coarser resolutions could not tell it; `None` takes that back.
-    pub(crate) fn forsake(&mut self, broken: Option<&(f64, Rubbing)>) {
-        self.forsaken = broken.cloned();
+    pub(crate) fn give_up(&mut self, broken: Option<&(f64, Rubbing)>) {
+        self.given_up = broken.cloned();
     }
 
     /// Whether friction cannot be told of the contact as it grew.

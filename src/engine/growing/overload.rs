@@ -1,7 +1,7 @@
 //! Where and when friction does not bear the shear of a contact as it grew.
 
 use super::Growing;
-use crate::engine::checks::{MARGIN, overloaded};
+use crate::engine::checks::{is_too_little, overloaded};
 use crate::engine::family::during;
 use crate::engine::problem::Problem;
 use std::f64::consts::FRAC_PI_2;
@@ -32,7 +32,7 @@ impl Moment {
             let what = overloaded(bears.max(0.0).recip(), at);
             if bears < 0.0 { what } else { what + " inside the stick zone" }
         };
-        (bears * (1.0 + MARGIN) < 1.0).then(|| during(problem, half_width, &what()))
+        is_too_little(bears).then(|| during(problem, half_width, &what()))
     }
 }
 

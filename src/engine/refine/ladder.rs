@@ -3,10 +3,11 @@
 use crate::engine::error_estimate::Pace;
 use crate::engine::family::Family;
 use crate::engine::judged::{share_in_middle, share_in_shear};
+use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::{PreparedLayer, Wanted};
 use crate::engine::problem::Problem;
 use crate::engine::rubbing::Rubbing;
-use crate::engine::stage::{Outcome, Stage, Task};
+use crate::engine::stage::Stage;
 use crate::engine::work::Work;
 use crate::plan::Methods;
 use slipzone_api::Refusal;
@@ -35,7 +36,7 @@ pub(in crate::engine) struct Ladder {
     /// The least pressure in the middle seen, over the mean, or [`share_in_shear`], where it is faint.
     pub(super) least_share: Option<f64>,
     /// What cannot be told of friction under the present load, at any resolution.
-    pub(super) forsaken: Option<(f64, Rubbing)>,
+    pub(super) given_up: Option<(f64, Rubbing)>,
     /// Work in the systems of ladders that this one takes the place of.
     before: Work,
 }
@@ -119,7 +120,7 @@ impl Ladder {
         let (before, here) = self.stages.split_at_mut(index);
         let family = before.iter().rev().find_map(|stage| stage.growing.as_ref()?.family.as_ref());
         if let Some(growing) = &mut here[0].growing {
-            growing.forsake(self.forsaken.as_ref());
+            growing.give_up(self.given_up.as_ref());
         }
         let outcome = here[0].solve(layer, task, coarse, family)?;
         self.note(&outcome);

@@ -78,10 +78,11 @@ fn constants(scene: &Scene, profile: &DepthProfile) -> Vec<Panel> {
         Base::HalfPlane { .. } => Some("half-plane"),
         Base::Infinite => None,
     };
-    let (name, substrate) = match layer.moduli {
-        Moduli::Shear => ("shear modulus µ", profile.substrate),
-        Moduli::Young => ("Young's modulus E", profile.substrate),
+    let name = match layer.moduli {
+        Moduli::Shear => "shear modulus µ",
+        Moduli::Young => "Young's modulus E",
     };
+    let substrate = profile.substrate;
     let depth = |y: f64| y / x.unit;
     let end = depth(bottom);
     x.most = if base.is_some() { end * (1.0 + BASE) } else { end };

@@ -1,5 +1,7 @@
 //! One kernel's parts as polynomials on one piece of `|t|`.
 
+use super::polynomial;
+use slipzone_api::chebyshev::in_powers;
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
@@ -145,34 +147,7 @@ fn cosines(nodes: usize, odd: bool) -> &'static [f64] {
 /// `sum_k series[k] T_k(v)` in powers of `v`; of an odd series, `sum_k series[k] T_(2k+1)(x)/x` in powers of
 /// `v = 2 x^2 - 1`.
 fn monomials(series: &[f64], odd: bool) -> [f64; MOST_NODES] {
-    let mut sum = [0.0; MOST_NODES];
-    for (k, (c, row)) in series.iter().zip(&powers()[usize::from(odd)]).enumerate() {
-        for (sum, power) in sum[..=k].iter_mut().zip(row) {
-            *sum += c * power;
-        }
-    }
-    sum
-}
-
-/// Coefficients of one polynomial after the other.
-type Rows = [[f64; MOST_NODES]; MOST_NODES];
-
-/// Those of `T_k(v)` and of `T_(2k+1)(x)/x`, made when first asked for.
-fn powers() -> &'static [Rows; 2] {
-    static POWERS: OnceLock<[Rows; 2]> = OnceLock::new();
-    POWERS.get_or_init(|| {
-        [false, true].map(|odd| {
-            let mut rows = [[0.0; MOST_NODES]; MOST_NODES];
-            rows[0][0] = 1.0;
-            // T_1(v) = v; T_3(x)/x = 2 v - 1. Both families go on by the same recurrence.
-            (rows[1][0], rows[1][1]) = if odd { (-1.0, 2.0) } else { (0.0, 1.0) };
-            for k in 2..MOST_NODES {
-                for j in 0..=k {
-                    let raised = if j > 0 { 2.0 * rows[k - 1][j - 1] } else { 0.0 };
-                    rows[k][j] = raised - rows[k - 2][j];
-                }
-            }
-            rows
-        })
-    })
+    static ROWS: OnceLock<[[[f64; MOST_NODES]; MOST_NODES]; 2]> = OnceLock::new();
+    let rows = ROWS.get_or_init(|| [[0.0, 1.0], [-1.0, 2.0]].map(in_powers));
+    polynomial::sum(series, &rows[usize::from(odd)])
 }

@@ -1,5 +1,6 @@
 //! Polynomials made as short as they may be.
 
+use slipzone_api::chebyshev::in_powers;
 use std::sync::OnceLock;
 
 /// Most coefficients.
@@ -40,8 +41,8 @@ fn monomials(series: &[f64]) -> [f64; MOST] {
 
 /// The sum of polynomials, the `k`-th of degree `k`.
 #[inline]
-fn sum(factors: &[f64], polynomials: &[[f64; MOST]; MOST]) -> [f64; MOST] {
-    let mut sum = [0.0; MOST];
+pub(super) fn sum<const N: usize>(factors: &[f64], polynomials: &[[f64; N]; N]) -> [f64; N] {
+    let mut sum = [0.0; N];
     for (k, (factor, polynomial)) in factors.iter().zip(polynomials).enumerate() {
         for (sum, c) in sum[..=k].iter_mut().zip(polynomial) {
             *sum += factor * c;
@@ -62,8 +63,8 @@ struct Tables {
 fn tables() -> &'static Tables {
     static TABLES: OnceLock<Tables> = OnceLock::new();
     TABLES.get_or_init(|| {
-        let (mut of_powers, mut of_chebyshev) = ([[0.0; MOST]; MOST], [[0.0; MOST]; MOST]);
-        (of_powers[0][0], of_chebyshev[0][0], of_chebyshev[1][1]) = (1.0, 1.0, 1.0);
+        let mut of_powers = [[0.0; MOST]; MOST];
+        of_powers[0][0] = 1.0;
         for k in 1..MOST {
             // x T_j = T_j/2 + (T_(j+1) + T_|j-1|)/4.
             for j in 0..k {
@@ -73,14 +74,7 @@ fn tables() -> &'static Tables {
                 of_powers[k][j.abs_diff(1)] += 0.25 * c;
             }
         }
-        for k in 2..MOST {
-            // T_k = 2 v T_(k-1) - T_(k-2).
-            for j in 0..=k {
-                let raised = if j > 0 { 2.0 * of_chebyshev[k - 1][j - 1] } else { 0.0 };
-                of_chebyshev[k][j] = raised - of_chebyshev[k - 2][j];
-            }
-        }
-        Tables { of_powers, of_chebyshev }
+        Tables { of_powers, of_chebyshev: in_powers([0.0, 1.0]) }
     })
 }
 

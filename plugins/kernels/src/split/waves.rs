@@ -3,7 +3,7 @@
 use super::column::Column;
 use super::spectrum::Spectrum;
 use pulp::{Arch, Simd, WithSimd};
-use slipzone_api::elementary::sin_pi;
+use slipzone_api::elementary::{ROUND, sin_pi};
 use std::f64::consts::FRAC_1_PI;
 
 /// Nodes side by side.
@@ -80,16 +80,13 @@ impl WithSimd for Add<'_> {
 /// As many as there are.
 const MOST_KERNELS: usize = 4;
 
-/// Added to a number and taken off again it leaves the nearest whole one, and that one's lowest bit in the sum's.
-const WHOLE: f64 = 6_755_399_441_055_744.0;
-
 /// `sin(pi y)` and `cos(pi y)`.
 #[inline(always)]
 fn sines_and_cosines(y: [f64; LANES]) -> ([f64; LANES], [f64; LANES]) {
     let (mut sines, mut cosines) = ([0.0; LANES], [0.0; LANES]);
     for i in 0..LANES {
-        let shifted = y[i] + WHOLE;
-        let rest = y[i] - (shifted - WHOLE);
+        let shifted = y[i] + ROUND;
+        let rest = y[i] - (shifted - ROUND);
         let sign = shifted.to_bits() << 63;
         sines[i] = f64::from_bits(sin_pi(rest).to_bits() ^ sign);
         cosines[i] = f64::from_bits(sin_pi(0.5 - rest.abs()).to_bits() ^ sign);

@@ -52,24 +52,14 @@ impl Rows {
 }
 
 pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) -> Result<Drawing, FigureError> {
-    let Groups { study, plot, shown, .. } = *groups;
-    let x = shown.x.ok_or_else(|| FigureError::Plot("missing key `x`".into()))?;
-    let drawable = |value: &f64, scale: Steps| scale == Steps::Linear || *value > 0.0;
+    let x = groups.shown.x.ok_or_else(|| FigureError::Plot("missing key `x`".into()))?;
     let mut rows = Rows::default();
     // Points of each member for which there is no place.
     let mut without_place = vec![0_u64; groups.members()];
     let (scenes, failed) = groups.each(records, |shot: Shot| {
-        let known = groups.number(&shot, x);
-        let placed = known.filter(|x| drawable(x, plot.x_scale));
-        let mut ys = Vec::new();
-        for y in &shown.y {
-            let y = groups.number(&shot, *y).filter(|_| shot.converged);
-            let fits = y.filter(|y| drawable(y, plot.y_scale));
-            let is_lost = known.is_some() && y.is_some() && (placed.is_none() || fits.is_none());
-            without_place[shot.member] += u64::from(is_lost);
-            ys.push(fits);
-        }
-        rows.add(Row { index: shot.index, panel: shot.panel, member: shot.member, x: placed, y: ys });
+        let (row, lost) = row(groups, x, &shot);
+        without_place[shot.member] += lost;
+        rows.add(row);
         Ok(())
     })?;
     let left_out = left_out(groups, &without_place);
@@ -78,54 +68,86 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
     let along = |row: &Row| if matches!(x, Source::Field(_)) { row.x.unwrap_or(f64::INFINITY) } else { 0.0 };
     rows.sort_by(|one, other| along(one).total_cmp(&along(other)).then(one.index.cmp(&other.index)));
 
-    let shown_rows = rows.iter().filter(|row| row.y.iter().any(Option::is_some));
-    let xs = shown_rows.filter_map(|row| row.x).chain(plot.points.iter().flat_map(|points| points.x.iter().copied()));
-    let (x_name, x_unit) = names::of(x, study);
-    let x_name = plot.x_label.as_deref().map_or(x_name, names::with_symbols);
-    let nothing = || {
+    let (x_scale, y_scales) = scales(groups, x, &rows).ok_or_else(|| {
         FigureError::NothingToShow(left_out.as_deref().unwrap_or("none converged with the numbers asked for").into())
-    };
-    let x_scale = scale(xs, plot.x_scale, &x_name, &x_unit, false).ok_or_else(nothing)?;
-    let mut y_scales = Vec::new();
-    for (which, y) in shown.y.iter().enumerate() {
-        let of_points = plot.points.iter().flat_map(|points| points.y.iter().copied());
-        let ys =
-            rows.iter().filter_map(|row| row.y[which]).chain(of_points).chain(plot.lines.iter().map(|line| line.y));
-        let (name, unit) = names::of(*y, study);
-        let name = plot.y_label.as_deref().map_or(name, names::with_symbols);
-        y_scales.push(scale(ys, plot.y_scale, &name, &unit, true).ok_or_else(nothing)?);
-    }
-
+    })?;
     let few = rows.len() <= MARKED * groups.panels() * groups.members();
     let mut panels = Vec::new();
     for panel in 0..groups.panels() {
         for (which, y_scale) in y_scales.iter().enumerate() {
-            let place = |x: f64, y: f64| (x / x_scale.unit, y / y_scale.unit);
-            let mut curves: Vec<Curve> = levels(groups, &x_scale, y_scale);
-            for member in 0..groups.members() {
-                let points: Vec<Option<(f64, f64)>> = rows
-                    .iter()
-                    .filter(|row| row.panel == panel && row.member == member)
-                    .map(|row| row.x.zip(row.y[which]).map(|(x, y)| place(x, y)))
-                    .collect();
-                curves.push(curve(groups, member, &points, few));
-            }
-            curves.extend(plot.points.iter().enumerate().map(|(index, points)| Curve {
-                style: Style::points(index),
-                stretches: Vec::new(),
-                marks: points.x.iter().zip(&points.y).map(|(x, y)| place(*x, *y)).collect(),
-            }));
             panels.push(Panel {
                 name: groups.panel_name(panel),
                 x: x_scale.clone(),
                 y: y_scale.clone(),
-                curves,
+                curves: curves(groups, (panel, which), &rows, (&x_scale, y_scale), few),
                 ground: None,
             });
         }
     }
     let abreast = if y_scales.len() > 1 { y_scales.len().min(ABREAST) } else { ABREAST };
     Ok(Drawing { panels, abreast, legend: legend(groups, few), scenes, failed, left_out })
+}
+
+/// A scene's place, and how many of its points have none on the scales.
+fn row(groups: &Groups, x: Source, shot: &Shot) -> (Row, u64) {
+    let Groups { plot, shown, .. } = *groups;
+    let drawable = |value: &f64, scale: Steps| scale == Steps::Linear || *value > 0.0;
+    let known = groups.number(shot, x);
+    let placed = known.filter(|x| drawable(x, plot.x_scale));
+    let (mut ys, mut lost) = (Vec::new(), 0);
+    for y in &shown.y {
+        let y = groups.number(shot, *y).filter(|_| shot.converged);
+        let fits = y.filter(|y| drawable(y, plot.y_scale));
+        lost += u64::from(known.is_some() && y.is_some() && (placed.is_none() || fits.is_none()));
+        ys.push(fits);
+    }
+    (Row { index: shot.index, panel: shot.panel, member: shot.member, x: placed, y: ys }, lost)
+}
+
+/// The scale of the abscissa and those of the ordinates; `None` where one has no numbers.
+fn scales(groups: &Groups, x: Source, rows: &[Row]) -> Option<(Scale, Vec<Scale>)> {
+    let Groups { study, plot, shown, .. } = *groups;
+    let shown_rows = rows.iter().filter(|row| row.y.iter().any(Option::is_some));
+    let xs = shown_rows.filter_map(|row| row.x).chain(plot.points.iter().flat_map(|points| points.x.iter().copied()));
+    let (name, unit) = names::of(x, study);
+    let name = plot.x_label.as_deref().map_or(name, names::with_symbols);
+    let x_scale = scale(xs, plot.x_scale, &name, &unit, false)?;
+    let y_scale = |(which, y): (usize, &Source)| {
+        let of_points = plot.points.iter().flat_map(|points| points.y.iter().copied());
+        let of_lines = plot.lines.iter().map(|line| line.y);
+        let ys = rows.iter().filter_map(|row| row.y[which]).chain(of_points).chain(of_lines);
+        let (name, unit) = names::of(*y, study);
+        let name = plot.y_label.as_deref().map_or(name, names::with_symbols);
+        scale(ys, plot.y_scale, &name, &unit, true)
+    };
+    let y_scales = shown.y.iter().enumerate().map(y_scale).collect::<Option<_>>()?;
+    Some((x_scale, y_scales))
+}
+
+/// What one panel shows of one ordinate: lines across, a curve for each member, and points.
+fn curves(
+    groups: &Groups,
+    (panel, which): (usize, usize),
+    rows: &[Row],
+    (x_scale, y_scale): (&Scale, &Scale),
+    few: bool,
+) -> Vec<Curve> {
+    let place = |x: f64, y: f64| (x / x_scale.unit, y / y_scale.unit);
+    let mut curves: Vec<Curve> = levels(groups, x_scale, y_scale);
+    for member in 0..groups.members() {
+        let points: Vec<Option<(f64, f64)>> = rows
+            .iter()
+            .filter(|row| row.panel == panel && row.member == member)
+            .map(|row| row.x.zip(row.y[which]).map(|(x, y)| place(x, y)))
+            .collect();
+        curves.push(curve(groups, member, &points, few));
+    }
+    curves.extend(groups.plot.points.iter().enumerate().map(|(index, points)| Curve {
+        style: Style::points(index),
+        stretches: Vec::new(),
+        marks: points.x.iter().zip(&points.y).map(|(x, y)| place(*x, *y)).collect(),
+    }));
+    curves
 }
 
 /// How many points of which curves have no place in the figure, and why.

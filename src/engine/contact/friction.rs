@@ -1,8 +1,9 @@
 //! Friction under a flat punch at one resolution: the stick zone, looked for, followed and checked.
 
-use super::{Outcome, Stage, Task};
+use super::Contact;
 use crate::engine::checks;
 use crate::engine::linear_strain::RateCurve;
+use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use crate::engine::root::CERTAIN;
@@ -19,7 +20,7 @@ const NO_SHEAR: f64 = 1e-10;
 /// checked, and to have its shear told from the zone solved last.
 const KNOWN: f64 = 1e-4;
 
-impl Stage {
+impl Contact {
     /// The curve of friction coefficients over stick zones, and room for the shear.
     pub(crate) fn curve<'a>(&'a mut self, layer: &'a PreparedLayer, task: Task) -> FrictionCurve<'a> {
         FrictionCurve {
@@ -311,60 +312,62 @@ impl Stage {
 
     /// Leaves the shear of the stick zone reported in `shear`, and checks it. Returns whether another zone than
     /// before is reported.
-    pub(crate) fn settle(
-        &mut self,
-        layer: &mut PreparedLayer,
-        task: Task,
-        outcome: &mut Outcome,
-    ) -> Result<bool, Refusal> {
-        if let Some(growing) = super::stacking(&mut self.growing) {
-            growing.settle(layer, task, outcome)?;
-            return Ok(false);
-        }
+    pub(crate) fn settle(&mut self, layer: &PreparedLayer, task: Task, outcome: &mut Outcome) -> Result<bool, Refusal> {
+        let (Some(rubbing), Some(eta)) = (&mut outcome.rubbing, task.problem.friction) else { return Ok(false) };
         if task.problem.is_linear {
             return Ok(false); // each is checked when it is found
         }
-        let (Some(rubbing), Some(eta)) = (&mut outcome.rubbing, task.problem.friction) else { return Ok(false) };
         self.refresh(layer);
-        if !rubbing.found.roots.is_empty() {
-            let before = rubbing.zone;
-            let mut failure = self.judge(layer, task, task.tolerance, rubbing)?;
-            if failure.is_some() && !rubbing.scanned {
-                self.look_again(layer, task, eta, rubbing)?;
-                failure = self.judge(layer, task, task.tolerance, rubbing)?;
-            }
-            if let Some(what) = failure {
-                rubbing.verdict = Verdict::Fails(what);
-                let lambda = rubbing.found.roots[rubbing.chosen].lambda;
-                self.curve(layer, task).at(lambda)?;
-            }
-            let changed = (rubbing.zone.ratio() / before.ratio() - 1.0).abs() > 0.1
-                || (rubbing.zone.one_minus_ratio() / before.one_minus_ratio() - 1.0).abs() > 0.1;
-            rubbing.report(&mut outcome.numbers);
-            return Ok(changed);
+        if rubbing.found.roots.is_empty() {
+            self.settle_without_root(layer, task, eta, rubbing)?;
+            return Ok(false);
         }
+        let before = rubbing.zone;
+        let mut failure = self.judge(layer, task, task.tolerance, rubbing)?;
+        if failure.is_some() && !rubbing.scanned {
+            self.look_again(layer, task, eta, rubbing)?;
+            failure = self.judge(layer, task, task.tolerance, rubbing)?;
+        }
+        if let Some(what) = failure {
+            rubbing.verdict = Verdict::Fails(what);
+            let lambda = rubbing.found.roots[rubbing.chosen].lambda;
+            self.curve(layer, task).at(lambda)?;
+        }
+        rubbing.report(&mut outcome.numbers);
+        let moved = |now: f64, before: f64| (now / before - 1.0).abs() > 0.1;
+        let zone = rubbing.zone;
+        Ok(moved(zone.ratio(), before.ratio()) || moved(zone.one_minus_ratio(), before.one_minus_ratio()))
+    }
+
+    /// [`Self::settle`] where no stick zone belongs to the friction coefficient: all sticks, or nothing does, or too little of it.
+    fn settle_without_root(
+        &mut self,
+        layer: &PreparedLayer,
+        task: Task,
+        eta: f64,
+        rubbing: &mut Rubbing,
+    ) -> Result<(), Refusal> {
         let lambda = rubbing.zone.log();
         if rubbing.verdict == Verdict::Sticks {
             self.curve(layer, task).at_or_near(lambda, KNOWN)?;
             if let Some(what) = self.overload(layer, eta) {
                 rubbing.verdict = Verdict::Fails(what);
             }
-            return Ok(false);
+            return Ok(());
         }
         let finite = lambda.clamp(FrictionCurve::NARROWEST, FrictionCurve::WIDEST);
         let friction = self.curve(layer, task).at(finite)?;
         let shear = self.shear.as_mut().expect("room for the shear was made with friction");
-        let sliding = eta.copysign(friction);
         match rubbing.verdict {
             // The narrowest stick zone looked for wants more friction than there is: all but it slides.
-            Verdict::TooNarrow => shear.rescale(sliding),
+            Verdict::TooNarrow => shear.rescale(eta.copysign(friction)),
             Verdict::NoShear => {
                 shear.rescale(0.0);
                 shear.relocate(rubbing.zone);
             }
             _ => {}
         }
-        Ok(false)
+        Ok(())
     }
 
     /// Makes the shear under a flat punch as sure all along the stick zone settled as the tolerance asks, where the pressure is known to
@@ -382,7 +385,7 @@ impl Stage {
         let found = outcome.rubbing.as_ref().filter(is_solved).filter(|_| !task.problem.is_linear);
         let shear = self.shear.as_mut().filter(|shear| shear.is_solved);
         let Some((shear, found)) = shear.zip(found) else { return Ok(None) };
-        let coarser = coarser.and_then(|stage| stage.shear.as_deref()).filter(|shear| shear.is_solved);
+        let coarser = coarser.and_then(|coarser| coarser.shear.as_deref()).filter(|shear| shear.is_solved);
         let (beta, wanted) = (task.problem.elastic.beta(), (of_pressure, task.tolerance));
         sharpen((shear, coarser), layer, &mut self.normal, beta, found.zone, wanted)
     }

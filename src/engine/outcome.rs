@@ -1,0 +1,67 @@
+//! What a resolution is asked, and what it answers.
+
+use super::contact_size::Size;
+use super::error_estimate::Seen;
+use super::family::Left;
+use super::prepared_layer::Wanted;
+use super::problem::Problem;
+use super::quantity::{Numbers, Quantity, Traces};
+use super::rubbing::Rubbing;
+
+/// What one resolution found.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Outcome {
+    /// The numbers reported, in layer units.
+    pub(crate) numbers: Numbers,
+    pub(crate) rubbing: Option<Rubbing>,
+    pub(crate) size: Option<Size>,
+    /// The pressure at [`Traces::AT`] over its mean.
+    pub(super) pressure: [f64; Traces::AT.len()],
+    /// Of a contact that grew: what its stack loses, relative.
+    pub(crate) lost: Option<f64>,
+    /// The same of a pressure exactly at a kink of the shape.
+    pub(crate) lost_at_kinks: f64,
+    /// What series over the half-width leave of a stack.
+    pub(crate) left: Left,
+}
+
+impl Outcome {
+    /// Of a contact that grew; the pressure is that at [`Traces::AT`], over its mean.
+    pub(crate) fn new(
+        numbers: Numbers,
+        rubbing: Option<Rubbing>,
+        size: Option<Size>,
+        pressure: [f64; Traces::AT.len()],
+        (lost, lost_at_kinks): (f64, f64),
+        left: Left,
+    ) -> Self {
+        Self { numbers, rubbing, size, pressure, lost: Some(lost), lost_at_kinks, left }
+    }
+
+    /// An outcome of which only the stick zone is known.
+    pub(crate) fn of_rubbing(rubbing: Rubbing) -> Self {
+        Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()], (0.0, 0.0), Left::default())
+    }
+
+    /// What it tells of the next resolution.
+    pub(crate) fn seen(&self) -> Seen {
+        let shear = self.rubbing.as_ref().and_then(|rubbing| rubbing.shear);
+        let traces = Traces { pressure: self.pressure, shear, is_stacked: self.lost.is_some() };
+        let mut numbers = self.numbers;
+        if self.rubbing.as_ref().is_some_and(|rubbing| rubbing.is_full) {
+            // A zone that is all of the contact is no number that converges.
+            for quantity in [Quantity::StickHalfWidth, Quantity::StickRatio, Quantity::OneMinusRatio] {
+                numbers.take(quantity);
+            }
+        }
+        Seen { numbers, traces }
+    }
+}
+
+/// What a resolution needs to know beside its own scratch.
+#[derive(Clone, Copy)]
+pub(crate) struct Task<'a> {
+    pub(crate) problem: &'a Problem,
+    pub(crate) wanted: Wanted,
+    pub(crate) tolerance: f64,
+}
