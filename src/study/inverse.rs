@@ -219,9 +219,9 @@ impl Question<'_> {
                 Wanted::Target(target) => {
                     let numbers = || points.iter().map(|point| point.number);
                     format!(
-                        "{quantity} stays between {:.6e} and {:.6e} at the {} values tried {range}; wanted is {target:?}",
-                        numbers().fold(f64::INFINITY, f64::min),
-                        numbers().fold(f64::NEG_INFINITY, f64::max),
+                        "{quantity} stays between {:?} and {:?} at the {} values tried {range}; wanted is {target:?}",
+                        rounded(numbers().fold(f64::INFINITY, f64::min)),
+                        rounded(numbers().fold(f64::NEG_INFINITY, f64::max)),
                         points.len()
                     )
                 }
@@ -401,4 +401,9 @@ impl CostFunction for Valley<'_> {
         // What cannot be solved is no place for the least.
         Ok(self.question.excess(*at).unwrap_or(self.highest))
     }
+}
+
+/// Seven digits of it.
+fn rounded(number: f64) -> f64 {
+    format!("{number:.6e}").parse().unwrap_or(number)
 }
