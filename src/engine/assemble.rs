@@ -27,6 +27,8 @@ const AT_ONCE: usize = 1024;
 const STACKED_AT_ONCE: usize = 32;
 /// Indentation over the thickness from which strains are no longer called small.
 const DEEP: f64 = 0.1;
+/// More force than told from which that is said.
+const SAID_OF_FORCE: f64 = 0.02;
 /// Slope of the punch in contact from which they are not.
 const STEEP: f64 = 0.3;
 
@@ -62,7 +64,8 @@ pub(super) fn solution(
     }
     let rubbing = judged.outcome.rubbing.as_ref().filter(|rubbing| rubbing.verdict == Verdict::Holds);
     let mut plan = plan;
-    plan.coupling_neglected = rubbing.and_then(|rubbing| coupling::neglected(layer, problem, rubbing.zone, scene));
+    let neglected = rubbing.and_then(|rubbing| coupling::neglected(layer, problem, rubbing.zone, scene));
+    plan.coupling_neglected = neglected.map(|neglected| neglected.friction);
     let stick = judged.outcome.rubbing.as_ref().filter(|_| scene.output.asks_of_stick()).map(|_| StickReport {
         half_width: number(Quantity::StickHalfWidth, length),
         ratio: number(Quantity::StickRatio, 1.0),
@@ -90,6 +93,15 @@ pub(super) fn solution(
             "Goodman: that q does not change p makes the friction that belongs to this stick ratio about {} too {}",
             percent(neglected.abs()),
             if neglected < 0.0 { "large" } else { "small" }
+        );
+        solution.assumptions.push(reason.clone().into());
+        solution.plan.reasons.push(reason.into());
+    }
+    if let Some(force) = neglected.and_then(|neglected| neglected.force).filter(|force| force.abs() > SAID_OF_FORCE) {
+        let reason = format!(
+            "Goodman: if q changed p, this indentation would take about {} {} force",
+            percent(force.abs()),
+            if force < 0.0 { "less" } else { "more" }
         );
         solution.assumptions.push(reason.clone().into());
         solution.plan.reasons.push(reason.into());

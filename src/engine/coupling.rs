@@ -39,13 +39,23 @@ const MOST_NUMBERS: usize = 4 * NODES * MOST_TIMES;
 /// Where those grids end: sums over the shear see no more of the edge.
 const END: f64 = 3.0;
 
-/// The relative error of the friction coefficient that belongs to a stick zone; `None` where nothing can be told.
-pub(super) fn neglected(layer: &PreparedLayer, problem: &Problem, zone: StickZone, scene: &Scene) -> Option<f64> {
+/// What is neglected, relative.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Neglected {
+    /// By how much more friction belongs to the stick zone.
+    pub(super) friction: f64,
+    /// By how much more force pushes a flat punch as wide as the contact to a depth; `None` where depths have no meaning or were
+    /// not asked for.
+    pub(super) force: Option<f64>,
+}
+
+/// What is neglected of a stick zone; `None` where nothing can be told.
+pub(super) fn neglected(layer: &PreparedLayer, problem: &Problem, zone: StickZone, scene: &Scene) -> Option<Neglected> {
     let beta = problem.elastic.beta();
     let share = (factor(zone.ratio(), zone.one_minus_ratio()) * beta * beta).min(MOST);
     let of_half_plane = share / (1.0 - share);
     if layer.is_plain() {
-        return Some(of_half_plane);
+        return Some(Neglected { friction: of_half_plane, force: None });
     }
     let thinness = zone.contact() / layer.length();
     if thinness > SERVED_BY_NODES * MOST_TIMES as f64 {
@@ -57,12 +67,12 @@ pub(super) fn neglected(layer: &PreparedLayer, problem: &Problem, zone: StickZon
     let level = (COARSEST + finer.max(0.0)).ceil().min(FINEST) as u32;
     let quadrature = scene.solver.quadrature.as_ref()?.refined(level);
     let half_plane = Scene { layer: plan::half_plane(&scene.layer, &problem.layer), ..scene.clone() };
-    let step = |layer: &PreparedLayer| first_step(layer, beta, zone, quadrature.clone()).ok();
+    let step = |layer: &PreparedLayer| first_step(layer, problem, zone, quadrature.clone()).ok();
     // On an incompressible half-plane there is no shear.
-    let plain = if beta == 0.0 { 0.0 } else { step(&PreparedLayer::of(&plan::choose(&half_plane)).ok()?)? };
-    let own = step(layer)?;
-    let neglected = if own.abs() < plain.abs() { of_half_plane * own / plain } else { of_half_plane + own - plain };
-    neglected.is_finite().then_some(neglected)
+    let plain = if beta == 0.0 { 0.0 } else { step(&PreparedLayer::of(&plan::choose(&half_plane)).ok()?)?.friction };
+    let Neglected { friction: own, force } = step(layer)?;
+    let friction = if own.abs() < plain.abs() { of_half_plane * own / plain } else { of_half_plane + own - plain };
+    friction.is_finite().then_some(Neglected { friction, force: force.filter(|force| force.is_finite()) })
 }
 
 /// `c`: between the measurements and beyond them along `ln(a/(b - a))`.
@@ -74,14 +84,15 @@ fn factor(ratio: f64, rest: f64) -> f64 {
     pair[0].1 + (pair[1].1 - pair[0].1) * (at - from) / (to - from)
 }
 
-/// By how much the friction coefficient of a stick zone grows, relative, when the pressure of a frictionless flat punch gives way to
-/// the one that the shear under it makes.
+/// By how much the friction coefficient of a stick zone grows when the pressure of a frictionless flat punch gives way to
+/// the one that the shear under it makes; and what all such steps make of the force.
 fn first_step(
     layer: &PreparedLayer,
-    beta: f64,
+    problem: &Problem,
     zone: StickZone,
     quadrature: Box<dyn Quadrature>,
-) -> Result<f64, Refusal> {
+) -> Result<Neglected, Refusal> {
+    let beta = problem.elastic.beta();
     let mut normal = Normal::new(&*quadrature, Edge::Sharp)?;
     normal.press_flat(layer, zone.contact(), |_| 0.0)?;
     let mut shear = Shear::new(quadrature)?;
@@ -89,16 +100,18 @@ fn first_step(
     let goodman =
         if layer.is_plain() { shear.know(&normal, beta, zone) } else { shear.solve(layer, &mut normal, beta, zone)? };
 
+    let grid = (!layer.is_plain()).then(|| grid(zone.contact() / layer.length()));
+    let points = grid.map_or_else(Vec::new, |grid| right_half(zone, &normal, &shear, &grid));
+    let force = more_force(layer, problem, (&mut normal, &shear), &points);
     let at = normal.collocation().to_vec();
     let mut pressure = vec![0.0; at.len()];
     normal.values_into(&at, &mut pressure);
     let own = shear.values(&at, &pressure);
     let mut slopes: Vec<f64> = own.iter().map(|q| beta * q).collect();
     if !layer.is_plain() {
-        let points = right_half(zone, &normal, &shear, &grid(zone.contact() / layer.length()));
         let mut distances = Vec::with_capacity(2 * points.len() * at.len());
         for Station { x, .. } in &at {
-            for (r, _) in &points {
+            for Point { at: Station { x: r, .. }, .. } in &points {
                 distances.extend([(x - r).abs(), x + r]);
             }
         }
@@ -107,12 +120,49 @@ fn first_step(
         for (slope, kernel) in slopes.iter_mut().zip(kernel.chunks_exact(2 * points.len())) {
             // The shear is odd, its kernel even.
             let pairs = kernel.as_chunks::<2>().0.iter().zip(&points);
-            *slope -= pairs.map(|([near, far], (_, share))| (near - far) * share).sum::<f64>() / PI;
+            *slope -= pairs.map(|([near, far], point)| (near - far) * point.shear * point.weight).sum::<f64>() / PI;
         }
     }
     normal.press_flat(layer, zone.contact(), |i| slopes[i])?;
     shear.under(layer, &mut normal);
-    Ok(shear.solve(layer, &mut normal, beta, zone)? / goodman - 1.0)
+    Ok(Neglected { friction: shear.solve(layer, &mut normal, beta, zone)? / goodman - 1.0, force })
+}
+
+/// By how much more force pushes a flat punch to a depth if the shear acts on the pressure.
+///
+/// By reciprocity the shear lifts the punch under a unit force by `-int q u dx`, where `u` is what the pressure moves along the
+/// surface. Each further step lifts by much the same share of what the one before did: a geometric series.
+fn more_force(
+    layer: &PreparedLayer,
+    problem: &Problem,
+    (normal, shear): (&mut Normal, &Shear),
+    points: &[Point],
+) -> Option<f64> {
+    // Reciprocity takes depths from what is at rest, which a datum is not.
+    if points.is_empty() || !problem.layer.is_grounded() {
+        return None;
+    }
+    let depth = normal.sunk_flat(layer, problem)? / problem.elastic.a0();
+    let at: Vec<Station> = points.iter().map(|point| point.at).collect();
+    let (mut strain, mut pressure) = (vec![0.0; at.len()], vec![0.0; at.len()]);
+    normal.potential_into(layer, Component::Coupling, shear.coupling(), &at, &mut strain);
+    normal.values_into(&at, &mut pressure);
+    // u, over A0, from the middle outwards: half of what a point stands for lies before it.
+    let (mut moved, mut lift) = (0.0, 0.0);
+    for ((strain, pressure), point) in strain.iter().zip(&pressure).zip(points) {
+        let half = 0.5 * (strain - problem.elastic.beta() * pressure) * point.weight;
+        lift -= 2.0 * point.shear * point.weight * (moved + half);
+        moved += 2.0 * half;
+    }
+    let share = lift / depth;
+    (share < MOST).then(|| share / (1.0 - share))
+}
+
+/// A point of the right half of the contact, the shear there and the length that it stands for.
+struct Point {
+    at: Station,
+    shear: f64,
+    weight: f64,
 }
 
 /// A grid for the sums over the shear, as much finer than the coarsest as kernels so short ask for.
@@ -123,8 +173,8 @@ fn grid(thinness: f64) -> Arc<Vec<Node>> {
     GRIDS.get(times, || double_exponential::nodes_up_to(1.0, NODES * times, END))
 }
 
-/// Points of the right half of the contact, and the shear that each stands for.
-fn right_half(zone: StickZone, normal: &Normal, shear: &Shear, grid: &[Node]) -> Vec<(f64, f64)> {
+/// The right half of the contact from the middle outwards.
+fn right_half(zone: StickZone, normal: &Normal, shear: &Shear, grid: &[Node]) -> Vec<Point> {
     let a = zone.half_width;
     // The gaps of the stick zone's points are to its own end, as its rule wants them.
     let sticking: Vec<Station> =
@@ -133,8 +183,8 @@ fn right_half(zone: StickZone, normal: &Normal, shear: &Shear, grid: &[Node]) ->
     let (mut q, mut p) = (vec![0.0; grid.len()], vec![0.0; grid.len()]);
     shear.in_stick_into(&sticking, &mut q);
     normal.values_into(&slipping, &mut p);
-    let sticks = sticking.iter().zip(&q).zip(grid).map(|((at, q), node)| (at.x, q * a * node.weight));
-    let (eta, width) = (shear.friction, zone.slip_width);
-    let slips = slipping.iter().zip(&p).zip(grid).map(|((at, p), node)| (at.x, eta * p * width * node.weight));
-    sticks.chain(slips).collect()
+    let sticks = sticking.iter().zip(q).map(|(at, q)| (zone.in_contact(*at), q, a));
+    let slips = slipping.iter().zip(p).map(|(at, p)| (*at, shear.friction * p, zone.slip_width));
+    let both = sticks.zip(grid).chain(slips.zip(grid));
+    both.map(|((at, shear, length), node)| Point { at, shear, weight: length * node.weight }).collect()
 }

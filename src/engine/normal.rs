@@ -184,6 +184,11 @@ impl Normal {
         Some(sunk(&mut *self.rule, self.half_width, (layer, problem), &self.unknowns)? + problem.height(0.0))
     }
 
+    /// The same under a flat face.
+    pub(crate) fn sunk_flat(&mut self, layer: &PreparedLayer, problem: &Problem) -> Option<f64> {
+        sunk(&mut *self.rule, self.half_width, (layer, problem), &self.unknowns)
+    }
+
     /// The same under a flat face as wide as `half_width` and a pressure of other unknowns.
     pub(crate) fn depth_of(
         &mut self,

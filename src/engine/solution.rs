@@ -237,7 +237,7 @@ fn assumptions(scene: &Scene) -> Vec<Cow<'static, str>> {
     let depths = match scene.layer.datum {
         Some(datum) => format!("indentation counted from depth {} below the middle of the contact", datum.get()).into(),
         None if scene.layer.has_depths() => Cow::Borrowed(""),
-        None => "the indentation is undefined on an elastic half-plane: no datum is named".into(),
+        None => "the indentation is undefined on an elastic half-plane: no `layer.datum` is named".into(),
     };
     let friction = match scene.friction {
         Some(Friction::Goodman { .. }) if scene.friction_needed().is_none() => {

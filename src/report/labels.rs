@@ -24,6 +24,9 @@ impl Labels {
         let (force, intensity) = match (stress.as_str(), length.as_str()) {
             ("", _) | (_, "") => Default::default(),
             ("MPa" | "N/mm^2" | "N/mm²", "mm") => ("N/mm".into(), format!("{stress} mm^1/2")),
+            ("GPa", "um" | "µm" | "μm") => ("N/mm".into(), format!("{stress} {length}^1/2")),
+            ("GPa", "mm") => ("kN/mm".into(), "GPa mm^1/2".into()),
+            ("kPa", "m") => ("kN/m".into(), "kPa m^1/2".into()),
             ("Pa", "m") => ("N/m".into(), "Pa m^1/2".into()),
             _ => (format!("{stress} {length}"), format!("{stress} {length}^1/2")),
         };
@@ -55,6 +58,7 @@ mod tests {
     #[test]
     fn compound_labels_need_both() {
         assert_eq!(labels(Some("MPa"), Some("mm")), ["mm", "MPa", "N/mm", "MPa mm^1/2"]);
+        assert_eq!(labels(Some("GPa"), Some("um")), ["um", "GPa", "N/mm", "GPa um^1/2"]);
         assert_eq!(labels(Some("psi"), Some("in")), ["in", "psi", "psi in", "psi in^1/2"]);
         assert_eq!(labels(None, Some("mm")), ["mm", "", "", ""]);
         assert_eq!(labels(None, None), [""; 4]);

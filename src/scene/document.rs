@@ -267,6 +267,9 @@ fn meant(path: &[&str], key: &str, known: &[&str]) -> Option<String> {
     if matches!(key, "young" | "E") && path.last() == Some(&"grading") {
         return Some("Young's moduli are said once: `moduli = \"young\"` in [layer]".into());
     }
+    if matches!(key, "young" | "E" | "G" | "mu" | "modulus") && known.contains(&"moduli") {
+        return Some("moduli stand in [layer.grading]; they are Young's where [layer] has `moduli = \"young\"`".into());
+    }
     match SYMBOLS.into_iter().find(|(symbols, name)| symbols.contains(&key) && known.contains(name)) {
         Some((_, name)) => Some(format!("write `{name}`")),
         None => elsewhere(path, key),
@@ -331,6 +334,9 @@ fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneError {
         (true, _) => error.hint("decimals are written with a point, as in 5.0"),
         (_, true) => error.hint("outside of [ ] and { } a line ends without a comma"),
         _ if is_of_old => error.hint("lines end in CR alone here; save the file with ends of LF, or of CR and LF"),
+        _ if what == "missing escaped value" => {
+            error.hint("in a file's path write / for \\, or put it in single quotes: 'C:\\data\\moduli.csv'")
+        }
         _ if is_unclosed => error.hint("is the `}` missing that ends the table before?"),
         _ => not_a_value.map_or_else(|| error.clone(), |hint| error.clone().hint(hint)),
     }

@@ -233,9 +233,9 @@ impl Question<'_> {
             }
             Wanted::Target(target) => {
                 let (least, most) = ends(|point| point.number);
-                let count = points.len();
+                let (least, most, count) = (rounded(least), rounded(most), points.len());
                 format!(
-                    "{quantity} stays between {least:.6e} and {most:.6e} at the {count} values tried {range}; wanted is {target:?}"
+                    "{quantity} stays between {least:?} and {most:?} at the {count} values tried {range}; wanted is {target:?}"
                 )
             }
             Wanted::Minimum | Wanted::Maximum => unreachable!("no crossing is looked for"),
@@ -405,4 +405,9 @@ impl CostFunction for Valley<'_> {
         // What cannot be solved is no place for the least.
         Ok(self.question.excess(*at).unwrap_or(self.highest))
     }
+}
+
+/// Seven digits of it.
+fn rounded(number: f64) -> f64 {
+    format!("{number:.6e}").parse().unwrap_or(number)
 }

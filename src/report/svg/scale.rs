@@ -83,7 +83,7 @@ impl Scale {
         let every = [1, 2, 5, 10, 20, 50].into_iter().find(|every| NUMBERED * every >= round.len());
         let every = every.and_then(|every| i32::try_from(every).ok()).unwrap_or(100);
         // As many as tell neighbours apart.
-        let digits = step.map_or(3, |step| usize::try_from(1 + power_of_ten(most) - power_of_ten(step)).unwrap_or(1));
+        let digits = step.map_or(4, |step| usize::try_from(1 + power_of_ten(most) - power_of_ten(step)).unwrap_or(1));
         let ticks = TickFormat::Custom(Arc::new(move |value: f64| {
             #[expect(clippy::cast_possible_truncation, reason = "a few hundred")]
             let power = (value * divisor).log10().round() as i32;
