@@ -7,7 +7,7 @@ use super::loading_curve::Point;
 use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity};
-use super::rubbing::Verdict;
+use super::rubbing::{Rubbing, Verdict};
 use super::solution::{
     EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Slip, Solution, Status, StickReport,
 };
@@ -62,10 +62,11 @@ pub(super) fn solution(
             of_strain = strain_error(problem, judged, apart / scale);
         }
     }
-    let rubbing = judged.outcome.rubbing.as_ref().filter(|rubbing| rubbing.verdict == Verdict::Holds);
+    let is_found = |rubbing: &&Rubbing| matches!(rubbing.verdict, Verdict::Holds | Verdict::Sticks);
+    let rubbing = judged.outcome.rubbing.as_ref().filter(is_found);
     let mut plan = plan;
-    let neglected = rubbing.and_then(|rubbing| coupling::neglected(layer, problem, rubbing.zone, scene));
-    plan.coupling_neglected = neglected.map(|neglected| neglected.friction);
+    let neglected = rubbing.and_then(|rubbing| coupling::neglected(layer, problem, rubbing, scene));
+    plan.coupling_neglected = neglected.and_then(|neglected| neglected.friction);
     let stick = judged.outcome.rubbing.as_ref().filter(|_| scene.output.asks_of_stick()).map(|_| StickReport {
         half_width: number(Quantity::StickHalfWidth, length),
         ratio: number(Quantity::StickRatio, 1.0),

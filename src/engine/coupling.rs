@@ -11,6 +11,7 @@
 use super::normal::Normal;
 use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
+use super::rubbing::Rubbing;
 use super::stick::Shear;
 use super::stick_zone::StickZone;
 use crate::plan;
@@ -42,20 +43,25 @@ const END: f64 = 3.0;
 /// What is neglected, relative.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Neglected {
-    /// By how much more friction belongs to the stick zone.
-    pub(super) friction: f64,
+    /// By how much more friction belongs to the stick zone; `None` where everything sticks, for which any more would do.
+    pub(super) friction: Option<f64>,
     /// By how much more force pushes a flat punch as wide as the contact to a depth; `None` where depths have no meaning or were
     /// not asked for.
     pub(super) force: Option<f64>,
 }
 
 /// What is neglected of a stick zone; `None` where nothing can be told.
-pub(super) fn neglected(layer: &PreparedLayer, problem: &Problem, zone: StickZone, scene: &Scene) -> Option<Neglected> {
-    let beta = problem.elastic.beta();
+pub(super) fn neglected(
+    layer: &PreparedLayer,
+    problem: &Problem,
+    rubbing: &Rubbing,
+    scene: &Scene,
+) -> Option<Neglected> {
+    let (zone, beta) = (rubbing.zone, problem.elastic.beta());
     let share = (factor(zone.ratio(), zone.one_minus_ratio()) * beta * beta).min(MOST);
     let of_half_plane = share / (1.0 - share);
     if layer.is_plain() {
-        return Some(Neglected { friction: of_half_plane, force: None });
+        return Some(Neglected { friction: (!rubbing.is_full).then_some(of_half_plane), force: None });
     }
     let thinness = zone.contact() / layer.length();
     if thinness > SERVED_BY_NODES * MOST_TIMES as f64 {
@@ -66,13 +72,22 @@ pub(super) fn neglected(layer: &PreparedLayer, problem: &Problem, zone: StickZon
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few
     let level = (COARSEST + finer.max(0.0)).ceil().min(FINEST) as u32;
     let quadrature = scene.solver.quadrature.as_ref()?.refined(level);
-    let half_plane = Scene { layer: plan::half_plane(&scene.layer, &problem.layer), ..scene.clone() };
-    let step = |layer: &PreparedLayer| first_step(layer, problem, zone, quadrature.clone()).ok();
+    let mut coarse = Coarse::new(layer, problem, zone, quadrature.clone()).ok()?;
+    let force = coarse.more_force(layer, problem).filter(|force| force.is_finite());
+    if rubbing.is_full {
+        return Some(Neglected { friction: None, force });
+    }
+    let own = coarse.more_friction(layer, problem).ok()?;
     // On an incompressible half-plane there is no shear.
-    let plain = if beta == 0.0 { 0.0 } else { step(&PreparedLayer::of(&plan::choose(&half_plane)).ok()?)?.friction };
-    let Neglected { friction: own, force } = step(layer)?;
+    let plain = if beta == 0.0 {
+        0.0
+    } else {
+        let half_plane = Scene { layer: plan::half_plane(&scene.layer, &problem.layer), ..scene.clone() };
+        let layer = PreparedLayer::of(&plan::choose(&half_plane)).ok()?;
+        Coarse::new(&layer, problem, zone, quadrature).ok()?.more_friction(&layer, problem).ok()?
+    };
     let friction = if own.abs() < plain.abs() { of_half_plane * own / plain } else { of_half_plane + own - plain };
-    friction.is_finite().then_some(Neglected { friction, force: force.filter(|force| force.is_finite()) })
+    friction.is_finite().then_some(Neglected { friction: Some(friction), force })
 }
 
 /// `c`: between the measurements and beyond them along `ln(a/(b - a))`.
@@ -84,78 +99,92 @@ fn factor(ratio: f64, rest: f64) -> f64 {
     pair[0].1 + (pair[1].1 - pair[0].1) * (at - from) / (to - from)
 }
 
-/// By how much the friction coefficient of a stick zone grows when the pressure of a frictionless flat punch gives way to
-/// the one that the shear under it makes; and what all such steps make of the force.
-fn first_step(
-    layer: &PreparedLayer,
-    problem: &Problem,
+/// Goodman's solution under a flat punch as wide as the contact, with a unit force, at a coarse resolution.
+struct Coarse {
     zone: StickZone,
-    quadrature: Box<dyn Quadrature>,
-) -> Result<Neglected, Refusal> {
-    let beta = problem.elastic.beta();
-    let mut normal = Normal::new(&*quadrature, Edge::Sharp)?;
-    normal.press_flat(layer, zone.contact(), |_| 0.0)?;
-    let mut shear = Shear::new(quadrature)?;
-    shear.under(layer, &mut normal);
-    let goodman =
-        if layer.is_plain() { shear.know(&normal, beta, zone) } else { shear.solve(layer, &mut normal, beta, zone)? };
-
-    let grid = (!layer.is_plain()).then(|| grid(zone.contact() / layer.length()));
-    let points = grid.map_or_else(Vec::new, |grid| right_half(zone, &normal, &shear, &grid));
-    let force = more_force(layer, problem, (&mut normal, &shear), &points);
-    let at = normal.collocation().to_vec();
-    let mut pressure = vec![0.0; at.len()];
-    normal.values_into(&at, &mut pressure);
-    let own = shear.values(&at, &pressure);
-    let mut slopes: Vec<f64> = own.iter().map(|q| beta * q).collect();
-    if !layer.is_plain() {
-        let mut distances = Vec::with_capacity(2 * points.len() * at.len());
-        for Station { x, .. } in &at {
-            for Point { at: Station { x: r, .. }, .. } in &points {
-                distances.extend([(x - r).abs(), x + r]);
-            }
-        }
-        let mut kernel = vec![0.0; distances.len()];
-        layer.kernel_values(Component::Coupling, &distances, &mut kernel);
-        for (slope, kernel) in slopes.iter_mut().zip(kernel.chunks_exact(2 * points.len())) {
-            // The shear is odd, its kernel even.
-            let pairs = kernel.as_chunks::<2>().0.iter().zip(&points);
-            *slope -= pairs.map(|([near, far], point)| (near - far) * point.shear * point.weight).sum::<f64>() / PI;
-        }
-    }
-    normal.press_flat(layer, zone.contact(), |i| slopes[i])?;
-    shear.under(layer, &mut normal);
-    Ok(Neglected { friction: shear.solve(layer, &mut normal, beta, zone)? / goodman - 1.0, force })
+    normal: Normal,
+    shear: Shear,
+    /// The friction coefficient that belongs to the stick zone.
+    goodman: f64,
+    /// The shear, where it is seen by a kernel.
+    points: Vec<Point>,
 }
 
-/// By how much more force pushes a flat punch to a depth if the shear acts on the pressure.
-///
-/// By reciprocity the shear lifts the punch under a unit force by `-int q u dx`, where `u` is what the pressure moves along the
-/// surface. Each further step lifts by much the same share of what the one before did: a geometric series.
-fn more_force(
-    layer: &PreparedLayer,
-    problem: &Problem,
-    (normal, shear): (&mut Normal, &Shear),
-    points: &[Point],
-) -> Option<f64> {
-    // Reciprocity takes depths from what is at rest, which a datum is not.
-    if points.is_empty() || !problem.layer.is_grounded() {
-        return None;
+impl Coarse {
+    fn new(
+        layer: &PreparedLayer,
+        problem: &Problem,
+        zone: StickZone,
+        quadrature: Box<dyn Quadrature>,
+    ) -> Result<Self, Refusal> {
+        let beta = problem.elastic.beta();
+        let mut normal = Normal::new(&*quadrature, Edge::Sharp)?;
+        normal.press_flat(layer, zone.contact(), |_| 0.0)?;
+        let mut shear = Shear::new(quadrature)?;
+        shear.under(layer, &mut normal);
+        let (goodman, points) = if layer.is_plain() {
+            (shear.know(&normal, beta, zone), Vec::new())
+        } else {
+            let goodman = shear.solve(layer, &mut normal, beta, zone)?;
+            (goodman, right_half(zone, &normal, &shear, &grid(zone.contact() / layer.length())))
+        };
+        Ok(Self { zone, normal, shear, goodman, points })
     }
-    let depth = normal.sunk_flat(layer, problem)? / problem.elastic.a0();
-    let at: Vec<Station> = points.iter().map(|point| point.at).collect();
-    let (mut strain, mut pressure) = (vec![0.0; at.len()], vec![0.0; at.len()]);
-    normal.potential_into(layer, Component::Coupling, shear.coupling(), &at, &mut strain);
-    normal.values_into(&at, &mut pressure);
-    // u, over A0, from the middle outwards: half of what a point stands for lies before it.
-    let (mut moved, mut lift) = (0.0, 0.0);
-    for ((strain, pressure), point) in strain.iter().zip(&pressure).zip(points) {
-        let half = 0.5 * (strain - problem.elastic.beta() * pressure) * point.weight;
-        lift -= 2.0 * point.shear * point.weight * (moved + half);
-        moved += 2.0 * half;
+
+    /// By how much the friction coefficient of the stick zone grows when the pressure gives way to the one that the shear under it makes.
+    fn more_friction(self, layer: &PreparedLayer, problem: &Problem) -> Result<f64, Refusal> {
+        let Self { zone, mut normal, mut shear, goodman, points } = self;
+        let beta = problem.elastic.beta();
+        let at = normal.collocation().to_vec();
+        let mut pressure = vec![0.0; at.len()];
+        normal.values_into(&at, &mut pressure);
+        let own = shear.values(&at, &pressure);
+        let mut slopes: Vec<f64> = own.iter().map(|q| beta * q).collect();
+        if !points.is_empty() {
+            let mut distances = Vec::with_capacity(2 * points.len() * at.len());
+            for Station { x, .. } in &at {
+                for Point { at: Station { x: r, .. }, .. } in &points {
+                    distances.extend([(x - r).abs(), x + r]);
+                }
+            }
+            let mut kernel = vec![0.0; distances.len()];
+            layer.kernel_values(Component::Coupling, &distances, &mut kernel);
+            for (slope, kernel) in slopes.iter_mut().zip(kernel.chunks_exact(2 * points.len())) {
+                // The shear is odd, its kernel even.
+                let pairs = kernel.as_chunks::<2>().0.iter().zip(&points);
+                *slope -= pairs.map(|([near, far], point)| (near - far) * point.shear * point.weight).sum::<f64>() / PI;
+            }
+        }
+        normal.press_flat(layer, zone.contact(), |i| slopes[i])?;
+        shear.under(layer, &mut normal);
+        Ok(shear.solve(layer, &mut normal, beta, zone)? / goodman - 1.0)
     }
-    let share = lift / depth;
-    (share < MOST).then(|| share / (1.0 - share))
+
+    /// By how much more force pushes the punch to a depth if the shear acts on the pressure.
+    ///
+    /// By reciprocity the shear lifts the punch under a unit force by `-int q u dx`, where `u` is what the pressure moves along the
+    /// surface. Each further step lifts by much the same share of what the one before did: a geometric series.
+    fn more_force(&mut self, layer: &PreparedLayer, problem: &Problem) -> Option<f64> {
+        let Self { normal, shear, points, .. } = self;
+        // Reciprocity takes depths from what is at rest, which a datum is not.
+        if !problem.layer.is_grounded() {
+            return None;
+        }
+        let depth = normal.sunk_flat(layer, problem)? / problem.elastic.a0();
+        let at: Vec<Station> = points.iter().map(|point| point.at).collect();
+        let (mut strain, mut pressure) = (vec![0.0; at.len()], vec![0.0; at.len()]);
+        normal.potential_into(layer, Component::Coupling, shear.coupling(), &at, &mut strain);
+        normal.values_into(&at, &mut pressure);
+        // u, over A0, from the middle outwards: half of what a point stands for lies before it.
+        let (mut moved, mut lift) = (0.0, 0.0);
+        for ((strain, pressure), point) in strain.iter().zip(&pressure).zip(points) {
+            let half = 0.5 * (strain - problem.elastic.beta() * pressure) * point.weight;
+            lift -= 2.0 * point.shear * point.weight * (moved + half);
+            moved += 2.0 * half;
+        }
+        let share = lift / depth;
+        (share < MOST).then(|| share / (1.0 - share))
+    }
 }
 
 /// A point of the right half of the contact, the shear there and the length that it stands for.
