@@ -402,6 +402,11 @@ impl Growing {
         }
     }
 
+    /// Whether its pressure is stacked, too.
+    pub(crate) fn stacks_pressure(&self) -> bool {
+        self.is_solver && self.is_kinked
+    }
+
     /// Whether the pressure pulls nowhere, because none of the slices does that it is a stack of.
     pub(crate) fn presses(&mut self, problem: &Problem) -> bool {
         let (true, Some(family), Some(stack)) = (self.is_kinked, &mut self.family, &self.stack) else { return false };

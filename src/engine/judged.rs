@@ -77,9 +77,12 @@ impl Judged {
             self.errors.set(Quantity::Shear, of_shear);
         }
         if let Some(of_shear) = self.errors.get(Quantity::Shear) {
-            // It is stacked of the pressures, too.
+            // It is stacked of the pressures, too, and what it lacks of sliding is taken off one that may be off between the nodes.
             let left = self.outcome.left;
-            self.errors.set(Quantity::Shear, of_shear + LEFT_OF_SHEAR * left.shear + left.pressure);
+            let between = self.outcome.lost.and(self.of_pressure).unwrap_or(0.0);
+            let share =
+                self.outcome.rubbing.as_ref().and_then(|rubbing| rubbing.shear).map_or(0.0, |shear| shear.of_sliding());
+            self.errors.set(Quantity::Shear, of_shear + LEFT_OF_SHEAR * left.shear + left.pressure + share * between);
         }
         let errors = self.errors;
         for (quantity, error) in errors.iter().filter(|(quantity, _)| quantity.is_of_shear()) {

@@ -216,6 +216,11 @@ impl ShearTrace {
         Self::LEAST * friction.abs().min(1.0)
     }
 
+    /// What slides under the mean pressure, over the largest shear.
+    pub(crate) fn of_sliding(&self) -> f64 {
+        self.friction.abs() / self.largest
+    }
+
     /// Of a traction over the mean pressure, its shear at those points, and the friction coefficient.
     pub(crate) fn new(at: [f64; Self::POINTS], shear: [f64; Self::POINTS], friction: f64) -> Self {
         let largest = |numbers: &[f64], least: f64| numbers.iter().fold(least, |most, q| most.max(q.abs()));
