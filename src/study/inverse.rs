@@ -21,6 +21,8 @@ const STEPS: u32 = 24;
 const WIDE: f64 = 4.0;
 /// Share of the range over which a slope is measured, and what is beside a value.
 const BESIDE: f64 = 1e-3;
+/// What is left of the excess at a root, over what it is beside: the root's tolerance, but where it jumps.
+const JUMP: f64 = 0.01;
 /// Iterations of a search that has a bracket.
 const MOST: u64 = 100;
 
@@ -61,6 +63,9 @@ impl Moved {
         .min(1.0)
     }
 }
+
+/// A place in the range, taken as 0 to 1, and the excess there.
+type Place = (f64, f64);
 
 /// What was seen at one value of the field: the number that decides, less what is wanted of it.
 #[derive(Clone, Copy)]
@@ -182,24 +187,24 @@ impl Question<'_> {
 
     /// Where the number is as wanted, over the range taken as 0 to 1.
     fn crossings(&self, points: &[Point]) -> Result<Vec<(f64, Moved)>, String> {
-        let crosses = |pair: &&[Point]| {
-            let (one, other) = (pair[0].excess, pair[1].excess);
-            let adjacent = pair[1].at - pair[0].at < 1.5 / f64::from(STEPS);
-            adjacent && (one < 0.0 && other > 0.0 || one > 0.0 && other < 0.0)
-        };
-        let mut found: Vec<(f64, Moved)> = Vec::new();
-        let slope = |one: &Point, other: &Point| Moved::BySlope((other.excess - one.excess) / (other.at - one.at));
-        for pair in points.windows(2).filter(crosses) {
-            let tolerance = self.study.scene.solver.tolerance.get();
-            let root = Toms748Root::new(pair[0].at, pair[1].at).with_absolute_position_tolerance(tolerance);
-            let root = root
-                .solve(|at| self.excess(at).map_err(|why| self.placed(at, &why)))
-                .map_err(|error| error.to_string())?;
-            found.push((root.root(), slope(&pair[0], &pair[1])));
-        }
+        let step = f64::from(STEPS).recip();
+        let places: Vec<Place> = points.iter().map(|point| (point.at, point.excess)).collect();
+        let is_adjacent = |pair: &&[Place]| pair[1].0 - pair[0].0 < 1.5 * step;
+        let pairs = places.windows(2).filter(is_adjacent).map(|pair| [pair[0], pair[1]]);
+        let mut found = self.roots(pairs)?;
         // Steps may hit it.
-        let hit = points.windows(2).filter(|pair| pair[0].excess == 0.0 || pair[1].excess == 0.0);
-        found.extend(hit.map(|pair| (pair[usize::from(pair[0].excess != 0.0)].at, slope(&pair[0], &pair[1]))));
+        let hit = places.windows(2).filter(|pair| pair[0].1 == 0.0 || pair[1].1 == 0.0);
+        found.extend(hit.map(|pair| (pair[usize::from(pair[0].1 != 0.0)].0, by_slope([pair[0], pair[1]]))));
+        if found.is_empty() {
+            // Or it lies between a value that can be told and one that cannot.
+            let ends = places.iter().flat_map(|place| [(*place, place.0 - step), (*place, place.0 + step)]);
+            let is_gap = |(_, end): &(Place, f64)| {
+                (-BESIDE..=1.0 + BESIDE).contains(end) && places.iter().all(|place| (place.0 - end).abs() > BESIDE)
+            };
+            let pairs: Vec<[Place; 2]> =
+                ends.filter(is_gap).map(|(place, end)| [place, self.reached(points, place, end)]).collect();
+            found = self.roots(pairs.into_iter())?;
+        }
         found.sort_by(|one, other| one.0.total_cmp(&other.0));
         found.dedup_by(|one, other| one.0.to_bits() == other.0.to_bits());
         if found.is_empty() {
@@ -214,6 +219,28 @@ impl Question<'_> {
             ));
         }
         Ok(found)
+    }
+
+    /// The roots between places at which the excess has two signs.
+    fn roots(&self, pairs: impl Iterator<Item = [Place; 2]>) -> Result<Vec<(f64, Moved)>, String> {
+        let tolerance = self.study.scene.solver.tolerance.get();
+        let crosses = |[one, other]: &[Place; 2]| one.1 < 0.0 && other.1 > 0.0 || one.1 > 0.0 && other.1 < 0.0;
+        let root = |pair: [Place; 2]| {
+            let [one, other] = pair;
+            let root = Toms748Root::new(one.0.min(other.0), one.0.max(other.0))
+                .with_absolute_position_tolerance(tolerance)
+                .solve(|at| self.excess(at).map_err(|why| self.placed(at, &why)))
+                .map_err(|error| error.to_string())?;
+            if root.value().abs() > JUMP * (other.1 - one.1).abs() {
+                let Find { field, quantity, .. } = self.find;
+                return Err(format!(
+                    "{quantity} jumps over what is wanted at {field} = {}",
+                    short(self.value(root.root()))
+                ));
+            }
+            Ok((root.root(), by_slope(pair)))
+        };
+        pairs.filter(crosses).map(root).collect()
     }
 
     /// That the number is nowhere as wanted, in words.
@@ -368,6 +395,11 @@ impl Question<'_> {
         }
         Err(solution.reason.unwrap_or_else(|| "it does not converge".into()))
     }
+}
+
+/// The slope from one place to another.
+fn by_slope([one, other]: [Place; 2]) -> Moved {
+    Moved::BySlope((other.1 - one.1) / (other.0 - one.0))
 }
 
 /// The scene on a homogeneous half-plane of the surface's modulus.

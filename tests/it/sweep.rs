@@ -552,6 +552,32 @@ fn the_friction_for_a_stick_ratio() {
     assert!(absurd["reason"].as_str().unwrap().contains("stick.ratio stays between 0.044950"), "{absurd}");
 }
 
+/// Between a stick ratio that can be told and one that cannot.
+#[test]
+fn an_answer_beside_what_cannot_be_told_is_found() {
+    let scene = GOOD
+        .replace("thickness = 5.0\npoisson = 0.3", "thickness = 2.0238\npoisson = 0.49482")
+        .replace("type = \"exponential\", surface = 1.0, base = 8.0", "type = \"homogeneous\", modulus = 1.0");
+    let ask = |target: f64| {
+        let find = format!(
+            "field = \"friction.coefficient\"\nfrom = 0.1\nto = 0.5\nquantity = \"stick.ratio\"\ntarget = {target:?}"
+        );
+        found(&scene, &find)
+    };
+    let record = ask(0.9);
+    let value = record["found"]["value"].as_f64().unwrap_or_else(|| panic!("{record}"));
+    let there = found(
+        &scene,
+        &format!(
+            "field = \"friction.coefficient\"\nfrom = {:?}\nto = {:?}\nquantity = \"stick.ratio\"\ntarget = 0.9",
+            0.99 * value,
+            1.005 * value
+        ),
+    );
+    let again = there["found"]["value"].as_f64().unwrap_or_else(|| panic!("{there}"));
+    assert!((again / value - 1.0).abs() < 1e-6, "{again}, {value}");
+}
+
 /// The paper's own question. Frictionless quantities tend to the half-plane's like `(b/h)^2`: a quarter of the difference
 /// takes twice the thickness, nearly.
 #[test]
