@@ -89,21 +89,16 @@ pub(super) fn solution(
             solution.assumptions.push(format!("{what} is known to {error:.0e} of {scale}").into());
         }
     }
-    if let Some(neglected) = solution.plan.coupling_neglected {
-        let reason = format!(
-            "Goodman: that q does not change p makes the friction that belongs to this stick ratio about {} too {}",
-            percent(neglected.abs()),
-            if neglected < 0.0 { "large" } else { "small" }
-        );
-        solution.assumptions.push(reason.clone().into());
-        solution.plan.reasons.push(reason.into());
-    }
-    if let Some(force) = neglected.and_then(|neglected| neglected.force).filter(|force| force.abs() > SAID_OF_FORCE) {
-        let reason = format!(
-            "Goodman: if q changed p, this indentation would take about {} {} force",
-            percent(force.abs()),
-            if force < 0.0 { "less" } else { "more" }
-        );
+    let of_friction = solution.plan.coupling_neglected.map(|neglected| {
+        let (share, side) = (percent(neglected.abs()), if neglected < 0.0 { "large" } else { "small" });
+        format!("Goodman: that q does not change p makes the friction that belongs to this stick ratio about {share} too {side}")
+    });
+    let force = neglected.and_then(|neglected| neglected.force).filter(|force| force.abs() > SAID_OF_FORCE);
+    let of_force = force.map(|force| {
+        let (share, side) = (percent(force.abs()), if force < 0.0 { "less" } else { "more" });
+        format!("Goodman: if q changed p, this indentation would take about {share} {side} force")
+    });
+    for reason in of_friction.into_iter().chain(of_force) {
         solution.assumptions.push(reason.clone().into());
         solution.plan.reasons.push(reason.into());
     }
