@@ -13,7 +13,7 @@ use basin::{
     BoxBounds, Brent, ConstraintDescription, ConstraintSet, Constraints, CostFunction, Executor, PointState,
     Toms748Root,
 };
-use slipzone_api::short;
+use slipzone_api::{rounded, short};
 
 /// Steps in which a range is looked over.
 const STEPS: u32 = 24;
@@ -21,8 +21,12 @@ const STEPS: u32 = 24;
 const WIDE: f64 = 4.0;
 /// Share of the range over which a slope is measured, and what is beside a value.
 const BESIDE: f64 = 1e-3;
-/// What is left of the excess at a root, over what it is beside: the root's tolerance, but where it jumps.
+/// What is left of the excess at a root, over what it is beside: the root's tolerance and the number's own error, but where it jumps.
 const JUMP: f64 = 0.01;
+/// Part of the way between two places to within which a root is told at least, for a jump to show.
+const NEAR: f64 = JUMP * JUMP;
+/// Digits of a number in a reason.
+const DIGITS: usize = 7;
 /// Iterations of a search that has a bracket.
 const MOST: u64 = 100;
 
@@ -77,6 +81,12 @@ struct Point {
     excess: f64,
 }
 
+impl Point {
+    fn place(&self) -> Place {
+        (self.at, self.excess)
+    }
+}
+
 /// The range as it was looked over.
 struct Seen {
     points: Vec<Point>,
@@ -102,17 +112,12 @@ impl Question<'_> {
         let value = self.value(at);
         let solution = self.solution(value, false).map_err(|why| self.placed(at, &why))?;
         let tolerance = solution.scene.solver.tolerance.get();
-        let number_error = self.number_error(&solution);
-        let size = if matches!(self.find.wanted, Wanted::HalfPlaneWithin(_)) {
-            2.0 // relative to the half-plane's number, which has an error of its own
-        } else {
-            solution.number(&self.find.quantity).map_or(1.0, f64::abs)
-        };
+        let excess_error = self.excess_error(&solution);
         let moved = match (moved, self.slope(at)) {
             (Moved::BySlope(_), Some(slope)) => Moved::BySlope(slope),
             _ => moved,
         };
-        let error = self.relative(value) * (moved.by(number_error * size) + tolerance);
+        let error = self.relative(value) * (moved.by(excess_error) + tolerance);
         let others = places[1..].iter().map(|(at, _)| self.value(*at)).collect();
         let is_at_end = matches!(moved, Moved::ByRoot(_)) && (at <= 0.0 || at >= 1.0);
         Ok((Found { field: self.find.field.clone(), value, error, others, is_at_end }, solution))
@@ -179,6 +184,15 @@ impl Question<'_> {
         format!("{} = {:?}: {why}", self.find.field, self.value(at))
     }
 
+    /// The error of the excess.
+    fn excess_error(&self, solution: &Solution) -> f64 {
+        let size = match self.find.wanted {
+            Wanted::HalfPlaneWithin(_) => 2.0, // relative to the half-plane's number, which has an error of its own
+            _ => solution.number(&self.find.quantity).map_or(1.0, f64::abs),
+        };
+        self.number_error(solution) * size
+    }
+
     /// The relative error of the number that decides.
     fn number_error(&self, solution: &Solution) -> f64 {
         let tolerance = solution.scene.solver.tolerance.get();
@@ -188,22 +202,17 @@ impl Question<'_> {
     /// Where the number is as wanted, over the range taken as 0 to 1.
     fn crossings(&self, points: &[Point]) -> Result<Vec<(f64, Moved)>, String> {
         let step = f64::from(STEPS).recip();
-        let places: Vec<Place> = points.iter().map(|point| (point.at, point.excess)).collect();
+        let places: Vec<Place> = points.iter().map(Point::place).collect();
         let is_adjacent = |pair: &&[Place]| pair[1].0 - pair[0].0 < 1.5 * step;
-        let pairs = places.windows(2).filter(is_adjacent).map(|pair| [pair[0], pair[1]]);
-        let mut found = self.roots(pairs)?;
+        let mut found = self.roots(places.windows(2).filter(is_adjacent).map(|pair| [pair[0], pair[1]]))?;
         // Steps may hit it.
         let hit = places.windows(2).filter(|pair| pair[0].1 == 0.0 || pair[1].1 == 0.0);
         found.extend(hit.map(|pair| (pair[usize::from(pair[0].1 != 0.0)].0, by_slope([pair[0], pair[1]]))));
         if found.is_empty() {
             // Or it lies between a value that can be told and one that cannot.
-            let ends = places.iter().flat_map(|place| [(*place, place.0 - step), (*place, place.0 + step)]);
-            let is_gap = |(_, end): &(Place, f64)| {
-                (-BESIDE..=1.0 + BESIDE).contains(end) && places.iter().all(|place| (place.0 - end).abs() > BESIDE)
-            };
-            let pairs: Vec<[Place; 2]> =
-                ends.filter(is_gap).map(|(place, end)| [place, self.reached(points, place, end)]).collect();
-            found = self.roots(pairs.into_iter())?;
+            let ends = places.iter().flat_map(|place| [place.0 - step, place.0 + step].map(|end| (*place, end)));
+            let ends = ends.filter(|(_, end)| (-BESIDE..=1.0 + BESIDE).contains(end));
+            found = self.roots(ends.map(|(place, end)| [place, self.reached(points, place, end)]))?;
         }
         found.sort_by(|one, other| one.0.total_cmp(&other.0));
         found.dedup_by(|one, other| one.0.to_bits() == other.0.to_bits());
@@ -227,16 +236,17 @@ impl Question<'_> {
         let crosses = |[one, other]: &[Place; 2]| one.1 < 0.0 && other.1 > 0.0 || one.1 > 0.0 && other.1 < 0.0;
         let root = |pair: [Place; 2]| {
             let [one, other] = pair;
-            let root = Toms748Root::new(one.0.min(other.0), one.0.max(other.0))
-                .with_absolute_position_tolerance(tolerance)
+            let (from, to) = (one.0.min(other.0), one.0.max(other.0));
+            let root = Toms748Root::new(from, to)
+                .with_absolute_position_tolerance(tolerance.min(NEAR * (to - from)))
                 .solve(|at| self.excess(at).map_err(|why| self.placed(at, &why)))
                 .map_err(|error| error.to_string())?;
-            if root.value().abs() > JUMP * (other.1 - one.1).abs() {
+            let value = self.value(root.root());
+            if root.value().abs() > JUMP * (other.1 - one.1).abs()
+                && root.value().abs() > self.excess_error(&self.solution(value, true)?)
+            {
                 let Find { field, quantity, .. } = self.find;
-                return Err(format!(
-                    "{quantity} jumps over what is wanted at {field} = {}",
-                    short(self.value(root.root()))
-                ));
+                return Err(format!("{quantity} jumps over what is wanted at {field} = {}", short(value)));
             }
             Ok((root.root(), by_slope(pair)))
         };
@@ -260,9 +270,9 @@ impl Question<'_> {
             }
             Wanted::Target(target) => {
                 let (least, most) = ends(|point| point.number);
-                let (least, most, count) = (rounded(least), rounded(most), points.len());
+                let (least, most, count) = (rounded(least, DIGITS), rounded(most, DIGITS), points.len());
                 format!(
-                    "{quantity} stays between {least:?} and {most:?} at the {count} values tried {range}; wanted is {target:?}"
+                    "{quantity} stays between {least} and {most} at the {count} values tried {range}; wanted is {target:?}"
                 )
             }
             Wanted::Minimum | Wanted::Maximum => unreachable!("no crossing is looked for"),
@@ -273,8 +283,8 @@ impl Question<'_> {
     fn least(&self, points: &[Point]) -> Result<(f64, Moved), String> {
         let order = |one: &&[Point], other: &&[Point]| one[1].excess.total_cmp(&other[1].excess);
         let around = points.windows(3).min_by(order).ok_or("too little of the range can be solved")?;
-        let lower_of = |one: &(f64, f64), other: &(f64, f64)| one.1.total_cmp(&other.1);
-        let seen = points.iter().map(|point| (point.at, point.excess));
+        let lower_of = |one: &Place, other: &Place| one.1.total_cmp(&other.1);
+        let seen = points.iter().map(Point::place);
         let lowest = seen.clone().min_by(lower_of).unwrap_or((0.0, f64::INFINITY));
         let step = f64::from(STEPS).recip();
         let ends = [(lowest.0 - step).max(0.0), (lowest.0 + step).min(1.0)];
@@ -299,9 +309,9 @@ impl Question<'_> {
 
     /// How far the number can be told on the way from a place where it can, and what it is there: to a place that was looked
     /// at, or to within [`BESIDE`] of one where it cannot.
-    fn reached(&self, points: &[Point], from: (f64, f64), to: f64) -> (f64, f64) {
+    fn reached(&self, points: &[Point], from: Place, to: f64) -> Place {
         if let Some(point) = points.iter().find(|point| (point.at - to).abs() < BESIDE) {
-            return (point.at, point.excess);
+            return point.place();
         }
         let (mut told, mut untold) = (from, to);
         while (untold - told.0).abs() > BESIDE {
@@ -437,9 +447,4 @@ impl CostFunction for Valley<'_> {
         // What cannot be solved is no place for the least.
         Ok(self.question.excess(*at).unwrap_or(self.highest))
     }
-}
-
-/// Seven digits of it.
-fn rounded(number: f64) -> f64 {
-    format!("{number:.6e}").parse().unwrap_or(number)
 }

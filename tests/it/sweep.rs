@@ -552,6 +552,38 @@ fn the_friction_for_a_stick_ratio() {
     assert!(absurd["reason"].as_str().unwrap().contains("stick.ratio stays between 0.044950"), "{absurd}");
 }
 
+/// At a loose tolerance a root is told loosely, and numbers jump by their errors from one resolution to another: these are no jumps.
+#[test]
+fn loose_answers_are_answers() {
+    let answer = |target: f64, tolerance: &str| {
+        let find = format!(
+            "field = \"friction.coefficient\"\nfrom = 0.05\nto = 0.5\nquantity = \"stick.ratio\"\ntarget = {target:?}"
+        );
+        let record = found(&format!("{GOOD}[solver]\ntolerance = {tolerance}\n"), &find);
+        let [value, error] = ["value", "error"].map(|key| record["found"][key].as_f64());
+        value.zip(error).unwrap_or_else(|| panic!("{target} to {tolerance}: {record}"))
+    };
+    for target in [0.5, 0.65, 0.8, 0.9, 0.95] {
+        let (truth, _) = answer(target, "1e-8");
+        for tolerance in ["1e-1", "3e-2", "1e-3"] {
+            let (value, error) = answer(target, tolerance);
+            assert!((value / truth - 1.0).abs() <= error, "{target} to {tolerance}: {value} +- {error}, not {truth}");
+        }
+    }
+}
+
+/// The modulus jumps at `c = 0.3123`, and what depends on it: nowhere is it in between.
+#[test]
+fn a_jump_is_no_answer() {
+    let law = "type = \"formula\", modulus = \"2 + y*abs(c - 0.3123)/(c - 0.3123)/4\", parameters = { c = 1.0 }";
+    let scene = GOOD
+        .replace("[friction]\ntype = \"goodman\"\ncoefficient = 0.3\n", "")
+        .replace("type = \"exponential\", surface = 1.0, base = 8.0", law);
+    let find = "field = \"layer.grading.parameters.c\"\nfrom = 0.0\nto = 1.0\nquantity = \"edge.ratio\"\ntarget = 0.31";
+    let record = found(&scene, find);
+    assert!(record["reason"].as_str().unwrap().contains("edge.ratio jumps over what is wanted"), "{record}");
+}
+
 /// Between a stick ratio that can be told and one that cannot.
 #[test]
 fn an_answer_beside_what_cannot_be_told_is_found() {

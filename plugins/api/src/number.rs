@@ -75,7 +75,12 @@ checked!(Poisson, "a number above -1 and up to 0.5", |v| v > -1.0 && v <= 0.5);
 
 /// A number for people, with five digits at most.
 pub fn short(value: f64) -> String {
-    exactly(format!("{value:.4e}").parse().unwrap_or(value))
+    rounded(value, 5)
+}
+
+/// A number with so many significant digits at most, one at least.
+pub fn rounded(value: f64, digits: usize) -> String {
+    exactly(format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value))
 }
 
 /// A number with all its digits, as a power of ten where plain decimals would be long.

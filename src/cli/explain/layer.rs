@@ -1,7 +1,7 @@
 //! The layer in words: what it is made of, what its surface knows of it, and what its base means for the indentation.
 
 use super::Known;
-use slipzone::api::{Base, LayerModel, Moduli, ModulusLaw, exactly};
+use slipzone::api::{Base, LayerModel, Moduli, ModulusLaw, exactly, rounded};
 use slipzone::engine::DepthProfile;
 use slipzone::scene::Scene;
 use std::fmt::{Result, Write};
@@ -61,20 +61,25 @@ fn constants(text: &mut String, scene: &Scene, profile: &DepthProfile) -> Result
     let shown = if scene.layer.base == Base::Infinite { " as far as it is drawn" } else { "" };
     let (least, most) = profile.modulus_range();
     if most - least > SAME * most {
-        writeln!(text, "# modulus      {} to {}  ({kind}, stress){shown}", rounded(least), rounded(most))?;
+        writeln!(
+            text,
+            "# modulus      {} to {}  ({kind}, stress){shown}",
+            free_of_roundings(least),
+            free_of_roundings(most)
+        )?;
     } else {
-        writeln!(text, "# modulus      {} everywhere  ({kind}, stress)", rounded(least))?;
+        writeln!(text, "# modulus      {} everywhere  ({kind}, stress)", free_of_roundings(least))?;
     }
     let (least, most) = profile.poisson_range();
     if most - least > SAME {
-        writeln!(text, "# poisson      {} to {}", rounded(least), rounded(most))?;
+        writeln!(text, "# poisson      {} to {}", free_of_roundings(least), free_of_roundings(most))?;
     }
     Ok(())
 }
 
 /// Without the roundings of the law's own arithmetic.
-fn rounded(value: f64) -> String {
-    exactly(format!("{value:.9e}").parse().unwrap_or(value))
+fn free_of_roundings(value: f64) -> String {
+    rounded(value, 10)
 }
 
 /// How much the surface knows of what lies below.
