@@ -82,8 +82,8 @@ impl Contact {
         };
         let known = coarse.and_then(|coarse| coarse.rubbing.as_ref());
         let rubbing = match problem.friction {
-            Some(eta) if problem.is_linear => Some(self.rub_linearly(layer, task, eta, known)?),
-            Some(eta) => Some(self.rub(layer, task, eta, known)?),
+            Some(_) if problem.is_linear => Some(self.rub_linearly(layer, task, known)?),
+            Some(_) => Some(self.rub(layer, task, known)?),
             None => None,
         };
         let mut outcome = self.outcome(layer, problem, size, rubbing);

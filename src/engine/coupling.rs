@@ -64,7 +64,7 @@ pub(super) fn neglected(
         return Some(Neglected { friction: (!rubbing.is_full).then_some(of_half_plane), force: None });
     }
     let thinness = zone.contact() / layer.length();
-    if thinness > SERVED_BY_NODES * MOST_TIMES as f64 {
+    if thinness > SERVED_BY_NODES * MOST_TIMES as f64 || rubbing.is_full && !tells_force(layer, problem) {
         return None;
     }
     // A level tells details shorter by sqrt 2.
@@ -88,6 +88,11 @@ pub(super) fn neglected(
     };
     let friction = if own.abs() < plain.abs() { of_half_plane * own / plain } else { of_half_plane + own - plain };
     friction.is_finite().then_some(Neglected { friction: Some(friction), force })
+}
+
+/// Whether the force for a depth can be told: reciprocity takes depths from what is at rest, which a datum is not.
+fn tells_force(layer: &PreparedLayer, problem: &Problem) -> bool {
+    problem.layer.is_grounded() && layer.kernel(Component::Depth).is_some()
 }
 
 /// `c`: between the measurements and beyond them along `ln(a/(b - a))`.
@@ -166,8 +171,7 @@ impl Coarse {
     /// surface. Each further step lifts by much the same share of what the one before did: a geometric series.
     fn more_force(&mut self, layer: &PreparedLayer, problem: &Problem) -> Option<f64> {
         let Self { normal, shear, points, .. } = self;
-        // Reciprocity takes depths from what is at rest, which a datum is not.
-        if !problem.layer.is_grounded() {
+        if !tells_force(layer, problem) {
             return None;
         }
         let depth = normal.sunk_flat(layer, problem)? / problem.elastic.a0();

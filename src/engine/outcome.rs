@@ -65,3 +65,10 @@ pub(crate) struct Task<'a> {
     pub(crate) wanted: Wanted,
     pub(crate) tolerance: f64,
 }
+
+impl Task<'_> {
+    /// The friction coefficient, where there is friction.
+    pub(crate) fn friction(&self) -> f64 {
+        self.problem.friction.expect("only with friction")
+    }
+}

@@ -57,6 +57,13 @@ struct Coupled {
 }
 
 impl Coupled {
+    /// Of a layer so thick, and the `A0` of its surface.
+    fn under(flat: &Sketch, h: f64, a: f64) -> (Self, f64) {
+        let model = Arc::new(flat.scene().layer.model().expect("a layer"));
+        let response = Compliance {}.respond(&model).expect("a flexibility");
+        (Self::new(&*response, model.elastic.beta(), h, a), model.elastic.a0())
+    }
+
     fn new(response: &dyn LayerResponse, beta: f64, h: f64, a: f64) -> Self {
         let rule = GaussLegendre::new(8).expect("nodes");
         let (most, panels) = WAVES;
@@ -171,6 +178,12 @@ impl Coupled {
         self.elements.iter().enumerate().map(part).sum()
     }
 
+    /// By how much more force presses a flat punch to a depth, over `A0`, with the shear acting on the pressure than without.
+    fn more_force(&self, guess: f64, depth: f64) -> f64 {
+        let [goodman, truth] = [false, true].map(|with| self.depth(self.friction(guess, with), with));
+        depth / (depth - (goodman - truth)) - 1.0
+    }
+
     /// The friction coefficient of the stick zone.
     fn friction(&self, guess: f64, with_coupling: bool) -> f64 {
         let mut last = (0.9 * guess, self.mismatch(0.9 * guess, with_coupling));
@@ -212,9 +225,7 @@ fn what_goodman_neglects_on_layers_is_what_the_coupled_equations_say() {
         let signed = if stick.slip == Some(Slip::Outward) { -eta } else { eta };
         let told = solution.plan.coupling_neglected.expect("an estimate");
 
-        let model = Arc::new(flat.scene().layer.model().expect("a layer"));
-        let response = Compliance {}.respond(&model).expect("a flexibility");
-        let coupled = Coupled::new(&*response, model.elastic.beta(), h, stick.ratio.expect("a stick zone"));
+        let (coupled, _) = Coupled::under(&flat, h, stick.ratio.expect("a stick zone"));
         let goodman = coupled.friction(signed, false);
         assert!((goodman / signed - 1.0).abs() < 5e-3, "elements: {goodman} for {signed}");
         let truth = coupled.friction(goodman, true) / goodman - 1.0;
@@ -242,13 +253,8 @@ fn what_goodman_neglects_of_the_force_is_what_the_coupled_equations_say() {
         let percent = said.and_then(|(_, percent)| percent.strip_suffix(" % more force")).expect("an estimate");
         let told: f64 = 0.01 * percent.parse::<f64>().expect("a number");
 
-        let model = Arc::new(flat.scene().layer.model().expect("a layer"));
-        let response = Compliance {}.respond(&model).expect("a flexibility");
-        let ratio = stick.ratio.expect("a stick zone").min(NEARLY_ALL);
-        let coupled = Coupled::new(&*response, model.elastic.beta(), h, ratio);
-        let [goodman, truth] = [false, true].map(|with| coupled.depth(coupled.friction(signed, with), with));
-        let depth = solution.load.indentation.expect("a depth") / model.elastic.a0();
-        let more = depth / (depth - (goodman - truth)) - 1.0;
+        let (coupled, a0) = Coupled::under(&flat, h, stick.ratio.expect("a stick zone").min(NEARLY_ALL));
+        let more = coupled.more_force(signed, solution.load.indentation.expect("a depth") / a0);
         println!("h/b = {h}, nu = {nu}, eta = {signed}: {told:.4} told, {more:.4} true");
         assert!((told / more - 1.0).abs() < 0.15, "h/b = {h}, nu = {nu}: {told} told, {more} true");
     }
@@ -262,13 +268,9 @@ fn a_layer_that_sticks_to_the_punch_bears_more() {
     for (nu, all) in [(0.5, [1.05, 1.22, 1.63, 2.08]), (0.45, [1.01, 1.05, 1.08, 1.06])] {
         for (h, stated) in [2.0, 1.0, 0.5, 0.3].into_iter().zip(all) {
             let flat = Sketch::flat(h, 1.0, nu);
-            let model = Arc::new(flat.scene().layer.model().expect("a layer"));
-            let response = Compliance {}.respond(&model).expect("a flexibility");
-            let coupled = Coupled::new(&*response, model.elastic.beta(), h, NEARLY_ALL);
+            let (coupled, a0) = Coupled::under(&flat, h, NEARLY_ALL);
             let guess = if nu < 0.5 { 0.3 } else { -0.3 };
-            let [goodman, truth] = [false, true].map(|with| coupled.depth(coupled.friction(guess, with), with));
-            let depth = flat.solve().load.indentation.expect("a depth") / model.elastic.a0();
-            let more = depth / (depth - (goodman - truth));
+            let more = 1.0 + coupled.more_force(guess, flat.solve().load.indentation.expect("a depth") / a0);
             println!("h/b = {h}, nu = {nu}: {more:.4} times as much");
             assert!((more / stated - 1.0).abs() < 0.01, "h/b = {h}, nu = {nu}: {more}, not {stated}");
         }

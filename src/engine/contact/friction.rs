@@ -37,18 +37,17 @@ impl Contact {
         &mut self,
         layer: &PreparedLayer,
         task: Task,
-        eta: f64,
         coarse: Option<&Rubbing>,
     ) -> Result<Rubbing, Refusal> {
-        let b = self.normal.half_width;
+        let (b, eta) = (self.normal.half_width, task.friction());
         if let Some((half_width, friction, rubbing)) = &self.rubbed
             && self.normal.is_flat
             && (half_width.to_bits(), friction.to_bits()) == (b.to_bits(), eta.to_bits())
         {
             return Ok(rubbing.clone());
         }
-        let mut rubbing = self.find(layer, task, eta, coarse)?;
-        self.examine(layer, task, eta, &mut rubbing, coarse.and_then(Rubbing::root))?;
+        let mut rubbing = self.find(layer, task, coarse)?;
+        self.examine(layer, task, &mut rubbing, coarse.and_then(Rubbing::root))?;
         self.rubbed = Some((b, eta, rubbing.clone()));
         Ok(rubbing)
     }
@@ -58,11 +57,10 @@ impl Contact {
         &mut self,
         layer: &PreparedLayer,
         task: Task,
-        eta: f64,
         coarse: Option<&Rubbing>,
     ) -> Result<Rubbing, Refusal> {
         self.refresh(layer);
-        let b = self.normal.half_width;
+        let (b, eta) = (self.normal.half_width, task.friction());
         let known = coarse.and_then(Rubbing::reported);
         let shear = self.shear.as_mut().expect("room for the shear was made with friction");
         let mut failure = None;
@@ -95,7 +93,6 @@ impl Contact {
         &mut self,
         layer: &PreparedLayer,
         task: Task,
-        eta: f64,
         rubbing: &mut Rubbing,
         before: Option<f64>,
     ) -> Result<(), Refusal> {
@@ -104,7 +101,7 @@ impl Contact {
             if self.of_slices || rubbing.scanned {
                 rubbing.checked = self.holds(layer, task, lambda)?;
             } else if self.judge(layer, task, KNOWN, rubbing)?.is_some() {
-                self.look_again(layer, task, eta, rubbing)?;
+                self.look_again(layer, task, rubbing)?;
             }
         }
         let Some(lambda) = rubbing.solved() else { return Ok(()) };
@@ -116,16 +113,10 @@ impl Contact {
 
     /// Looks for all stick zones again where none of those known holds: this resolution may see what the coarser one that was scanned did
     /// not. Finer ones need not look.
-    fn look_again(
-        &mut self,
-        layer: &PreparedLayer,
-        task: Task,
-        eta: f64,
-        rubbing: &mut Rubbing,
-    ) -> Result<(), Refusal> {
+    fn look_again(&mut self, layer: &PreparedLayer, task: Task, rubbing: &mut Rubbing) -> Result<(), Refusal> {
         rubbing.scanned = true;
-        let again = self.scan(layer, task, eta)?;
-        if let Some(again) = self.followed(layer, task, eta, &again)? {
+        let again = self.scan(layer, task)?;
+        if let Some(again) = self.followed(layer, task, &again)? {
             *rubbing = Rubbing { scanned: true, ..again };
         }
         Ok(())
@@ -156,28 +147,24 @@ impl Contact {
     }
 
     /// [`Self::rub`], from the beginning.
-    fn find(
-        &mut self,
-        layer: &PreparedLayer,
-        task: Task,
-        eta: f64,
-        coarse: Option<&Rubbing>,
-    ) -> Result<Rubbing, Refusal> {
+    fn find(&mut self, layer: &PreparedLayer, task: Task, coarse: Option<&Rubbing>) -> Result<Rubbing, Refusal> {
         if coarse.is_some_and(|coarse| coarse.verdict == Verdict::Sticks) && self.stuck(layer, task)?.is_some() {
             return Ok(Rubbing::sticking(self.normal.half_width, FrictionCurve::WIDEST, false));
         }
         self.refresh(layer);
-        match coarse.map(|coarse| self.followed(layer, task, eta, coarse)).transpose()?.flatten() {
-            Some(rubbing) => Ok(rubbing),
-            None => self.scan(layer, task, eta),
+        if let Some(coarse) = coarse
+            && let Some(rubbing) = self.followed(layer, task, coarse)?
+        {
+            return Ok(rubbing);
         }
+        self.scan(layer, task)
     }
 
     /// The stick zone, wider than all that are looked for, where everything sticks; leaves the shear of the widest of these. How wide it
     /// is tells by how much friction is more than it takes; where the curve is flat all are that wide.
     pub(crate) fn stuck(&mut self, layer: &PreparedLayer, task: Task) -> Result<Option<Root>, Refusal> {
         self.refresh(layer);
-        let eta = task.problem.friction.expect("friction that sticks");
+        let eta = task.friction();
         let least = self.curve(layer, task).at(FrictionCurve::WIDEST)?;
         let slope = (task.problem.elastic.beta() / PI).max(FrictionCurve::FLAT);
         let lambda = FrictionCurve::WIDEST + (eta - least) / slope;
@@ -191,15 +178,9 @@ impl Contact {
 
     /// The stick zone reported, known roughly, found at this resolution to the tolerance; `None` where it is lost. Others stay as they are:
     /// they are asked for only should this one fail a condition.
-    fn followed(
-        &mut self,
-        layer: &PreparedLayer,
-        task: Task,
-        eta: f64,
-        known: &Rubbing,
-    ) -> Result<Option<Rubbing>, Refusal> {
+    fn followed(&mut self, layer: &PreparedLayer, task: Task, known: &Rubbing) -> Result<Option<Rubbing>, Refusal> {
         let Some(root) = known.found.roots.get(known.chosen) else { return Ok(None) };
-        let Some(root) = self.curve(layer, task).follow(*root, eta)? else { return Ok(None) };
+        let Some(root) = self.curve(layer, task).follow(*root, task.friction())? else { return Ok(None) };
         let mut rubbing = Rubbing { verdict: Verdict::Holds, is_full: false, shear: None, ..known.clone() };
         rubbing.zone = StickZone::from_log(root.lambda, self.normal.half_width);
         rubbing.found.roots[known.chosen] = root;
@@ -207,8 +188,8 @@ impl Contact {
     }
 
     /// Looks for all stick zones, and for the first that holds where there are several.
-    fn scan(&mut self, layer: &PreparedLayer, task: Task, eta: f64) -> Result<Rubbing, Refusal> {
-        let b = self.normal.half_width;
+    fn scan(&mut self, layer: &PreparedLayer, task: Task) -> Result<Rubbing, Refusal> {
+        let (b, eta) = (self.normal.half_width, task.friction());
         let samples = match self.sampled.take() {
             Some((half_width, samples)) if half_width.to_bits() == b.to_bits() => samples,
             _ => self.curve(layer, task).sample()?,
@@ -247,12 +228,13 @@ impl Contact {
         error: f64,
         rubbing: &mut Rubbing,
     ) -> Result<Option<String>, Refusal> {
-        let eta = task.problem.friction.expect("friction that holds");
         let (first, mut failure) = (rubbing.chosen, None);
         let others = (0..rubbing.found.roots.len()).filter(|i| *i != first);
         for i in [first].into_iter().chain(others) {
             if i != first {
-                let Some(root) = self.curve(layer, task).follow(rubbing.found.roots[i], eta)? else { continue };
+                let Some(root) = self.curve(layer, task).follow(rubbing.found.roots[i], task.friction())? else {
+                    continue;
+                };
                 rubbing.found.roots[i] = root;
             }
             let lambda = rubbing.found.roots[i].lambda;
@@ -285,7 +267,7 @@ impl Contact {
         }
         self.press(layer, task, half_width)?;
         self.refresh(layer);
-        let target = guess.branch * task.problem.friction.unwrap_or(0.0);
+        let target = guess.branch * task.friction();
         let mut curve = self.curve(layer, task);
         let Root { mut lambda, mut slope, mut doubt, .. } = guess;
         let mut value = curve.at(lambda)?;
@@ -313,19 +295,19 @@ impl Contact {
     /// Leaves the shear of the stick zone reported in `shear`, and checks it. Returns whether another zone than
     /// before is reported.
     pub(crate) fn settle(&mut self, layer: &PreparedLayer, task: Task, outcome: &mut Outcome) -> Result<bool, Refusal> {
-        let (Some(rubbing), Some(eta)) = (&mut outcome.rubbing, task.problem.friction) else { return Ok(false) };
+        let Some(rubbing) = &mut outcome.rubbing else { return Ok(false) };
         if task.problem.is_linear {
             return Ok(false); // each is checked when it is found
         }
         self.refresh(layer);
         if rubbing.found.roots.is_empty() {
-            self.settle_without_root(layer, task, eta, rubbing)?;
+            self.settle_without_root(layer, task, rubbing)?;
             return Ok(false);
         }
         let before = rubbing.zone;
         let mut failure = self.judge(layer, task, task.tolerance, rubbing)?;
         if failure.is_some() && !rubbing.scanned {
-            self.look_again(layer, task, eta, rubbing)?;
+            self.look_again(layer, task, rubbing)?;
             failure = self.judge(layer, task, task.tolerance, rubbing)?;
         }
         if let Some(what) = failure {
@@ -340,17 +322,11 @@ impl Contact {
     }
 
     /// [`Self::settle`] where no stick zone belongs to the friction coefficient: all sticks, or nothing does, or too little of it.
-    fn settle_without_root(
-        &mut self,
-        layer: &PreparedLayer,
-        task: Task,
-        eta: f64,
-        rubbing: &mut Rubbing,
-    ) -> Result<(), Refusal> {
+    fn settle_without_root(&mut self, layer: &PreparedLayer, task: Task, rubbing: &mut Rubbing) -> Result<(), Refusal> {
         let lambda = rubbing.zone.log();
         if rubbing.verdict == Verdict::Sticks {
             self.curve(layer, task).at_or_near(lambda, KNOWN)?;
-            if let Some(what) = self.overload(layer, eta) {
+            if let Some(what) = self.overload(layer, task.friction()) {
                 rubbing.verdict = Verdict::Fails(what);
             }
             return Ok(());
@@ -360,7 +336,7 @@ impl Contact {
         let shear = self.shear.as_mut().expect("room for the shear was made with friction");
         match rubbing.verdict {
             // The narrowest stick zone looked for wants more friction than there is: all but it slides.
-            Verdict::TooNarrow => shear.rescale(eta.copysign(friction)),
+            Verdict::TooNarrow => shear.rescale(task.friction().copysign(friction)),
             Verdict::NoShear => {
                 shear.rescale(0.0);
                 shear.relocate(rubbing.zone);

@@ -263,7 +263,7 @@ impl Family {
         asked: bool,
     ) -> Result<Option<Solved>, Refusal> {
         let Some(root) = self.contact.stuck(layer, task)? else { return Ok(None) };
-        let eta = task.problem.friction.expect("friction that sticks");
+        let eta = task.friction();
         if asked && let Some(what) = self.contact.overload(layer, eta) {
             let stuck = Rubbing::sticking(b, FrictionCurve::WIDEST, true);
             return Ok(Some(Err(Box::new(stuck.failing(what)))));
