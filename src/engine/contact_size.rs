@@ -4,7 +4,8 @@ use super::climb::Trail;
 use super::normal::Normal;
 use super::prepared_layer::{PreparedLayer, Wanted};
 use super::problem::{LoadInLayerUnits, Problem};
-use basin::{RootError, Toms748Root};
+use super::root::{self, Bracketed};
+use basin::RootError;
 use slipzone_api::{Flaw, Refusal, short};
 use std::f64::consts::{FRAC_PI_2, LN_2};
 
@@ -259,24 +260,21 @@ impl Search<'_> {
     fn walk(&mut self, walk: Walk) -> Result<Crossing, Refusal> {
         let mut trail = Trail::default();
         let (lower, upper) = self.bracket(walk, &mut trail)?;
-        let mut last = [(lower, 0.0); 2];
         let position = (POSITION * self.tolerance).max(4.0 * f64::EPSILON * lower.abs().max(1.0));
-        let found = Toms748Root::new(lower, upper).with_absolute_position_tolerance(position).solve(|log_b| {
-            let excess = self.excess(log_b)?;
-            last = [last[1], (log_b, excess)];
-            Ok(excess)
-        });
-        let log_b = match found {
-            Ok(root) => root.root(),
+        let (log_b, slope) = match root::bracketed((lower, upper), position, |log_b| self.excess(log_b)) {
+            Ok(Bracketed { at, slope, .. }) => (at, slope),
             // The walk widens the kernel tables, which changes last bits: a root at one end may lose its sign.
-            Err(RootError::NotBracketed { lower, f_lower, .. }) if f_lower.abs() < ROUNDING => lower,
-            Err(RootError::NotBracketed { upper, f_upper, .. }) if f_upper.abs() < ROUNDING => upper,
+            Err(RootError::NotBracketed { lower, upper, f_lower, f_upper })
+                if f_lower.abs().min(f_upper.abs()) < ROUNDING =>
+            {
+                let at = if f_lower.abs() < ROUNDING { lower } else { upper };
+                (at, (f_upper - f_lower) / (upper - lower))
+            }
             Err(RootError::Evaluation(refusal)) => return Err(refusal),
             Err(other) => return Err(no_size(other.to_string())),
         };
-        let [(x0, f0), (x1, f1)] = last;
         let is_beside_top = trail.highest.is_some_and(|height| height > -BESIDE_TOP);
-        Ok(Crossing { log_b, slope: (f1 - f0) / (x1 - x0), is_beside_top })
+        Ok(Crossing { log_b, slope, is_beside_top })
     }
 
     /// Walks towards the sign change of an increasing function, in growing steps.

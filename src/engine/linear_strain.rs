@@ -12,7 +12,7 @@ use super::prepared_layer::PreparedLayer;
 use super::root;
 use super::stick::Shear;
 use super::stick_zone::StickZone;
-use basin::{RootError, Toms748Root};
+use basin::RootError;
 use slipzone_api::double_exponential;
 use slipzone_api::{Component, Refusal, Station};
 use std::f64::consts::PI;
@@ -130,8 +130,8 @@ impl RateCurve<'_> {
     fn between(&mut self, ends: [f64; 2], slopes: [f64; 2]) -> Result<f64, Refusal> {
         let known = |lambda: f64| slopes.into_iter().zip(ends).find(|(_, end)| end.to_bits() == lambda.to_bits());
         let slope = |lambda| known(lambda).map_or_else(|| self.slope(lambda), |(slope, _)| Ok(slope));
-        match Toms748Root::new(ends[0], ends[1]).with_absolute_position_tolerance(POSITION).solve(slope) {
-            Ok(found) => Ok(found.root()),
+        match root::bracketed((ends[0], ends[1]), POSITION, slope) {
+            Ok(found) => Ok(found.at),
             Err(RootError::Evaluation(refusal)) => Err(refusal),
             Err(other) => Err(Refusal::OutOfReach {
                 method: "engine",

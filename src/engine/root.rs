@@ -1,6 +1,6 @@
 //! Roots: one known nearly, found in one to three evaluations, and one between two places.
 
-use basin::Toms748Root;
+use basin::{RootError, Toms748Root};
 use std::convert::Infallible;
 
 /// By how much a secant step overshoots, so that the root lies between.
@@ -80,10 +80,35 @@ pub(super) fn polish<E>(
     Ok(None)
 }
 
-/// The root of `f` between two places, to within `wanted`; `None` where `f` has the same sign at both.
-pub(super) fn between((lower, upper): (f64, f64), wanted: f64, mut f: impl FnMut(f64) -> f64) -> Option<f64> {
-    let solver = Toms748Root::new(lower, upper).with_absolute_position_tolerance(wanted);
-    solver.solve(|x| Ok::<_, Infallible>(f(x))).ok().map(|found| found.root())
+/// A root between two places, and what is known of the function around it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Bracketed {
+    pub(super) at: f64,
+    /// What the function is there.
+    pub(super) value: f64,
+    /// Through the last two places tried; NaN where these are one.
+    pub(super) slope: f64,
+}
+
+/// The root of `f` between two places, to within `wanted` (Alefeld, Potra, Shi, ACM TOMS algorithm 748). Both are tried first.
+pub(super) fn bracketed<E>(
+    (lower, upper): (f64, f64),
+    wanted: f64,
+    mut f: impl FnMut(f64) -> Result<f64, E>,
+) -> Result<Bracketed, RootError<E>> {
+    let mut last = [(lower, 0.0); 2];
+    let found = Toms748Root::new(lower, upper).with_absolute_position_tolerance(wanted).solve(|x| {
+        let value = f(x)?;
+        last = [last[1], (x, value)];
+        Ok(value)
+    })?;
+    let [(x0, f0), (x1, f1)] = last;
+    Ok(Bracketed { at: found.root(), value: found.value(), slope: (f1 - f0) / (x1 - x0) })
+}
+
+/// The same of what never fails; `None` where `f` has the same sign at both places.
+pub(super) fn between(ends: (f64, f64), wanted: f64, mut f: impl FnMut(f64) -> f64) -> Option<f64> {
+    bracketed(ends, wanted, |x| Ok::<_, Infallible>(f(x))).ok().map(|found| found.at)
 }
 
 #[cfg(test)]

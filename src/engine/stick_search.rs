@@ -8,17 +8,13 @@ use super::root;
 use super::stick::Shear;
 use super::stick_zone::StickZone;
 use arrayvec::ArrayVec;
-use basin::{RootError, Toms748Root};
+use basin::RootError;
 use samples::Sample;
 use slipzone_api::Refusal;
 use std::f64::consts::PI;
 
 pub(crate) use samples::Samples;
 
-/// See [`FrictionCurve::WIDEST`].
-const WIDEST: f64 = FrictionCurve::WIDEST;
-/// See [`FrictionCurve::NARROWEST`].
-const NARROWEST: f64 = FrictionCurve::NARROWEST;
 /// Half of the bracket around a root that the asymptote predicts.
 const PREDICTED: f64 = 0.25;
 /// What is left of `eta(lambda) - eta` at a root, over `eta` or over what it is at the bracket's ends, is of the order of the root's
@@ -187,11 +183,11 @@ impl FrictionCurve<'_> {
         }
         let slope = -2.0 / (PI * self.strained());
         let predicted = lambda + (target.recip() - value.recip()) / slope;
-        if predicted < NARROWEST {
-            found.narrower = Some(NARROWEST);
+        if predicted < Self::NARROWEST {
+            found.narrower = Some(Self::NARROWEST);
             return Ok(());
         }
-        self.near(predicted, NARROWEST, lambda, target, found)
+        self.near(predicted, Self::NARROWEST, lambda, target, found)
     }
 
     /// The root that the asymptote predicts above all samples.
@@ -203,11 +199,11 @@ impl FrictionCurve<'_> {
             return Ok(());
         }
         let predicted = lambda + (target - value) * PI / self.beta;
-        if !samples.high || predicted > WIDEST {
+        if !samples.high || predicted > Self::WIDEST {
             found.wider |= target > 0.0;
             return Ok(());
         }
-        self.near(predicted, lambda, WIDEST, target, found)
+        self.near(predicted, lambda, Self::WIDEST, target, found)
     }
 
     /// The root near a predicted place, between two limits.
@@ -231,12 +227,12 @@ impl FrictionCurve<'_> {
         }
         let wanted = ROOT_SHARE * self.tolerance;
         let start = root::Near { at: lambda, slope, doubt };
-        let near = root::polish(start, WIDEST, wanted, |lambda| Ok(self.at(lambda)? - target))?;
+        let near = root::polish(start, Self::WIDEST, wanted, |lambda| Ok(self.at(lambda)? - target))?;
         if let Some(root::Near { at: lambda, slope, doubt }) = near {
             return Ok(Some(Root { lambda, branch, slope, doubt }));
         }
         // Far from where it was.
-        self.around(lambda, LOST, (NARROWEST, WIDEST), target, wanted)
+        self.around(lambda, LOST, (Self::NARROWEST, Self::WIDEST), target, wanted)
     }
 
     /// The root in the first of ever wider brackets around a place, within limits, that holds one.
@@ -263,23 +259,19 @@ impl FrictionCurve<'_> {
         if lower >= upper {
             return Ok(None);
         }
-        let mut last: [(f64, f64); 2] = [(lower, 0.0); 2];
         let mut size = target.abs();
         let excess = |lambda: f64| {
             let excess = self.at(lambda)? - target;
             if lambda <= lower || lambda >= upper {
                 size = size.max(excess.abs());
             }
-            last = [last[1], (lambda, excess)];
             Ok(excess)
         };
-        match Toms748Root::new(lower, upper).with_absolute_position_tolerance(position).solve(excess) {
-            // A sign change may also be a pole, where the system for q is singular.
-            Ok(root) if root.value().abs() < POLE * size => {
-                let [(l0, f0), (l1, f1)] = last;
-                // Not a number where both are one point; whoever follows the root then brackets it anew.
-                let slope = (f1 - f0) / (l1 - l0);
-                Ok(Some(Root { lambda: root.root(), branch: target.signum(), slope, doubt: f64::INFINITY }))
+        match root::bracketed((lower, upper), position, excess) {
+            // A sign change may also be a pole, where the system for q is singular. Where the slope is no number, whoever follows the
+            // root brackets it anew.
+            Ok(root::Bracketed { at: lambda, value, slope }) if value.abs() < POLE * size => {
+                Ok(Some(Root { lambda, branch: target.signum(), slope, doubt: f64::INFINITY }))
             }
             Err(RootError::Evaluation(refusal)) => Err(refusal),
             _ => Ok(None),

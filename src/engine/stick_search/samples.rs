@@ -3,7 +3,7 @@
 //! Under a layer it is told beside that of a half-plane: as long as it rises with that, not too unevenly, no root hides between a few
 //! samples, and the quotient of both is a polynomial.
 
-use super::{FrictionCurve, WIDEST};
+use super::FrictionCurve;
 use crate::engine::half_plane_shear::HalfPlaneShear;
 use crate::engine::root::{self, Near};
 use crate::engine::stick_zone::StickZone;
@@ -14,8 +14,6 @@ use slipzone_api::{Component, Refusal, Station};
 /// corrections fall like `exp(2 lambda)` below and `lambda exp(-lambda)` above.
 const ASYMPTOTIC_BELOW: f64 = -4.0;
 const ASYMPTOTIC_ABOVE: f64 = 5.0;
-/// See [`FrictionCurve::NARROWEST_SAMPLED`].
-const NARROWEST_SAMPLED: f64 = FrictionCurve::NARROWEST_SAMPLED;
 /// A slope that differs from that of the asymptote by less than this, relative, is on it.
 const ON_ASYMPTOTE: f64 = 0.03;
 /// Step of the scan where the layer is thinner than the contact is wide.
@@ -107,8 +105,8 @@ impl FrictionCurve<'_> {
     /// Samples the curve: up to where it follows its asymptotes on most layers, and where it does not rise evenly on all.
     pub(crate) fn sample(&mut self) -> Result<Samples, Refusal> {
         let thin = (2.0 * self.normal.half_width / self.layer.length()).max(1.0).ln();
-        let top = (ASYMPTOTIC_ABOVE + thin).min(WIDEST);
-        let bottom = (ASYMPTOTIC_BELOW - thin).max(NARROWEST_SAMPLED).min(top - 1.0);
+        let top = (ASYMPTOTIC_ABOVE + thin).min(Self::WIDEST);
+        let bottom = (ASYMPTOTIC_BELOW - thin).max(Self::NARROWEST_SAMPLED).min(top - 1.0);
         let mut samples = Samples::default();
         let points = &mut samples.points;
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most a few dozen
@@ -136,20 +134,20 @@ impl FrictionCurve<'_> {
             let [.., before, last] = points[..] else { unreachable!("two samples at least") };
             let expected = self.beta * (last.on_half_plane - before.on_half_plane);
             samples.high = is_close(last.friction - before.friction, expected);
-            if samples.high || last.lambda >= WIDEST {
+            if samples.high || last.lambda >= Self::WIDEST {
                 break;
             }
-            points.push(self.sample_at((last.lambda + STEP_BEYOND).min(WIDEST))?);
+            points.push(self.sample_at((last.lambda + STEP_BEYOND).min(Self::WIDEST))?);
         }
         let strained = self.strained();
         while !samples.low {
             let [first, next, ..] = points[..] else { unreachable!("two samples at least") };
             let expected = (next.on_half_plane.recip() - first.on_half_plane.recip()) / strained;
             samples.low = is_close(next.friction.recip() - first.friction.recip(), expected);
-            if samples.low || first.lambda <= NARROWEST_SAMPLED {
+            if samples.low || first.lambda <= Self::NARROWEST_SAMPLED {
                 break;
             }
-            points.insert(0, self.sample_at((first.lambda - STEP_BEYOND).max(NARROWEST_SAMPLED))?);
+            points.insert(0, self.sample_at((first.lambda - STEP_BEYOND).max(Self::NARROWEST_SAMPLED))?);
         }
         Ok(samples)
     }
@@ -245,7 +243,7 @@ mod tests {
                 let (first, last) = (samples.points[0].friction, samples.points[samples.points.len() - 1].friction);
                 let within = samples.enclose(0.5 * (first + last));
                 samples = curve.continued(samples).expect("samples");
-                let ends = (samples.low || samples.points[0].lambda <= NARROWEST_SAMPLED, samples.high);
+                let ends = (samples.low || samples.points[0].lambda <= FrictionCurve::NARROWEST_SAMPLED, samples.high);
                 assert_eq!(ends, (true, true), "{layer}");
                 (within, samples.points.len())
             })
