@@ -10,7 +10,7 @@ use crate::engine::{Plan, Solution, Status, solve};
 use crate::plan;
 use crate::scene::{Asked, Load, Replacement, Scene};
 use basin::{
-    BoxBounds, Brent, ConstraintDescription, ConstraintSet, Constraints, CostFunction, Executor, PointState,
+    BoxBounds, Brent, ConstraintDescription, ConstraintSet, Constraints, CostFunction, Executor, PointState, RootError,
     Toms748Root,
 };
 use slipzone_api::{rounded, short};
@@ -240,7 +240,10 @@ impl Question<'_> {
             let root = Toms748Root::new(from, to)
                 .with_absolute_position_tolerance(tolerance.min(NEAR * (to - from)))
                 .solve(|at| self.excess(at).map_err(|why| self.placed(at, &why)))
-                .map_err(|error| error.to_string())?;
+                .map_err(|error| match error {
+                    RootError::Evaluation(why) => why,
+                    other => other.to_string(),
+                })?;
             let value = self.value(root.root());
             if root.value().abs() > JUMP * (other.1 - one.1).abs()
                 && root.value().abs() > self.excess_error(&self.solution(value, true)?)
