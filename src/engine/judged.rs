@@ -5,7 +5,7 @@ use super::half_plane_shear::HalfPlaneShear;
 use super::outcome::Outcome;
 use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
-use super::quantity::{Numbers, Quantity, ShearTrace, worst};
+use super::quantity::{Numbers, Quantity, ShearTrace};
 use super::rubbing::Verdict;
 use slipzone_api::Refusal;
 
@@ -139,7 +139,7 @@ pub(super) fn hidden_details(problem: &Problem, outcome: &Outcome, unknowns: usi
 
 /// The largest error of a number that has to meet the tolerance.
 pub(super) fn worst_judged(problem: &Problem, errors: &Numbers) -> Option<(Quantity, f64)> {
-    worst(errors.iter().filter(|(quantity, _)| problem.wishes.judges(*quantity)))
+    errors.judged_by(problem.wishes).worst()
 }
 
 /// Whether all that has to meet the tolerance does.
@@ -193,22 +193,14 @@ pub(super) fn with_the_rest(
         rest += of_depth;
     }
     let mut errors = errors.plus(rest).and(&problem.smoothing_errors(&outcome.numbers));
-    if let Some(depth) = errors.get(Quantity::Indentation) {
-        errors.set(Quantity::Indentation, depth + of_depth);
-    }
+    errors.add(Quantity::Indentation, of_depth);
     let of_zone = of_kernels * (1.0 / share_in_shear(outcome) - 1.0);
     for quantity in Quantity::ALL.into_iter().filter(|quantity| quantity.is_of_shear()) {
-        if let Some(error) = errors.get(quantity) {
-            errors.set(quantity, error + of_zone);
-        }
+        errors.add(quantity, of_zone);
     }
-    if let Some(peak) = errors.get(Quantity::Peak) {
-        errors.set(Quantity::Peak, peak + of_peak(outcome));
-    }
+    errors.add(Quantity::Peak, of_peak(outcome));
     // These are beside the mean.
-    if let Some(centre) = errors.get(Quantity::Centre) {
-        errors.set(Quantity::Centre, centre + rest * (1.0 / share_in_middle(outcome) - 1.0));
-    }
+    errors.add(Quantity::Centre, rest * (1.0 / share_in_middle(outcome) - 1.0));
     share_zones(&mut errors, &outcome.numbers);
     errors
 }

@@ -120,6 +120,13 @@ impl Numbers {
         self.0[quantity as usize] = Some(value);
     }
 
+    /// Adds to a number, where there is one.
+    pub(crate) fn add(&mut self, quantity: Quantity, more: f64) {
+        if let Some(number) = &mut self.0[quantity as usize] {
+            *number += more;
+        }
+    }
+
     /// Each of those that there are, and `share` more.
     pub(crate) fn plus(self, share: f64) -> Self {
         Self(self.0.map(|number| number.map(|number| number + share)))
@@ -131,10 +138,9 @@ impl Numbers {
     }
 
     /// Each of those that there are, and what `more` has for it.
-    pub(crate) fn and(self, more: &Self) -> Self {
-        let mut sums = self;
-        self.iter().for_each(|(quantity, number)| sums.set(quantity, number + more.get(quantity).unwrap_or(0.0)));
-        sums
+    pub(crate) fn and(mut self, more: &Self) -> Self {
+        more.iter().for_each(|(quantity, more)| self.add(quantity, more));
+        self
     }
 
     /// The largest relative change from others to these.
@@ -150,12 +156,7 @@ impl Numbers {
 
     /// Those that are to meet the tolerance.
     pub(crate) fn judged_by(&self, wishes: Wishes) -> Self {
-        let mut judged = *self;
-        Quantity::ALL
-            .into_iter()
-            .filter(|quantity| !wishes.judges(*quantity))
-            .for_each(|q| judged.0[q as usize] = None);
-        judged
+        Self(Quantity::ALL.map(|quantity| self.get(quantity).filter(|_| wishes.judges(quantity))))
     }
 
     /// Those that there are.
@@ -165,13 +166,8 @@ impl Numbers {
 
     /// The largest, and whose it is.
     pub(crate) fn worst(&self) -> Option<(Quantity, f64)> {
-        worst(self.iter())
+        self.iter().reduce(|worst, next| if next.1 > worst.1 { next } else { worst })
     }
-}
-
-/// The largest of some errors, and whose it is.
-pub(crate) fn worst(errors: impl Iterator<Item = (Quantity, f64)>) -> Option<(Quantity, f64)> {
-    errors.reduce(|worst, next| if next.1 > worst.1 { next } else { worst })
 }
 
 /// Tractions at a few points, over the mean pressure. One number may converge by chance for a while, a whole traction

@@ -177,11 +177,7 @@ impl Solver {
         let mut found = self.refined(stand_in::SHARE * tolerance)?;
         let half_width = found.outcome.numbers.get(Quantity::HalfWidth).unwrap_or(f64::INFINITY);
         let bound = stand_in.bound(&self.problem, half_width);
-        for (quantity, error) in bound.iter() {
-            if let Some(numerical) = found.errors.get(quantity) {
-                found.errors.set(quantity, numerical + error);
-            }
-        }
+        found.errors = found.errors.and(&bound);
         if let (Some(numerical), Some(bound)) = (&mut found.of_shear, bound.get(Quantity::StickHalfWidth)) {
             *numerical += bound;
         }
