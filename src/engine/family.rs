@@ -233,7 +233,7 @@ impl Family {
     pub(crate) fn rubbing_between(&self, b: f64) -> Option<Rubbing> {
         let root = self.root_at(b)?;
         Some(if root.lambda > FrictionCurve::WIDEST {
-            Rubbing::sticking(b, FrictionCurve::WIDEST, self.is_checked())
+            Rubbing::sticking(b, self.is_checked())
         } else {
             Rubbing::expected(root, b, self.is_checked())
         })

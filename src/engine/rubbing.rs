@@ -1,7 +1,7 @@
 //! What friction makes of a contact at one resolution.
 
 use super::quantity::{Numbers, Quantity, ShearTrace};
-use super::stick_search::{Found, Root};
+use super::stick_search::{Found, FrictionCurve, Root};
 use super::stick_zone::StickZone;
 
 /// What friction makes of it.
@@ -42,25 +42,22 @@ pub(crate) enum Verdict {
 }
 
 impl Rubbing {
-    /// A stick zone told by a coarser resolution.
-    pub(crate) fn expected(root: Root, half_width: f64, checked: bool) -> Self {
-        Self {
-            zone: StickZone::from_log(root.lambda, half_width),
-            verdict: Verdict::Holds,
-            is_full: false,
-            found: Found::only(root),
-            chosen: 0,
-            scanned: false,
-            checked,
-            shear: None,
-        }
+    /// What a search found, the first root reported where there are some; nothing of it is checked yet.
+    pub(crate) fn new(zone: StickZone, verdict: Verdict, found: Found) -> Self {
+        let is_full = verdict == Verdict::Sticks;
+        Self { zone, verdict, is_full, found, chosen: 0, scanned: false, checked: false, shear: None }
     }
 
-    /// Everything sticks, but for less than can be told beside that zone.
-    pub(crate) fn sticking(half_width: f64, lambda: f64, checked: bool) -> Self {
-        let zone = StickZone::from_log(lambda, half_width);
-        let (verdict, is_full) = (Verdict::Sticks, true);
-        Self { zone, verdict, is_full, found: Found::default(), chosen: 0, scanned: false, checked, shear: None }
+    /// A stick zone told by a coarser resolution.
+    pub(crate) fn expected(root: Root, half_width: f64, checked: bool) -> Self {
+        let zone = StickZone::from_log(root.lambda, half_width);
+        Self { checked, ..Self::new(zone, Verdict::Holds, Found::only(root)) }
+    }
+
+    /// Everything sticks, but for less than can be told beside the widest zone that is looked for.
+    pub(crate) fn sticking(half_width: f64, checked: bool) -> Self {
+        let zone = StickZone::from_log(FrictionCurve::WIDEST, half_width);
+        Self { checked, ..Self::new(zone, Verdict::Sticks, Found::default()) }
     }
 
     /// The root reported, where there is one that may hold.

@@ -9,7 +9,7 @@ use crate::engine::problem::Problem;
 use crate::engine::root::CERTAIN;
 use crate::engine::rubbing::{Rubbing, Verdict};
 use crate::engine::sharpen::{apart_from_twin, sharpen};
-use crate::engine::stick_search::{FrictionCurve, Root};
+use crate::engine::stick_search::{Found, FrictionCurve, Root};
 use crate::engine::stick_zone::StickZone;
 use slipzone_api::Refusal;
 use std::f64::consts::PI;
@@ -82,9 +82,8 @@ impl Contact {
                 failure = failure.or(Some(rubbing.failing(what)));
             }
         }
-        let nothing = Root { lambda: FrictionCurve::NARROWEST_SAMPLED, branch: 1.0, slope: f64::NAN, doubt: f64::NAN };
-        let lost = || Rubbing { verdict: Verdict::NotScanned, ..Rubbing::expected(nothing, b, true) };
-        Ok(failure.unwrap_or_else(lost))
+        let lost = StickZone::from_log(FrictionCurve::NARROWEST_SAMPLED, b);
+        Ok(failure.unwrap_or_else(|| Rubbing::new(lost, Verdict::NotScanned, Found::default())))
     }
 
     /// Takes the shear's trace, and checks the conditions of friction as soon as the zone is known: resolutions that
@@ -149,7 +148,7 @@ impl Contact {
     /// [`Self::rub`], from the beginning.
     fn find(&mut self, layer: &PreparedLayer, task: Task, coarse: Option<&Rubbing>) -> Result<Rubbing, Refusal> {
         if coarse.is_some_and(|coarse| coarse.verdict == Verdict::Sticks) && self.stuck(layer, task)?.is_some() {
-            return Ok(Rubbing::sticking(self.normal.half_width, FrictionCurve::WIDEST, false));
+            return Ok(Rubbing::sticking(self.normal.half_width, false));
         }
         self.refresh(layer);
         if let Some(coarse) = coarse
@@ -208,9 +207,7 @@ impl Contact {
             Verdict::NoShear => StickZone { half_width: b, slip_width: 0.0 },
             _ => StickZone::from_log(lambda, b),
         };
-        let is_full = verdict == Verdict::Sticks;
-        let mut rubbing =
-            Rubbing { zone, verdict, is_full, found, chosen: 0, scanned: false, checked: false, shear: None };
+        let mut rubbing = Rubbing::new(zone, verdict, found);
         if rubbing.found.roots.len() > 1
             && let Some(what) = self.judge(layer, task, task.tolerance, &mut rubbing)?
         {

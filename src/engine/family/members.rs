@@ -151,7 +151,7 @@ impl Family {
             && let Some(b) = members.sticks_at_times(half_widths)
         {
             let sticks = "all of the surface sticks, but not always".into();
-            let stuck = Rubbing::sticking(b, FrictionCurve::WIDEST, false);
+            let stuck = Rubbing::sticking(b, false);
             return Err(Unfit::Friction(b, Box::new(stuck.failing(sticks))));
         }
         let told = coarse_zones.map(|coarse| (coarse.told, wrong.over(blend.widest())));
@@ -265,7 +265,7 @@ impl Family {
         let Some(root) = self.contact.stuck(layer, task)? else { return Ok(None) };
         let eta = task.friction();
         if asked && let Some(what) = self.contact.overload(layer, eta) {
-            let stuck = Rubbing::sticking(b, FrictionCurve::WIDEST, true);
+            let stuck = Rubbing::sticking(b, true);
             return Ok(Some(Err(Box::new(stuck.failing(what)))));
         }
         let lack = Member::lack(&self.contact, eta, self.end_of_shear);
