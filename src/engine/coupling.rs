@@ -72,7 +72,7 @@ pub(super) fn neglected(
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few
     let level = (COARSEST + finer.max(0.0)).ceil().min(FINEST) as u32;
     let quadrature = scene.solver.quadrature.as_ref()?.refined(level);
-    let mut coarse = Coarse::new(layer, problem, zone, quadrature.clone()).ok()?;
+    let mut coarse = Coarse::new(layer, problem, zone, quadrature.clone(), &grid(thinness)).ok()?;
     let force = coarse.more_force(layer, problem).filter(|force| force.is_finite());
     if rubbing.is_full {
         return Some(Neglected { friction: None, force });
@@ -84,7 +84,7 @@ pub(super) fn neglected(
     } else {
         let half_plane = Scene { layer: plan::half_plane(&scene.layer, &problem.layer), ..scene.clone() };
         let layer = PreparedLayer::of(&plan::choose(&half_plane)).ok()?;
-        Coarse::new(&layer, problem, zone, quadrature).ok()?.more_friction(&layer, problem).ok()?
+        Coarse::new(&layer, problem, zone, quadrature, &[]).ok()?.more_friction(&layer, problem).ok()?
     };
     let friction = if own.abs() < plain.abs() { of_half_plane * own / plain } else { of_half_plane + own - plain };
     friction.is_finite().then_some(Neglected { friction: Some(friction), force })
@@ -116,23 +116,25 @@ struct Coarse {
 }
 
 impl Coarse {
+    /// Solves it; the grid is that of the sums over the shear, of which a half-plane takes none.
     fn new(
         layer: &PreparedLayer,
         problem: &Problem,
         zone: StickZone,
         quadrature: Box<dyn Quadrature>,
+        grid: &[Node],
     ) -> Result<Self, Refusal> {
         let beta = problem.elastic.beta();
         let mut normal = Normal::new(&*quadrature, Edge::Sharp)?;
         normal.press_flat(layer, zone.contact(), |_| 0.0)?;
         let mut shear = Shear::new(quadrature)?;
         shear.under(layer, &mut normal);
-        let (goodman, points) = if layer.is_plain() {
-            (shear.know(&normal, beta, zone), Vec::new())
+        let goodman = if layer.is_plain() {
+            shear.know(&normal, beta, zone)
         } else {
-            let goodman = shear.solve(layer, &mut normal, beta, zone)?;
-            (goodman, right_half(zone, &normal, &shear, &grid(zone.contact() / layer.length())))
+            shear.solve(layer, &mut normal, beta, zone)?
         };
+        let points = right_half(zone, &normal, &shear, grid);
         Ok(Self { zone, normal, shear, goodman, points })
     }
 
