@@ -1,6 +1,8 @@
 //! The result of a scene (docs: `docs/formats.md`). Lengths, stresses and forces in the scene's units.
 
 use super::loading_curve::Curve;
+#[cfg(feature = "plot")]
+use super::stick_zone::StickZone;
 use crate::plan::Plan;
 use crate::scene::{Load, LoadKind, Scene, Units};
 use serde::Serialize;
@@ -158,6 +160,14 @@ impl Profile {
         let of_column = |sum: f64, column: &Vec<Option<f64>>| column.iter().map(|x| x.unwrap_or(0.0)).fold(sum, rest);
         let of_places = self.x.iter().copied().fold(0.0, rest);
         columns.fold(of_places, of_column) == 0.0
+    }
+}
+
+impl StickReport {
+    /// `1 - a/b` where that tells the zone's width better than `a/b`, which is nearly 1 there.
+    #[cfg(feature = "plot")]
+    pub(crate) fn rest_that_tells(&self) -> Option<f64> {
+        self.one_minus_ratio.filter(|rest| *rest < StickZone::NEAR)
     }
 }
 

@@ -123,10 +123,9 @@ fn names(solution: &Solution) -> Vec<(f64, String)> {
         let supported = solution.error.each.get(path).map_or(4, |e| digits(*e).min(4));
         typeset(&significant(value, supported))
     };
-    let size = match stick.one_minus_ratio {
-        // 0.9999 would hide how wide the slip zone is.
-        Some(rest) if rest < 0.01 => format!("1 \u{2212} a/b = {}", shown("stick.one_minus_ratio", rest)),
-        _ => format!("a/b = {}", shown("stick.ratio", a)),
+    let size = match stick.rest_that_tells() {
+        Some(rest) => format!("1 \u{2212} a/b = {}", shown("stick.one_minus_ratio", rest)),
+        None => format!("a/b = {}", shown("stick.ratio", a)),
     };
     let slip = f64::midpoint(a, 1.0);
     vec![(-slip, left.into()), (0.0, format!("stick, {size}")), (slip, right.into())]
