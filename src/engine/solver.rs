@@ -269,58 +269,48 @@ impl Solver {
     }
 
     /// The contact on a layer that is thin enough to be told in closed form, or that the scene wants to be taken for one.
-    fn in_closed_form(&mut self) -> Option<Solution> {
-        let Self { chosen, problem, layer, stand_in, .. } = self;
-        let solver = &chosen.scene.solver;
-        let tolerance = solver.tolerance.get();
-        let is_forced = solver.model == Some(Model::Thin);
-        let is_open = chosen.is_open && solver.model.is_none() && stand_in.is_none();
-        if !is_forced && (!is_open || solver.forbid.contains(&Model::Thin)) {
-            return None;
+    fn in_closed_form(&self) -> Option<Solution> {
+        let solver = &self.chosen.scene.solver;
+        if solver.model == Some(Model::Thin) {
+            let refused =
+                |refusal: Refusal| Solution::refused(&self.chosen.scene, self.chosen.plan.clone(), refusal.to_string());
+            return Some(self.thin().unwrap_or_else(refused));
         }
-        // Where the scene wants it that was asked before.
-        let is_barred = || thin::obstacle(problem, chosen.scene.path.is_some()).is_some();
-        if !is_forced && (is_barred() || !thin::may_serve(problem, stand_in::SHARE * tolerance)) {
-            return None;
-        }
-        let (numbers, errors) = match thin::told(problem, layer.response()) {
-            Ok(told) => told,
-            Err(refusal) => {
-                let refused = || Solution::refused(&chosen.scene, chosen.plan.clone(), refusal.to_string());
-                return is_forced.then(refused);
-            }
+        let is_open = self.chosen.is_open && solver.model.is_none() && self.stand_in.is_none();
+        let serves = || {
+            thin::obstacle(&self.problem, self.chosen.scene.path.is_some()).is_none()
+                && thin::may_serve(&self.problem, stand_in::SHARE * solver.tolerance.get())
         };
-        let worst = errors.worst().map_or(0.0, |(_, error)| error);
-        if !is_forced && worst > tolerance {
+        if !is_open || solver.forbid.contains(&Model::Thin) || !serves() {
             return None;
         }
-        let judgement = if worst <= tolerance {
+        self.thin().ok().filter(|solution| solution.status == Status::Converged)
+    }
+
+    /// The contact by the model `thin`, which nothing keeps from being asked, see [`thin::obstacle`].
+    fn thin(&self) -> Result<Solution, Refusal> {
+        let Self { chosen, problem, layer, .. } = self;
+        let (numbers, errors) = thin::told(problem, layer.response())?;
+        let worst = errors.worst().map_or(0.0, |(_, error)| error);
+        let judgement = if worst <= chosen.scene.solver.tolerance.get() {
             (Status::Converged, None)
         } else {
             let reason =
                 format!("the model `thin` is good to {worst:.0e} here; leave out `solver.model`, or ask for less");
             (Status::NotConverged, Some(reason))
         };
+        let reason = format!(
+            "thin: each point of the surface yields by what presses on it, edges shifted, to within {worst:.0e}; no kernel \
+             and no system is needed"
+        );
         let plan = Plan {
             model: Model::Thin,
             bound: Some(worst),
             flexibility_evaluations: thin::EVALUATIONS,
-            reasons: vec![
-                format!(
-                    "thin: each point of the surface yields by what presses on it, edges shifted, to within {worst:.0e}; \
-                     no kernel and no system is needed"
-                )
-                .into(),
-            ],
+            reasons: vec![reason.into()],
             ..chosen.plan.clone()
         };
-        match assemble::in_closed_form(&chosen.scene, plan, problem, (&numbers, &errors), judgement) {
-            Ok(solution) => Some(solution),
-            Err(refusal) if is_forced => {
-                Some(Solution::refused(&chosen.scene, chosen.plan.clone(), refusal.to_string()))
-            }
-            Err(_) => None,
-        }
+        assemble::in_closed_form(&chosen.scene, plan, problem, (&numbers, &errors), judgement)
     }
 
     /// The contact under each of the loads, from the smallest to the largest: numbers alone, no report. Afterwards the
