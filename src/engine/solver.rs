@@ -1,6 +1,6 @@
 //! A scene made ready to be solved for one load after another.
 
-use super::assemble;
+use super::assemble::{self, Solved};
 use super::budget::BUDGET;
 use super::judged::Judged;
 use super::layer::Layer;
@@ -415,7 +415,8 @@ impl Solver {
             bound: Some(judged.of_model),
             ..self.chosen.plan.clone()
         };
-        assemble::solution(&self.chosen.scene, plan, &self.layer, &self.problem, stage, judged, judgement)
+        let solved = Solved { layer: &self.layer, problem: &self.problem, stage, judged };
+        assemble::solution(&self.chosen.scene, plan, solved, judgement)
     }
 }
 
