@@ -16,6 +16,8 @@ pub(super) const SHARE: f64 = 0.5;
 pub(super) const REMEDY: &str = "leave out `solver.model`: the planner takes what applies";
 /// Half-widths over the thickness up to which the constants below were measured.
 const WIDEST: f64 = 0.25;
+/// Depths over the half-width above which a gradient is not looked at.
+const NEAREST: f64 = 0.01;
 /// Samples of the law in each of its stretches.
 const SAMPLES: usize = 48;
 
@@ -31,8 +33,8 @@ pub(super) struct Departure {
 }
 
 impl Departure {
-    /// Of a layer; what happens closer to the surface than `least` is not looked at.
-    fn of(layer: &LayerModel, least: f64) -> Self {
+    /// Of a layer under a contact of about that half-width.
+    fn of(layer: &LayerModel, half_width: f64) -> Self {
         let base = match layer.base {
             Base::Infinite => 0.0,
             Base::Rigid | Base::Frictionless => 1.0,
@@ -40,11 +42,12 @@ impl Departure {
                 layer.substrate().map_or(1.0, |below| (below.elastic.a0() / below.shear / layer.elastic.a0()).max(1.0))
             }
         };
-        Self { base, gradient: gradient(layer, least), smoothing: layer.law.smoothing_error(0.0) }
+        Self { base, gradient: gradient(layer, NEAREST * half_width), smoothing: layer.law.smoothing_error(0.0) }
     }
 }
 
-/// `sup |ln(mu/mu1)| + |kappa - kappa1|` over the depth, times the largest compliance.
+/// `sup |ln(mu/mu1)| + |kappa - kappa1|` over the depth, times the largest compliance; what happens closer to the surface than `least`
+/// is not looked at.
 fn gradient(layer: &LayerModel, least: f64) -> f64 {
     if layer.exponent() == Some(0.0) {
         return 0.0;
@@ -90,9 +93,7 @@ pub(super) enum Decision {
 
 /// Decides; `open` is whether the scene leaves all methods to the planner.
 pub(super) fn decide(scene: &Scene, problem: &Problem, open: bool) -> Decision {
-    let solver = &scene.solver;
-    let thickness = 1.0;
-    match solver.model {
+    match scene.solver.model {
         Some(Model::Full) => Decision::Full,
         // Of a thin layer there is nothing to be solved in its place.
         Some(model @ Model::Thin) => match thin::obstacle(problem, scene.path.is_some()) {
@@ -107,35 +108,35 @@ pub(super) fn decide(scene: &Scene, problem: &Problem, open: bool) -> Decision {
             Some(Obstacle::Same) => Decision::Full,
             Some(Obstacle::No(why)) => Decision::Inapplicable(format!("the model `{}` {why}", model.name())),
             None => {
-                let departure = Departure::of(&problem.layer, 0.01 * contact_size::guess(problem));
-                Decision::Cheaper(StandIn { model, is_forced: true, departure, thickness })
+                let departure = Departure::of(&problem.layer, contact_size::guess(problem));
+                Decision::Cheaper(StandIn { model, is_forced: true, departure, thickness: 1.0 })
             }
         },
-        None if open => {
-            let b = contact_size::guess(problem);
-            let allowed = SHARE * solver.tolerance.get();
-            // No bound is below that: most scenes end here.
-            if b > WIDEST || least(&problem.layer, b) > allowed {
-                return Decision::Full;
-            }
-            let departure = Departure::of(&problem.layer, 0.01 * b);
-            // Where the flexibility is as cheap as it gets, another grading saves nothing.
-            let saves = |model: &Model| *model != Model::Homogeneous || !has_closed_form(&scene.layer);
-            let fits = |model: &Model| {
-                let stand_in = StandIn { model: *model, is_forced: false, departure, thickness };
-                let is_near = stand_in.bound(problem, b).worst().is_some_and(|(_, bound)| bound <= allowed)
-                    && (*model != Model::CorrectedHalfPlane || left_out(problem, b) <= SHARE * allowed);
-                (is_near && !solver.forbid.contains(model) && obstacle(*model, scene, problem).is_none())
-                    .then_some(stand_in)
-            };
-            [Model::HalfPlane, Model::CorrectedHalfPlane, Model::Homogeneous]
-                .iter()
-                .filter(|model| saves(model))
-                .find_map(fits)
-                .map_or(Decision::Full, Decision::Cheaper)
-        }
+        None if open => cheapest(scene, problem).map_or(Decision::Full, Decision::Cheaper),
         None => Decision::Full,
     }
+}
+
+/// The cheapest model whose error is small enough; `None` where that is the solid itself.
+fn cheapest(scene: &Scene, problem: &Problem) -> Option<StandIn> {
+    let b = contact_size::guess(problem);
+    let allowed = SHARE * scene.solver.tolerance.get();
+    // No bound is below that: most scenes end here.
+    if b > WIDEST || least(&problem.layer, b) > allowed {
+        return None;
+    }
+    let departure = Departure::of(&problem.layer, b);
+    // Where the flexibility is as cheap as it gets, another grading saves nothing.
+    let saves = |model: &Model| *model != Model::Homogeneous || !has_closed_form(&scene.layer);
+    let fits = |model: Model| {
+        let stand_in = StandIn { model, is_forced: false, departure, thickness: 1.0 };
+        let is_near = stand_in.bound(problem, b).worst().is_some_and(|(_, bound)| bound <= allowed)
+            && (model != Model::CorrectedHalfPlane || left_out(problem, b) <= SHARE * allowed);
+        (is_near && !scene.solver.forbid.contains(&model) && obstacle(model, scene, problem).is_none())
+            .then_some(stand_in)
+    };
+    let models = [Model::HalfPlane, Model::CorrectedHalfPlane, Model::Homogeneous];
+    models.into_iter().filter(saves).find_map(fits)
 }
 
 /// Whether a scene names the kernel strategy of the corrected half-plane.
