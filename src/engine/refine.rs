@@ -150,24 +150,18 @@ impl Ladder {
             let level = level(first, step);
             let coarse = last.as_ref().map(|(outcome, _)| outcome);
             let least_share = self.least_share;
-            let solved = self.solve(layer, aim, (step, level, level), coarse);
-            let lacking =
-                solved.as_ref().ok().and_then(|outcome| self.lacks_room(layer, aim, (step, outcome), &estimate));
-            let mut outcome = match solved {
-                Ok(outcome) if lacking.is_none() => outcome,
-                other => {
-                    let refusal = lacking.or(other.err()).expect("the one or the other");
-                    if estimate.is_told() {
-                        stopped = Some(refusal);
-                        break;
-                    }
-                    // Too coarse for a thin layer: finer steps may do.
-                    if step < SKIPPED && matches!(refusal, Refusal::OutOfReach { .. }) {
-                        stopped = Some(refusal);
-                        continue;
-                    }
-                    return Err(refusal);
+            let mut outcome = match self.solve_in_room(layer, aim, (step, level), coarse, &estimate) {
+                Ok(outcome) => outcome,
+                Err(refusal) if estimate.is_told() => {
+                    stopped = Some(refusal);
+                    break;
                 }
+                // Too coarse for a thin layer: finer steps may do.
+                Err(refusal @ Refusal::OutOfReach { .. }) if step < SKIPPED => {
+                    stopped = Some(refusal);
+                    continue;
+                }
+                Err(refusal) => return Err(refusal),
             };
             stopped = None;
             if step == 0
@@ -176,17 +170,9 @@ impl Ladder {
                 (next, last) = (later, Some((outcome, step)));
                 continue;
             }
-            let unknowns = self.stages[step].unknowns();
-            // A resolution so coarse may only seem not to tell of friction.
-            let is_early = step + first < BOUND_LEVEL && self.stages[step].is_broken();
             // Or else the next kernels are finer ones.
             let has_kernels = self.least_share == least_share;
-            let mut done = estimate.add(layer, aim, &outcome, (unknowns, has_kernels)) && !is_early
-                || self.is_hopeless(layer, aim, (step, first), &outcome, &estimate.errors);
-            if self.is_broken(step, first, &estimate.errors) {
-                // The pressure does not depend on it.
-                self.given_up = self.stages[step].growing.as_deref().and_then(Growing::broken).cloned();
-            }
+            let mut done = self.is_done(layer, aim, (step, first), (&outcome, has_kernels), &mut estimate);
             if done || step + first == FINEST {
                 let task = self.task(aim, level);
                 match self.settle(layer, task, (&mut outcome, step), &estimate.errors) {
@@ -208,6 +194,41 @@ impl Ladder {
             return Err(stopped.expect("every step was solved or refused"));
         };
         Ok(Climbed { outcome, stage, estimate, stopped })
+    }
+
+    /// Solves at one step, and refuses what lacks room, see [`Self::lacks_room`].
+    fn solve_in_room(
+        &mut self,
+        layer: &mut PreparedLayer,
+        aim: Aim,
+        (step, level): (usize, u32),
+        coarse: Option<&Outcome>,
+        estimate: &Estimate,
+    ) -> Result<Outcome, Refusal> {
+        let outcome = self.solve(layer, aim, (step, level, level), coarse)?;
+        self.lacks_room(layer, aim, (step, &outcome), estimate).map_or(Ok(outcome), Err)
+    }
+
+    /// Takes note of what a step found; whether it is fine enough, or no finer one would be any better. `has_kernels` is whether those
+    /// that come would be solved with the same kernels.
+    fn is_done(
+        &mut self,
+        layer: &PreparedLayer,
+        aim: Aim,
+        (step, first): (usize, usize),
+        (outcome, has_kernels): (&Outcome, bool),
+        estimate: &mut Estimate,
+    ) -> bool {
+        let unknowns = self.stages[step].unknowns();
+        // A resolution so coarse may only seem not to tell of friction.
+        let is_early = step + first < BOUND_LEVEL && self.stages[step].is_broken();
+        let is_done = estimate.add(layer, aim, outcome, (unknowns, has_kernels)) && !is_early
+            || self.is_hopeless(layer, aim, (step, first), outcome, &estimate.errors);
+        if self.is_broken(step, first, &estimate.errors) {
+            // The pressure does not depend on it.
+            self.given_up = self.stages[step].growing.as_deref().and_then(Growing::broken).cloned();
+        }
+        is_done
     }
 
     /// [`Stage::lost_between`], where the tractions are asked for.
