@@ -102,20 +102,11 @@ impl Family {
         contact: f64,
         (blend, coarse): (Blend, Option<&Family>),
     ) -> Result<(), Unfit> {
-        let mut before: Option<Root> = None;
         let flat = member(task.problem, contact, true);
-        if coarse.is_none_or(|coarse| coarse.rubbed.is_none()) {
-            // The contact itself, by a search of its own: the others follow.
-            let outcome = self.contact.solve(layer, Task { problem: &flat, ..task }, None)?;
-            let found = outcome.rubbing.as_ref().expect("a stick zone, or why there is none");
-            before = match found.verdict {
-                Verdict::Sticks => self.contact.stuck(layer, Task { problem: &flat, ..task })?,
-                _ => found.reported(),
-            };
-            if before.is_none() {
-                return Err(Unfit::Friction(contact, Box::new(found.clone())));
-            }
-        }
+        let mut before = match coarse {
+            Some(coarse) if coarse.rubbed.is_some() => None,
+            _ => Some(self.search(layer, Task { problem: &flat, ..task }, contact)?),
+        };
         self.end_of_shear = end_of_shear(&flat, before.or_else(|| coarse.and_then(|coarse| coarse.root_at(contact))));
         self.solve_pressures(layer, task, coarse)?;
         // What a coarser resolution found to hold is not checked again; without one, nothing is known well enough.
@@ -157,6 +148,14 @@ impl Family {
         let told = coarse_zones.map(|coarse| (coarse.told, wrong.over(blend.widest())));
         self.rubbed = Some(members.blended(blend, self.end_of_shear, told));
         Ok(())
+    }
+
+    /// The stick zone of one member by a search of its own: the others follow.
+    fn search(&mut self, layer: &mut PreparedLayer, task: Task, b: f64) -> Result<Root, Unfit> {
+        let outcome = self.contact.solve(layer, task, None)?;
+        let found = outcome.rubbing.expect("a stick zone, or why there is none");
+        let root = if found.verdict == Verdict::Sticks { self.contact.stuck(layer, task)? } else { found.reported() };
+        root.ok_or_else(|| Unfit::Friction(b, Box::new(found)))
     }
 
     /// Gives the contact the pressure of a member, as it is told between those solved.
