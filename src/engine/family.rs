@@ -2,6 +2,7 @@
 //!
 //! All that a flat punch answers varies smoothly with its half-width; it is solved at a few and told in between.
 
+mod approach;
 mod depths;
 mod members;
 mod pressed;
