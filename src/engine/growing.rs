@@ -101,31 +101,11 @@ impl Growing {
         let problem = task.problem;
         let known = coarse.and_then(|coarse| coarse.size);
         let size = if self.is_kinked {
-            match (problem.load, known) {
-                (LoadInLayerUnits::HalfWidth(half_width), _) => Size::exactly(half_width),
-                (_, Some(size)) => size,
-                // Against a datum a pressure as coarse as this one tells nothing of how deep a kink sinks.
-                (LoadInLayerUnits::Indentation(_), None) if !problem.layer.is_grounded() => {
-                    Size::exactly(contact_size::guess(problem))
-                }
-                (_, None) => match contact_size::press(layer, problem, normal, task.wanted, GUESSED, None) {
-                    // A contact hardly wider than the face has no node beyond it.
-                    Err(Refusal::OutOfReach { .. }) if problem.face() > 0.0 => Size::exactly(problem.face()),
-                    found => found?,
-                },
-            }
+            guessed(layer, task, normal, known)?
         } else {
             contact_size::press(layer, problem, normal, task.wanted, task.tolerance, known)?
         };
-        let room = match (problem.load, known.is_some() || !self.is_kinked) {
-            (LoadInLayerUnits::HalfWidth(_), _) => 1.0,
-            (_, true) => ROOM,
-            (_, false) => ROOM_BESIDE_GUESS,
-        };
-        // Not beyond the end of a circle where that can be helped.
-        let is_whole = room <= ROOM || problem.flaw(room * size.half_width).is_none();
-        let room = if is_whole { room } else { ROOM };
-        let room = (short_of_end(problem, size.half_width, room * size.half_width) / size.half_width).max(1.0);
+        let room = room(problem, size.half_width, self.is_kinked && known.is_none());
         self.provide(layer, task, size.half_width, room, coarse_family)?;
         let size = if self.is_kinked { self.widen(layer, task, size)? } else { size };
         let (numbers, pressure) = self.sized(layer, problem, normal, size);
@@ -417,6 +397,35 @@ impl Growing {
     pub(crate) fn work(&self) -> Work {
         self.family.as_ref().map_or(Work::default(), |family| family.work() - self.inherited)
     }
+}
+
+/// The size of a stacked contact, from a coarser resolution or about.
+fn guessed(layer: &mut PreparedLayer, task: Task, normal: &mut Normal, known: Option<Size>) -> Result<Size, Refusal> {
+    let problem = task.problem;
+    match (problem.load, known) {
+        (LoadInLayerUnits::HalfWidth(half_width), _) => Ok(Size::exactly(half_width)),
+        (_, Some(size)) => Ok(size),
+        // Against a datum a pressure as coarse as this one tells nothing of how deep a kink sinks.
+        (LoadInLayerUnits::Indentation(_), None) if !problem.layer.is_grounded() => {
+            Ok(Size::exactly(contact_size::guess(problem)))
+        }
+        (_, None) => match contact_size::press(layer, problem, normal, task.wanted, GUESSED, None) {
+            // A contact hardly wider than the face has no node beyond it.
+            Err(Refusal::OutOfReach { .. }) if problem.face() > 0.0 => Ok(Size::exactly(problem.face())),
+            found => found,
+        },
+    }
+}
+
+/// By how much a family is to be wider than a contact of that half-width.
+fn room(problem: &Problem, half_width: f64, is_guess: bool) -> f64 {
+    let room = match problem.load {
+        LoadInLayerUnits::HalfWidth(_) => 1.0,
+        // Not beyond the end of a circle where that can be helped.
+        _ if is_guess && problem.flaw(ROOM_BESIDE_GUESS * half_width).is_none() => ROOM_BESIDE_GUESS,
+        _ => ROOM,
+    };
+    (short_of_end(problem, half_width, room * half_width) / half_width).max(1.0)
 }
 
 /// A half-width up to which a family reaches beside a contact: not so far as the shape ends, where no flat punch has a slope.
