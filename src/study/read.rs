@@ -165,40 +165,43 @@ fn read_axis(document: &Document, path: &[&str; 2], axis: AxisTable) -> Result<A
             let (column, count) = stepped(document, path, column)?;
             Ok(Axis { columns: vec![column], count })
         }
-        (None, Some(zip), None) => {
-            let place = [path[0], path[1], "zip"];
-            let (mut columns, mut counts) = (Vec::new(), Vec::new());
-            for (index, column) in zip.into_iter().enumerate() {
-                let (column, count) = stepped(document, &[place[0], place[1], place[2], &index.to_string()], column)?;
-                columns.push(column);
-                counts.push(count);
-            }
-            if columns.is_empty() {
-                return Err(empty(document, &place, "`zip` lists no field"));
-            }
-            Ok(Axis { count: as_many_each(document, &place, &columns, &counts)?, columns })
-        }
-        (None, None, Some(random)) => {
-            let place = [path[0], path[1], "random"];
-            if random.count == 0 {
-                return Err(document.not_allowed(&[path[0], path[1], "random", "count"], "at least 1"));
-            }
-            let mut columns = Vec::new();
-            for (index, column) in random.fields.into_iter().enumerate() {
-                let own = index.to_string();
-                let place = [place[0], place[1], place[2], "fields", &own];
-                columns.push(drawn(document, &place, column, random.seed.wrapping_add(index as u64 * 0x1_0000_0001))?);
-            }
-            if columns.is_empty() {
-                return Err(empty(document, &place, "`random` lists no field"));
-            }
-            Ok(Axis { columns, count: random.count })
-        }
+        (None, Some(zip), None) => zipped(document, &[path[0], path[1], "zip"], zip),
+        (None, None, Some(random)) => at_random(document, &[path[0], path[1], "random"], random),
         _ => Err(document
             .error(document.key(path), "an axis needs exactly one of `field`, `zip` and `random`")
             .found(document.found(path))
             .expected("`field` with its values, `zip = [{ field = ..., values = ... }, ...]` or `random = { ... }`")),
     }
+}
+
+/// Fields that change together.
+fn zipped(document: &Document, path: &[&str; 3], zip: Vec<ColumnTable>) -> Result<Axis, SceneError> {
+    let (mut columns, mut counts) = (Vec::new(), Vec::new());
+    for (index, column) in zip.into_iter().enumerate() {
+        let (column, count) = stepped(document, &[path[0], path[1], path[2], &index.to_string()], column)?;
+        columns.push(column);
+        counts.push(count);
+    }
+    if columns.is_empty() {
+        return Err(empty(document, path, "`zip` lists no field"));
+    }
+    Ok(Axis { count: as_many_each(document, path, &columns, &counts)?, columns })
+}
+
+/// Fields that are drawn together.
+fn at_random(document: &Document, path: &[&str; 3], random: Random) -> Result<Axis, SceneError> {
+    if random.count == 0 {
+        return Err(document.not_allowed(&[path[0], path[1], path[2], "count"], "at least 1"));
+    }
+    let mut columns = Vec::new();
+    for (index, column) in random.fields.into_iter().enumerate() {
+        let place = [path[0], path[1], path[2], "fields", &index.to_string()];
+        columns.push(drawn(document, &place, column, random.seed.wrapping_add(index as u64 * 0x1_0000_0001))?);
+    }
+    if columns.is_empty() {
+        return Err(empty(document, path, "`random` lists no field"));
+    }
+    Ok(Axis { columns, count: random.count })
 }
 
 /// How many values each of the fields zipped together has; the odd one is to blame where they differ.
