@@ -97,12 +97,24 @@ impl Spline {
     }
 }
 
-impl Profile {
-    /// Fits points with ascending `x`, given in those units.
+/// The points of a table, from the middle outwards, scaled.
+struct Folded {
+    points: Vec<Point>,
+    /// How many distances from the middle they have.
+    distances: usize,
+    /// The last distance from the middle, and the range of the heights, in the units of the rows.
+    reach: f64,
+    range: f64,
+    /// What rounding makes of the heights.
+    rounding: f64,
+}
+
+impl Folded {
+    /// Points with ascending `x`, given in those units.
     ///
     /// # Errors
     /// When they are too few, too far from the middle, or all of one height.
-    pub(super) fn fit(rows: Rows, x_unit: f64, height_unit: f64) -> Result<Self, Fault> {
+    fn new(rows: Rows, x_unit: f64, height_unit: f64) -> Result<Self, Fault> {
         let count = rows.len();
         let mut points: Vec<Point> =
             rows.into_iter().map(|[x, height]| Point { x: x.abs(), height, left: x < 0.0 }).collect();
@@ -140,36 +152,44 @@ impl Profile {
         for point in &mut points {
             *point = Point { x: point.x / last.x, height: (point.height - first.height) / range, left: point.left };
         }
-        let rounding = 4.0 * f64::EPSILON * (1.0 + highest / range);
-        let (spline, left_over) = best(&points, distances, rounding);
+        Ok(Self { points, distances, reach: last.x, range, rounding: 4.0 * f64::EPSILON * (1.0 + highest / range) })
+    }
+
+    /// That no convex curve through them rises.
+    fn never_rises(&self, x_unit: f64, height_unit: f64) -> Fault {
+        let Self { points, reach, range, .. } = self;
+        let lowest =
+            points.iter().fold(points[0], |lowest, next| if next.height < lowest.height { *next } else { lowest });
+        let found = if lowest.height < 0.0 {
+            let (depth, x) = (-lowest.height * range * height_unit, lowest.x * reach * x_unit);
+            format!("the height at |x| = {x} is {depth} below that of the first row")
+        } else {
+            "heights that no convex curve follows upwards".to_owned()
+        };
+        Fault::new(&[], "the heights do not grow with |x|")
+            .found(found)
+            .expected("heights that grow outwards from the middle, where the punch touches first")
+            .hint("heights count away from the surface: change their sign if the rows count them the other way")
+    }
+}
+
+impl Profile {
+    /// Fits points with ascending `x`, given in those units.
+    ///
+    /// # Errors
+    /// When they are too few, too far from the middle, or do not rise from there.
+    pub(super) fn fit(rows: Rows, x_unit: f64, height_unit: f64) -> Result<Self, Fault> {
+        let folded = Folded::new(rows, x_unit, height_unit)?;
+        let Folded { points, distances, reach, range, rounding } = &folded;
+        let (spline, left_over) = best(points, *distances, *rounding);
         let pieces = spline.pieces();
         if pieces.last().is_none_or(|piece| piece.slope(1.0) <= LEVEL) {
-            let lowest =
-                points.iter().fold(points[0], |lowest, next| if next.height < lowest.height { *next } else { lowest });
-            let found = if lowest.height < 0.0 {
-                let (depth, x) = (-lowest.height * range * height_unit, lowest.x * last.x * x_unit);
-                format!("the height at |x| = {x} is {depth} below that of the first row")
-            } else {
-                "heights that no convex curve follows upwards".to_owned()
-            };
-            return Err(Fault::new(&[], "the heights do not grow with |x|")
-                .found(found)
-                .expected("heights that grow outwards from the middle, where the punch touches first")
-                .hint("heights count away from the surface: change their sign if the rows count them the other way"));
+            return Err(folded.never_rises(x_unit, height_unit));
         }
-        let residuals: Vec<f64> = {
-            let mut piece = 0;
-            let residual = |point: &Point| {
-                while piece + 1 < pieces.len() && pieces[piece + 1].from <= point.x {
-                    piece += 1;
-                }
-                point.height - pieces[piece].height(point.x)
-            };
-            points.iter().map(residual).collect()
-        };
         let fitted = |x: f64| at(&pieces, x).height(x);
-        let flaws = scatter::flaws(&points, &residuals, fitted, rounding);
-        let (reach, rise) = (last.x * x_unit, range * height_unit);
+        let residuals: Vec<f64> = points.iter().map(|point| point.height - fitted(point.x)).collect();
+        let flaws = scatter::flaws(points, &residuals, fitted, *rounding);
+        let (reach, rise) = (reach * x_unit, range * height_unit);
         let noise = (left_over / points.len() as f64).sqrt() * rise;
         Ok(Self::in_units(&pieces, reach, rise, noise, flaws))
     }
