@@ -103,14 +103,7 @@ impl KernelStrategy for Split {
         let mut best: Option<Draft> = None;
         let (mut attempts, mut may_be_rough) = (ATTEMPTS.0, !self.is_pinned());
         while attempts > 0 {
-            // The flexibility's own error is to be a small part of the whole.
-            let (slope, value) = (ROUGHNESS.0 * depth * accuracy / request.reach, ROUGHNESS.1 * accuracy);
-            let roughness = slope.min(value).min(ROUGHEST);
-            let rough = if may_be_rough { response.roughly(roughness) } else { None };
-            let mut draft = match rough {
-                Some(rough) => self.draft(rough, request, depth, (accuracy, roughness))?,
-                None => self.draft(response, request, depth, (accuracy, 0.0))?,
-            };
+            let mut draft = self.drafted(response, request, depth, accuracy, may_be_rough)?;
             evaluations += draft.evaluations;
             draft.error += felt.left;
             let too_rough = draft.roughened > 0.5 * request.accuracy;
@@ -194,6 +187,24 @@ struct Draft {
 }
 
 impl Split {
+    /// One attempt, by a flexibility that is not told better than it need be where it `may_be_rough`.
+    fn drafted(
+        &self,
+        response: &dyn LayerResponse,
+        request: &KernelRequest,
+        depth: f64,
+        accuracy: f64,
+        may_be_rough: bool,
+    ) -> Result<Draft, Refusal> {
+        // The flexibility's own error is to be a small part of the whole.
+        let (slope, value) = (ROUGHNESS.0 * depth * accuracy / request.reach, ROUGHNESS.1 * accuracy);
+        let roughness = slope.min(value).min(ROUGHEST);
+        match if may_be_rough { response.roughly(roughness) } else { None } {
+            Some(rough) => self.draft(rough, request, depth, (accuracy, roughness)),
+            None => self.draft(response, request, depth, (accuracy, 0.0)),
+        }
+    }
+
     fn draft(
         &self,
         response: &dyn LayerResponse,

@@ -22,7 +22,6 @@ pub(super) struct Plan {
 /// One kernel over all pieces.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Kernel {
-    pub(super) odd: bool,
     /// Rows of a piece: one per power of its variable, constant first; the columns are the parts.
     pub(super) rows: Vec<Vec<[f64; 3]>>,
     /// Bound on the interpolation's error, and on `|k - far form|` beyond the last piece.
@@ -66,8 +65,7 @@ impl Pieces {
     /// On a rigid base the pieces end where each kernel has become what it is far away: `-1/t` if it is odd and nothing
     /// otherwise. What is left there falls exponentially; two pieces running must agree.
     pub(super) fn new(plan: &Plan, nodes: usize, mut parts: impl FnMut(f64, &mut [Values])) -> Self {
-        let kernels = plan.kernels.iter().map(|(odd, _)| Kernel { odd: *odd, ..Kernel::default() }).collect();
-        let mut pieces = Self { ends: Vec::new(), kernels };
+        let mut pieces = Self { ends: Vec::new(), kernels: vec![Kernel::default(); plan.kernels.len()] };
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // few and positive
         let fewer = (FIRST_NODES * nodes as f64).ceil() as usize;
         let at_origin = Variable::chebyshev(fewer, &[NEAR_ORIGIN, 1.0]);
@@ -79,38 +77,19 @@ impl Pieces {
         while lower < plan.reach && pieces.ends.len() < MOST_PIECES {
             let upper = if lower + 1.01 * width >= plan.reach { plan.reach } else { lower + width };
             let variable = if lower == 0.0 { &at_origin } else { &elsewhere };
-            let place = |v: f64| {
-                // (1 + v)/2 without cancellation for the first piece, whose variable is (t/upper)^2.
-                if lower == 0.0 { upper * (0.5 * (1.0 + v)).sqrt() } else { lower + (upper - lower) * 0.5 * (1.0 + v) }
-            };
             for (values, v) in values.iter_mut().zip(&variable.all) {
-                parts(place(*v), values);
+                parts(place(*v, (lower, upper)), values);
             }
-            let pieced: Vec<Piece> = plan
-                .kernels
-                .iter()
-                .enumerate()
-                .map(|(i, (odd, aim))| {
-                    let own: Vec<Sample> =
-                        variable.all.iter().zip(&values).map(|(v, all)| (*v, place(*v), all[i])).collect();
-                    Piece::through(own.split_at(variable.nodes), lower == 0.0, *odd, *aim)
-                })
-                .collect();
+            let sampled = Sampled { variable, ends: (lower, upper), values: &values };
+            let pieced = sampled.pieces(plan);
             // Parts that cancel each other down to their noise tell nothing, and pieces of it would be without number.
-            let told = |i: usize| {
-                let whole = |(v, all): (&f64, &Vec<Values>)| all[i][0] + all[i][1] + place(*v).ln() * all[i][2];
-                let largest = variable.all.iter().zip(&values).map(whole).fold(0.0, |most: f64, k| most.max(k.abs()));
-                largest.max(plan.reach.recip())
-            };
+            let told = |i: usize| sampled.largest(i).max(plan.reach.recip());
             if pieced.iter().enumerate().any(|(i, piece)| piece.noise * plan.reach > 1.0 && piece.noise > told(i)) {
                 break;
             }
             // In units of what is wanted, or of the noise once that has shown.
-            let worst = pieced
-                .iter()
-                .zip(&floor)
-                .map(|(piece, floor)| piece.error / floor.max(piece.noise))
-                .fold(0.0, f64::max);
+            let missed = pieced.iter().zip(&floor).map(|(piece, floor)| piece.error / floor.max(piece.noise));
+            let worst = missed.fold(0.0, f64::max);
             // The error grows with the width to the power of the number of nodes.
             let fit = (SAFE / worst).powf((variable.nodes as f64).recip());
             let stalled = worst > STALL * before && pieced.iter().all(|piece| piece.error < LARGEST_NOISE);
@@ -124,17 +103,8 @@ impl Pieces {
                     *floor = floor.max(piece.error);
                 }
             }
-            let mut far = vec![0.0_f64; plan.kernels.len()];
-            for (i, (kernel, piece)) in pieces.kernels.iter_mut().zip(pieced).enumerate() {
-                kernel.error = kernel.error.max(piece.error);
-                kernel.noise = kernel.noise.max(if stalled { piece.error } else { piece.noise });
-                kernel.rows.push(piece.rows);
-                for (v, all) in variable.all.iter().zip(&values) {
-                    let form = if kernel.odd { -1.0 / place(*v) } else { 0.0 };
-                    far[i] = far[i].max((all[i][0] - form).abs() + all[i][1].abs() + all[i][2].abs());
-                }
-            }
-            pieces.ends.push(upper);
+            pieces.take(upper, pieced, stalled);
+            let far: Vec<f64> = plan.kernels.iter().enumerate().map(|(i, (odd, _))| sampled.far(i, *odd)).collect();
             quiet = if far.iter().zip(&floor).all(|(far, floor)| far <= floor) { quiet + 1 } else { 0 };
             if plan.is_local && quiet >= 2 && upper > plan.local && upper < plan.reach {
                 for (kernel, far) in pieces.kernels.iter_mut().zip(far) {
@@ -144,11 +114,7 @@ impl Pieces {
             }
             lower = upper;
             (before, attempts) = (f64::INFINITY, 0);
-            let widest = if plan.is_local { WIDEST } else { f64::INFINITY };
-            let widest = if lower < plan.local { plan.widest } else { widest };
-            // Noise says nothing of a better width.
-            let (least, most) = (width.max(LEAST_WIDENING * lower), (1.5 * width).max(WIDENING * lower));
-            width = if stalled { most } else { (fit * width).clamp(least, most) }.min(widest);
+            width = plan.next_width(lower, width, if stalled { None } else { Some(fit) });
         }
         if lower < plan.reach {
             // Not everything is covered.
@@ -158,4 +124,72 @@ impl Pieces {
         }
         pieces
     }
+
+    /// Takes the kernels' pieces up to an end; where they have stalled, all their error is noise.
+    fn take(&mut self, upper: f64, pieces: Vec<Piece>, stalled: bool) {
+        self.ends.push(upper);
+        for (kernel, piece) in self.kernels.iter_mut().zip(pieces) {
+            kernel.error = kernel.error.max(piece.error);
+            kernel.noise = kernel.noise.max(if stalled { piece.error } else { piece.noise });
+            kernel.rows.push(piece.rows);
+        }
+    }
+}
+
+impl Plan {
+    /// The width tried from `lower` on, after a piece that should have been `fit` times as wide as it was; `None` where it was noise,
+    /// which says nothing of a better width.
+    fn next_width(&self, lower: f64, width: f64, fit: Option<f64>) -> f64 {
+        let widest = match self.is_local {
+            _ if lower < self.local => self.widest,
+            true => WIDEST,
+            false => f64::INFINITY,
+        };
+        let (least, most) = (width.max(LEAST_WIDENING * lower), (1.5 * width).max(WIDENING * lower));
+        fit.map_or(most, |fit| (fit * width).clamp(least, most)).min(widest)
+    }
+}
+
+/// The kernels between two ends, at all places of a variable.
+struct Sampled<'a> {
+    variable: &'a Variable,
+    ends: (f64, f64),
+    values: &'a [Vec<Values>],
+}
+
+impl Sampled<'_> {
+    /// Where they were sampled, and all of them there.
+    fn all(&self) -> impl Iterator<Item = (f64, f64, &Vec<Values>)> {
+        self.variable.all.iter().zip(self.values).map(|(v, all)| (*v, place(*v, self.ends), all))
+    }
+
+    /// A piece of each kernel.
+    fn pieces(&self, plan: &Plan) -> Vec<Piece> {
+        let piece = |(i, (odd, aim)): (usize, &(bool, f64))| {
+            let own: Vec<Sample> = self.all().map(|(v, t, all)| (v, t, all[i])).collect();
+            Piece::through(own.split_at(self.variable.nodes), self.ends.0 == 0.0, *odd, *aim)
+        };
+        plan.kernels.iter().enumerate().map(piece).collect()
+    }
+
+    /// How large a kernel is.
+    fn largest(&self, i: usize) -> f64 {
+        let whole = |(_, t, all): (f64, f64, &Vec<Values>)| all[i][0] + all[i][1] + t.ln() * all[i][2];
+        self.all().map(whole).fold(0.0, |most: f64, k| most.max(k.abs()))
+    }
+
+    /// How far a kernel is from what it is far away.
+    fn far(&self, i: usize, odd: bool) -> f64 {
+        let apart = |(_, t, all): (f64, f64, &Vec<Values>)| {
+            let form = if odd { -1.0 / t } else { 0.0 };
+            (all[i][0] - form).abs() + all[i][1].abs() + all[i][2].abs()
+        };
+        self.all().map(apart).fold(0.0, f64::max)
+    }
+}
+
+/// Where a variable stands between two ends.
+fn place(v: f64, (lower, upper): (f64, f64)) -> f64 {
+    // (1 + v)/2 without cancellation on the first piece, whose variable is (t/upper)^2.
+    if lower == 0.0 { upper * (0.5 * (1.0 + v)).sqrt() } else { lower + (upper - lower) * 0.5 * (1.0 + v) }
 }

@@ -107,5 +107,5 @@ fn kernel(i: usize, column: &Column, spectrum: &Spectrum, beyond: &Beyond, reach
             row[part] = if has_odd_powers { c / reach } else { *c };
         }
     }
-    (Kernel { odd, rows: vec![rows], error, noise: 0.0 }, rounding)
+    (Kernel { rows: vec![rows], error, noise: 0.0 }, rounding)
 }
