@@ -1,4 +1,4 @@
-//! Tops between the steps of a walk.
+//! Tops of a function between the places at which it is known: on a walk below zero, or along half of a contact.
 
 use arrayvec::ArrayVec;
 use slipzone_api::Station;

@@ -22,6 +22,7 @@ thread_local! {
 pub(crate) struct Dense {
     /// Right-hand sides one after another before, solutions after [`Self::solve`].
     columns: Vec<f64>,
+    /// Number of equations.
     size: usize,
     /// Room for more than a few equations.
     blocks: Option<Blocks>,
@@ -40,14 +41,9 @@ impl Dense {
         }
     }
 
-    /// Number of equations.
-    pub(crate) fn size(&self) -> usize {
-        self.size
-    }
-
     /// Right-hand side or solution `k`.
     pub(crate) fn column(&self, k: usize) -> &[f64] {
-        let n = self.size();
+        let n = self.size;
         &self.columns[k * n..(k + 1) * n]
     }
 
@@ -66,7 +62,7 @@ impl Dense {
     /// Fills in the matrix, row by row, and the right-hand sides, one after another; both hold what earlier systems left. Replaces
     /// as many of the right-hand sides as `fill` returns by their solutions.
     pub(crate) fn solve(&mut self, fill: impl FnOnce(&mut [f64], &mut [f64]) -> usize) -> Result<(), Refusal> {
-        let n = self.size();
+        let n = self.size;
         let right = if let Some(blocks) = &mut self.blocks {
             let right = fill(&mut blocks.rows, &mut self.columns);
             blocks.solve(&mut self.columns[..n * right]);

@@ -25,7 +25,7 @@ pub(crate) const FOUND: &str = "found.value";
 const TRACTIONS: [&str; 2] = ["pressure", "shear"];
 
 /// Most curves that can be told apart in a panel.
-pub(crate) const MOST_CURVES: u64 = 12;
+const MOST_CURVES: u64 = 12;
 /// Most panels of a figure.
 const MOST_PANELS: u64 = 6;
 /// Most numbers side by side.
@@ -337,7 +337,7 @@ fn ordinates(
 
 impl Axis {
     /// Whether its values are drawn at random.
-    pub(crate) fn is_drawn(&self) -> bool {
+    fn is_drawn(&self) -> bool {
         self.columns.iter().any(|column| matches!(column.values, Values::Drawn { .. }))
     }
 }

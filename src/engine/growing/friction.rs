@@ -46,7 +46,7 @@ impl Growing {
     }
 
     /// The shear at some points, where it lacks so much to what slides; both over the mean pressure.
-    pub(super) fn shear_traced<const N: usize>(
+    fn shear_traced<const N: usize>(
         &mut self,
         problem: &Problem,
         normal: &Normal,
@@ -61,7 +61,7 @@ impl Growing {
     }
 
     /// What could not be told of friction when the contact had grown to a half-width, in words, unless it is so now.
-    pub(super) fn told_of_broken(&self, problem: &Problem, at: f64, rubbing: &Rubbing) -> Rubbing {
+    fn told_of_broken(&self, problem: &Problem, at: f64, rubbing: &Rubbing) -> Rubbing {
         let rubbing = Rubbing { is_full: rubbing.is_full && !self.was_broken(), ..rubbing.clone() };
         let what = match &rubbing.verdict {
             Verdict::Fails(what) => what.as_str(),
