@@ -107,10 +107,9 @@ impl Point {
 pub(super) fn curve(solver: &mut Solver, loads: &LoadPath) -> Curve {
     solver.begin_curve();
     let last = point(solver, loads.last());
-    let mut points = on_the_way(solver, loads);
-    points.push(last);
+    let curve = curve_to(solver, loads, last);
     solver.press(loads.last());
-    Curve::of(&points, loads, solver.scene())
+    curve
 }
 
 /// The curve that ends in the load found last. The solver is left pressed by some load on the way.
