@@ -36,7 +36,7 @@ pub(crate) enum Verdict {
     /// No shear arises, whatever the zone: everything sticks without friction.
     NoShear,
     /// No root in between: the direction of slip changes along the contact.
-    None,
+    NoRoot,
     /// No root in the range that is looked at under a linear strain.
     NotScanned,
 }

@@ -201,7 +201,7 @@ impl Contact {
             _ if found.largest < NO_SHEAR * eta => (0.0, Verdict::NoShear),
             (None, Some(bound)) => (bound, Verdict::TooNarrow),
             _ if found.wider => (FrictionCurve::WIDEST, Verdict::Sticks),
-            _ => (FrictionCurve::NARROWEST_SAMPLED, Verdict::None),
+            _ => (FrictionCurve::NARROWEST_SAMPLED, Verdict::NoRoot),
         };
         let zone = match verdict {
             Verdict::NoShear => StickZone { half_width: b, slip_width: 0.0 },
