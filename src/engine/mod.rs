@@ -5,11 +5,13 @@
 mod assemble;
 mod blend;
 mod budget;
+mod carrier;
 mod chebyshev;
 mod checks;
 mod climb;
 mod contact;
 mod contact_size;
+mod counted;
 mod coupling;
 mod dense;
 mod elimination;

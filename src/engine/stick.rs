@@ -1,9 +1,9 @@
 //! The shear under a flat punch with Goodman friction: for each stick zone the friction coefficient that
 //! belongs to it is explicit (docs/theory.md, "Stick zone").
 
+use super::carrier;
 use super::dense::Dense;
 use super::half_plane_shear::HalfPlaneShear;
-use super::linear_strain;
 use super::lookout::Lookout;
 use super::normal::Normal;
 use super::prepared_layer::PreparedLayer;
@@ -192,7 +192,7 @@ impl Shear {
     /// Solves the tangential equation for one stick zone in which the strain is `C|x|`, with `C/A0` as one more unknown,
     /// and returns it; the friction coefficient is given.
     ///
-    /// What `|x|` makes of the shear on a half-plane is known and taken out of it, see [`linear_strain::carrier`].
+    /// What `|x|` makes of the shear on a half-plane is known and taken out of it, see [`carrier`].
     pub(crate) fn solve_strained(
         &mut self,
         layer: &PreparedLayer,
@@ -203,7 +203,7 @@ impl Shear {
     ) -> Result<f64, Refusal> {
         let (p_edge, strain_rate) = Room::lend(|room| {
             let p_edge = self.see(0, layer, normal, zone, room)?;
-            let strained = linear_strain::equation(layer, zone.half_width, self.grids[self.used].rule.collocation());
+            let strained = carrier::equation(layer, zone.half_width, self.grids[self.used].rule.collocation());
             let beside = |i: usize, scale: f64, by_slip: f64| [scale * strained[i], friction * by_slip];
             Ok((p_edge, self.balance(layer, beta, p_edge, room, beside)?))
         })?;
@@ -319,7 +319,7 @@ impl Shear {
         }
         if self.strain_rate != 0.0 {
             for (out, at) in out.iter_mut().zip(at) {
-                *out += self.strain_rate * linear_strain::carrier(self.zone.half_width, *at);
+                *out += self.strain_rate * carrier::shear(self.zone.half_width, *at);
             }
         }
     }

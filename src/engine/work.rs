@@ -1,10 +1,7 @@
 //! Work, counted: the same on every machine.
 
-use super::budget::Meter;
-use slipzone_api::{Component, KernelTable, PartsMut};
 use std::iter::Sum;
 use std::ops::{Add, Sub};
-use std::sync::Arc;
 
 /// Work in dense systems.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -54,41 +51,5 @@ impl Sub for Work {
 impl Sum for Work {
     fn sum<I: Iterator<Item = Self>>(all: I) -> Self {
         all.fold(Self::default(), Add::add)
-    }
-}
-
-/// A table that counts how often it is read: one for each distance.
-pub(super) struct Counted {
-    pub(super) table: Box<dyn KernelTable>,
-    pub(super) meter: Arc<Meter>,
-}
-
-impl Counted {
-    fn count(&self, distances: &[f64]) {
-        self.meter.count_readings(distances.len());
-    }
-}
-
-impl KernelTable for Counted {
-    fn parts_into(&self, component: Component, distances: &[f64], out: PartsMut) {
-        self.count(distances);
-        self.table.parts_into(component, distances, out);
-    }
-
-    fn values_into(&self, component: Component, distances: &[f64], out: &mut [f64]) {
-        self.count(distances);
-        self.table.values_into(component, distances, out);
-    }
-
-    fn error(&self) -> Option<f64> {
-        self.table.error()
-    }
-
-    fn length(&self) -> f64 {
-        self.table.length()
-    }
-
-    fn flexibility_evaluations(&self) -> usize {
-        self.table.flexibility_evaluations()
     }
 }
