@@ -2,7 +2,7 @@
 //!
 //! L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013), chapters 3 to 5 and 8.
 
-use super::blend::{Lanes, add_rows};
+use super::lanes::{Lanes, add_rows};
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Shelf;
 use std::f64::consts::FRAC_PI_2;

@@ -10,12 +10,13 @@ mod rubbed;
 mod stacked;
 mod told;
 
-use super::blend::{Blend, Lanes, Term};
+use super::blend::{Blend, Term};
 use super::budget::Meter;
 use super::contact::Contact;
 use super::dense::Dense;
 use super::half_plane_depth::HalfPlaneDepth;
-use super::outcome::Task;
+use super::lanes::Lanes;
+use super::outcome::{Left, Task};
 use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::rubbing::Rubbing;
@@ -31,6 +32,8 @@ use slipzone_api::{Component, Edge, FlatFace, Parity, Quadrature, Refusal, Rule,
 use std::ops::Range;
 use std::sync::Arc;
 use told::Told;
+
+pub(crate) use stacked::Slice;
 
 /// Members of the coarsest family: this many, more for each unknown of the pressure, and by this share more for each doubling of the
 /// widest half-width beyond the layer's length.
@@ -87,15 +90,6 @@ pub(crate) struct Family {
     system: Dense,
     room: Room,
     meter: Arc<Meter>,
-}
-
-/// What series over the half-width leave between the members, relative: of a force, of a pressure that is stacked of its growth, and of
-/// the shear. Two resolutions may leave the same.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Left {
-    pub(crate) force: f64,
-    pub(crate) pressure: f64,
-    pub(crate) shear: f64,
 }
 
 /// Room for one member.

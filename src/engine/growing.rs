@@ -6,10 +6,10 @@ mod overload;
 mod strain;
 
 use super::contact_size::{self, Size};
-use super::family::{Family, Left, Unfit};
+use super::family::{Family, Unfit};
 use super::lookout::Lookout;
 use super::normal::Normal;
-use super::outcome::{Outcome, Task};
+use super::outcome::{Left, Outcome, Task};
 use super::prepared_layer::PreparedLayer;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity, Traces};

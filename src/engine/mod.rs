@@ -22,6 +22,7 @@ mod growing;
 mod half_plane_depth;
 mod half_plane_shear;
 mod judged;
+mod lanes;
 mod layer;
 mod linear_strain;
 mod loading_curve;

@@ -2,7 +2,6 @@
 
 use super::contact_size::Size;
 use super::error_estimate::Seen;
-use super::family::Left;
 use super::prepared_layer::Wanted;
 use super::problem::Problem;
 use super::quantity::{Numbers, Quantity, Traces};
@@ -56,6 +55,15 @@ impl Outcome {
         }
         Seen { numbers, traces }
     }
+}
+
+/// What series over the half-width leave between the members, relative: of a force, of a pressure that is stacked of its growth, and of
+/// the shear. Two resolutions may leave the same.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Left {
+    pub(crate) force: f64,
+    pub(crate) pressure: f64,
+    pub(crate) shear: f64,
 }
 
 /// What a resolution needs to know beside its own scratch.

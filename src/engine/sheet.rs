@@ -1,7 +1,7 @@
 //! Functions of a place in a contact and of the contact's half-width.
 
-use super::blend::{LANES, Lanes, polynomials_in_lanes};
 use super::chebyshev::Points;
+use super::lanes::{LANES, Lanes, polynomials_in_lanes};
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::{Shelf, Station, double_exponential};
 use std::f64::consts::FRAC_PI_2;

@@ -11,7 +11,7 @@ mod nodes;
 
 use super::climb::Trail;
 use super::contact_size::Size;
-use super::family::Family;
+use super::family::{Family, Slice};
 use super::problem::{LoadInLayerUnits, Problem};
 use super::root;
 use super::ways::{self, Ways};
@@ -67,15 +67,6 @@ pub(crate) struct Stack {
     /// The same of a pressure exactly at a kink.
     lost_at_kinks: f64,
     room: Room,
-}
-
-/// A slice of a stack: a flat punch and the force that it bears.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Slice {
-    pub(crate) half_width: f64,
-    /// By how much it is wider than the point looked at is far from the middle.
-    pub(crate) beyond: f64,
-    pub(crate) force: f64,
 }
 
 /// Room for points within a contact.

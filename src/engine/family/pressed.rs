@@ -1,8 +1,9 @@
 //! What is told of the pressures under the flat punches of a family.
 
 use super::told::Told;
-use crate::engine::blend::{Blend, add_rows};
+use crate::engine::blend::Blend;
 use crate::engine::chebyshev::largest;
+use crate::engine::lanes::add_rows;
 
 /// Pressures under unit forces, as one resolution knows them.
 pub(super) struct Pressed {

@@ -2,9 +2,10 @@
 //! sliding.
 
 use super::told::Told;
-use crate::engine::blend::{Blend, LANES, Lanes, add_rows};
+use crate::engine::blend::Blend;
 use crate::engine::chebyshev::largest;
 use crate::engine::contact::Contact;
+use crate::engine::lanes::{LANES, Lanes, add_rows};
 use crate::engine::sheet::{Places, Sheet};
 use crate::engine::stick_search::{FrictionCurve, Root};
 use crate::engine::stick_zone::StickZone;

@@ -1,14 +1,22 @@
 //! What many slices of a growing contact press and shear at one point.
 
 use super::Family;
-use crate::engine::blend::{LANES, Lanes};
+use crate::engine::lanes::{LANES, Lanes};
 use crate::engine::sheet::{END, Places, Sheet};
-use crate::engine::stack::Slice;
 use crate::engine::stick_zone::StickZone;
 use slipzone_api::Station;
 
 /// Places at which a member's pressure is looked at.
 const LOOKED_AT: usize = 16;
+
+/// A slice of a stack: a flat punch and the force that it bears.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slice {
+    pub(crate) half_width: f64,
+    /// By how much it is wider than the point looked at is far from the middle.
+    pub(crate) beyond: f64,
+    pub(crate) force: f64,
+}
 
 impl Family {
     /// The pressure of slices at a point.

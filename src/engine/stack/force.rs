@@ -1,9 +1,9 @@
 //! The force of a stack over its half-widths, as series piece by piece.
 
-use super::{ROUNDING, Slice, Stack};
-use crate::engine::blend::LANES;
+use super::{ROUNDING, Stack};
 use crate::engine::chebyshev::{Points, Series};
-use crate::engine::family::Family;
+use crate::engine::family::{Family, Slice};
+use crate::engine::lanes::LANES;
 use crate::engine::problem::Problem;
 
 /// Coefficients of the force over a piece that are tried first; twice as many follow. The fewer leave out 2e-9, 2e-7 and 2e-6 on layers
