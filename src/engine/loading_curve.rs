@@ -2,7 +2,6 @@
 
 use super::quantity::{Numbers, Quantity};
 use super::solution::{LoadReport, Status};
-use super::solver::Solver;
 use crate::scene::{Load, LoadPath, Scene};
 use serde::Serialize;
 use slipzone_api::Refusal;
@@ -36,7 +35,7 @@ impl Curve {
         self.force.len()
     }
 
-    fn of(points: &[Point], loads: &LoadPath, scene: &Scene) -> Self {
+    pub(super) fn of(points: &[Point], loads: &LoadPath, scene: &Scene) -> Self {
         let asks = |quantity: Quantity| scene.output.asks(quantity.path());
         let has_depth = scene.layer.has_depths() && asks(Quantity::Indentation);
         let sticks = |quantity: Quantity| scene.friction.is_some() && asks(quantity);
@@ -77,18 +76,18 @@ impl Point {
     }
 
     /// Whether it misses the tolerance, which the last load met.
-    fn is_short(&self) -> bool {
+    pub(super) fn is_short(&self) -> bool {
         self.status == Status::NotConverged && self.reason.is_none()
     }
 
     /// A load without a contact.
-    fn refused(load: Load, refusal: &Refusal) -> Self {
+    pub(super) fn refused(load: Load, refusal: &Refusal) -> Self {
         let (load, reason) = (LoadReport::given(load), Some(refusal.to_string()));
         Self { load, stick_half_width: None, stick_ratio: None, error: None, status: Status::Refused, reason }
     }
 
     /// The same, refused where one of its numbers is not finite.
-    fn insisting(self, load: Load) -> Self {
+    pub(super) fn insisting(self, load: Load) -> Self {
         let LoadReport { force, half_width, indentation } = &self.load;
         let numbers = [*force, *half_width, *indentation, self.stick_half_width, self.stick_ratio, self.error];
         if numbers.into_iter().flatten().all(f64::is_finite) {
@@ -100,48 +99,6 @@ impl Point {
             remedy: "check the sizes of the scene's numbers against each other",
         };
         Self::refused(load, &refusal)
-    }
-}
-
-/// The curve through all loads; the solver is left pressed by the last of them.
-pub(super) fn curve(solver: &mut Solver, loads: &LoadPath) -> Curve {
-    solver.begin_curve();
-    let last = point(solver, loads.last());
-    let curve = curve_to(solver, loads, last);
-    solver.press(loads.last());
-    curve
-}
-
-/// The curve that ends in the load found last. The solver is left pressed by some load on the way.
-pub(super) fn curve_to(solver: &mut Solver, loads: &LoadPath, last: Point) -> Curve {
-    let mut points = on_the_way(solver, loads);
-    points.push(last);
-    Curve::of(&points, loads, solver.scene())
-}
-
-/// All points but the last, whose load was found before: by the stack of flat punches that found it, or one by one.
-fn on_the_way(solver: &mut Solver, loads: &LoadPath) -> Vec<Point> {
-    let earlier: Vec<Load> = loads.loads().take(loads.points() - 1).collect();
-    solver.begin_curve();
-    let stacked = solver.points_on_the_way(&earlier);
-    solver.begin_curve();
-    match stacked {
-        Some(points) => {
-            let each = earlier.iter().zip(points);
-            // What the flat punches of the last load do not tell well enough takes its own.
-            each.map(|(load, told)| if told.is_short() { point(solver, *load) } else { told.insisting(*load) })
-                .collect()
-        }
-        None => earlier.iter().map(|load| point(solver, *load)).collect(),
-    }
-}
-
-/// One load, with what earlier ones left behind.
-fn point(solver: &mut Solver, load: Load) -> Point {
-    solver.press(load);
-    match solver.find_within() {
-        Ok(()) => solver.point().insisting(load),
-        Err(refusal) => Point::refused(load, &refusal),
     }
 }
 

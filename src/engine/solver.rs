@@ -1,24 +1,22 @@
 //! A scene made ready to be solved for one load after another.
 
+mod curve;
+
 use super::assemble::{self, Solved};
 use super::budget::BUDGET;
 use super::judged::Judged;
 use super::layer::Layer;
-use super::loading_curve::{self, Curve, Point};
 use super::prepared_layer::PreparedLayer;
-use super::problem::{LoadInLayerUnits, Problem};
-use super::quantity::{Numbers, Quantity};
+use super::problem::Problem;
+use super::quantity::Quantity;
 use super::refine::{Aim, FlatPunches, Ladder};
 use super::solution::{Solution, Status};
 use super::stand_in::{self, Decision, StandIn};
 use super::thin;
 use super::verdict::verdict;
 use crate::plan::{Chosen, Plan, choose};
-use crate::scene::{Load, LoadPath, Model, Scene};
+use crate::scene::{Load, Model, Scene};
 use slipzone_api::{Friction, Refusal};
-
-/// Loads on the way to another that are found one by one, where nothing asks for a stack of flat punches.
-const FEW: usize = 8;
 
 /// A layer, a punch and the methods that solve them, with all that earlier loads left behind: kernel tables,
 /// rules, matrices, scratch.
@@ -161,7 +159,7 @@ impl Solver {
     }
 
     /// The same within what is left of a budget.
-    pub(super) fn find_within(&mut self) -> Result<(), Refusal> {
+    fn find_within(&mut self) -> Result<(), Refusal> {
         self.layer.meter().within()?;
         let solver = &self.chosen.scene.solver;
         if solver.model == Some(Model::Thin) {
@@ -260,7 +258,7 @@ impl Solver {
         };
         if let Some(path) = self.chosen.scene.path.clone() {
             let last = self.point();
-            solution.path = Some(loading_curve::curve_to(self, &path, last));
+            solution.path = Some(self.curve_to(&path, last));
             solution.plan.work = self.layer.meter().spent();
             self.press(path.last());
             self.chosen.scene.path = Some(path);
@@ -311,76 +309,6 @@ impl Solver {
             ..chosen.plan.clone()
         };
         assemble::in_closed_form(&chosen.scene, plan, problem, (&numbers, &errors), judgement)
-    }
-
-    /// The contact under each of the loads, from the smallest to the largest: numbers alone, no report. Afterwards the
-    /// solver is pressed by the largest.
-    ///
-    /// ```
-    /// use slipzone::{api::Positive, engine::{Solver, Status}, scene::{self, Load, LoadPath}};
-    ///
-    /// let scene = scene::parse("example.toml", r#"
-    ///     format = 1
-    ///     layer = { thickness = 5.0, poisson = 0.3, grading = { type = "exponential", surface = 1.0, base = 8.0 } }
-    ///     punch = { type = "cylinder", radius = 10.0 }
-    ///     load = { half_width = 1.0 }
-    /// "#).unwrap();
-    /// let loads = LoadPath::until(Load::HalfWidth(Positive::new(1.0).unwrap()), 10).unwrap();
-    /// let curve = Solver::new(&scene).unwrap().curve(&loads);
-    /// assert_eq!((curve.status, curve.points()), (Status::Converged, 10));
-    /// assert!(curve.force.is_sorted(), "a wider contact takes more force");
-    /// ```
-    pub fn curve(&mut self, loads: &LoadPath) -> Curve {
-        let wishes = self.problem.wishes;
-        self.problem.wishes = wishes.along_curve();
-        let curve = loading_curve::curve(self, loads);
-        self.problem.wishes = wishes;
-        self.judged = None;
-        curve
-    }
-
-    /// A budget for all loads on the way together.
-    pub(super) fn begin_curve(&self) {
-        self.layer.meter().begin(self.budget);
-        self.layer.meter().conclude();
-    }
-
-    /// The scene as it is solved.
-    pub(super) fn scene(&self) -> &Scene {
-        &self.chosen.scene
-    }
-
-    /// Points of a loading curve that ends in the load found last; `None` where each has to be solved by itself.
-    pub(super) fn points_on_the_way(&mut self, loads: &[Load]) -> Option<Vec<Point>> {
-        let tolerance = self.chosen.scene.solver.tolerance.get();
-        let Self { chosen, problem, layer, ladder, judged, .. } = self;
-        let judged = judged.as_ref()?;
-        // A strain that is prescribed has no history; a few take less by themselves than all the flat punches that they are made of.
-        if problem.is_linear || !problem.is_stacked() && loads.len() <= FEW {
-            return None;
-        }
-        let (status, reason) = verdict(layer, problem, ladder.stage(judged.stage), judged, tolerance);
-        if status == Status::AssumptionViolated {
-            return None;
-        }
-        let scaled = |load: &Load| LoadInLayerUnits::new(*load, problem.length, problem.stress);
-        let scaled: Vec<_> = loads.iter().map(scaled).collect();
-        let found = ladder.on_the_way(layer, Aim { problem, methods: &chosen.methods, tolerance }, judged, &scaled)?;
-        let point = |(load, (numbers, error)): (&Load, (Numbers, f64))| {
-            let judgement =
-                if error <= tolerance { (Status::Converged, None) } else { (Status::NotConverged, reason.clone()) };
-            assemble::point(*load, problem, &numbers, Some(error), judgement)
-        };
-        Some(loads.iter().zip(found).map(point).collect())
-    }
-
-    /// What was found, as a point of a loading curve.
-    pub(super) fn point(&mut self) -> Point {
-        let Some(judged) = &self.judged else { unreachable!("found before") };
-        let tolerance = self.chosen.scene.solver.tolerance.get();
-        let judgement = verdict(&self.layer, &self.problem, self.ladder.stage(judged.stage), judged, tolerance);
-        let error = Point::error(&judged.errors);
-        assemble::point(self.chosen.scene.load, &self.problem, &judged.outcome.numbers, error, judgement)
     }
 
     /// The report of what was found; without tractions where these would take more than is left of the budget.
