@@ -34,7 +34,7 @@ mod prepared_layer;
 mod problem;
 mod quantity;
 mod refine;
-mod root;
+pub(crate) mod root;
 mod rubbing;
 mod sharpen;
 mod sheet;

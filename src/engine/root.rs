@@ -82,16 +82,16 @@ pub(super) fn polish<E>(
 
 /// A root between two places, and what is known of the function around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Bracketed {
-    pub(super) at: f64,
+pub(crate) struct Bracketed {
+    pub(crate) at: f64,
     /// What the function is there.
-    pub(super) value: f64,
+    pub(crate) value: f64,
     /// Through the last two places tried; NaN where these are one.
-    pub(super) slope: f64,
+    pub(crate) slope: f64,
 }
 
 /// The root of `f` between two places, to within `wanted` (Alefeld, Potra, Shi, ACM TOMS algorithm 748). Both are tried first.
-pub(super) fn bracketed<E>(
+pub(crate) fn bracketed<E>(
     (lower, upper): (f64, f64),
     wanted: f64,
     mut f: impl FnMut(f64) -> Result<f64, E>,

@@ -6,12 +6,12 @@
 use super::Study;
 use super::find::{Find, Wanted};
 use super::record::{Found, Record};
+use crate::engine::root::{self, Bracketed};
 use crate::engine::{Plan, Solution, Status, solve};
 use crate::plan;
 use crate::scene::{Asked, Load, Replacement, Scene};
 use basin::{
     BoxBounds, Brent, ConstraintDescription, ConstraintSet, Constraints, CostFunction, Executor, PointState, RootError,
-    Toms748Root,
 };
 use slipzone_api::{rounded, short};
 
@@ -234,26 +234,25 @@ impl Question<'_> {
     fn roots(&self, pairs: impl Iterator<Item = [Place; 2]>) -> Result<Vec<(f64, Moved)>, String> {
         let tolerance = self.study.scene.solver.tolerance.get();
         let crosses = |[one, other]: &[Place; 2]| one.1 < 0.0 && other.1 > 0.0 || one.1 > 0.0 && other.1 < 0.0;
-        let root = |pair: [Place; 2]| {
+        let closed_in = |pair: [Place; 2]| {
             let [one, other] = pair;
             let (from, to) = (one.0.min(other.0), one.0.max(other.0));
-            let root = Toms748Root::new(from, to)
-                .with_absolute_position_tolerance(tolerance.min(NEAR * (to - from)))
-                .solve(|at| self.excess(at).map_err(|why| self.placed(at, &why)))
-                .map_err(|error| match error {
-                    RootError::Evaluation(why) => why,
-                    other => other.to_string(),
-                })?;
-            let value = self.value(root.root());
-            if root.value().abs() > JUMP * (other.1 - one.1).abs()
-                && root.value().abs() > self.excess_error(&self.solution(value, true)?)
+            let excess = |at| self.excess(at).map_err(|why| self.placed(at, &why));
+            let found = root::bracketed((from, to), tolerance.min(NEAR * (to - from)), excess);
+            let Bracketed { at, value: left, .. } = found.map_err(|error| match error {
+                RootError::Evaluation(why) => why,
+                other => other.to_string(),
+            })?;
+            let value = self.value(at);
+            if left.abs() > JUMP * (other.1 - one.1).abs()
+                && left.abs() > self.excess_error(&self.solution(value, true)?)
             {
                 let Find { field, quantity, .. } = self.find;
                 return Err(format!("{quantity} jumps over what is wanted at {field} = {}", short(value)));
             }
-            Ok((root.root(), by_slope(pair)))
+            Ok((at, by_slope(pair)))
         };
-        pairs.filter(crosses).map(root).collect()
+        pairs.filter(crosses).map(closed_in).collect()
     }
 
     /// That the number is nowhere as wanted, in words.
