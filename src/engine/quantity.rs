@@ -156,7 +156,11 @@ impl Numbers {
 
     /// Those that are to meet the tolerance.
     pub(crate) fn judged_by(&self, wishes: Wishes) -> Self {
-        Self(Quantity::ALL.map(|quantity| self.get(quantity).filter(|_| wishes.judges(quantity))))
+        let mut judged = *self;
+        for quantity in Quantity::ALL.into_iter().filter(|quantity| !wishes.judges(*quantity)) {
+            judged.take(quantity);
+        }
+        judged
     }
 
     /// Those that there are.

@@ -97,7 +97,7 @@ pub(crate) fn bracketed<E>(
     mut f: impl FnMut(f64) -> Result<f64, E>,
 ) -> Result<Bracketed, RootError<E>> {
     let mut last = [(lower, 0.0); 2];
-    let found = Toms748Root::new(lower, upper).with_absolute_position_tolerance(wanted).solve(|x| {
+    let found = solver((lower, upper), wanted).solve(|x| {
         let value = f(x)?;
         last = [last[1], (x, value)];
         Ok(value)
@@ -106,9 +106,13 @@ pub(crate) fn bracketed<E>(
     Ok(Bracketed { at: found.root(), value: found.value(), slope: (f1 - f0) / (x1 - x0) })
 }
 
-/// The same of what never fails; `None` where `f` has the same sign at both places.
+/// The place alone, where `f` never fails; `None` where it has the same sign at both.
 pub(super) fn between(ends: (f64, f64), wanted: f64, mut f: impl FnMut(f64) -> f64) -> Option<f64> {
-    bracketed(ends, wanted, |x| Ok::<_, Infallible>(f(x))).ok().map(|found| found.at)
+    solver(ends, wanted).solve(|x| Ok::<_, Infallible>(f(x))).ok().map(|found| found.root())
+}
+
+fn solver((lower, upper): (f64, f64), wanted: f64) -> Toms748Root {
+    Toms748Root::new(lower, upper).with_absolute_position_tolerance(wanted)
 }
 
 #[cfg(test)]
