@@ -340,7 +340,9 @@ fn ticks(svg: &str, anchor: &str) -> Vec<(f64, String)> {
 
 #[test]
 fn log_axes_have_ticks_that_differ_and_keep_apart() {
-    for (from, to) in [(0.21, 0.43), (3.1, 3.3), (2.1e-7, 4.1e-7), (1e-90, 1e90), (0.03, 0.9)] {
+    for (from, to) in
+        [(0.21, 0.43), (3.1, 3.3), (2.1e-7, 4.1e-7), (1e-90, 1e90), (0.03, 0.9), (0.3, 2e4), (310.0, 420.0)]
+    {
         let axes = format!("[[axes]]\nfield = 'load.force'\nlog = {{ from = {from:?}, to = {to:?}, count = 5 }}\n");
         let study = study(&axes, "x = 'load.force'\ny = 'pressure.mean'\nx_scale = 'log'\ny_scale = 'log'\n");
         let all = (0..5).map(|index| {
@@ -353,6 +355,10 @@ fn log_axes_have_ticks_that_differ_and_keep_apart() {
         for side in [&below, &beside] {
             assert!((2..=12).contains(&side.len()), "{from} to {to}: {side:?}");
             assert!(side.windows(2).all(|pair| pair[0].1 != pair[1].1), "{from} to {to}: {side:?}");
+            // 1000 beside 10⁴ would be two ways of writing.
+            let powers = side.iter().filter(|tick| tick.1.contains(|c| "⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c))).count();
+            let expected = if from > 1e-3 && to < 9e3 { 0 } else { side.len() };
+            assert_eq!(powers, expected, "{from} to {to}: {side:?}");
         }
         let apart =
             |pair: &[(f64, String)]| pair[1].0 - pair[0].0 > f64::midpoint(width(&pair[0].1), width(&pair[1].1));
