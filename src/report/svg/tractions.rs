@@ -317,6 +317,6 @@ mod tests {
         solution.pressure.mean = None;
         assert_eq!(svg(&solution), Err(FigureError::NoScale));
         solution.profile.x[0] = f64::NAN;
-        assert_eq!(svg(&solution), Err(FigureError::NotFinite("`profile.x[0]` is NaN".into())));
+        assert_eq!(svg(&solution), Err(FigureError::NotFinite("`profile.x[0]` is no number".into())));
     }
 }
