@@ -698,4 +698,14 @@ mod unix {
         assert!(told(&output).contains("cannot write out.json: it is write-protected"), "{}", told(&output));
         assert_eq!(fs::read_to_string(&out).unwrap(), "kept");
     }
+
+    /// Even the superuser writes no file there; the name of the temporary one would only puzzle.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_folder_that_takes_no_file_is_told_by_the_name_asked_for() {
+        let output = run(folder().path(), ["solve", "good.toml", "--json", "/proc/out.json"]);
+        assert_eq!(output.status.code(), Some(3), "{}", told(&output));
+        let told = told(&output);
+        assert!(told.contains("cannot write /proc/out.json: ") && !told.contains(".slipzone-"), "{told}");
+    }
 }
