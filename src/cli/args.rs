@@ -46,8 +46,9 @@ pub(super) enum Command {
     /// List the plugins, or describe one
     #[command(after_help = PLUGINS)]
     Plugins {
-        /// Name of a plugin, as in `type = "..."`, or of a family, such as `grading`
-        name: Option<String>,
+        /// Names of plugins, as in `type = "..."`, or of families; `grading table` is what has both
+        #[arg(value_name = "NAME")]
+        names: Vec<String>,
         /// Print JSON
         #[arg(long)]
         json: bool,
@@ -248,6 +249,7 @@ const PLUGINS: &str = "Examples:
   slipzone plugins
   slipzone plugins cylinder
   slipzone plugins grading
+  slipzone plugins grading table
   slipzone plugins --json
 
 Exit codes:

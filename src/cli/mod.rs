@@ -77,7 +77,7 @@ fn dispatch(command: &Command) -> Result<Outcome, Failure> {
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Verify(arguments) => verify::run(arguments),
         Command::Chart(arguments) => chart::run(arguments),
-        Command::Plugins { name, json } => plugins::run(name.as_deref(), *json),
+        Command::Plugins { names, json } => plugins::run(names, *json),
         Command::Init(arguments) => init::run(arguments),
         Command::Schema => schema::run(),
         Command::Completions { shell } => completions::run(*shell),

@@ -116,7 +116,8 @@ impl Target {
             builder.permissions(permissions);
         }
         let mut made = temporary_files();
-        let file = builder.tempfile_in(self.folder())?;
+        // Its own name for the file means nothing to who asked for another.
+        let file = builder.tempfile_in(self.folder()).map_err(|error| std::io::Error::from(error.kind()))?;
         made.push(file.path().into());
         drop(made);
         if let Some(permissions) = old {
@@ -173,14 +174,14 @@ enum Writing {
 impl Write for Writing {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         match self {
-            Self::File(file) => file.write(bytes),
+            Self::File(file) => file.as_file_mut().write(bytes),
             Self::Special(file) => file.write(bytes),
         }
     }
 
     fn flush(&mut self) -> std::io::Result<()> {
         match self {
-            Self::File(file) => file.flush(),
+            Self::File(file) => file.as_file_mut().flush(),
             Self::Special(file) => file.flush(),
         }
     }

@@ -6,36 +6,39 @@ use slipzone::api::{Family, Kind, Parameter, PluginInfo, Values};
 use slipzone::scene::KEYS;
 use std::fmt::{self, Write};
 
-pub(super) fn run(name: Option<&str>, json: bool) -> Result<Outcome, Failure> {
+/// Those of all names; of a family's, all in it.
+pub(super) fn run(names: &[String], json: bool) -> Result<Outcome, Failure> {
     let mut chosen = slipzone::api::plugins();
     let mut built_in = Vec::new();
     gather_built_in(KEYS, "", &mut built_in);
-    let of_family = |name: &str| {
-        let is_built_in = built_in.iter().any(|built_in| built_in.family() == name);
-        is_built_in || Family::ALL.into_iter().any(|family| family.name() == name)
+    let is_family = |name: &&str| {
+        let is_built_in = built_in.iter().any(|built_in| built_in.family() == *name);
+        is_built_in || Family::ALL.into_iter().any(|family| family.name() == *name)
     };
-    let is_family = name.is_some_and(of_family);
-    if let Some(name) = name {
-        let mut known: Vec<_> = chosen.iter().map(|info| info.name).collect();
-        known.extend(built_in.iter().map(|built_in| built_in.kind.name));
-        known.sort_unstable();
-        known.dedup();
-        // A name may stand in two families; that of a family is no plugin's.
-        chosen.retain(|info| if is_family { info.family.name() == name } else { info.name == name });
-        built_in.retain(|built_in| if is_family { built_in.family() == name } else { built_in.kind.name == name });
-        if chosen.is_empty() && built_in.is_empty() {
-            return Err(unknown("plugin", name, &known));
-        }
+    // A name may stand in two families; that of a family is no plugin's.
+    let (families, names): (Vec<&str>, Vec<&str>) = names.iter().map(String::as_str).partition(is_family);
+    let is_one_of = |list: &[&str], name: &str| list.is_empty() || list.contains(&name);
+    chosen.retain(|info| is_one_of(&families, info.family.name()));
+    built_in.retain(|built_in| is_one_of(&families, built_in.family()));
+    let mut known: Vec<_> = chosen.iter().map(|info| info.name).collect();
+    known.extend(built_in.iter().map(|built_in| built_in.kind.name));
+    known.sort_unstable();
+    known.dedup();
+    if let Some(name) = names.iter().find(|name| !known.contains(name)) {
+        let what = if let [family] = families[..] { family } else { "plugin" };
+        return Err(unknown(what, name, &known));
     }
+    chosen.retain(|info| is_one_of(&names, info.name));
+    built_in.retain(|built_in| is_one_of(&names, built_in.kind.name));
     let mut text = String::new();
     // Writing to a string does not fail.
-    let _ = match (json, name) {
+    let _ = match (json, names.is_empty()) {
         (true, _) => {
             let all = serde_json::json!({ "format": 1, "plugins": chosen, "built_in": built_in });
             write!(text, "{all:#}")
         }
-        (false, _) if is_family || name.is_none() => list(&mut text, &chosen, &built_in),
-        (false, _) => (chosen.into_iter().try_for_each(|info| describe(&mut text, info)))
+        (false, true) => list(&mut text, &chosen, &built_in),
+        (false, false) => (chosen.into_iter().try_for_each(|info| describe(&mut text, info)))
             .and_then(|()| built_in.iter().try_for_each(|built_in| built_in.describe(&mut text))),
     };
     print::result(&text)?;

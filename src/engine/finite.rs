@@ -9,7 +9,7 @@ use super::Solution;
 use serde::ser::{self, Serialize};
 use std::fmt::{self, Display};
 
-/// Path and value of the first number of a solution that is not finite, such as `` `load.force` is NaN ``.
+/// Path and value of the first number of a solution that is not finite, such as `` `load.force` is no number ``.
 pub fn first_not_finite(solution: &Solution) -> Option<String> {
     beside(solution, None)
 }
@@ -101,7 +101,9 @@ impl ser::Serializer for Probe {
     type SerializeStructVariant = Inside;
 
     fn serialize_f64(self, v: f64) -> Result<(), Found> {
-        if v.is_finite() { Ok(()) } else { Err(Found::new(v)) }
+        // In words: `NaN` is nothing for a reader, nor for who looks for it in a file.
+        let what = if v.is_nan() { "no number" } else { "infinite" };
+        if v.is_finite() { Ok(()) } else { Err(Found::new(what)) }
     }
     fn serialize_f32(self, v: f32) -> Result<(), Found> {
         self.serialize_f64(v.into())
@@ -253,14 +255,14 @@ mod tests {
             put(&mut solution);
             first_not_finite(&solution).expect("a number that is not finite")
         };
-        assert_eq!(plant(|s| s.load.force = Some(f64::NAN)), "`load.force` is NaN");
-        assert_eq!(plant(|s| s.profile.x[7] = f64::INFINITY), "`profile.x[7]` is inf");
-        assert_eq!(plant(|s| s.profile.pressure[3] = Some(f64::NEG_INFINITY)), "`profile.pressure[3]` is -inf");
+        assert_eq!(plant(|s| s.load.force = Some(f64::NAN)), "`load.force` is no number");
+        assert_eq!(plant(|s| s.profile.x[7] = f64::INFINITY), "`profile.x[7]` is infinite");
+        assert_eq!(plant(|s| s.profile.pressure[3] = Some(f64::NEG_INFINITY)), "`profile.pressure[3]` is infinite");
         assert_eq!(
             plant(|s| s.stick.as_mut().unwrap().one_minus_ratio = Some(f64::NAN)),
-            "`stick.one_minus_ratio` is NaN"
+            "`stick.one_minus_ratio` is no number"
         );
-        assert_eq!(plant(|s| s.error.each.extend([("edge.ratio", f64::NAN)])), "`error.each.edge.ratio` is NaN");
-        assert_eq!(plant(|s| s.scene.output.x = Some(vec![0.0, f64::NAN])), "`scene.output.x[1]` is NaN");
+        assert_eq!(plant(|s| s.error.each.extend([("edge.ratio", f64::NAN)])), "`error.each.edge.ratio` is no number");
+        assert_eq!(plant(|s| s.scene.output.x = Some(vec![0.0, f64::NAN])), "`scene.output.x[1]` is no number");
     }
 }

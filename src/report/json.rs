@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    #[should_panic(expected = "`profile.shear[3]` is NaN")]
+    #[should_panic(expected = "`profile.shear[3]` is no number")]
     fn nan_is_not_written_as_null() {
         let mut solution = samples::flat_with_friction();
         solution.profile.shear.as_mut().unwrap()[3] = Some(f64::NAN);

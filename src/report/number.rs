@@ -4,11 +4,11 @@
 ///
 /// An estimate of 1e-4 carries four digits; the fifth shows which way the fourth was rounded.
 pub(super) fn digits(relative_error: f64) -> usize {
-    /// `f64` holds no more.
-    const MOST: f64 = 17.0;
+    /// `f64` holds no more: one more would show 0.7 as 0.69999999999999996.
+    const MOST: f64 = 16.0;
     let carried = (-relative_error.log10()).floor();
     // A cast from f64 saturates, so that an error of 0 (infinitely many digits) needs the clamp only.
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 1..=17")]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 1..=16")]
     let digits = (carried + 1.0).clamp(1.0, MOST) as usize;
     digits
 }
@@ -58,7 +58,7 @@ mod tests {
 
     #[test]
     fn digits_follow_the_estimate() {
-        assert_eq!([1e-4, 3e-11, 0.2, 5.0, 0.0, 1e-30].map(digits), [5, 11, 1, 1, 17, 17]);
+        assert_eq!([1e-4, 3e-11, 0.2, 5.0, 0.0, 1e-30].map(digits), [5, 11, 1, 1, 16, 16]);
     }
 
     #[test]

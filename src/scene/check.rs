@@ -141,7 +141,10 @@ fn grading(document: &Document, scene: &Scene) -> Result<(), SceneError> {
         Err(Refusal::Unusable { plugin, why }) => {
             let (path, _) = culprit(document, f64::NAN, "modulus");
             let path: Vec<&str> = path.iter().map(String::as_str).collect();
-            Err(document.error(document.best(&path), format!("grading `{plugin}`: {why}")))
+            let error = document.error(document.best(&path), format!("the grading `{plugin}` does not fit the layer"));
+            let (found, hint) = why.split_once("; ").map_or((why.as_str(), None), |(found, hint)| (found, Some(hint)));
+            let error = error.found(found).expected("a finite modulus above 0 at every depth down to the base");
+            Err(hint.into_iter().fold(error, SceneError::hint))
         }
         // What is not built is the engine's to refuse.
         Err(_) => Ok(()),

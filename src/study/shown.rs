@@ -127,10 +127,10 @@ impl Study {
             return self.tractions(plot, names);
         }
         let Some(x) = &plot.x else {
-            return Err(PlotFault::new(&[], "missing key `x`", "the abscissa: an axis, or a number of the result"));
+            return Err(PlotFault::missing("x", "the abscissa: an axis, or a number of the result"));
         };
         if names.is_empty() {
-            return Err(PlotFault::new(&[], "missing key `y`", "the ordinate"));
+            return Err(PlotFault::missing("y", "the ordinate: a number of the result, of a map an axis"));
         }
         if plot.kind == PlotKind::Map {
             return self.map(plot, x, names);
@@ -162,7 +162,7 @@ impl Study {
             return Err(PlotFault::new(&["y"], "a map has one second axis", "the name of one axis"));
         };
         let Some(z) = &plot.z else {
-            return Err(PlotFault::new(&[], "missing key `z`", "the number that the map shows, such as `stick.ratio`"));
+            return Err(PlotFault::missing("z", "the number that the map shows, such as `stick.ratio`"));
         };
         let (x, y) = (self.along_map("x", x)?, self.along_map("y", y)?);
         if x.axis == y.axis {

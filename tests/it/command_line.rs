@@ -333,6 +333,18 @@ fn a_family_is_listed_by_its_name() {
     assert_eq!(words(&parts), words(&all), "all families, each once");
 }
 
+/// Two plugins may share a name: that of a family before it says which is meant.
+#[test]
+fn a_name_after_its_family_is_the_one_of_both() {
+    let folder = folder();
+    let told = |names: &[&str]| told(&run(folder.path(), ["plugins"].iter().chain(names)));
+    let (both, one, other) = (told(&["table"]), told(&["grading", "table"]), told(&["punch", "table"]));
+    let after = |text: &str| text.split_once("stdout -----\n").expect("a description").1.to_owned();
+    assert_eq!(after(&both), after(&one) + "\n" + &after(&other));
+    assert!(told(&["punch", "tabel"]).contains("unknown punch `tabel`"), "{}", told(&["punch", "tabel"]));
+    assert!(told(&["punch", "exponential"]).starts_with("exit code: 2"), "a grading, and no punch");
+}
+
 /// A file that cannot be is no success: it is refused before anything is solved, with what to write in the scene.
 #[test]
 fn files_that_the_scene_leaves_nothing_to_write_in() {
@@ -685,5 +697,15 @@ mod unix {
         assert_eq!(output.status.code(), Some(3), "{}", told(&output));
         assert!(told(&output).contains("cannot write out.json: it is write-protected"), "{}", told(&output));
         assert_eq!(fs::read_to_string(&out).unwrap(), "kept");
+    }
+
+    /// Even the superuser writes no file there; the name of the temporary one would only puzzle.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_folder_that_takes_no_file_is_told_by_the_name_asked_for() {
+        let output = run(folder().path(), ["solve", "good.toml", "--json", "/proc/out.json"]);
+        assert_eq!(output.status.code(), Some(3), "{}", told(&output));
+        let told = told(&output);
+        assert!(told.contains("cannot write /proc/out.json: ") && !told.contains(".slipzone-"), "{told}");
     }
 }

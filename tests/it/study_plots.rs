@@ -81,7 +81,7 @@ fn a_figure_that_does_not_fit_is_refused_with_its_line() {
         // Of what is missing the table that misses it is shown, by its first line or its heading.
         let allowed = if line == 0 { FIRST - 1..=FIRST + 1 } else { FIRST + line..=FIRST + line };
         assert!(allowed.contains(&error.line), "{error}");
-        assert!(error.expected.is_some(), "{error}");
+        assert!(error.found.is_some() && error.expected.is_some(), "{error}");
     }
 }
 

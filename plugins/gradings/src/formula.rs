@@ -64,9 +64,9 @@ impl Grading for Formula {
         };
         let singular: Vec<_> = formulas.iter().zip(&narrow).map(singular).collect();
         if let Some(depth) = pole(&formulas[0], &singular[0], thickness) {
-            let found = short(formulas[0].at(depth).value);
-            let why =
-                format!("the modulus is {found} at depth {}; expected a finite one above 0 everywhere", short(depth));
+            let value = formulas[0].at(depth).value;
+            let found = if value.is_finite() { short(value) } else { "infinite".into() };
+            let why = format!("the modulus is {found} at depth {}", short(depth));
             return Err(Refusal::Unusable { plugin: "formula", why });
         }
         let kinks = singular.iter().flatten().map(|depth| depth / thickness);

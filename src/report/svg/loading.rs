@@ -157,6 +157,6 @@ mod tests {
         solution.path.as_mut().expect("a curve").force.fill(None);
         assert_eq!(curve_svg(&solution), Err(FigureError::NoCurve));
         solution.path.as_mut().expect("a curve").force[0] = Some(f64::NAN);
-        assert_eq!(curve_svg(&solution), Err(FigureError::NotFinite("`path.force[0]` is NaN".into())));
+        assert_eq!(curve_svg(&solution), Err(FigureError::NotFinite("`path.force[0]` is no number".into())));
     }
 }

@@ -71,6 +71,8 @@ impl Scale {
         const NUMBERED: usize = 10;
         /// kuva takes what is below 1e-10 for 1e-10: numbers are drawn in units of the largest where need be.
         const DRAWN: std::ops::Range<f64> = 1e-9..1e15;
+        /// Ends of an axis whose numbers are written in full: its ticks are 0.001 to 5000.
+        const PLAIN: std::ops::Range<f64> = 5.01e-4..9.99e3;
         let least = least.max(most / LONGEST);
         let fits = DRAWN.contains(&least) && DRAWN.contains(&most);
         let divisor = if fits { 1.0 } else { 10.0_f64.powf(least.log10().floor()) };
@@ -83,12 +85,16 @@ impl Scale {
         let every = [1, 2, 5, 10, 20, 50].into_iter().find(|every| NUMBERED * every >= round.len());
         let every = every.and_then(|every| i32::try_from(every).ok()).unwrap_or(100);
         // As many as tell neighbours apart.
-        let digits = step.map_or(4, |step| usize::try_from(1 + power_of_ten(most) - power_of_ten(step)).unwrap_or(1));
+        let digits = step.map_or(1, |step| usize::try_from(1 + power_of_ten(most) - power_of_ten(step)).unwrap_or(1));
+        // All in one way: 1000 is no neighbour of 10⁴.
+        let is_plain = [least, most].into_iter().all(|end| PLAIN.contains(&(end * divisor)));
         let ticks = TickFormat::Custom(Arc::new(move |value: f64| {
             #[expect(clippy::cast_possible_truncation, reason = "a few hundred")]
             let power = (value * divisor).log10().round() as i32;
             let is_numbered = every <= 1 || power % every == 0;
-            if is_numbered { typeset(&short(value * divisor, digits)) } else { String::new() }
+            let value = value * divisor;
+            let written = if is_plain { short(value, digits.max(4)) } else { format!("{:.*e}", digits - 1, value) };
+            if is_numbered { typeset(&written) } else { String::new() }
         }));
         Self { label, unit: divisor, least, most, is_logarithmic: true, step, ticks }
     }

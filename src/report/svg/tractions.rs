@@ -34,7 +34,8 @@ pub fn svg(solution: &Solution) -> Result<String, FigureError> {
     let frame = curves.frame();
 
     let mut layout = layout(solution, b, mean, frame);
-    for (from, to, color) in zones(solution.stick.as_ref()) {
+    // What is everywhere leaves the other nowhere, which is no rectangle.
+    for (from, to, color) in zones(solution.stick.as_ref()).into_iter().filter(|(from, to, _)| from < to) {
         layout = layout.with_shaded_region(ShadedRegion::vertical(from, to).with_color(color).with_opacity(1.0));
     }
     // Room between subtitle and frame for the names of the zones and, if need be, for the alarm.
@@ -210,8 +211,11 @@ mod tests {
     #[test]
     fn where_nothing_slips_no_zone_is_called_slip() {
         let mut solution = samples::flat(1.0, 0.3, Slip::Inward, 201);
-        solution.stick.as_mut().expect("friction").one_minus_ratio = Some(0.0);
-        let found = texts(&svg(&solution).expect("a profile"));
+        let stick = solution.stick.as_mut().expect("friction");
+        (stick.ratio, stick.one_minus_ratio) = (Some(1.0), Some(0.0));
+        let svg = svg(&solution).expect("a profile");
+        assert!(!svg.contains("width=\"0\""), "a zone without a width");
+        let found = texts(&svg);
         assert!(found.contains(&"stick everywhere".to_owned()), "{found:?}");
         assert!(!found.iter().any(|text| text.contains("slip")), "{found:?}");
     }
@@ -312,6 +316,6 @@ mod tests {
         solution.pressure.mean = None;
         assert_eq!(svg(&solution), Err(FigureError::NoScale));
         solution.profile.x[0] = f64::NAN;
-        assert_eq!(svg(&solution), Err(FigureError::NotFinite("`profile.x[0]` is NaN".into())));
+        assert_eq!(svg(&solution), Err(FigureError::NotFinite("`profile.x[0]` is no number".into())));
     }
 }

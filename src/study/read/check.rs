@@ -190,7 +190,8 @@ pub(super) fn check_plots(document: &Document, study: &Study) -> Result<(), Scen
             let PlotFault { path, message, found, expected, hint } = fault;
             let place: Vec<&str> = ["plots", &number].into_iter().chain(path.iter().map(String::as_str)).collect();
             let mut error = document.error(document.best(&place), message).expected(expected);
-            (error.found, error.hint) = (found, hint);
+            let there = || (!path.is_empty()).then(|| document.found(&place));
+            (error.found, error.hint) = (found.or_else(there), hint);
             return Err(error);
         }
         // Some file systems take names in capitals for the same.

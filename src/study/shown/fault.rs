@@ -17,6 +17,10 @@ impl PlotFault {
         Self { path, message: message.into(), found: None, expected: expected.into(), hint: None }
     }
 
+    pub(super) fn missing(key: &str, expected: &str) -> Self {
+        Self::new(&[], format!("missing key `{key}`"), expected).found(format!("no `{key}`"))
+    }
+
     pub(super) fn found(self, found: impl Into<String>) -> Self {
         Self { found: Some(found.into()), ..self }
     }

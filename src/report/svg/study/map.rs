@@ -1,14 +1,16 @@
 //! A number over two axes, in colours, with lines of equal value.
 
+mod between;
 mod levels;
 
 use super::gather::Groups;
 use super::{ABREAST, Drawing, names};
 use crate::report::svg::FigureError;
 use crate::report::svg::canvas::{INK, LETTERS, literal};
-use crate::report::svg::panel::{Ground, Panel};
+use crate::report::svg::panel::{Ground, MARKED, Panel};
 use crate::report::svg::scale::Scale;
 use crate::study::{Cell, Place, Scale as Steps, Source};
+use between::Between;
 use kuva::plot::ColorMap;
 use kuva::render::color::Color;
 use kuva::render::layout::ComputedLayout;
@@ -169,7 +171,16 @@ impl Ground for Cells {
         let [columns, rows] = &self.middles;
         let columns: Vec<f64> = columns.iter().map(|middle| across(*middle)).collect();
         let rows: Vec<f64> = rows.iter().map(|middle| up(*middle)).collect();
-        levels::draw(scene, computed, [&columns, &rows], &self.values, &self.scale);
+        let between = Between::new([&columns, &rows], [(left, left + width), (top + height, top)], &self.values);
+        between.draw(scene, |value| COLORS.map(self.scale.place(value)));
+        levels::draw(scene, computed, &between, &self.scale);
+        if columns.len().max(rows.len()) <= MARKED {
+            for (index, _) in self.values.iter().enumerate().filter(|(_, value)| value.is_some()) {
+                let (cx, cy) = (columns[index % count], rows[index / count]);
+                let (fill, fill_opacity) = (Color::from(INK), Some(0.5));
+                scene.add(Primitive::Circle { cx, cy, r: 1.6, fill, fill_opacity, stroke: None, stroke_width: None });
+            }
+        }
         self.bar(scene, computed);
     }
 }

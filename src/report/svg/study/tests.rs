@@ -207,24 +207,20 @@ const GRID: &str = "[[axes]]\nfield = 'layer.thickness'\nlabel = 'h/b'\nlog = { 
                     [[axes]]\nfield = 'layer.grading.base'\nvalues = [0.5, 1.0, 4.0, 5.0]\n";
 const MAP: &str = "kind = 'map'\nx = 'h/b'\ny = 'layer.grading.base'\nz = 'stick.ratio'\nx_scale = 'log'\n";
 
-/// Cells that are not crossed out, and lines of the crosses.
-fn cells(svg: &str) -> (usize, usize) {
+/// Cells that are crossed out, and lines of the crosses.
+fn missing(svg: &str) -> (usize, usize) {
     let document = roxmltree::Document::parse(svg).expect("well-formed XML");
     let with = |tag: &str, key: &str, value: &str| {
         document.descendants().filter(|n| n.has_tag_name(tag) && n.attribute(key) == Some(value)).count()
     };
-    // Background, frame, clip path and bar among them, but not the ground of the numbers on lines.
-    let is_cell = |n: &roxmltree::Node| n.has_tag_name("rect") && n.attribute("fill-opacity").is_none();
-    let rects = document.descendants().filter(is_cell).count();
-    (rects - with("rect", "fill", super::map::MISSING), with("line", "stroke", "#8c8c8c"))
+    (with("rect", "fill", super::map::MISSING), with("line", "stroke", "#8c8c8c"))
 }
 
 #[test]
-fn a_map_has_a_cell_for_each_scene_and_crosses_out_what_is_missing() {
+fn a_map_marks_each_scene_and_crosses_out_what_is_missing() {
     let study = study(GRID, MAP);
     let svg = figure(&study, records(&study));
-    let (all, crosses) = cells(&svg);
-    assert_eq!(crosses, 0);
+    assert_eq!((missing(&svg), svg.matches("<circle").count()), ((0, 0), 28));
     let found = texts(&svg);
     for name in ["stick zone a/b", "h/b", "modulus at the base (MPa)"] {
         assert!(found.iter().any(|text| text == name), "{name} in {found:?}");
@@ -236,8 +232,49 @@ fn a_map_has_a_cell_for_each_scene_and_crosses_out_what_is_missing() {
     some[3]["status"] = json!("invalid");
     some.remove(9);
     let svg = figure(&study, some);
-    assert_eq!(cells(&svg), (all - 2, 4), "one failed, one not there");
+    assert_eq!((missing(&svg), svg.matches("<circle").count()), ((2, 4), 26), "one failed, one not there");
     assert!(texts(&svg).contains(&"1 of 27 scenes did not converge".to_owned()));
+}
+
+/// On three rows a line of equal value runs through one colour from frame to frame: those of the cells would change by a
+/// step, and far more, where it leaves one for the next.
+#[test]
+fn lines_of_a_map_with_few_rows_match_its_colours() {
+    let axes = "[[axes]]\nfield = 'layer.thickness'\nvalues = [1.0, 2.0, 4.0]\n\
+                [[axes]]\nfield = 'load.force'\nvalues = [1.0, 2.0, 3.0]\n";
+    let study = study(axes, "kind = 'map'\nx = 'load.force'\ny = 'layer.thickness'\nz = 'stick.ratio'\n");
+    let svg = figure(&study, records(&study));
+    let document = roxmltree::Document::parse(&svg).expect("well-formed XML");
+    let number = |n: &roxmltree::Node, key: &str| n.attribute(key).and_then(|x| x.parse().ok()).unwrap_or(0.0);
+    // The last one drawn is on top; of a colour the green is enough, which only grows with the number.
+    let patches: Vec<([f64; 4], u8)> = document
+        .descendants()
+        .filter(|n| n.has_tag_name("rect") && n.attribute("fill-opacity").is_none())
+        .filter_map(|n| {
+            let green = u8::from_str_radix(n.attribute("fill")?.get(3..5)?, 16).ok()?;
+            Some((["x", "y", "width", "height"].map(|key| number(&n, key)), green))
+        })
+        .collect();
+    let green = |x: f64, y: f64| {
+        let holds = |at: &[f64; 4]| (at[0]..at[0] + at[2]).contains(&x) && (at[1]..at[1] + at[3]).contains(&y);
+        patches.iter().rev().find(|(at, _)| holds(at)).map(|(_, green)| *green)
+    };
+    let is_line = |n: &roxmltree::Node| n.has_tag_name("path") && n.attribute("stroke") == Some("#ffffff");
+    let lines: Vec<Vec<u8>> = document
+        .descendants()
+        .filter(is_line)
+        .filter_map(|n| n.attribute("d"))
+        .map(|line| {
+            let points = line.split(['M', 'L']).filter_map(|point| point.trim().split_once(' '));
+            points.filter_map(|(x, y)| green(x.parse().ok()?, y.parse().ok()?)).collect()
+        })
+        .collect();
+    assert!(lines.len() > 3 && lines.iter().all(|line| line.len() > 10), "{lines:?}");
+    for line in lines {
+        let spread = line.iter().max().unwrap() - line.iter().min().unwrap();
+        // A patch of 8 px on a map of some 400 for 200 shades of green, either way.
+        assert!(spread <= 16, "{line:?}");
+    }
 }
 
 #[test]
@@ -245,7 +282,8 @@ fn a_large_grid_is_thinned() {
     let axes = GRID.replace("count = 7", "count = 5000");
     let study = study(&axes, MAP);
     let svg = figure(&study, records(&study));
-    assert!(svg.matches("<rect").count() < 4 * 161 + 200, "{} rectangles", svg.matches("<rect").count());
+    // Cells, and some forty patches over each of their columns.
+    assert!(svg.matches("<rect").count() < (4 + 40) * 162 + 200, "{} rectangles", svg.matches("<rect").count());
 }
 
 #[test]
@@ -302,7 +340,9 @@ fn ticks(svg: &str, anchor: &str) -> Vec<(f64, String)> {
 
 #[test]
 fn log_axes_have_ticks_that_differ_and_keep_apart() {
-    for (from, to) in [(0.21, 0.43), (3.1, 3.3), (2.1e-7, 4.1e-7), (1e-90, 1e90), (0.03, 0.9)] {
+    for (from, to) in
+        [(0.21, 0.43), (3.1, 3.3), (2.1e-7, 4.1e-7), (1e-90, 1e90), (0.03, 0.9), (0.3, 2e4), (310.0, 420.0)]
+    {
         let axes = format!("[[axes]]\nfield = 'load.force'\nlog = {{ from = {from:?}, to = {to:?}, count = 5 }}\n");
         let study = study(&axes, "x = 'load.force'\ny = 'pressure.mean'\nx_scale = 'log'\ny_scale = 'log'\n");
         let all = (0..5).map(|index| {
@@ -315,6 +355,10 @@ fn log_axes_have_ticks_that_differ_and_keep_apart() {
         for side in [&below, &beside] {
             assert!((2..=12).contains(&side.len()), "{from} to {to}: {side:?}");
             assert!(side.windows(2).all(|pair| pair[0].1 != pair[1].1), "{from} to {to}: {side:?}");
+            // 1000 beside 10⁴ would be two ways of writing.
+            let powers = side.iter().filter(|tick| tick.1.contains(|c| "⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c))).count();
+            let expected = if from > 1e-3 && to < 9e3 { 0 } else { side.len() };
+            assert_eq!(powers, expected, "{from} to {to}: {side:?}");
         }
         let apart =
             |pair: &[(f64, String)]| pair[1].0 - pair[0].0 > f64::midpoint(width(&pair[0].1), width(&pair[1].1));

@@ -1,5 +1,6 @@
 //! Lines of equal value on a map.
 
+use super::between::Between;
 use crate::report::svg::canvas::{INK, LETTERS};
 use crate::report::svg::scale::Scale;
 use kuva::render::color::Color;
@@ -9,17 +10,11 @@ use kuva::render::render::{PathData, Primitive, Scene, TextAnchor};
 /// Both ends of a straight part of a line.
 type Part = [(f64, f64); 2];
 
-/// A line at each tick of the scale, between middles of cells on the canvas, with its number where there is room.
-pub(super) fn draw(
-    scene: &mut Scene,
-    computed: &ComputedLayout,
-    [columns, rows]: [&[f64]; 2],
-    values: &[Option<f64>],
-    scale: &Scale,
-) {
+/// A line at each tick of the scale, with its number where there is room.
+pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, between: &Between, scale: &Scale) {
     let mut named = Vec::new();
     for level in scale.ticks_within() {
-        let parts = level_line(columns, rows, values, level);
+        let parts = level_line(between, level);
         if parts.is_empty() {
             continue;
         }
@@ -39,9 +34,8 @@ pub(super) fn draw(
     }
 }
 
-/// Where a number passes through a level: marching squares between the middles of cells, with straight lines. Squares with
-/// a missing corner are left out.
-fn level_line(columns: &[f64], rows: &[f64], values: &[Option<f64>], level: f64) -> Vec<Part> {
+/// Where a number passes through a level: marching squares with straight lines. Squares with a missing corner are left out.
+fn level_line(Between { columns, rows, values, .. }: &Between, level: f64) -> Vec<Part> {
     let mut parts = Vec::new();
     for row in 1..rows.len() {
         for column in 1..columns.len() {
