@@ -2,7 +2,7 @@
 
 use crate::panels::{Matter, Panel, Panels};
 use crate::precision::Precision;
-use crate::propagator::{Propagator, Rows, THICKEST};
+use crate::propagator::{Propagator, Rows};
 use crate::slice::{Slice, THIN};
 use crate::surface_tail;
 use nalgebra::Matrix2;
@@ -393,16 +393,11 @@ impl Panel {
                 column.slides = false;
             }
             Matter::Smooth(slices) => {
-                let thick = (least * self.top).clamp(thick, THICKEST);
-                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // not negative; `as` saturates
-                let halvings = (most * self.thickness / thick).log2().ceil().max(0.0) as u32;
-                let delta = self.thickness * (-f64::from(halvings)).exp2();
-                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `s depth` is bounded
-                let count = (depth / delta).ceil() as usize;
-                let waves = s.map(|s| s * delta);
-                for k in (0..count).rev() {
-                    column.rise(&rows::<S, L>(&slices.get(halvings, k), &waves), &waves, delta, self.unit);
-                }
+                let mut rise = |slice: &Propagator, delta: f64| {
+                    let waves = s.map(|s| s * delta);
+                    column.rise(&rows::<S, L>(slice, &waves), &waves, delta, self.unit);
+                };
+                slices.walk((self.top, self.thickness), (depth, least, most), &mut rise);
             }
         }
     }

@@ -170,7 +170,11 @@ impl Panels {
             _ => None,
         };
         let constants = Coefficients::of(material, material.shear);
-        self.all.iter().rev().find_map(like).unwrap_or_else(|| Arc::new(Propagator::new(self.precision, |_| constants)))
+        self.all
+            .iter()
+            .rev()
+            .find_map(like)
+            .unwrap_or_else(|| Arc::new(Propagator::new(self.precision, self.precision.thick, |_| constants)))
     }
 
     /// Adds what lies between the layer and a depth below it.

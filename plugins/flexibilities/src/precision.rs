@@ -19,12 +19,26 @@ pub(crate) struct Precision {
     pub(crate) half: usize,
     /// Largest wave number of a slice, over its thickness, whose digits all count. Rising states lose `exp(2 s delta)` of
     /// them; what is lost at a depth `y` counts as `exp(-2 s y)` at the surface, so that slices may be as thick as they are
-    /// deep.
+    /// deep, and so much more.
     pub(crate) thick: f64,
     /// A base is forgotten where `exp(-2 s y)` times the contrast of moduli, and times the square of the polynomial that goes
     /// with it (below `exp(8)` there), drops under `exp(8 - forgotten)`: what is put in its place is as good to a digit at
     /// least.
     pub(crate) forgotten: f64,
+}
+
+/// Largest wave number of any slice, over its thickness. What the nodes make of a series has a pole at 15.15 with 14 nodes, later with
+/// more.
+const THICKEST: f64 = 10.0;
+
+impl Precision {
+    /// Largest wave number of a slice that is so many times as thick as deep, over its thickness: a wave that feels it is no shorter.
+    pub(crate) fn thickest(&self, thickness_over_depth: f64) -> f64 {
+        if thickness_over_depth > 1.0 {
+            return self.thick;
+        }
+        (self.forgotten * thickness_over_depth).clamp(self.thick, THICKEST)
+    }
 }
 
 /// To rounding.

@@ -4,9 +4,6 @@ use crate::integration::{HALF, Integration, Nodes, Pair, fused, pair};
 use crate::precision::Precision;
 use pulp::{Arch, Simd, WithSimd};
 
-/// Largest wave number of a slice, over its thickness.
-pub(crate) const THICKEST: f64 = 4.0;
-
 /// Most powers of the square of the wave number.
 const MOST: usize = 32;
 
@@ -29,6 +26,10 @@ pub(crate) struct Propagator {
     tractions: Vec<Entries>,
     /// Bounds on the terms of each power where the wave number is largest, relative to what they are added to.
     sizes: Vec<f64>,
+    /// By how much the largest term of an entry exceeds its first ones there, at the most.
+    growth: f64,
+    /// The largest `q`.
+    largest: f64,
     /// A term below this part of the largest of its entry is left out.
     negligible: f64,
 }
@@ -40,24 +41,25 @@ type Entries = Pair;
 pub(crate) type Rows<const L: usize> = [[[f64; L]; 4]; 2];
 
 impl Propagator {
-    /// Of a slice whose constants (softness, stiffness, contraction, cross) are given from 0 at its bottom to 1 at its top.
-    pub(crate) fn new(precision: &Precision, constants: impl Fn(f64) -> [f64; 4]) -> Self {
+    /// Of a slice whose constants (softness, stiffness, contraction, cross) are given from 0 at its bottom to 1 at its top, for wave
+    /// numbers up to `thickest` over its thickness.
+    pub(crate) fn new(precision: &Precision, thickest: f64, constants: impl Fn(f64) -> [f64; 4]) -> Self {
         if precision.half == HALF {
-            Build::by(Integration::full(), precision.negligible, constants)
+            Build::by(Integration::full(), (thickest, precision.negligible), constants)
         } else {
-            Build::by(Integration::rough(), precision.negligible, constants)
+            Build::by(Integration::rough(), (thickest, precision.negligible), constants)
         }
     }
 
     #[inline(always)]
     fn build<S: Simd, const H: usize>(build: &Build<'_, H>) -> Self {
-        let Build { rule, constants, negligible } = build;
+        let Build { rule, constants, thickest, negligible } = build;
         let (mut displacements, mut tractions, mut sizes) =
             (Vec::with_capacity(MOST), Vec::with_capacity(MOST), Vec::with_capacity(MOST));
         // `sigma` and, of the power before, `w`; in turn `tau` and `u`.
         let mut field = [[[unit(2), [0.0; 4]]; H]; 2];
         let mut sigma = unit(2);
-        let (mut largest, mut power) = ([Pair::default(); 2], 1.0);
+        let (mut largest, mut first, mut power) = ([Pair::default(); 2], [Pair::default(); 2], 1.0);
         for power_of_q in 0..MOST {
             let start = &STARTS[power_of_q.min(1)];
             for ([sigma, w], [softness, ..]) in field.iter_mut().flatten().zip(constants.iter().flatten()) {
@@ -80,16 +82,21 @@ impl Propagator {
                 relative =
                     entries.fold(relative, |most, (size, largest)| most.max(size / largest.max(f64::MIN_POSITIVE)));
             }
-            power *= THICKEST * THICKEST;
+            power *= thickest * thickest;
             displacements.push([u, w]);
             tractions.push([sigma, tau]);
             sizes.push(relative);
+            if power_of_q < FIRST {
+                first = largest;
+            }
             if relative <= *negligible {
                 break;
             }
             sigma = next_sigma;
         }
-        Self { displacements, tractions, sizes, negligible: *negligible }
+        let entries = largest.iter().flatten().flatten().zip(first.iter().flatten().flatten());
+        let growth = entries.fold(1.0, |most: f64, (largest, first)| most.max(largest / first.max(f64::MIN_POSITIVE)));
+        Self { displacements, tractions, sizes, growth, largest: thickest * thickest, negligible: *negligible }
     }
 
     /// Rows `u`, `w` and rows `sigma`, `tau` at squares of wave numbers, of which `most` is the largest.
@@ -102,8 +109,8 @@ impl Propagator {
     /// Powers that matter up to a square of the wave number: entries begin with the second power at the latest.
     #[inline(always)]
     fn terms(&self, most: f64) -> usize {
-        let fraction = most / (THICKEST * THICKEST);
-        let (mut terms, mut faded) = (self.sizes.len().min(FIRST), 1.0);
+        let fraction = most / self.largest;
+        let (mut terms, mut faded) = (self.sizes.len().min(FIRST), self.growth);
         while terms < self.sizes.len() && self.sizes[terms] * faded > self.negligible {
             terms += 1;
             faded *= fraction;
@@ -146,13 +153,18 @@ fn sum<S: Simd, const L: usize>(orders: &[Entries], q: &[f64; L]) -> Rows<L> {
 struct Build<'a, const H: usize> {
     rule: &'a Integration<H>,
     constants: Nodes<[f64; 4], H>,
+    thickest: f64,
     negligible: f64,
 }
 
 impl<const H: usize> Build<'_, H> {
-    fn by(rule: &Integration<H>, negligible: f64, constants: impl Fn(f64) -> [f64; 4]) -> Propagator {
+    fn by(
+        rule: &Integration<H>,
+        (thickest, negligible): (f64, f64),
+        constants: impl Fn(f64) -> [f64; 4],
+    ) -> Propagator {
         let constants = rule.nodes.map(|half| half.map(&constants));
-        Arch::new().dispatch(Build { rule, constants, negligible })
+        Arch::new().dispatch(Build { rule, constants, thickest, negligible })
     }
 }
 

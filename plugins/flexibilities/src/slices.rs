@@ -6,10 +6,14 @@ use crate::propagator::Propagator;
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
-/// Halvings of which the slices are kept.
-const KEPT: usize = 8;
+/// Halvings of which slices are kept, and how many of each: waves that ask for such thin ones do so above all near the top.
+const KEPT: usize = 16;
+const KEPT_OF_EACH: usize = 8;
 
-/// Slices kept of one halving: deeper ones no wave feels that asks for such thin ones.
+/// By how much the wave number of a slice, over its thickness, may exceed that over its depth.
+const FARTHER: f64 = 1.0;
+
+/// Slices kept of one halving.
 type Level = OnceLock<Box<[OnceLock<Propagator>]>>;
 
 /// A stretch over which the constants are polynomials, and its slices as far as they have been asked for.
@@ -31,16 +35,54 @@ impl Slices {
         Self::new(&self.coefficients.window(start, width), self.precision)
     }
 
-    /// The `k`-th of `2^halvings` slices from the top.
-    pub(crate) fn get(&self, halvings: u32, k: usize) -> Cow<'_, Propagator> {
+    /// Shows to `rise` the slices, and how thick they are, from the deepest that begins above a depth upwards. The panel's own place
+    /// is its top and its thickness; wave numbers are between `least` and `most`.
+    pub(crate) fn walk(
+        &self,
+        place: (f64, f64),
+        (depth, least, most): (f64, f64, f64),
+        rise: &mut impl FnMut(&Propagator, f64),
+    ) {
+        self.walk_within((0, 0), place, (depth, least, most), rise);
+    }
+
+    /// The same of the `k`-th of `2^halvings` parts from the top: it is a slice where it is thin enough for its depth, and else two
+    /// parts half as thick.
+    fn walk_within(
+        &self,
+        (halvings, k): (u32, usize),
+        (panel, thickness): (f64, f64),
+        (depth, least, most): (f64, f64, f64),
+        rise: &mut impl FnMut(&Propagator, f64),
+    ) {
+        let delta = thickness * (-f64::from(halvings)).exp2();
+        let below_panel = k as f64 * delta;
+        if below_panel >= depth {
+            return;
+        }
+        let top = panel + below_panel;
+        let thickest = self.precision.thickest(delta / top);
+        if most * delta <= thickest.min(self.precision.thick.max(FARTHER + least * top)) {
+            return rise(&self.get((halvings, k), thickest), delta);
+        }
+        for half in [2 * k + 1, 2 * k] {
+            self.walk_within((halvings + 1, half), (panel, thickness), (depth, least, most), rise);
+        }
+    }
+
+    /// The `k`-th of `2^halvings` slices from the top, for wave numbers up to `thickest` over its thickness.
+    fn get(&self, (halvings, k): (u32, usize), thickest: f64) -> Cow<'_, Propagator> {
         let count = 1_usize << halvings;
         let make = || {
             let width = 2.0 / count as f64;
             let bottom = (k + 1) as f64 * width - 1.0;
-            Propagator::new(self.precision, |z| self.coefficients.at(bottom - width * z))
+            Propagator::new(self.precision, thickest, |z| self.coefficients.at(bottom - width * z))
         };
-        let Some(level) = self.levels.get(halvings as usize) else { return Cow::Owned(make()) };
-        let slices = level.get_or_init(|| std::iter::repeat_with(OnceLock::new).take(count).collect());
+        let Some(level) = self.levels.get(halvings as usize).filter(|_| k < KEPT_OF_EACH) else {
+            return Cow::Owned(make());
+        };
+        let slices =
+            level.get_or_init(|| std::iter::repeat_with(OnceLock::new).take(count.min(KEPT_OF_EACH)).collect());
         Cow::Borrowed(slices[k].get_or_init(make))
     }
 }

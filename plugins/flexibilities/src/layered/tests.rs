@@ -1,7 +1,7 @@
 use crate::Compliance;
 use crate::fixtures::{Opaque, at, bonded, distance, exponential, on, substrate};
 use crate::panels::Panels;
-use crate::precision::FULL;
+use crate::precision::{FULL, ROUGHNESS};
 use crate::surface_tail;
 use slipzone_api::{Base, Flexibility, LayerModel, Plane, Refusal, SurfaceFlexibility};
 use std::sync::Arc;
@@ -29,6 +29,24 @@ fn agrees_with_the_exponential_law_in_disguise() {
                 // Extrapolation ends near round-off; 1e-13 of `exponential` at 13.8 comes on top.
                 assert!(difference < 3e-13, "gamma = {gamma}, nu = {nu}, s = {s}: {difference:e}");
             }
+        }
+    }
+}
+
+/// Slices grow with depth: at wave numbers close to each other, so that each kind of slice ends at each place once.
+#[test]
+fn slices_as_thick_as_they_are_deep_lose_nothing() {
+    for (gamma, law) in [(0.0, (|_| 3.0) as Law), (2.0, |y| (2.0 * y).exp()), (-2.0, |y| (-2.0 * y).exp())] {
+        let layer = general(law, &[], 0.3);
+        let (full, exact) = (Compliance {}.respond(&layer).unwrap(), exponential(gamma, 0.3));
+        let exact = Compliance {}.respond(&exact).unwrap();
+        let rough = full.roughly(ROUGHNESS).unwrap();
+        for i in 0..1500 {
+            let s = 10.0_f64.powf(-1.0 + i as f64 / 400.0);
+            let exact = exact.surface(s).unwrap();
+            let [of_full, of_rough] =
+                [distance(full.surface(s).unwrap(), exact), distance(rough.surface(s).unwrap(), exact)];
+            assert!(of_full < 1e-14 && of_rough < ROUGHNESS, "gamma = {gamma}, s = {s}: {of_full:e}, {of_rough:e}");
         }
     }
 }
