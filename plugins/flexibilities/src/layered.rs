@@ -393,11 +393,10 @@ impl Panel {
                 column.slides = false;
             }
             Matter::Smooth(slices) => {
-                let mut rise = |slice: &Propagator, delta: f64| {
+                slices.walk((self.top, self.thickness), (depth, least, most), |slice, delta| {
                     let waves = s.map(|s| s * delta);
                     column.rise(&rows::<S, L>(slice, &waves), &waves, delta, self.unit);
-                };
-                slices.walk((self.top, self.thickness), (depth, least, most), &mut rise);
+                });
             }
         }
     }

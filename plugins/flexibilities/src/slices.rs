@@ -35,38 +35,37 @@ impl Slices {
         Self::new(&self.coefficients.window(start, width), self.precision)
     }
 
-    /// Shows to `rise` the slices, and how thick they are, from the deepest that begins above a depth upwards. The panel's own place
-    /// is its top and its thickness; wave numbers are between `least` and `most`.
+    /// Shows to `rise` the slices, and how thick they are, from the deepest that begins above a depth upwards: halves of halves of the
+    /// panel, as thick as their depth allows. The panel's place is its top and its thickness; wave numbers are between `least` and
+    /// `most`.
+    #[inline(always)] // what rises through them does so in the machine's vectors
     pub(crate) fn walk(
         &self,
-        place: (f64, f64),
-        (depth, least, most): (f64, f64, f64),
-        rise: &mut impl FnMut(&Propagator, f64),
-    ) {
-        self.walk_within((0, 0), place, (depth, least, most), rise);
-    }
-
-    /// The same of the `k`-th of `2^halvings` parts from the top: it is a slice where it is thin enough for its depth, and else two
-    /// parts half as thick.
-    fn walk_within(
-        &self,
-        (halvings, k): (u32, usize),
         (panel, thickness): (f64, f64),
         (depth, least, most): (f64, f64, f64),
-        rise: &mut impl FnMut(&Propagator, f64),
+        mut rise: impl FnMut(&Propagator, f64),
     ) {
-        let delta = thickness * (-f64::from(halvings)).exp2();
-        let below_panel = k as f64 * delta;
-        if below_panel >= depth {
-            return;
-        }
-        let top = panel + below_panel;
-        let thickest = self.precision.thickest(delta / top);
-        if most * delta <= thickest.min(self.precision.thick.max(FARTHER + least * top)) {
-            return rise(&self.get((halvings, k), thickest), delta);
-        }
-        for half in [2 * k + 1, 2 * k] {
-            self.walk_within((halvings + 1, half), (panel, thickness), (depth, least, most), rise);
+        let (mut halvings, mut k) = (0_u32, 0_usize);
+        loop {
+            let delta = thickness * (-f64::from(halvings)).exp2();
+            let below_panel = k as f64 * delta;
+            if below_panel < depth {
+                let top = panel + below_panel;
+                let thickest = self.precision.thickest(delta / top);
+                if most * delta > thickest.min(self.precision.thick.max(FARTHER + least * top)) {
+                    (halvings, k) = (halvings + 1, 2 * k + 1);
+                    continue;
+                }
+                rise(&self.get((halvings, k), thickest), delta);
+            }
+            // With the upper half of a part all of it is done.
+            while k % 2 == 0 {
+                if halvings == 0 {
+                    return;
+                }
+                (halvings, k) = (halvings - 1, k / 2);
+            }
+            k -= 1;
         }
     }
 
