@@ -179,6 +179,20 @@ fn friction_bears_what_grew_and_not_each_slice_of_it() {
     assert!(soft.reason.as_ref().is_some_and(|reason| reason.contains("eta p")), "{:?}", soft.reason);
 }
 
+/// Beside the end of the stick zone friction always bears hardly more than the shear; there, under a narrow contact, was the weakest
+/// place of all, and the one inside the last contact, which is too weak, was not looked at more closely.
+#[test]
+fn what_friction_does_not_bear_inside_the_last_zone_is_told() {
+    for (eta, is_borne) in [(0.0225, false), (0.024, true)] {
+        let sketch = Sketch::flat(0.6, 1.0, 0.3).cylinder().loaded("half_width = 1.0").rubbing(eta);
+        let solution = sketch.with("[solver]\ntolerance = 1e-4").solve();
+        let status = if is_borne { Status::Converged } else { Status::AssumptionViolated };
+        assert_eq!(solution.status, status, "{eta}: {:?}", solution.reason);
+        let is_told = solution.reason.as_ref().is_some_and(|reason| reason.contains("|q| reaches 1.009 eta p"));
+        assert_eq!(is_told, !is_borne, "{eta}: {:?}", solution.reason);
+    }
+}
+
 /// A wedge on a stiff layer above a soft half-plane lifts off between its middle and its edge while it grows to some 1.65 of the thickness, and no
 /// more. That was seen or not, as it happened to be under one of four members.
 #[test]

@@ -36,27 +36,43 @@ impl Moment {
     }
 }
 
+/// The moments of one contact that are the weakest among their neighbours. Beside the end of the zone friction always bears hardly more
+/// than the shear; there it bears just the shear.
+fn dips(zone: &[Moment]) -> impl Iterator<Item = Moment> {
+    let bears = |i: usize| zone.get(i).map_or(1.0, |moment| moment.bears);
+    let is_dip = move |i: usize| bears(i) <= bears(i + 1) && (i == 0 || bears(i) <= bears(i - 1));
+    (0..zone.len()).filter(move |i| is_dip(*i)).map(|i| zone[i])
+}
+
 impl Growing {
-    /// What the first member fails that is looked at, or a contact between these where friction bears hardly more than the shear.
+    /// What the first member fails that is looked at, or a contact between these near where friction bears hardly more than the shear:
+    /// near the weakest moment of all that are the weakest among their neighbours in the zone, and near that of the last contact.
     pub(super) fn overload(&mut self, problem: &Problem) -> Option<String> {
         let mut half_widths = self.family.as_ref()?.half_widths_to(self.half_width);
         half_widths.retain(|b| *b > problem.face());
-        let mut weakest: Option<(usize, Moment)> = None;
+        let mut weakest: [Option<(usize, Moment)>; 2] = [None; 2];
         for (k, b) in half_widths.iter().enumerate() {
+            let mut zone = Vec::with_capacity(PARTS);
             for i in 1..PARTS {
                 let here = self.moment(problem, *b, i as f64 / PARTS as f64)?;
                 if let Some(what) = here.told(problem) {
                     return Some(what);
                 }
-                if weakest.is_none_or(|(_, weakest)| here.bears < weakest.bears) {
-                    weakest = Some((k, here));
+                zone.push(here);
+            }
+            let of_all = &mut weakest[usize::from(k > 0)];
+            for here in dips(&zone) {
+                if of_all.is_none_or(|(_, weakest)| here.bears < weakest.bears) {
+                    *of_all = Some((k, here));
                 }
             }
         }
-        let (k, weakest) = weakest.filter(|(_, weakest)| weakest.bears < NEARLY)?;
-        let neighbours = &half_widths[k.saturating_sub(1)..(k + 2).min(half_widths.len())];
-        let way = (neighbours.first()? - neighbours.last()?) / neighbours.len() as f64;
-        self.weaker(problem, weakest, [0.5 * way, 0.5 / PARTS as f64]).told(problem)
+        weakest.into_iter().flatten().filter(|(_, weakest)| weakest.bears < NEARLY).find_map(|(k, weakest)| {
+            // From the widest to the narrowest.
+            let neighbours = &half_widths[k.saturating_sub(1)..(k + 2).min(half_widths.len())];
+            let way = (neighbours.first()? - neighbours.last()?) / neighbours.len() as f64;
+            self.weaker(problem, weakest, [0.5 * way, 0.5 / PARTS as f64]).told(problem)
+        })
     }
 
     /// The weakest moment near one, by ever smaller steps in half-width and place.
