@@ -18,7 +18,7 @@ pub(super) const REMEDY: &str = "leave out `solver.model`: the planner takes wha
 const WIDEST: f64 = 0.25;
 /// Depths over the half-width above which a gradient is not looked at.
 const NEAREST: f64 = 0.01;
-/// Samples of the law in each of its stretches.
+/// Samples of the law in each of its stretches, beside its probes.
 const SAMPLES: usize = 48;
 
 /// How far a solid is from a homogeneous half-plane of its surface's material, in units of its thickness.
@@ -66,6 +66,7 @@ fn gradient(layer: &LayerModel, least: f64) -> f64 {
             // Denser at the top, where the surface is near.
             look(stretch.from + span * part * part * part);
         }
+        stretch.probes(stretch.from, stretch.to).iter().for_each(|depth| look(*depth));
     }
     steepest * softest
 }

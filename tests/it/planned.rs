@@ -122,6 +122,22 @@ fn a_half_plane_with_its_first_correction_stands_for_a_thick_layer() {
     assert_eq!((forbidden.status, forbidden.plan.model), (Status::Converged, Model::Full));
 }
 
+/// A soft film between the samples of the planner: with a homogeneous layer in its place the depth was off by a third.
+#[test]
+fn a_film_in_a_table_is_no_homogeneous_layer() {
+    let table = |film: f64| {
+        let row = |i: u32| {
+            let y = f64::from(i) / 400.0;
+            format!("[{y:?}, {:?}]", 1.0 - film * (-((y - 2.0) / 0.015).powi(2)).exp())
+        };
+        let rows: Vec<String> = (0..=2000).map(row).collect();
+        let layer =
+            format!("thickness = 5.0\npoisson = 0.3\ngrading = {{ type = \"table\", points = [{}] }}", rows.join(", "));
+        Sketch::on(layer).with("[solver]\ntolerance = 1e-4").solve().plan.model
+    };
+    assert_eq!((table(0.0), table(0.99)), (Model::Homogeneous, Model::Full));
+}
+
 #[test]
 fn a_choice_can_be_forced_and_forbidden() {
     let forbidden = asked(&thick(), "tolerance = 1e-3\nforbid = [\"half-plane\", \"corrected-half-plane\"]");

@@ -115,6 +115,12 @@ pub trait ModulusLaw: Debug + Send + Sync {
         &[]
     }
 
+    /// Depths from 0 to 1, ascending, none at a breakpoint, at which what stands for the law is compared with it: the rows of
+    /// a table, and so many depths of a formula that a film which is none of its details is seen as a rule.
+    fn probes(&self) -> &[f64] {
+        &[]
+    }
+
     /// The sublayers of which the law is made, top first, their thicknesses adding up to 1; none where it is no stack.
     /// They are bonded to each other; each has a law over a depth of its own from 0 to 1. All else that a stack tells is
     /// what its sublayers tell.
@@ -161,6 +167,13 @@ impl Stretch<'_> {
     /// Depth in the whole of a depth of the law's own.
     pub fn in_whole(&self, depth: f64) -> f64 {
         self.top + depth * self.thickness
+    }
+
+    /// The law's [probes](ModulusLaw::probes) in a part of the stretch, both ends included.
+    pub fn probes(&self, from: f64, to: f64) -> &[f64] {
+        let probes = self.law.probes();
+        let above = probes.partition_point(|depth| *depth < from);
+        &probes[above..probes.partition_point(|depth| *depth <= to).max(above)]
     }
 }
 

@@ -53,6 +53,23 @@ impl ModulusLaw for Smooth {
     }
 }
 
+/// A law that is looked at, too, at depths that it names.
+#[derive(Debug)]
+pub(crate) struct Probed {
+    pub(crate) law: Opaque,
+    pub(crate) probes: Vec<f64>,
+}
+
+impl ModulusLaw for Probed {
+    fn modulus(&self, depth: f64) -> f64 {
+        self.law.modulus(depth)
+    }
+
+    fn probes(&self) -> &[f64] {
+        &self.probes
+    }
+}
+
 pub(crate) fn bonded(law: impl ModulusLaw + 'static, plane: Plane, nu: f64) -> Arc<LayerModel> {
     let solid = Solid { plane, poisson: Poisson::new(nu).unwrap(), moduli: Moduli::Shear };
     Arc::new(LayerModel::new(Box::new(law), solid, Base::Rigid))

@@ -90,6 +90,10 @@ const THINNEST: f64 = 1e-13;
 /// Most panels: a law that asks for more is noise.
 const MOST_PANELS: usize = 1 << 15;
 
+/// Largest relative error at the law's probes: above its rounding and that of polynomials, so that nothing counts but what the nodes
+/// have missed.
+const PROBED: f64 = 1e-12;
+
 /// Where the constants are looked at beside the nodes.
 const BESIDE: [f64; 2] = [-0.991, 0.983];
 
@@ -136,10 +140,14 @@ impl Panels {
             let weight = wide * fit.extremes.1.max(fit.extremes.0.recip());
             let is_rounding = fit.error < rounding && fit.error * weight < NOISE.0;
             let is_noise = (fit.error < NOISE.0 || is_rounding) && fit.error > NOISE.1 * before;
-            if !fit.is_smooth && !is_noise && !is_thinnest {
-                let half = 0.5 * width;
-                stack.push((start + half, half, fit.error));
-                stack.push((start, half, fit.error));
+            let fits = fit.is_smooth || is_noise;
+            // A film between the nodes: none of them tells.
+            let most = PROBED.max(rounding);
+            let missed = if fits { fit.missed(layer, stretch, (start, width), most) } else { None };
+            if (!fits || missed.is_some()) && !is_thinnest {
+                let (half, error) = (0.5 * width, missed.unwrap_or(fit.error));
+                stack.push((start + half, half, error));
+                stack.push((start, half, error));
                 continue;
             }
             // At the surface itself nothing can be split off but what its derivatives tell.
@@ -224,6 +232,8 @@ struct Fit {
     /// Smallest and largest modulus seen.
     extremes: (f64, f64),
     is_smooth: bool,
+    /// The largest of each constant.
+    sizes: [f64; 4],
     /// The largest of what should be small, relative, where it is felt.
     error: f64,
 }
@@ -244,24 +254,41 @@ impl Fit {
             return None;
         }
         let (fitted, last) = Arch::new().dispatch(Through(&values, precision.dropped));
-        let sizes = sizes(&values);
-        // What of its relative error is felt.
-        let felt = |i: usize, error: f64| {
-            if i == CROSS && error > 0.0 { error * sizes[i] / sizes[i].max(FAINT * sizes[SOFTNESS]) } else { error }
-        };
-        let mut is_smooth = last.iter().all(|error| *error <= precision.fit.0);
-        let mut error = (0..last.len()).map(|i| felt(i, last[i])).fold(0.0_f64, f64::max);
+        let is_smooth = last.iter().all(|error| *error <= precision.fit.0);
         let [softness, stiffness, contraction, cross] = fitted;
         let coefficients = Coefficients { softness, stiffness, contraction, cross };
+        let mut fit = Self { coefficients, unit, extremes, is_smooth, sizes: sizes(&values), error: 0.0 };
+        fit.error = fit.felt(last);
         for x in BESIDE {
-            let own = [&coefficients.softness, &coefficients.stiffness, &coefficients.contraction, &coefficients.cross];
-            for (i, value) in Coefficients::of(at(x), unit).into_iter().enumerate() {
-                let beside = if sizes[i] == 0.0 { 0.0 } else { (own[i].at(x) - value).abs() / sizes[i] };
-                is_smooth &= beside <= precision.fit.1;
-                error = error.max(felt(i, beside));
-            }
+            let beside = fit.off(x, at(x));
+            fit.is_smooth &= beside.iter().all(|error| *error <= precision.fit.1);
+            fit.error = fit.error.max(fit.felt(beside));
         }
-        Some(Self { coefficients, unit, extremes, is_smooth, error })
+        Some(fit)
+    }
+
+    /// How far each constant is off that of a material, over its largest.
+    fn off(&self, x: f64, material: Material) -> [f64; 4] {
+        let (own, value) = (self.coefficients.at(x), Coefficients::of(material, self.unit));
+        let off = |i: usize| if self.sizes[i] == 0.0 { 0.0 } else { (own[i] - value[i]).abs() / self.sizes[i] };
+        std::array::from_fn(off)
+    }
+
+    /// What is felt of the relative errors of all constants: the largest.
+    fn felt(&self, mut errors: [f64; 4]) -> f64 {
+        if errors[CROSS] > 0.0 {
+            errors[CROSS] *= self.sizes[CROSS] / self.sizes[CROSS].max(FAINT * self.sizes[SOFTNESS]);
+        }
+        errors.into_iter().fold(0.0, f64::max)
+    }
+
+    /// How far a constant is off at the first of the law's probes at which one is off by more than that.
+    fn missed(&self, layer: &LayerModel, stretch: &Stretch, (start, width): (f64, f64), most: f64) -> Option<f64> {
+        stretch.probes(start, start + width).iter().find_map(|depth| {
+            let x = 2.0 * (depth - start) / width - 1.0;
+            let off = self.felt(self.off(x, layer.material(stretch.law, *depth)));
+            (off > most).then_some(off)
+        })
     }
 }
 
@@ -348,6 +375,51 @@ fn add_products(sum: &mut [f64; 4], factors: &[f64; MOST], values: &[[f64; 4]; M
     for (factor, value) in factors.iter().zip(values) {
         for i in 0..4 {
             sum[i] += factor * value[i];
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Compliance;
+    use crate::fixtures::{Opaque, Probed, at, bonded, distance};
+    use slipzone_api::Plane;
+
+    type Law = fn(f64) -> f64;
+
+    /// Films between the nodes of a panel, and at its end, and of a width that no node would meet: with none but the nodes asked,
+    /// the layer was homogeneous.
+    #[test]
+    fn a_film_between_the_nodes_is_seen_by_a_probe() {
+        let films: [(Law, &'static [f64]); 3] = [
+            (|y| 1.0 - 0.999 * (-((y - 0.33) / 0.002).powi(2)).exp(), &[0.32, 0.34]),
+            (|y| 1.0 - 0.999 * (-((y - 0.5003) / 2e-4).powi(2)).exp(), &[0.499, 0.5016]),
+            (|y| 1.0 + 9.0 * (-(y / 4e-4).powi(2)).exp(), &[0.002]),
+        ];
+        for (modulus, breakpoints) in films {
+            let probes = (0..=10_000).map(|i| f64::from(i) / 1e4).collect();
+            let probed = Probed { law: Opaque { modulus, breakpoints: &[] }, probes };
+            let probed = bonded(probed, Plane::Strain, 0.3);
+            let told = bonded(Opaque { modulus, breakpoints }, Plane::Strain, 0.3);
+            for s in [0.01, 1.0, 20.0] {
+                let difference = distance(at(&Compliance {}, &probed, s), at(&Compliance {}, &told, s));
+                assert!(difference < 1e-11, "{breakpoints:?}, s = {s}: {difference:e}"); // TOLERANCE
+            }
+        }
+    }
+
+    /// Whatever a law rounds to at its probes is no film: the panels are those of a law without any.
+    #[test]
+    fn probes_of_a_smooth_law_cost_no_panel() {
+        let count = |modulus: Law, nu: f64, probes: usize| {
+            let probes = (0..=probes).map(|i| i as f64 / probes as f64).collect();
+            let law = Probed { law: Opaque { modulus, breakpoints: &[] }, probes };
+            super::Panels::new(&bonded(law, Plane::Strain, nu), &crate::precision::FULL).unwrap().all.len()
+        };
+        for modulus in [|y| 1.0 + 3.0 * y, |y: f64| (1.0 + y / 0.01).powf(1.7), |y: f64| 5.0 + (30.0 * y).sin()] {
+            for nu in [-0.9, 0.3, 0.499_999_99] {
+                assert_eq!(count(modulus, nu, 1000), count(modulus, nu, 1), "nu = {nu}");
+            }
         }
     }
 }

@@ -155,8 +155,8 @@ impl Formula {
     }
 
     /// Where on `[0, length]` the formula, analytic there, may vary over a short length: the step of a hyperbolic
-    /// tangent, the peak of an exponential or of an inverse, the beginning of either at an end. Place and width of
-    /// each, in no order; the width is no number where nothing varies. A place too many does no harm; what the
+    /// tangent, the peak of an exponential or of an inverse, the beginning of either at an end, the place where an
+    /// exponential outgrows what is added to it. Place and width of each, in no order; the width is no number where nothing varies. A place too many does no harm; what the
     /// arguments of its functions do between a thousand samples is missed.
     pub fn narrow_places(&self, length: f64) -> Vec<(f64, f64)> {
         narrow::places(&self.tape, length)

@@ -1,5 +1,5 @@
 //! Where a formula that is analytic varies over a short length: there, the argument of a function that rises or falls fast passes
-//! through zero, or turns around, or begins.
+//! through zero, or turns around, or begins, or an exponential outgrows what stands beside it.
 
 use crate::dual::Dual;
 use crate::singular::bisect;
@@ -8,6 +8,10 @@ use std::ops::Range;
 
 /// Samples of each argument: it is no narrower than what is made of it, but far broader as a rule. A straight line wants its ends.
 const SAMPLES: i32 = 1024;
+/// Samples of how two summands compare: their logarithms run as straight as exponents do, as a rule.
+const COMPARISONS: i32 = 128;
+/// From this exponent on a power is as steep as an exponential.
+const STEEP: f64 = 16.0;
 /// Doublings of the least width, up to the whole length.
 const DOUBLINGS: i32 = 41;
 
@@ -42,19 +46,32 @@ pub(crate) fn places(tape: &Tape, length: f64) -> Vec<(f64, f64)> {
         let samples = if is_straight(tape, range.clone()) { 1 } else { SAMPLES };
         look(|x| tape.part(range.clone(), x), kind, (length, samples), &mut found);
     }
+    for (base, exponent) in powers(tape) {
+        let samples = if varies(tape, &base) || !is_straight(tape, exponent.clone()) { SAMPLES } else { 1 };
+        let argument = |x: f64| tape.part(exponent.clone(), x) * tape.part(base.clone(), x).ln();
+        look(argument, Kind::Plain, (length, samples), &mut found);
+    }
+    for (steep, rest) in rivals(tape) {
+        let rest = |x: f64| rest.as_ref().map_or(Dual::constant(1.0), |rest| tape.part(rest.clone(), x));
+        meet(|x| tape.part(steep.clone(), x).abs().ln() - rest(x).abs().ln(), length, &mut found);
+    }
     found
+}
+
+/// Whether the variable occurs in a part.
+fn varies(tape: &Tape, range: &Range<usize>) -> bool {
+    tape.steps()[range.clone()].contains(&Step::Variable)
 }
 
 /// Whether a part is a straight line by how it is written: sums, and products and quotients with the variable in one factor only.
 fn is_straight(tape: &Tape, range: Range<usize>) -> bool {
-    let varies = |part: Range<usize>| tape.steps()[part].contains(&Step::Variable);
     range.into_iter().all(|end| match tape.steps()[end] {
         Step::Number(_) | Step::Variable | Step::Negate | Step::Add | Step::Subtract => true,
         Step::Multiply => {
             let (first, second) = tape.operands(end);
-            !(varies(first) && varies(second))
+            !(varies(tape, &first) && varies(tape, &second))
         }
-        Step::Divide => !varies(tape.operands(end).1),
+        Step::Divide => !varies(tape, &tape.operands(end).1),
         Step::Power | Step::Min | Step::Max | Step::Of(_) => false,
     })
 }
@@ -76,8 +93,63 @@ fn arguments(tape: &Tape) -> Vec<(Range<usize>, Kind)> {
         },
         _ => None,
     };
-    let varies = |(range, _): &(Range<usize>, Kind)| tape.steps()[range.clone()].contains(&Step::Variable);
-    tape.steps().iter().enumerate().filter_map(of).filter(varies).collect()
+    tape.steps().iter().enumerate().filter_map(of).filter(|(range, _)| varies(tape, range)).collect()
+}
+
+/// Bases and exponents of powers whose exponents vary: exponentials of `exponent ln base`.
+fn powers(tape: &Tape) -> Vec<(Range<usize>, Range<usize>)> {
+    let all = tape.steps().iter().enumerate().filter(|(_, step)| **step == Step::Power);
+    all.map(|(end, _)| tape.operands(end)).filter(|(_, exponent)| varies(tape, exponent)).collect()
+}
+
+/// Summands as steep as an exponential, each with what stands beside it, and such arguments of functions that change where these are
+/// about one. An exponential that only grows neither turns around nor passes through zero: `1/(1 + exp(z))` is a step nevertheless.
+fn rivals(tape: &Tape) -> Vec<(Range<usize>, Option<Range<usize>>)> {
+    let of = |(end, step): (usize, &Step)| match step {
+        Step::Add | Step::Subtract => {
+            let (first, second) = tape.operands(end);
+            (is_steep(tape, end - 1) || is_steep(tape, first.end - 1)).then_some((first, Some(second)))
+        }
+        Step::Power => Some((tape.operands(end).1, None)).filter(|_| is_steep(tape, end - 1)),
+        Step::Of(
+            Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh | Function::Atan | Function::Asinh,
+        ) => Some((tape.operand(end), None)).filter(|_| is_steep(tape, end - 1)),
+        _ => None,
+    };
+    tape.steps().iter().enumerate().filter_map(of).collect()
+}
+
+/// Whether what a step gives may grow by factors over a short length: an exponential, a high power, and what is made of them.
+fn is_steep(tape: &Tape, end: usize) -> bool {
+    let steep = |part: &Range<usize>| is_steep(tape, part.end - 1);
+    match tape.steps()[end] {
+        Step::Negate | Step::Of(Function::Abs | Function::Sqrt | Function::Cbrt) => steep(&tape.operand(end)),
+        Step::Of(Function::Exp | Function::Sinh | Function::Cosh) => varies(tape, &tape.operand(end)),
+        Step::Power => {
+            let (base, exponent) = tape.operands(end);
+            let is_high = tape.part(exponent.clone(), 0.0).value.abs() >= STEEP && varies(tape, &base);
+            is_high || varies(tape, &exponent) || steep(&base)
+        }
+        Step::Add | Step::Subtract | Step::Multiply | Step::Divide | Step::Min | Step::Max => {
+            let (first, second) = tape.operands(end);
+            steep(&first) || steep(&second)
+        }
+        Step::Number(_) | Step::Variable | Step::Of(_) => false,
+    }
+}
+
+/// Adds where the logarithm of a ratio passes through zero, and over which length it grows by one there.
+fn meet(ratio: impl Fn(f64) -> Dual, length: f64, found: &mut Vec<(f64, f64)>) {
+    let mut before = (0.0, ratio(0.0).value);
+    for i in 1..=COMPARISONS {
+        let x = length * f64::from(i) / f64::from(COMPARISONS);
+        let value = ratio(x).value;
+        if (before.1 < 0.0) != (value < 0.0) {
+            let place = bisect(before.0, x, |x| ratio(x).value);
+            found.push((place, ratio(place).slope.abs().recip()));
+        }
+        before = (x, value);
+    }
 }
 
 /// Adds where an argument passes through zero, turns around or begins, and over which length.
@@ -105,8 +177,8 @@ fn look(u: impl Fn(f64) -> Dual, kind: Kind, (length, samples): (f64, i32), foun
         if kind == Kind::Step && (then.value < 0.0) != (now.value < 0.0) {
             found.push(steep(bisect(before.0, x, |x| u(x).value)));
         }
-        // Also on a sample.
-        if then.slope != 0.0 && then.slope * now.slope <= 0.0 {
+        // Also on a sample. (The product of two slopes may be too small for a number.)
+        if then.slope != 0.0 && (now.slope == 0.0 || (then.slope < 0.0) != (now.slope < 0.0)) {
             found.push(wide(bisect(before.0, x, |x| u(x).slope)));
         }
         before = (x, now);

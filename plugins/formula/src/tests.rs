@@ -306,6 +306,21 @@ fn narrow_places_are_as_wide_as_the_function_takes() {
         ("tanh((x - 0.3)/0.001)", 0.3, 0.001),
         ("sin(pi*x)^10000", 0.5, 0.0045),
         ("(4*x*(1 - x))^1e6", 0.5, 0.0005),
+        // A power whose exponent varies is an exponential.
+        ("e^(-((x - 0.33)/0.004)^2)", 0.33, 0.004),
+        ("10^(-((x - 0.33)/0.004)^2)", 0.33, 0.0026),
+        ("0.5^(((x - 0.33)/0.004)^2)", 0.33, 0.0048),
+        ("10^(-3*10^(-((x - 0.33)/0.004)^2))", 0.33, 0.0026),
+        ("(2 + x)^(-((x - 0.33)/0.004)^2)", 0.33, 0.0044),
+        // Where an exponential outgrows what is beside it there is a step.
+        ("1/(1 + exp(-(x - 0.37)/0.0005))", 0.37, 0.0005),
+        ("1/(1 + e^((0.37 - x)/0.0005))", 0.37, 0.0005),
+        ("exp(x/0.001)/(exp(x/0.001) + exp(0.37/0.001))", 0.37, 0.001),
+        ("2/(3*exp(-(x - 0.37)/0.0005) + 3)", 0.37, 0.0005),
+        ("1/(1 + (x/0.37)^1000)", 0.37, 0.00037),
+        ("exp(-exp((x - 0.37)/0.0005))", 0.37, 0.0005),
+        ("atan(exp((x - 0.37)/0.0005))", 0.37, 0.0005),
+        ("ln(1 + exp((x - 0.37)/0.0005))", 0.37, 0.0005),
     ] {
         let found = parse(text).unwrap().narrow_places(1.0);
         let is_it = |(x, w): &(f64, f64)| (x - place).abs() < 1e-9 && *w > 0.4 * width && *w < 2.1 * width;
@@ -325,14 +340,18 @@ fn narrow_places_are_found_wherever_an_argument_turns_or_passes_through_zero() {
         ("tanh((x - 0.3)*(x - 0.7)/0.001)", &[0.3, 0.5, 0.7]),
         ("1/(0.001 + (x - 0.3)*(x - 0.3))", &[0.3]),
         ("exp(-x/0.001)", &[]),
+        ("e^(-x/0.001)", &[]),
+        ("1/(1 + x^8)", &[]),
+        // Both summands are one nearly everywhere: that they are equal there is rounding.
+        ("1/(1 + exp(-(x - 0.3)/0.001)) - 1/(1 + exp(-(x - 0.4)/0.001))", &[0.3, 0.4]),
         ("exp(-((x - 0.5)/0.001)^2)", &[0.5]),
     ] {
         let mut inside: Vec<f64> = parse(text)
             .unwrap()
             .narrow_places(1.0)
             .into_iter()
+            .filter(|(x, width)| *x > 0.0 && *x < 1.0 && *width < 0.1)
             .map(|(x, _)| x)
-            .filter(|x| *x > 0.0 && *x < 1.0)
             .collect();
         inside.sort_by(f64::total_cmp);
         // Two functions may take the same argument.

@@ -34,6 +34,11 @@ slipzone_api::register!(Grading, "formula", "modulus by a formula in y with name
 /// The most kinks that are told of.
 const MOST_KINKS: usize = 1000;
 
+/// Depths at which what stands for a formula is compared with it: a film as thin as one of so many parts is seen even if nothing
+/// in the formula tells of it. They are shifted by a part that nobody puts a jump at.
+const PROBES: u32 = 256;
+const SHIFT: f64 = 0.618_034;
+
 impl Formula {
     /// The formula for the modulus, and that for Poisson's ratio if there is one, over a layer of some thickness.
     fn understood(&self, thickness: f64) -> Result<Vec<formula::Formula>, Fault> {
@@ -75,7 +80,8 @@ impl Grading for Formula {
         breakpoints.dedup();
         let narrow = narrow.into_iter().flatten().map(|(depth, width)| (depth / thickness, width / thickness));
         let details = cuts(narrow);
-        let law = Law { formulas, thickness, breakpoints, details };
+        let probes = (0..PROBES).map(|i| (f64::from(i) + SHIFT) / f64::from(PROBES)).collect();
+        let law = Law { formulas, thickness, breakpoints, details, probes };
         if law.is_steep() {
             return Err(Refusal::NotBuilt {
                 what: "a formula with an infinite gradient at the surface, such as a root of y,".into(),
@@ -109,6 +115,7 @@ struct Law {
     thickness: f64,
     breakpoints: Vec<f64>,
     details: Vec<f64>,
+    probes: Vec<f64>,
 }
 
 impl Law {
@@ -154,6 +161,10 @@ impl ModulusLaw for Law {
 
     fn details(&self) -> &[f64] {
         &self.details
+    }
+
+    fn probes(&self) -> &[f64] {
+        &self.probes
     }
 }
 
@@ -235,6 +246,18 @@ mod tests {
             assert_eq!(law.surface_series(4), [1.0, 0.0, 0.0, 0.0], "{film}");
             assert!((law.modulus(0.1) - 1.0).abs() < 1e-15 && law.modulus(0.5) > 1.0 + 1e-30, "{film}");
         }
+    }
+
+    /// Of two factors that only grow and only fall nothing tells that they make a film, 0.03 thick. Probes are close enough, and no
+    /// jump at a depth that one would write is one of them.
+    #[test]
+    fn probes_are_closer_than_a_film_of_which_the_formula_does_not_tell() {
+        let law = law("1 + y^500*exp(500*(1 - y))");
+        assert!(!law.details().iter().any(|depth| (depth - 0.25).abs() < 0.05), "{:?}", law.details());
+        let probes = law.probes();
+        let seen = probes.iter().filter(|depth| law.modulus(**depth) > 1.1).count();
+        assert!(seen >= 8 && probes.len() < 300, "{seen} of {}", probes.len());
+        assert!(probes.is_sorted() && probes.iter().all(|depth| (depth * 1000.0).fract() != 0.0));
     }
 
     #[test]

@@ -74,6 +74,10 @@ impl ModulusLaw for OwnPoisson {
         self.law().details()
     }
 
+    fn probes(&self) -> &[f64] {
+        self.law().probes()
+    }
+
     fn sublayers(&self) -> &[Sublayer] {
         &self.sublayers
     }

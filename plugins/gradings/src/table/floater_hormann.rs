@@ -6,6 +6,9 @@ use slipzone_api::taylor::Taylor;
 /// two in what the scatter of the values is magnified by.
 pub(super) const DEGREE: usize = 4;
 
+/// What lies as near to a node, over its depth, is that node: a depth in other units and back.
+const ROUNDING: f64 = 2.0 * f64::EPSILON;
+
 /// Nodes and their barycentric weights; the values are given each time, as two functions share the nodes.
 #[derive(Clone, Debug)]
 pub(super) struct Interpolant {
@@ -36,8 +39,12 @@ impl Interpolant {
         &self.nodes
     }
 
-    /// The interpolant of the values at the nodes.
+    /// The interpolant of the values at the nodes. At a node it takes no sum: all of them may be asked for.
     pub(super) fn at(&self, x: f64, values: &[f64]) -> f64 {
+        let near = self.nodes.partition_point(|node| *node < x * (1.0 - ROUNDING));
+        if self.nodes.get(near).is_some_and(|node| *node <= x * (1.0 + ROUNDING)) {
+            return values[near];
+        }
         let (mut above, mut below) = (0.0, 0.0);
         for ((node, weight), value) in self.nodes.iter().zip(&self.weights).zip(values) {
             let share = weight / (x - node);

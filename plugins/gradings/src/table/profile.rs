@@ -144,7 +144,8 @@ impl Profile {
                 self.curve.nodes().len()
             ));
         }
-        Ok(Box::new(Law { profile: self, thickness }))
+        let rows = self.curve.nodes().iter().map(|depth| depth / thickness).take_while(|depth| *depth <= 1.0).collect();
+        Ok(Box::new(Law { profile: self, thickness, rows }))
     }
 }
 
@@ -152,6 +153,8 @@ impl Profile {
 struct Law {
     profile: Arc<Profile>,
     thickness: f64,
+    /// Depths of those in the layer, over the thickness.
+    rows: Vec<f64>,
 }
 
 impl ModulusLaw for Law {
@@ -176,6 +179,10 @@ impl ModulusLaw for Law {
             return Vec::new();
         }
         self.profile.curve.series(&self.profile.ratios, self.thickness, terms).into_finite()
+    }
+
+    fn probes(&self) -> &[f64] {
+        &self.rows
     }
 
     fn remarks(&self) -> Vec<String> {

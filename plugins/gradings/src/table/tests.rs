@@ -238,3 +238,17 @@ fn many_rows() {
     let took = begin.elapsed();
     assert!(took.as_secs_f64() < 5.0, "{took:?}; 0.3 s on a machine with nothing else to do");
 }
+
+/// Asked for at every row, a law of thousands of them would else cost millions of quotients.
+#[test]
+fn the_law_is_the_rows_at_its_probes() {
+    let table = Table::points(
+        (0..=30).map(|i| vec![f64::from(i) / 10.0, 1.0 + f64::from(i * i), 0.01 * f64::from(i)]).collect(),
+    );
+    let law = law(&table);
+    assert_eq!(law.probes().len(), 21, "those in the layer");
+    for (i, depth) in (0..).zip(law.probes()) {
+        let of_row = (1.0 + f64::from(i * i)).ln().exp();
+        assert_eq!((law.modulus(*depth), law.poisson(*depth)), (of_row, Some(0.01 * f64::from(i))), "row {i}");
+    }
+}
