@@ -22,6 +22,9 @@ const SOFT: f64 = 1.0 / 9.0;
 /// Depths at which it is looked at.
 const DEPTHS: u32 = 32;
 
+/// Terms of its series at the surface by which a law shows that it is smooth there.
+const SERIES: usize = 8;
+
 /// What the engine solves.
 pub(crate) struct Problem {
     /// The elastic layer.
@@ -162,6 +165,11 @@ impl Problem {
             errors.set(Quantity::Shear, of_zone);
         }
         errors
+    }
+
+    /// Whether the law is not smooth at the surface, such as a power of the depth that is no whole number: its series ends.
+    pub(crate) fn begins_rough(&self) -> bool {
+        (2..SERIES).contains(&self.layer.law.surface_series(SERIES).len())
     }
 
     /// Half-width of the face that touches before there is any load, in layer units.

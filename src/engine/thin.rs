@@ -3,7 +3,8 @@
 //! The flexibility of long waves is `Fvv(0)`, so that `p = (delta - g)/Fvv(0)` but for stretches of a thickness or so at the
 //! edges. Seen from further away those only shift the edge: by Wiener and Hopf's factors of `phi(s) = Fvv(s)/Fvv(0)` the
 //! pressure runs out not at `b` but at `B = b + lambda`, `lambda = -(1/pi) int_0^inf ln phi(s)/s^2 ds`. With `delta = g(B)`
-//! what is left out is of the second order in `h/b` (docs/planner.md).
+//! what is left out is of the second order in `h/b` under shapes that change little over a thickness, and told from the
+//! changes of the slope under others (docs/planner.md).
 
 use super::problem::{LoadInLayerUnits, Problem};
 use super::quantity::{Numbers, Quantity};
@@ -11,7 +12,8 @@ use super::root;
 use super::stand_in;
 use bilby::QuadratureRule;
 use slipzone_api::{LayerResponse, Refusal};
-use std::f64::consts::PI;
+use std::f64::consts::{LN_2, PI};
+use std::ops::RangeInclusive;
 
 /// Nodes in each panel of the integrals, and fewer, to see what they are good to.
 const NODES: [usize; 2] = [16, 12];
@@ -21,10 +23,19 @@ const LAST: f64 = 32.0;
 pub(super) const EVALUATIONS: usize = LONG.len() + 7 * (NODES[0] + NODES[1]);
 /// Wave numbers from which the flexibility of long waves is extrapolated.
 const LONG: [f64; 4] = [0.16, 0.08, 0.04, 0.02];
-/// Nodes over the shape.
-const SHAPE: [usize; 2] = [64, 48];
+/// Nodes over the shape, and over each of its parts, to see what they are good to.
+const SHAPE: [usize; 2] = [64, 12];
 /// Error over `(m + 1)^2 (lambda^2 + |phi''(0)|/2 + 0.1) (h/b)^2`, `m = b g'/g`; measured in docs/planner.md.
 const SECOND_ORDER: f64 = 0.8;
+/// Powers of two over [`Thin::spread`] at which changes of the slope are looked at: what is narrower does not show, what is farther is
+/// not felt.
+const CHANGES: RangeInclusive<i32> = -40..=4;
+/// [`Thin::spread`] over `(phi''(0)/2)^(1/2)`: of bonded layers the pressure falls a little more slowly than that.
+const SPREAD: f64 = 1.2;
+/// Length that an edge feels beside `lambda`, and more by so much of what [`Thin::spread`] is above one; measured in docs/planner.md.
+const EDGE: (f64, f64) = (0.1, 0.5);
+/// Parts of the contact at whose ends the pressure is looked at, beside the details of the shape.
+const PARTS: u32 = 64;
 /// Half-widths over the thickness below which nothing is claimed.
 const NARROWEST: f64 = 4.0;
 
@@ -88,18 +99,20 @@ fn solve(problem: &Problem, response: &dyn LayerResponse) -> Option<(Numbers, Nu
     let a0 = problem.elastic.a0();
     let stiffness = (a0 * layer.compliance).recip();
     let height = |x: f64| problem.height(x) - problem.height(0.0);
-    let [fine, coarse] = SHAPE.map(rule);
-    let force = |wide: f64, rule: &QuadratureRule<f64>| 2.0 * stiffness * raised(problem, wide, rule);
+    let [whole, of_parts] = SHAPE.map(rule);
+    let force = |wide: f64| 2.0 * stiffness * raised(problem, wide, &problem.details(wide), &whole);
     let wide = match problem.load {
         LoadInLayerUnits::HalfWidth(b) => b + layer.shift,
-        LoadInLayerUnits::Force(target) => root(problem, |wide| force(wide, &fine) / target)?,
+        LoadInLayerUnits::Force(target) => root(problem, |wide| force(wide) / target)?,
         LoadInLayerUnits::Indentation(depth) => root(problem, |wide| problem.height(wide) / depth)?,
     };
     let b = wide - layer.shift;
     if !(b >= NARROWEST && wide > 0.5 * b && wide <= problem.reach()) {
         return None;
     }
-    let p = force(wide, &fine);
+    let p = force(wide);
+    let parts = problem.parts(wide, PARTS);
+    let in_parts = 2.0 * stiffness * raised(problem, wide, &parts, &of_parts);
     let centre = stiffness * height(wide);
     let mut numbers = Numbers::default();
     for (quantity, value) in [
@@ -116,11 +129,25 @@ fn solve(problem: &Problem, response: &dyn LayerResponse) -> Option<(Numbers, Nu
     }
     let power = 1.0 + b * problem.slope(b) / height(b);
     let second = SECOND_ORDER * power * power * (layer.shift.powi(2) + layer.bend.abs() + 0.1) / (b * b);
-    let numerical = layer.errors.0 + power * layer.errors.1 / b + (force(wide, &coarse) / p - 1.0).abs();
-    let error = second + numerical + problem.layer.law.smoothing_error(b);
+    let numerical = layer.errors.0 + power * layer.errors.1 / b + (in_parts / p - 1.0).abs();
+    let rest = numerical + problem.layer.law.smoothing_error(b);
+    let rise = height(wide);
+    let at_edge = layer.at_edge(problem, b) / rise;
+    let beside = |x: f64| layer.beside(problem, x, b.max(wide)) / rise;
+    // Away from the middle it may be the peak where it is more than what the pressure falls by up to there.
+    let beyond = parts.iter().map(|&x| beside(x) - height(x) / rise);
+    let in_middle = beside(0.0);
+    let at_peak = beyond.fold(in_middle, f64::max);
     let mut errors = Numbers::default();
     let given: Vec<Quantity> = problem.given().collect();
     for (quantity, value) in numbers.iter() {
+        let of_shape = match quantity {
+            Quantity::Centre => at_edge + in_middle,
+            Quantity::Peak => at_edge + at_peak,
+            // All of the pressure moves with the depth, over all of the contact.
+            _ => at_edge * 2.0 * b * centre / p,
+        };
+        let error = second.max(of_shape) + rest;
         if !value.is_finite() || !error.is_finite() {
             return None;
         }
@@ -131,12 +158,21 @@ fn solve(problem: &Problem, response: &dyn LayerResponse) -> Option<(Numbers, Nu
     Some((numbers, errors))
 }
 
-/// `int_0^B (g(B) - g(x)) dx = int_0^B x g'(x) dx`, over the fourth root of `x`: smooth for any power of it.
-fn raised(problem: &Problem, wide: f64, rule: &QuadratureRule<f64>) -> f64 {
-    rule.integrate(0.0, 1.0, |t| {
-        let x = wide * t.powi(4);
-        x * problem.slope(x) * 4.0 * wide * t.powi(3)
-    })
+/// `int_0^B (g(B) - g(x)) dx = int_0^B x g'(x) dx`, cut at places that ascend; up to the first over the fourth root of `x`: smooth for
+/// any power of it.
+fn raised(problem: &Problem, wide: f64, cuts: &[f64], rule: &QuadratureRule<f64>) -> f64 {
+    let mut from = 0.0;
+    let piece = |&to: &f64| {
+        let width = to - from;
+        let integral = rule.integrate(0.0, 1.0, |t| {
+            let (share, weight) = if from > 0.0 { (t, 1.0) } else { (t.powi(4), 4.0 * t.powi(3)) };
+            let x = from + width * share;
+            x * problem.slope(x) * weight * width
+        });
+        from = to;
+        integral
+    };
+    cuts.iter().chain([&wide]).map(piece).sum()
 }
 
 /// The width at which a growing function is 1.
@@ -182,6 +218,39 @@ impl Thin {
         let (shift, coarse) = (shift?, coarse?);
         let relative = (before / compliance - 1.0).abs().max(1e-12);
         Some(Self { compliance, shift, bend: bend / compliance, errors: (relative, (shift - coarse).abs() + relative) })
+    }
+
+    /// How far away the pressure feels the shape: farther where the layer hardly yields but by flowing out, or has a stiff skin.
+    fn spread(&self) -> f64 {
+        (SPREAD * self.bend.abs().sqrt()).max(1.0)
+    }
+
+    /// What is left out of `p Fvv(0)` beside `x`, in a contact that ends at `end`: `int |m'| (g'(x + t) - g'(x - t)) dt`, the transform
+    /// of `m` being `(1/phi - 1)/s^2`.
+    ///
+    /// `|m'|` is `Fvv(0)/(pi A0 t)` near by, for a surface yields to narrow loads as a half-plane does. Farther away it falls like an
+    /// exponential: where a layer only flows out, half of that.
+    fn beside(&self, problem: &Problem, x: f64, end: f64) -> f64 {
+        let spread = self.spread();
+        let felt = |power: i32| {
+            let t = f64::from(power).exp2() * spread;
+            let slope = |x: f64| problem.slope(x.clamp(-end, end));
+            let weight = self.compliance / PI + 0.5 * t * self.bend.abs().min(1.0);
+            weight * (-t / spread).exp() * (slope(x + t) - slope(x - t))
+        };
+        LN_2 * CHANGES.map(felt).sum::<f64>()
+    }
+
+    /// What is left out of the depth for the changes of the slope near the edge.
+    fn at_edge(&self, problem: &Problem, b: f64) -> f64 {
+        let (spread, slope) = (self.spread(), problem.slope(b));
+        let change = |power: i32| {
+            let t = f64::from(power).exp2() * spread;
+            (-t / spread).exp() * (slope - problem.slope((b - t).max(-b))).abs()
+        };
+        let beyond = problem.height(b + self.shift) - problem.height(b) - self.shift * slope;
+        let felt = self.shift.abs() + EDGE.0 + EDGE.1 * (spread - 1.0);
+        felt * CHANGES.map(change).fold(0.0, f64::max) + beyond.abs()
     }
 }
 

@@ -49,6 +49,12 @@ fn objection(
             .is_some_and(|error| error > 0.5 * tolerance)
         {
             "; the grading, rounded at the surface, allows no more"
+        } else if problem.begins_rough()
+            && judged.outcome.numbers.get(Quantity::HalfWidth).and_then(|b| layer.kernel_error(b))
+                > Some(0.5 * tolerance)
+        {
+            "; the modulus begins at the surface with a power of the depth that is no whole number, and of its kernels little \
+             can be proved: a grading `volume-fraction` rounds such a law"
         } else {
             ""
         };

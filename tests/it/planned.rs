@@ -264,6 +264,66 @@ fn thin_layers_are_told_in_closed_form() {
     }
 }
 
+/// A tip rounded off over less than a thickness was told by the bend of its shape at the edge: `p(0)` was off by 17 tolerances. What
+/// the edge does not show is told from the slope, in the middle and wherever the peak may be, and beside the edge.
+#[test]
+fn thin_layers_feel_details_of_the_shape() {
+    let shapes = [
+        "height = \"0.05*sqrt(x^2 + 0.01)\"",
+        "height = \"0.05*sqrt(x^2 + 1e-6)\"",
+        "height = \"ln(cosh(x))\"",
+        "slope = \"0.05*tanh(x/0.2)\"",
+        // Corners, all but: in the middle of one side, and just inside the edge.
+        "slope = \"0.0005*x + 0.02*(tanh((x - 10)/0.1) + tanh((x + 10)/0.1))\"",
+        "slope = \"0.0005*x + 0.02*(tanh((x - 39.7)/0.1) + tanh((x + 39.7)/0.1))\"",
+        // Waves of its slope all over.
+        "height = \"0.001*(x^2/2 + 0.1*cos(3*x))\"",
+    ];
+    for (index, shape) in shapes.iter().enumerate() {
+        let base = ["rigid", "frictionless"][index % 2];
+        let with = |load: &str, solver: &str| {
+            solve(&parsed(&format!(
+                "format = 1\nlayer = {{ thickness = 1.0, poisson = 0.3, base = {{ type = \"{base}\" }}, \
+                 grading = {{ type = \"homogeneous\", modulus = 1.0 }} }}\n\
+                 punch = {{ type = \"formula\", {shape} }}\nload = {{ {load} }}\n\
+                 [solver]\n{solver}\n[output]\nquantities = [\"load\", \"pressure\"]\n"
+            )))
+        };
+        let by_width = "half_width = 40.0".to_owned();
+        let full = with(&by_width, "tolerance = 1e-5\nmodel = \"full\"");
+        assert_eq!(full.status, Status::Converged, "{shape}: {:?}", full.reason);
+        let by_force = format!("force = {:?}", full.load.force.unwrap());
+        for load in [by_width, by_force] {
+            let thin = with(&load, "tolerance = 0.5\nmodel = \"thin\"");
+            for (path, error, stated) in differences(&thin, &full) {
+                assert!(error <= stated + 2e-5, "{shape}, {load}: {path} is off by {error:e}, not {stated:e}");
+            }
+        }
+    }
+}
+
+/// Shapes that change little over a thickness pay nothing for those that do.
+#[test]
+fn thin_layers_under_ordinary_shapes_have_one_bound() {
+    for punch in [
+        "type = \"cylinder\", radius = 1000.0",
+        "type = \"power\", coefficient = 1e-4, exponent = 4.0",
+        "type = \"formula\", height = \"x^2/2000 + 1e-9*x^4\"",
+    ] {
+        for base in ["rigid", "frictionless"] {
+            let thin = solve(&parsed(&format!(
+                "format = 1\nlayer = {{ thickness = 1.0, poisson = 0.3, base = {{ type = \"{base}\" }}, \
+                 grading = {{ type = \"homogeneous\", modulus = 1.0 }} }}\npunch = {{ {punch} }}\n\
+                 load = {{ half_width = 40.0 }}\n[solver]\ntolerance = 0.02\n[output]\nquantities = [\"load\", \"pressure\"]\n"
+            )));
+            let each = &thin.error.each;
+            assert_eq!(thin.plan.model, Model::Thin, "{punch}: {:?}", thin.plan.reasons);
+            assert_eq!(each["pressure.centre"].to_bits(), each["load.force"].to_bits(), "{punch}, {base}: {each:?}");
+            assert_eq!(each["pressure.peak"].to_bits(), each["load.force"].to_bits(), "{punch}, {base}: {each:?}");
+        }
+    }
+}
+
 /// Where nothing else comes to an end: a contact a million thicknesses wide. Twice as wide, a parabola takes eight times the
 /// force, but for the shift of its edge.
 #[test]

@@ -57,9 +57,17 @@ impl Problem {
     }
 
     /// Places beside which a smooth shape may vary over short lengths, see [`slipzone_api::PunchShape::details`].
-    fn details(&self, half_width: f64) -> Vec<f64> {
+    pub(in crate::engine) fn details(&self, half_width: f64) -> Vec<f64> {
         let details = self.shape.details(half_width * self.length).into_iter();
         details.map(|x| x / self.length).filter(|x| *x > 0.0 && *x < half_width).collect()
+    }
+
+    /// Ends of so many equal parts of the contact, cut beside its details; ascending, neither the middle nor the end among them.
+    pub(in crate::engine) fn parts(&self, half_width: f64, count: u32) -> Vec<f64> {
+        let mut ends = self.details(half_width);
+        ends.extend((1..count).map(|part| half_width * f64::from(part) / f64::from(count)));
+        ends.sort_unstable_by(f64::total_cmp);
+        ends
     }
 
     /// Whether a shape that is stacked for its kinks may vary over short lengths besides.

@@ -86,10 +86,11 @@ fn is_vain(
     has_kernels: bool,
 ) -> bool {
     let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));
-    let is_final = has_kernels && outcome.size.is_none_or(|size| size.missed <= ROUNDING);
+    // A finer step may miss less of the load, which counts for more beside a faint pressure in the middle.
+    let missed = outcome.size.map_or(0.0, |size| size.missed) / share_in_middle(outcome);
     let unmended = |(quantity, error): (Quantity, f64)| {
-        let rest =
-            if is_final { all.get(quantity).map_or(0.0, |all| all - error - mended(outcome, quantity)) } else { 0.0 };
+        let beside = all.get(quantity).filter(|_| has_kernels);
+        let rest = beside.map_or(0.0, |all| all - error - missed - mended(outcome, quantity));
         let least = if quantity.is_of_shear() { SLIP_ROUNDING } else { ROUNDING };
         (lost.get(quantity).unwrap_or(0.0).max(least), rest)
     };

@@ -238,3 +238,18 @@ fn a_budget_spent_on_the_numbers_leaves_the_numbers() {
     assert!(solution.profile.x.is_empty() && solution.stick.unwrap().ratio.is_some());
     assert!(solution.error.estimate.unwrap() < 1e-8);
 }
+
+/// Under a force it went on to half of its budget, half a minute, though nothing was left but what is not proved of the kernels. Under a
+/// half-width it stopped.
+#[test]
+fn a_force_takes_no_steps_for_what_no_step_mends() {
+    let layer = "thickness = 0.33502499835163135, poisson = -0.5, plane = \"stress\", moduli = \"young\", \
+                 base = { type = \"half-plane\", shear = 0.8485160417875646, poisson = 0.3494262021022059 }, \
+                 grading = { type = \"formula\", modulus = \"M*(1+A*(y/h)^2.5)\", \
+                 parameters = { M = 0.07392631456702033, A = 1.0090716263578956 } }";
+    let rest = "friction = { type = \"goodman\", coefficient = 0.4089687497441098 }\nsolver = { tolerance = 1e-3 }";
+    let found = written(layer, "type = \"cylinder\", radius = 20.0", "force = 0.010328702697592724", rest);
+    // 1e10 before.
+    assert!(found.plan.work < 1_000_000_000, "{:e} multiplications: {:?}", found.plan.work as f64, found.reason);
+    assert!((found.load.half_width.unwrap() - 1.0).abs() < 1e-3, "{:?}", found.load.half_width);
+}

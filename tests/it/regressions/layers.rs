@@ -355,3 +355,20 @@ fn a_faint_break_is_no_noise() {
         }
     }
 }
+
+/// A law that begins with `y^1.5` was not converged by its kernels, and nothing said so; as a `volume-fraction` it is told to 1e-3.
+#[test]
+fn a_law_that_is_not_smooth_at_the_surface_is_named() {
+    let with = |grading: &str| {
+        let layer = format!("thickness = 0.2, poisson = 0.3, grading = {{ {grading} }}");
+        written(&layer, "type = \"flat\", half_width = 1.0", "force = 1.0", "solver = { tolerance = 1e-3 }")
+    };
+    let rough = with("type = \"formula\", modulus = \"1+3.6*(y/h)^1.5\"");
+    assert_eq!(rough.status, Status::NotConverged);
+    assert!(rough.reason.as_ref().is_some_and(|reason| reason.contains("`volume-fraction`")), "{:?}", rough.reason);
+    let rounded = with(
+        "type = \"volume-fraction\", surface = { modulus = 1.0, poisson = 0.3 }, base = { modulus = 4.6, poisson = 0.3 }, \
+         exponent = 1.5, rule = \"mixture\"",
+    );
+    assert_eq!(rounded.status, Status::Converged, "{:?}", rounded.reason);
+}

@@ -42,7 +42,7 @@ fn slices_as_thick_as_they_are_deep_lose_nothing() {
         let exact = Compliance {}.respond(&exact).unwrap();
         let rough = full.roughly(ROUGHNESS).unwrap();
         for i in 0..1500 {
-            let s = 10.0_f64.powf(-1.0 + i as f64 / 400.0);
+            let s = 10.0_f64.powf(-1.0 + f64::from(i) / 400.0);
             let exact = exact.surface(s).unwrap();
             let [of_full, of_rough] =
                 [distance(full.surface(s).unwrap(), exact), distance(rough.surface(s).unwrap(), exact)];
