@@ -276,7 +276,7 @@ mod tests {
         }
         for (singular, depth) in [("1/(2.4 - y)^2", "2.4"), ("abs(y - 0.7)", "0.7"), ("1/sqrt(abs(y - 3))", "3")] {
             let refusal = formula(singular, None, &[]).law(&thick(5.0)).unwrap_err().to_string();
-            assert!(refusal.contains(&format!("at depth {depth};")), "{singular}: {refusal}");
+            assert!(refusal.ends_with(&format!("at depth {depth}")), "{singular}: {refusal}");
         }
         assert!(formula("1/(5.1 - y)", None, &[]).law(&thick(5.0)).is_ok());
         assert_eq!(law("1 + y^1.5").surface_series(9).len(), 2);
