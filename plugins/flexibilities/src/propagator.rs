@@ -176,3 +176,26 @@ impl<const H: usize> WithSimd for Build<'_, H> {
         Propagator::build::<S, H>(&self)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::precision::ROUGH;
+    use pulp::Scalar;
+
+    /// Of a thick slice the terms of the largest wave number rise before they fall: what is left out at a smaller one is to be little
+    /// beside what they add up to there.
+    #[test]
+    fn powers_left_out_at_a_wave_number_are_little_beside_its_sum() {
+        let thickest = 10.0;
+        let slice = Propagator::new(&ROUGH, thickest, |z| [1.0 + z, 5.0 - z, 0.6, 0.3]);
+        for s in 1..=100_u8 {
+            let q = (0.1 * f64::from(s)).powi(2);
+            let [some, all] = [q, thickest * thickest].map(|most| slice.at::<Scalar, 1>(&[q], most));
+            for (some, all) in some.as_flattened().as_flattened().iter().zip(all.as_flattened().as_flattened()) {
+                let error = (some[0] / all[0] - 1.0).abs();
+                assert!(error < 4.0 * ROUGH.negligible, "q = {q}: {error:e}");
+            }
+        }
+    }
+}
