@@ -128,14 +128,14 @@ fn a_film_in_a_table_is_no_homogeneous_layer() {
     let table = |film: f64| {
         let row = |i: u32| {
             let y = f64::from(i) / 400.0;
-            format!("[{y:?}, {:?}]", 1.0 - film * (-((y - 2.0) / 0.015).powi(2)).exp())
+            format!("[{y:?}, {:?}]", (-5.0 * film * (-((y - 2.023) / 0.02).powi(2)).exp()).exp())
         };
         let rows: Vec<String> = (0..=2000).map(row).collect();
         let layer =
             format!("thickness = 5.0\npoisson = 0.3\ngrading = {{ type = \"table\", points = [{}] }}", rows.join(", "));
         Sketch::on(layer).with("[solver]\ntolerance = 1e-4").solve().plan.model
     };
-    assert_eq!((table(0.0), table(0.99)), (Model::Homogeneous, Model::Full));
+    assert_eq!((table(0.0), table(1.0)), (Model::Homogeneous, Model::Full));
 }
 
 #[test]
