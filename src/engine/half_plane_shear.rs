@@ -50,7 +50,7 @@ impl HalfPlaneShear {
     #[inline(always)]
     pub(super) fn slipping(&self, at: Station) -> [f64; 2] {
         let p = self.pressure(at);
-        let beyond = self.zone.slip_width - at.gap;
+        let beyond = -self.zone.inside(at);
         self.parts(p, p * beyond / self.zone.half_width)
     }
 

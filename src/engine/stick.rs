@@ -381,8 +381,9 @@ impl Shear {
     pub(crate) fn values(&self, at: &[Station], pressure: &[f64]) -> Vec<f64> {
         // The same point, its gap to the stick zone's edge.
         let in_stick = |station: &Station| {
-            let gap = station.gap - self.zone.slip_width;
-            (gap > 0.0).then_some(Station { x: station.x.abs(), gap })
+            let x = station.x.abs();
+            let gap = self.zone.inside(Station { x, ..*station });
+            (gap > 0.0).then_some(Station { x, gap })
         };
         let sticking: Vec<Station> = at.iter().filter_map(in_stick).collect();
         let mut shear = vec![0.0; sticking.len()];

@@ -89,7 +89,7 @@ impl Family {
             factors.fill(0.0);
             let lanes = slices.iter().zip(&lambda).zip(places.iter_mut().zip(&mut factors));
             for ((Slice { half_width, beyond, force }, lambda), (place, factor)) in lanes {
-                let gap = beyond - StickZone::from_log(*lambda, *half_width).slip_width;
+                let gap = StickZone::from_log(*lambda, *half_width).inside(Station { x, gap: *beyond });
                 if gap > 0.0 {
                     *place = rubbed.lack.place(Station { x, gap });
                     *factor = force / (beyond.sqrt() * (2.0 * x + beyond).sqrt());
