@@ -2,7 +2,7 @@
 
 use crate::sketch::Sketch;
 use slipzone::api::reference::partial_slip;
-use slipzone::engine::{Slip, Solution, Status};
+use slipzone::engine::{Profile, Slip, Solution, Status};
 use std::f64::consts::PI;
 
 /// From a hair beside full sliding to a hair beside full stick.
@@ -63,6 +63,30 @@ fn the_shear_inside_a_narrow_stick_zone_keeps_its_digits() {
                 );
                 assert!(error < 1e-8_f64.max(estimate), "{name} a/b = {ratio:e} x = {part} a: {got} for {exact}");
             }
+        }
+    }
+}
+
+/// The stick zone is as far from its root as the tolerance lets it; what slides bears the friction that the scene asks for all the same.
+#[test]
+fn what_slides_under_a_flat_punch_bears_the_friction_told() {
+    for (h, ratio, eta) in [(1.0, 8.0, 0.3), (5.0, 0.125, 0.1)] {
+        for tolerance in [1e-3, 1e-6] {
+            let solver = format!("[solver]\ntolerance = {tolerance:e}");
+            let solution = Sketch::flat(h, ratio, 0.3).rubbing(eta).with(&solver).solve();
+            assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+            let a = solution.stick.expect("friction").half_width.expect("a zone");
+            let Profile { x, pressure, shear, .. } = &solution.profile;
+            let mut sliding = 0;
+            for ((x, p), q) in x.iter().zip(pressure).zip(shear.as_ref().expect("friction")) {
+                let (Some(p), Some(q)) = (p, q) else { continue };
+                if x.abs() > a {
+                    sliding += 1;
+                    assert!((q.abs() / (eta * p) - 1.0).abs() < 1e-14, "x = {x}: q = {} p", q.abs() / p);
+                }
+            }
+            println!("h = {h} tolerance = {tolerance:e}: a = {a}, {sliding} points slide");
+            assert!(sliding > 4, "{sliding}");
         }
     }
 }

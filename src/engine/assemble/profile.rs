@@ -32,7 +32,7 @@ impl Solved<'_> {
 
     /// Tractions at points in units of the half-width.
     fn tractions(&mut self, relative: &[f64]) -> Result<Profile, Refusal> {
-        let b = self.half_width();
+        let (b, as_told) = (self.half_width(), self.friction_as_told());
         let Self { layer, problem, stage, .. } = self;
         let sharp = stage.contact.normal.is_sharp();
         let value = |found: Option<f64>| match found {
@@ -59,13 +59,22 @@ impl Solved<'_> {
             let mut values = values.into_iter();
             relative.iter().map(|x| value(if station(x).gap > 0.0 { values.next() } else { None })).collect()
         };
-        let shear = shear.map(&spread);
+        let shear = shear.map(|shear| spread(shear.into_iter().map(|q| q * as_told).collect()));
         Ok(Profile {
             x: relative.iter().map(|x| x * b * problem.length).collect(),
             pressure: spread(pressure),
             shear,
             strain: None,
         })
+    }
+
+    /// The scene's friction coefficient over that of the stick zone found, which is as far from it as the zone is from its root: what slides
+    /// bears `eta p` to the last digit.
+    fn friction_as_told(&self) -> f64 {
+        let found = self.judged.outcome.rubbing.as_ref().and_then(|rubbing| rubbing.reported());
+        let [told, own] =
+            [self.problem.friction, self.stage.signed_friction()].map(|friction| friction.filter(|_| found.is_some()));
+        told.zip(own).map_or(1.0, |(told, own)| told / own.abs())
     }
 
     /// Adds the strain left in the stick zone to the tractions, where the scene asks for it and it can be told. How uncertain it is, over
