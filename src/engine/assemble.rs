@@ -1,21 +1,22 @@
 //! A solved contact in the scene's units.
 
+mod coupling;
 mod profile;
 
-use super::coupling::{self, Neglected};
-use super::finite::first_found_not_finite;
-use super::judged::{How, Judged, SAID};
-use super::loading_curve::Point;
 use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
-use super::quantity::{Numbers, Quantity};
-use super::rubbing::{Rubbing, Verdict};
 use super::solution::{
     EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Slip, Solution, Status, StickReport,
 };
-use super::stage::Stage;
+use crate::engine::accuracy::quantity::{Numbers, Quantity};
+use crate::engine::friction::rubbing::{Rubbing, Verdict};
+use crate::engine::refine::judged::{How, Judged, SAID};
+use crate::engine::refine::stage::Stage;
+use crate::engine::solution::finite::first_found_not_finite;
+use crate::engine::solution::loading_curve::Point;
 use crate::plan::Plan;
 use crate::scene::{Load, Model, Scene};
+use coupling::Neglected;
 use slipzone_api::Refusal;
 use std::borrow::Cow;
 

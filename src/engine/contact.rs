@@ -2,17 +2,17 @@
 
 mod friction;
 
-use super::checks::SlipCheck;
-use super::contact_size::{self, Size};
-use super::normal::Normal;
 use super::outcome::{Outcome, Task};
 use super::prepared_layer::PreparedLayer;
 use super::problem::{LoadInLayerUnits, Problem};
-use super::quantity::Quantity;
-use super::rubbing::{Rubbing, Verdict};
-use super::stick::Shear;
-use super::stick_search::Samples;
 use super::work::Work;
+use crate::engine::accuracy::quantity::Quantity;
+use crate::engine::friction::checks::SlipCheck;
+use crate::engine::friction::rubbing::{Rubbing, Verdict};
+use crate::engine::friction::stick::Shear;
+use crate::engine::friction::stick_search::Samples;
+use crate::engine::pressure::contact_size::{self, Size};
+use crate::engine::pressure::normal::Normal;
 use slipzone_api::{Edge, Quadrature, Refusal};
 
 /// Rules, matrices and scratch of one resolution, reused from load to load.

@@ -1,22 +1,26 @@
 //! A contact that grows with the load, solved as a stack of flat punches: under friction, which remembers how it grew, and
 //! under shapes that are not analytic.
 
+mod blend;
+pub(crate) mod family;
 mod friction;
 mod overload;
+mod sheet;
+mod stack;
 mod strain;
 
-use super::contact_size::{self, Size};
-use super::family::{Family, Unfit};
-use super::lookout::Lookout;
-use super::normal::Normal;
 use super::outcome::{Left, Outcome, Task};
 use super::prepared_layer::PreparedLayer;
 use super::problem::{LoadInLayerUnits, Problem};
-use super::quantity::{Numbers, Quantity, Traces};
-use super::rubbing::Rubbing;
-use super::stack::Stack;
 use super::work::Work;
+use crate::engine::accuracy::quantity::{Numbers, Quantity, Traces};
+use crate::engine::friction::rubbing::Rubbing;
+use crate::engine::pressure::contact_size::{self, Size};
+use crate::engine::pressure::lookout::Lookout;
+use crate::engine::pressure::normal::Normal;
+use family::{Family, Unfit};
 use slipzone_api::{Quadrature, Refusal, Station};
+use stack::Stack;
 
 /// By how much a family is wider than a contact that a coarser resolution found.
 const ROOM: f64 = 1.02;

@@ -1,69 +1,50 @@
 //! The engine: layer -> flexibility -> kernels -> tractions -> stick zone -> solution.
 //!
+//! Each line uses those above it:
+//!
+//! | module | |
+//! |---|---|
+//! | `numerics`, `work` | tools that know nothing of contacts; the work that a scene may take, counted |
+//! | `accuracy` | what a result reports, and how sure each number is |
+//! | `problem`, `prepared_layer` | the scene in the layer's units; its layer with flexibility and kernels |
+//! | `pressure`, `friction` | the parts of one contact at one resolution |
+//! | `contact`, `growing` | a contact solved at once, or as a stack of the flat punches that it grew through |
+//! | `refine` | resolutions, until the estimate meets the tolerance |
+//! | `verdict`, `assemble`, `solution` | whether to believe it, and the result in the scene's units |
+//! | `stand_in`, `layer`, `solver` | a cheaper solid where one will do; what one load leaves to the next |
+//!
 //! It knows the traits of `slipzone-api` and no plugin by name, prints nothing and reads no file.
 
+mod accuracy;
 mod assemble;
-mod blend;
-mod budget;
-mod carrier;
-mod chebyshev;
-mod checks;
-mod climb;
 mod contact;
-mod contact_size;
-mod counted;
-mod coupling;
-mod dense;
-mod elimination;
-mod error_estimate;
-mod family;
-mod finite;
+mod friction;
 mod growing;
-mod half_plane_depth;
-mod half_plane_shear;
-mod judged;
-mod lanes;
 mod layer;
-mod linear_strain;
-mod loading_curve;
-mod lookout;
-mod normal;
+pub(crate) mod numerics;
 mod outcome;
 mod portrait;
 mod prepared_layer;
+mod pressure;
 mod problem;
-mod quantity;
 mod refine;
-pub(crate) mod root;
-mod rubbing;
-mod sharpen;
-mod sheet;
-mod slip_grid;
 mod solution;
 mod solver;
-mod stack;
-mod stage;
 mod stand_in;
-mod stick;
-mod stick_search;
-mod stick_zone;
-mod strain;
-mod thin;
 mod verdict;
-mod ways;
 mod work;
 
 pub use crate::plan::Plan;
-pub use budget::BUDGET;
-pub use finite::first_not_finite;
-pub(crate) use finite::insist;
 pub use layer::Layer;
-pub use loading_curve::Curve;
 pub use portrait::{DepthProfile, FlexibilityProfile, response};
+pub use solution::finite::first_not_finite;
+pub(crate) use solution::finite::insist;
+pub use solution::loading_curve::Curve;
 pub use solution::{
     EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Program, Slip, Solution, Status, StickReport,
 };
 pub use solver::Solver;
+pub use work::budget::BUDGET;
 
 use crate::plan;
 use crate::scene::Scene;

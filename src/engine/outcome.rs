@@ -1,11 +1,11 @@
 //! What a resolution is asked, and what it answers.
 
-use super::contact_size::Size;
-use super::error_estimate::Seen;
 use super::prepared_layer::Wanted;
 use super::problem::Problem;
-use super::quantity::{Numbers, Quantity, Traces};
-use super::rubbing::Rubbing;
+use crate::engine::accuracy::error_estimate::Seen;
+use crate::engine::accuracy::quantity::{Numbers, Quantity, Traces};
+use crate::engine::friction::rubbing::Rubbing;
+use crate::engine::pressure::contact_size::Size;
 
 /// What one resolution found.
 #[derive(Clone, Debug, Default)]

@@ -1,8 +1,8 @@
 //! A layer prepared: its flexibility, and its kernels over the lengths asked for so far.
 
-use super::budget::Meter;
-use super::counted::Counted;
 use super::problem::Problem;
+use crate::engine::work::budget::Meter;
+use crate::engine::work::counted::Counted;
 use crate::plan::{Chosen, Methods};
 use slipzone_api::{Component, KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal, Rule};
 use std::sync::Arc;

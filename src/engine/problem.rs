@@ -2,7 +2,7 @@
 
 mod details;
 
-use super::quantity::{Numbers, Quantity, Wishes};
+use crate::engine::accuracy::quantity::{Numbers, Quantity, Wishes};
 use crate::scene::{Load, Scene};
 use slipzone_api::{Base, Elastic, Flaw, Friction, FrozenStrain, LayerModel, PunchShape, Refusal, short};
 use std::sync::Arc;

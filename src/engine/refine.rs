@@ -1,21 +1,23 @@
 //! Refines a scene until its error estimate meets the tolerance.
 
 mod estimate;
+pub(crate) mod judged;
 mod known;
 mod ladder;
+pub(crate) mod stage;
 
-use super::error_estimate::{SAFETY, Seen, extrapolated, judged_by_twin};
 use super::growing::Growing;
-use super::judged::{BETWEEN, How, Judged, SHEAR, has_details, hidden_details, meets, with_the_rest, worst_judged};
 use super::outcome::{Outcome, Task};
 use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
-use super::quantity::{Numbers, Quantity};
-use super::rubbing::Verdict;
-use super::stage::Stage;
+use crate::engine::accuracy::error_estimate::{SAFETY, Seen, extrapolated, judged_by_twin};
+use crate::engine::accuracy::quantity::{Numbers, Quantity};
+use crate::engine::friction::rubbing::Verdict;
 use arrayvec::ArrayVec;
 use estimate::{Estimate, fastest};
+use judged::{BETWEEN, How, Judged, SHEAR, has_details, hidden_details, meets, with_the_rest, worst_judged};
 use slipzone_api::Refusal;
+use stage::Stage;
 
 pub(super) use ladder::{Aim, FlatPunches, Ladder};
 

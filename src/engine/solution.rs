@@ -1,10 +1,13 @@
 //! The result of a scene (docs: `docs/formats.md`). Lengths, stresses and forces in the scene's units.
 
-use super::loading_curve::Curve;
+pub(crate) mod finite;
+pub(crate) mod loading_curve;
+
 #[cfg(feature = "plot")]
-use super::stick_zone::StickZone;
+use crate::engine::friction::stick_zone::StickZone;
 use crate::plan::Plan;
 use crate::scene::{Load, LoadKind, Scene, Units};
+use loading_curve::Curve;
 use serde::Serialize;
 use slipzone_api::{Base, Friction, FrozenStrain, Plane};
 use std::borrow::Cow;

@@ -3,17 +3,17 @@
 mod curve;
 
 use super::assemble::{self, Solved};
-use super::budget::BUDGET;
-use super::judged::Judged;
 use super::layer::Layer;
 use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
-use super::quantity::Quantity;
 use super::refine::{Aim, FlatPunches, Ladder};
 use super::solution::{Solution, Status};
 use super::stand_in::{self, Decision, StandIn};
-use super::thin;
 use super::verdict::verdict;
+use crate::engine::accuracy::quantity::Quantity;
+use crate::engine::refine::judged::Judged;
+use crate::engine::stand_in::thin;
+use crate::engine::work::budget::BUDGET;
 use crate::plan::{Chosen, Plan, choose};
 use crate::scene::{Load, Model, Scene};
 use slipzone_api::{Friction, Refusal};

@@ -2,10 +2,11 @@
 //!
 //! The bounds are derived, and their constants measured, in docs/planner.md.
 
-use super::contact_size;
+pub(crate) mod thin;
+
 use super::problem::Problem;
-use super::quantity::{Numbers, Quantity};
-use super::thin;
+use crate::engine::accuracy::quantity::{Numbers, Quantity};
+use crate::engine::pressure::contact_size;
 use crate::plan::{half_plane, has_closed_form, homogeneous, serves_any_contact};
 use crate::scene::{Model, Scene};
 use slipzone_api::{Base, LayerModel};

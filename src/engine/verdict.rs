@@ -1,14 +1,14 @@
 //! Whether a solved contact may be believed.
 
-use super::judged::{Judged, ROUNDED};
-use super::linear_strain::SCANNED;
 use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
-use super::quantity::Quantity;
-use super::rubbing::{Rubbing, Verdict};
 use super::solution::Status;
-use super::stage::Stage;
-use super::stick_zone::StickZone;
+use crate::engine::accuracy::quantity::Quantity;
+use crate::engine::friction::linear_strain::SCANNED;
+use crate::engine::friction::rubbing::{Rubbing, Verdict};
+use crate::engine::friction::stick_zone::StickZone;
+use crate::engine::refine::judged::{Judged, ROUNDED};
+use crate::engine::refine::stage::Stage;
 
 /// A pressure less certain than this, relative, is no ground for saying that it pulls.
 const UNRESOLVED: f64 = 0.1;

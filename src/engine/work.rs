@@ -1,5 +1,8 @@
 //! Work, counted: the same on every machine.
 
+pub(crate) mod budget;
+pub(crate) mod counted;
+
 use std::iter::Sum;
 use std::ops::{Add, Sub};
 

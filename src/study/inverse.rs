@@ -6,7 +6,7 @@
 use super::Study;
 use super::find::{Find, Wanted};
 use super::record::{Found, Record};
-use crate::engine::root::{self, Bracketed};
+use crate::engine::numerics::root::{self, Bracketed};
 use crate::engine::{Plan, Solution, Status, solve};
 use crate::plan;
 use crate::scene::{Asked, Load, Replacement, Scene};

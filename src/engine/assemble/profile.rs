@@ -1,9 +1,9 @@
 //! Tractions along a solved contact, and the strain left on its surface.
 
 use super::Solved;
-use crate::engine::quantity::Quantity;
+use crate::engine::accuracy::quantity::Quantity;
+use crate::engine::friction::stick_zone::StickZone;
 use crate::engine::solution::Profile;
-use crate::engine::stick_zone::StickZone;
 use crate::scene::Scene;
 use slipzone_api::{Refusal, Station};
 

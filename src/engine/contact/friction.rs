@@ -1,16 +1,16 @@
 //! Friction under a flat punch at one resolution: the stick zone, looked for, followed and checked.
 
 use super::Contact;
-use crate::engine::checks;
-use crate::engine::linear_strain::RateCurve;
+use crate::engine::friction::checks;
+use crate::engine::friction::linear_strain::RateCurve;
+use crate::engine::friction::rubbing::{Rubbing, Verdict};
+use crate::engine::friction::sharpen::{apart_from_twin, sharpen};
+use crate::engine::friction::stick_search::{Found, FrictionCurve, Root};
+use crate::engine::friction::stick_zone::StickZone;
+use crate::engine::numerics::root::CERTAIN;
 use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
-use crate::engine::root::CERTAIN;
-use crate::engine::rubbing::{Rubbing, Verdict};
-use crate::engine::sharpen::{apart_from_twin, sharpen};
-use crate::engine::stick_search::{Found, FrictionCurve, Root};
-use crate::engine::stick_zone::StickZone;
 use slipzone_api::Refusal;
 use std::f64::consts::PI;
 

@@ -1,13 +1,13 @@
 //! Friction of a growing contact: its stick zone, its shear, and what cannot be told of either.
 
 use super::{Growing, ROOM_BESIDE_GUESS, STEADY};
-use crate::engine::family::{Family, during};
-use crate::engine::normal::Normal;
+use crate::engine::accuracy::quantity::ShearTrace;
+use crate::engine::friction::rubbing::{Rubbing, Verdict};
+use crate::engine::growing::family::{Family, during};
 use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::PreparedLayer;
+use crate::engine::pressure::normal::Normal;
 use crate::engine::problem::Problem;
-use crate::engine::quantity::ShearTrace;
-use crate::engine::rubbing::{Rubbing, Verdict};
 use slipzone_api::{Refusal, Station};
 
 /// Where what the shear lacks is compared from resolution to resolution, over the half-width of the stick zone: near the middle

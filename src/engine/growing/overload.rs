@@ -1,8 +1,8 @@
 //! Where and when friction does not bear the shear of a contact as it grew.
 
 use super::Growing;
-use crate::engine::checks::{is_too_little, overloaded};
-use crate::engine::family::during;
+use crate::engine::friction::checks::{is_too_little, overloaded};
+use crate::engine::growing::family::during;
 use crate::engine::problem::Problem;
 use std::f64::consts::FRAC_PI_2;
 

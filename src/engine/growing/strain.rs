@@ -1,10 +1,10 @@
 //! The strain that is left on the surface where it stuck.
 
 use super::Growing;
-use crate::engine::normal::Normal;
+use crate::engine::friction::strain::Sampling;
 use crate::engine::prepared_layer::PreparedLayer;
+use crate::engine::pressure::normal::Normal;
 use crate::engine::problem::Problem;
-use crate::engine::strain::Sampling;
 
 /// Points of the contact closer than that, relative to its half-width, are one: nothing is to be told in between.
 const NO_PIECE: f64 = 1e-11;

@@ -1,7 +1,7 @@
 //! Details of a smooth shape that a grid over all of the contact does not resolve.
 
 use super::Problem;
-use crate::engine::chebyshev::{Points, Series};
+use crate::engine::numerics::chebyshev::{Points, Series};
 
 /// Chebyshev points all over the contact that tell whether a slope is smooth. What they do not resolve no grid does whose nodes crowd
 /// at the edges, with as many unknowns as are worth it.

@@ -2,12 +2,14 @@
 
 use super::FINEST;
 use super::ladder::{Aim, FAINT};
-use crate::engine::error_estimate::{Fastest, ROUNDING, SLIP_ROUNDING, Seen, extrapolated};
-use crate::engine::judged::{ROUNDED, hidden_details, meets, mended, share_in_middle, with_the_rest, worst_judged};
+use crate::engine::accuracy::error_estimate::{Fastest, ROUNDING, SLIP_ROUNDING, Seen, extrapolated};
+use crate::engine::accuracy::quantity::{Numbers, Quantity};
 use crate::engine::outcome::Outcome;
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
-use crate::engine::quantity::{Numbers, Quantity};
+use crate::engine::refine::judged::{
+    ROUNDED, hidden_details, meets, mended, share_in_middle, with_the_rest, worst_judged,
+};
 use arrayvec::ArrayVec;
 
 /// Steps in a row that have to stop shrinking.

@@ -3,13 +3,13 @@
 use super::estimate::fastest;
 use super::ladder::{Aim, Ladder};
 use super::{BOUND_LEVEL, FINEST, is_known_between};
-use crate::engine::error_estimate::{Pace, Seen, extrapolated};
-use crate::engine::judged::{How, Judged, meets, with_the_rest};
+use crate::engine::accuracy::error_estimate::{Pace, Seen, extrapolated};
+use crate::engine::accuracy::quantity::{Numbers, Quantity};
 use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::LoadInLayerUnits;
-use crate::engine::quantity::{Numbers, Quantity};
-use crate::engine::stage::Stage;
+use crate::engine::refine::judged::{How, Judged, meets, with_the_rest};
+use crate::engine::refine::stage::Stage;
 
 /// What a step of refinement leaves of what it changed, on a loading curve; a tenth to a fortieth is seen.
 const LEFT: f64 = 0.1;

@@ -1,13 +1,13 @@
 //! The resolutions of a scene, and what they are solved with.
 
-use crate::engine::error_estimate::Pace;
-use crate::engine::family::Family;
-use crate::engine::judged::{share_in_middle, share_in_shear};
+use crate::engine::accuracy::error_estimate::Pace;
+use crate::engine::friction::rubbing::Rubbing;
+use crate::engine::growing::family::Family;
 use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::{PreparedLayer, Wanted};
 use crate::engine::problem::Problem;
-use crate::engine::rubbing::Rubbing;
-use crate::engine::stage::Stage;
+use crate::engine::refine::judged::{share_in_middle, share_in_shear};
+use crate::engine::refine::stage::Stage;
 use crate::engine::work::Work;
 use crate::plan::Methods;
 use slipzone_api::Refusal;

@@ -1,12 +1,12 @@
 //! Loading curves: all loads on the way to one.
 
 use super::Solver;
+use crate::engine::accuracy::quantity::Numbers;
 use crate::engine::assemble;
-use crate::engine::loading_curve::{Curve, Point};
 use crate::engine::problem::LoadInLayerUnits;
-use crate::engine::quantity::Numbers;
 use crate::engine::refine::Aim;
 use crate::engine::solution::Status;
+use crate::engine::solution::loading_curve::{Curve, Point};
 use crate::engine::verdict::verdict;
 use crate::scene::{Load, LoadPath};
 

@@ -1,0 +1,294 @@
+//! The strain of the surface that friction left in the stick zone, from the tractions of the whole contact:
+//! `-u'(x)/A0 = (1/pi) PV int q(r)/(x - r) dr + (1/pi) int q k_uu(x - r) dr + beta p(x) - (1/pi) int p k_uv(x - r) dr`.
+//!
+//! Each traction is sampled once on double-exponential grids between the points at which it is not analytic: the middle,
+//! the kinks of the shape, where the stick zone ended when the contact reached them, both ends of the slip zone. In
+//! between it is told by sinc functions in the grid's own variable. The integrals are split at `x`, where the kernels jump.
+
+use crate::engine::prepared_layer::PreparedLayer;
+use slipzone_api::double_exponential::{self, Node};
+use slipzone_api::{Component, Station};
+use std::f64::consts::PI;
+
+/// Where the grids end in `u`: 4e-13 of a piece is left out at either end. Beyond that, a distance to a point that is not
+/// the middle has lost its digits.
+const END: f64 = 2.9;
+/// Nodes on either side.
+///
+/// Measured with 14, 18, 24, 32: under a cylinder on a half-plane errors of 1e-8 with any of them, which is that of the
+/// tractions; on graded layers, seen under two loads, 2e-5, 3e-6, 1e-7, 1e-8 apart. Under a wedge on a layer twice as thick as the contact is
+/// wide, eight times as soft below, 1e-4 with 32, 3e-7 with 64, 2e-9 with 96.
+const NODES: f64 = 32.0;
+/// Nodes per length of the kernel.
+const NODES_PER_LENGTH: f64 = 8.0;
+/// Distance to a corner, over its own to the middle, from which positions beside it are told apart: rounding changes the logarithm
+/// there by as much as its neglected companion, the distance times the logarithm.
+const TOLD_APART: f64 = 1e-9;
+/// Share of those nodes that is tried first.
+const FIRST_SHARE: f64 = 0.75;
+/// By how much the share grows until the strain no longer depends on it.
+const GROWTH: f64 = 1.5;
+const LARGEST_SHARE: f64 = 6.0;
+/// Most points at which the strains of two grids are compared.
+const COMPARED: usize = 12;
+/// What a finer grid must leave of what the one before changed, to be more than rounding.
+const SHRINKING: f64 = 0.5;
+
+/// Most nodes.
+const MOST_NODES: usize = 1 << 11;
+
+/// Strains over `A0`.
+pub(crate) struct Strains {
+    /// One for each of the points.
+    pub(crate) each: Vec<f64>,
+    /// By how much coarser grids change one of them.
+    pub(crate) apart: f64,
+}
+
+/// Where tractions are not analytic, and how finely they are sampled in between.
+pub(crate) struct Sampling<'a> {
+    /// Ascending from 0 to the half-width.
+    pub(crate) breaks: &'a [f64],
+    /// Those of them at which tractions are unbounded, but for the middle.
+    pub(crate) corners: &'a [f64],
+    /// How much finer than others they must be resolved.
+    pub(crate) crowding: f64,
+    /// Over which length the kernels vary.
+    pub(crate) length: f64,
+}
+
+impl Sampling<'_> {
+    /// The strains at points `0 <= x < b`, by grids as fine as `wanted` asks; `tractions` tells `p` and `q` at points inside the contact.
+    pub(crate) fn strains(
+        &self,
+        layer: &PreparedLayer,
+        beta: f64,
+        (at, wanted): (&[f64], f64),
+        mut tractions: impl FnMut(&[Station]) -> Option<[Vec<f64>; 2]>,
+    ) -> Option<Strains> {
+        // Every so many of them are compared.
+        let every = at.len().div_ceil(COMPARED).max(1);
+        let (mut share, mut apart) = (FIRST_SHARE, f64::INFINITY);
+        let mut before: Option<Vec<f64>> = None;
+        loop {
+            let mut strain = Strain::new(self, share, &mut tractions)?;
+            let now: Vec<f64> = at.iter().step_by(every).map(|x| strain.at(layer, beta, *x)).collect();
+            if let Some(before) = before {
+                let moved = before.iter().zip(&now).map(|(before, now)| (before - now).abs()).fold(0.0, f64::max);
+                if moved <= wanted || moved > SHRINKING * apart || share * GROWTH > LARGEST_SHARE {
+                    let one = |(i, x): (usize, &f64)| {
+                        if i.is_multiple_of(every) { now[i / every] } else { strain.at(layer, beta, *x) }
+                    };
+                    return Some(Strains { each: at.iter().enumerate().map(one).collect(), apart: moved });
+                }
+                apart = moved;
+            }
+            before = Some(now);
+            share *= GROWTH;
+        }
+    }
+}
+
+/// Sampled tractions, for the strain that belongs to them.
+struct Strain {
+    half_width: f64,
+    pieces: Vec<Piece>,
+    /// A grid of unit length.
+    grid: Vec<Node>,
+    sources: Vec<Source>,
+    distances: Vec<f64>,
+    kernels: [Vec<f64>; 2],
+}
+
+/// What acts at a point `r` and at its mirror image.
+#[derive(Clone, Copy)]
+struct Source {
+    r: f64,
+    /// `x - r`.
+    apart: f64,
+    weight: f64,
+    p: f64,
+    q: f64,
+}
+
+/// The tractions between two points at which they are not analytic.
+struct Piece {
+    lower: f64,
+    upper: f64,
+    p: Traction,
+    q: Traction,
+}
+
+/// One traction over a piece.
+struct Traction {
+    values: Vec<f64>,
+    /// What it is like at the ends, a constant and a logarithm of the distance to each; taken off, nothing is left there.
+    ends: [[f64; 2]; 2],
+    /// What then is left at the nodes, of alternating sign.
+    rest: Vec<f64>,
+}
+
+impl Strain {
+    /// Samples the tractions with a share of the nodes.
+    fn new(
+        &Sampling { breaks, corners, crowding, length }: &Sampling,
+        share: f64,
+        tractions: &mut impl FnMut(&[Station]) -> Option<[Vec<f64>; 2]>,
+    ) -> Option<Self> {
+        let half_width = *breaks.last()?;
+        let longest = breaks.windows(2).map(|ends| ends[1] - ends[0]).fold(0.0, f64::max);
+        let nodes = share * (NODES * crowding).max(NODES_PER_LENGTH * longest / length);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
+        let grid = double_exponential::nodes_up_to(1.0, (nodes.ceil() as usize).min(MOST_NODES), END);
+        let mut pieces = Vec::with_capacity(breaks.len() - 1);
+        for ends in breaks.windows(2) {
+            let (lower, upper) = (ends[0], ends[1]);
+            let width = upper - lower;
+            let at = |node: &Node| Station {
+                x: lower + width * node.from_lower,
+                gap: (half_width - upper) + width * node.to_upper,
+            };
+            let mut sampled = tractions(&grid.iter().map(at).collect::<Vec<_>>())?;
+            for values in &mut sampled {
+                if corners.contains(&lower) {
+                    continue_logarithm(values.iter_mut().zip(grid.iter().map(|node| width * node.from_lower)), lower);
+                }
+                if corners.contains(&upper) {
+                    let inwards = values.iter_mut().zip(grid.iter().map(|node| width * node.to_upper));
+                    continue_logarithm(inwards.rev(), upper);
+                }
+            }
+            let [p, q] = sampled.map(|values| Traction::new(values, &grid));
+            pieces.push(Piece { lower, upper, p, q });
+        }
+        let (sources, distances, kernels) = (Vec::new(), Vec::new(), [Vec::new(), Vec::new()]);
+        Some(Self { half_width, pieces, grid, sources, distances, kernels })
+    }
+
+    /// `u'(x)/A0` at `0 <= x < b`.
+    fn at(&mut self, layer: &PreparedLayer, beta: f64, x: f64) -> f64 {
+        let [p, q] = self.see_from(x);
+        let count = self.sources.len();
+        self.distances.clear();
+        self.distances.extend(self.sources.iter().map(|source| source.apart));
+        self.distances.extend(self.sources.iter().map(|source| x + source.r));
+        for (out, component) in self.kernels.iter_mut().zip([Component::ShearStrain, Component::Coupling]) {
+            out.resize(2 * count, 0.0);
+            layer.kernel_values(component, &self.distances, out);
+        }
+        let [by_shear, by_pressure] = &self.kernels;
+        let mut sum = 0.0;
+        for (i, source) in self.sources.iter().enumerate() {
+            // q is odd and p is even: 1/(x - r) - 1/(x + r), and the kernels likewise.
+            let cauchy = (source.q - q) * 2.0 * source.r / (source.apart * (x + source.r));
+            let shear = source.q * (by_shear[i] - by_shear[count + i]);
+            let pressure = source.p * (by_pressure[i] + by_pressure[count + i]);
+            sum += source.weight * (cauchy + shear - pressure);
+        }
+        // PV int 2 r/(x^2 - r^2) dr, of what was taken off.
+        let b = self.half_width;
+        let taken_off = if x > 0.0 { q * (x * x / ((b - x) * (b + x))).ln() } else { 0.0 };
+        -((sum + taken_off) / PI + beta * p)
+    }
+
+    /// Lists what acts, seen from `x`; returns the tractions there.
+    fn see_from(&mut self, x: f64) -> [f64; 2] {
+        let Self { pieces, grid, sources, .. } = self;
+        sources.clear();
+        let mut here = None;
+        for piece in pieces.iter() {
+            let width = piece.upper - piece.lower;
+            let (from_lower, to_upper) = (x - piece.lower, piece.upper - x);
+            if from_lower <= 0.0 || to_upper <= 0.0 {
+                for (i, node) in grid.iter().enumerate() {
+                    let r = piece.lower + width * node.from_lower;
+                    let apart = if to_upper <= 0.0 {
+                        -to_upper + width * node.to_upper
+                    } else {
+                        from_lower - width * node.from_lower
+                    };
+                    let (p, q) = (piece.p.values[i], piece.q.values[i]);
+                    sources.push(Source { r, apart, weight: width * node.weight, p, q });
+                }
+                continue;
+            }
+            here = Some([&piece.p, &piece.q].map(|traction| traction.at(from_lower / width, to_upper / width)));
+            for node in grid.iter() {
+                let (below, above) = (from_lower * node.to_upper, to_upper * node.from_lower);
+                let places = [
+                    (below, from_lower * node.from_lower, to_upper + below, from_lower * node.weight),
+                    (-above, from_lower + above, to_upper * node.to_upper, to_upper * node.weight),
+                ];
+                for (apart, from_lower, to_upper, weight) in places {
+                    let [p, q] = [&piece.p, &piece.q].map(|traction| traction.at(from_lower / width, to_upper / width));
+                    sources.push(Source { r: piece.lower + from_lower, apart, weight, p, q });
+                }
+            }
+        }
+        // On a point between two pieces; in the middle, where there is no shear.
+        here.unwrap_or_else(|| {
+            let after = pieces.iter().find(|piece| x <= piece.lower);
+            let first = |traction: &Traction| traction.values[0];
+            after.map_or([0.0; 2], |piece| [first(&piece.p), if x > 0.0 { first(&piece.q) } else { 0.0 }])
+        })
+    }
+}
+
+/// The grid's variable of a point, from its distances to both ends of a unit interval.
+fn variable(from_lower: f64, to_upper: f64) -> f64 {
+    ((from_lower / to_upper).ln() / PI).asinh()
+}
+
+/// Values from a corner at `end` inwards, at those distances to it: a constant and a logarithm of the distance, as near to it as
+/// positions are no longer told apart.
+fn continue_logarithm<'a>(values: impl Iterator<Item = (&'a mut f64, f64)>, end: f64) {
+    let (mut near, rest): (Vec<_>, Vec<_>) = values.partition(|(_, distance)| *distance < TOLD_APART * end);
+    let [(one, here), (other, there), ..] = &rest[..] else { return };
+    let factor = (**other - **one) / (there / here).ln();
+    for (value, distance) in &mut near {
+        **value = **one + factor * (*distance / here).ln();
+    }
+}
+
+impl Traction {
+    fn new(values: Vec<f64>, grid: &[Node]) -> Self {
+        let last = grid.len() - 1;
+        let end = |outer: usize, next: usize, distance: &dyn Fn(&Node) -> f64| {
+            let logarithms = [outer, next].map(|i| distance(&grid[i]).ln());
+            let factor = (values[next] - values[outer]) / (logarithms[1] - logarithms[0]);
+            [values[outer] - factor * logarithms[0], factor]
+        };
+        let ends = [end(0, 1, &|node| node.from_lower), end(last, last - 1, &|node| node.to_upper)];
+        let mut sign = 1.0;
+        let rest = values.iter().zip(grid).map(|(value, node)| {
+            sign = -sign;
+            sign * (value - at_ends(&ends, node.from_lower, node.to_upper))
+        });
+        let rest = rest.collect();
+        Self { values, ends, rest }
+    }
+
+    /// Its value between the nodes.
+    fn at(&self, from_lower: f64, to_upper: f64) -> f64 {
+        let middle = (self.rest.len() / 2) as f64;
+        let place = variable(from_lower, to_upper) * middle / END + middle;
+        let nearest = place.round();
+        // sin(pi (place - j))/(pi (place - j)), the sine up to its sign being that of the distance to the nearest node.
+        let off = place - nearest;
+        let at_ends = at_ends(&self.ends, from_lower, to_upper);
+        if off.abs() < 1e-12 {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a node's number, or beside the grid
+            let rest = if nearest < 0.0 { None } else { self.rest.get(nearest as usize) };
+            let sign = if nearest % 2.0 == 0.0 { -1.0 } else { 1.0 };
+            return at_ends + sign * rest.unwrap_or(&0.0);
+        }
+        let sum: f64 = self.rest.iter().enumerate().map(|(j, rest)| rest / (place - j as f64)).sum();
+        let sign = if nearest.rem_euclid(2.0) == 0.0 { -1.0 } else { 1.0 };
+        at_ends + sign * (PI * off).sin() / PI * sum
+    }
+}
+
+/// What a traction is like at the ends of a unit interval, each faded out towards the other.
+fn at_ends([lower, upper]: &[[f64; 2]; 2], from_lower: f64, to_upper: f64) -> f64 {
+    (lower[0] + lower[1] * from_lower.ln()) * to_upper + (upper[0] + upper[1] * to_upper.ln()) * from_lower
+}

@@ -1,0 +1,61 @@
+//! What is told of the pressures under the flat punches of a family.
+
+use super::told::Told;
+use crate::engine::growing::blend::Blend;
+use crate::engine::numerics::chebyshev::largest;
+use crate::engine::numerics::lanes::add_rows;
+
+/// Pressures under unit forces, as one resolution knows them.
+pub(super) struct Pressed {
+    /// Where they are solved, and how they are told in between.
+    pub(super) blend: Blend,
+    /// How well.
+    pub(super) told: Told,
+    /// Pressures, times the half-width.
+    pub(super) pressure: Table,
+    /// Odd densities `W` with `int W(r)/(x - r) dr/pi + ... = -1`: a punch of slope `g'` carries `int W g' dx/A0`.
+    pub(super) tilt: Table,
+    /// Depth over `A0`, beyond that on a half-plane.
+    pub(super) depth: Vec<f64>,
+}
+
+impl Pressed {
+    /// None as yet.
+    pub(super) fn new(blend: Blend) -> Self {
+        let (pressure, tilt, depth) = (Table::default(), Table::default(), Vec::new());
+        Self { told: Told::first(blend.functions(), f64::INFINITY), blend, pressure, tilt, depth }
+    }
+
+    /// All members were solved; `coarse` is how well a coarser resolution told them, and by how much it was wrong.
+    pub(super) fn blended(&mut self, coarse: Option<(Told, f64)>) {
+        let Self { blend, told, pressure, tilt, depth } = self;
+        *depth = blend.coefficients(depth, 1);
+        let last = [pressure, tilt].map(|table| {
+            table.numbers = blend.coefficients(&table.numbers, table.width);
+            blend.last(&table.numbers, table.width) / largest(&table.numbers)
+        });
+        *told = Told::new(blend.functions(), last[0].max(last[1]), coarse);
+    }
+}
+
+/// A few numbers at each point of a family, and then as many for each function of the half-width.
+#[derive(Default)]
+pub(super) struct Table {
+    pub(super) width: usize,
+    pub(super) numbers: Vec<f64>,
+}
+
+impl Table {
+    pub(super) fn push(&mut self, row: impl Iterator<Item = f64>) {
+        let before = self.numbers.len();
+        self.numbers.extend(row);
+        self.width = self.numbers.len() - before;
+    }
+
+    /// The row between the points.
+    pub(super) fn blend_into(&self, functions: &[f64], out: &mut Vec<f64>) {
+        out.clear();
+        out.resize(self.width, 0.0);
+        add_rows(functions, &self.numbers, out);
+    }
+}

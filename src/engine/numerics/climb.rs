@@ -1,0 +1,155 @@
+//! Tops of a function between the places at which it is known: on a walk below zero, or along half of a contact.
+
+use arrayvec::ArrayVec;
+use slipzone_api::Station;
+
+/// Parabolas through a place between two that are lower.
+const CLIMBS: usize = 10;
+/// How near to that place the next one may be, over the distance of those two.
+const BESIDE_TOP: f64 = 0.02;
+/// Tops lower than this are not climbed on the way to zero.
+const TOO_LOW: f64 = -0.7;
+/// A climb ends where the parabola rises no higher than this beside the top.
+const LEVEL: f64 = 1e-13;
+/// Share of the highest value that a top among samples reaches if it may be the highest between them.
+pub(crate) const NEARLY: f64 = 0.75;
+
+/// A walk below zero.
+#[derive(Default)]
+pub(crate) struct Trail {
+    /// Its last two places, and how high each is.
+    last: ArrayVec<(f64, f64), 2>,
+    /// How high the highest top climbed is, of those that stayed below zero.
+    pub(crate) highest: Option<f64>,
+}
+
+impl Trail {
+    /// Goes on to the next place.
+    pub(crate) fn pass(&mut self, next: (f64, f64)) {
+        if self.last.is_full() {
+            self.last.remove(0);
+        }
+        self.last.push(next);
+    }
+
+    /// A place above zero between the last two and the next, where the second of them is the highest, or where the parabola through all
+    /// three has turned before the next; and one below zero before it.
+    pub(crate) fn top(&mut self, next: (f64, f64), mut excess: impl FnMut(f64) -> f64) -> Option<(f64, f64)> {
+        let [left, top] = self.last[..] else { return None };
+        let three = if next.1 > top.1 {
+            let (at, _) = vertex([left, top, next]).filter(|(at, _)| *at < next.0 && next.1 > TOO_LOW)?;
+            [top, (at, excess(at)), next]
+        } else {
+            [left, top, next]
+        };
+        let (at, height) = climb(three, excess, |height, _| height >= 0.0 || height <= TOO_LOW);
+        if height >= 0.0 {
+            return Some((three[0].0, at));
+        }
+        self.highest = self.highest.into_iter().chain([height]).reduce(f64::max);
+        None
+    }
+}
+
+/// Where the parabola through three places is highest, and how fast it falls from there; `None` where it is open above.
+fn vertex([left, top, right]: [(f64, f64); 3]) -> Option<(f64, f64)> {
+    let (rise, fall) = ((top.1 - left.1) / (top.0 - left.0), (right.1 - top.1) / (right.0 - top.0));
+    let bend = (rise - fall) / (right.0 - left.0);
+    (bend > 0.0).then(|| (f64::midpoint(left.0, top.0) + 0.5 * rise / bend, bend))
+}
+
+/// The highest place among three and what parabolas find that close in, as soon as it is high enough, by its height and what the next
+/// parabola would add.
+fn climb(
+    [mut left, mut top, mut right]: [(f64, f64); 3],
+    mut height: impl FnMut(f64) -> f64,
+    is_enough: impl Fn(f64, f64) -> bool,
+) -> (f64, f64) {
+    for _ in 0..CLIMBS {
+        let Some((at, bend)) = vertex([left, top, right]).filter(|_| left.1 <= top.1 && top.1 >= right.1) else {
+            break;
+        };
+        if is_enough(top.1, bend * (at - top.0).powi(2)) {
+            break;
+        }
+        // Beside the highest so far, where the parabola ends there.
+        let room = BESIDE_TOP * (right.0 - left.0);
+        let wider = (right.0 - top.0) - (top.0 - left.0);
+        let at = if (at - top.0).abs() > room { at } else { top.0 + room.copysign(wider) };
+        let here = (at, height(at));
+        match (here.1 > top.1, at > top.0) {
+            (true, true) => (left, top) = (top, here),
+            (true, false) => (right, top) = (top, here),
+            (false, true) => right = here,
+            (false, false) => left = here,
+        }
+    }
+    top
+}
+
+/// The highest value, and where, of a function on half of a contact: at ascending stations, and at tops between them where the one in the
+/// middle of three is no lower than what `least` says of the highest of all.
+pub(crate) fn highest(
+    at: &[Station],
+    values: &mut Vec<f64>,
+    least: impl FnOnce(f64) -> f64,
+    mut values_into: impl FnMut(&[Station], &mut [f64]),
+) -> Option<(Station, f64)> {
+    values.resize(at.len(), 0.0);
+    values_into(at, values);
+    let mut value = |at: Station| {
+        let mut one = [0.0];
+        values_into(&[at], &mut one);
+        one[0]
+    };
+    let mut best = at.iter().copied().zip(values.iter().copied()).max_by(|one, other| one.1.total_cmp(&other.1))?;
+    let least = least(best.1);
+    for (at, values) in at.windows(3).zip(values.windows(3)) {
+        if !(values[1] >= least && values[1] >= values[0] && values[1] >= values[2]) {
+            continue;
+        }
+        let middle = at[1];
+        // From the nearer of both ends, so that no digit of a gap is lost.
+        let from = |at: &Station| if middle.gap < middle.x { middle.gap - at.gap } else { at.x - middle.x };
+        let beside = |step: f64| Station { x: middle.x + step, gap: middle.gap - step };
+        let three = [(from(&at[0]), values[0]), (0.0, values[1]), (from(&at[2]), values[2])];
+        let (step, height) = climb(three, |step| value(beside(step)), |height, more| more <= LEVEL * height.abs());
+        if height > best.1 {
+            best = (beside(step), height);
+        }
+    }
+    Some(best)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_top_between_two_steps_is_climbed() {
+        // A cusp, which no parabola is: 0.01 above zero over a width of 0.02.
+        let cusp = |x: f64| 0.01 - (x - 0.3).abs();
+        let mut trail = Trail::default();
+        for x in [-0.4, 0.2] {
+            trail.pass((x, cusp(x)));
+        }
+        let (below, top) = trail.top((0.8, cusp(0.8)), cusp).expect("a top above zero");
+        assert!((below + 0.4).abs() < 1e-15 && cusp(top) >= 0.0, "{top}");
+        // Not one that stays below, nor where it rises still.
+        assert_eq!(trail.top((0.8, cusp(0.8) - 1.0), |x| cusp(x) - 0.02), None);
+        assert_eq!(trail.top((0.8, 0.5), cusp), None);
+    }
+
+    /// It rose from step to step, and will rise again.
+    #[test]
+    fn a_top_that_was_stepped_over_is_climbed() {
+        let wave = |x: f64| 0.02 - (x - 0.4).powi(2) + 2.0 * (x - 0.4).powi(3);
+        let mut trail = Trail::default();
+        for x in [-0.3, 0.15] {
+            trail.pass((x, wave(x)));
+        }
+        assert!(wave(0.6) > wave(0.15) && wave(0.6) < 0.0);
+        let (below, top) = trail.top((0.6, wave(0.6)), wave).expect("a top above zero");
+        assert!(wave(below) < 0.0 && wave(top) >= 0.0 && below < top && top < 0.5, "{below}, {top}");
+    }
+}
