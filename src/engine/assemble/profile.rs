@@ -2,6 +2,7 @@
 
 use super::Solved;
 use crate::engine::accuracy::quantity::Quantity;
+use crate::engine::friction::rubbing::Rubbing;
 use crate::engine::friction::stick_zone::StickZone;
 use crate::engine::solution::Profile;
 use crate::scene::Scene;
@@ -71,7 +72,7 @@ impl Solved<'_> {
     /// The scene's friction coefficient over that of the stick zone found, which is as far from it as the zone is from its root: what slides
     /// bears `eta p` to the last digit.
     fn friction_as_told(&self) -> f64 {
-        let found = self.judged.outcome.rubbing.as_ref().and_then(|rubbing| rubbing.reported());
+        let found = self.judged.outcome.rubbing.as_ref().and_then(Rubbing::reported);
         let [told, own] =
             [self.problem.friction, self.stage.signed_friction()].map(|friction| friction.filter(|_| found.is_some()));
         told.zip(own).map_or(1.0, |(told, own)| told / own.abs())
