@@ -36,17 +36,16 @@ fn half_plane_follows_spence_from_one_end_to_the_other() {
 /// under a flat punch, and the stack of these, of forces that grow with `b^2`, under a cylinder.
 #[test]
 fn the_shear_inside_a_narrow_stick_zone_keeps_its_digits() {
-    let flat = |u: f64| 2.0 / PI * u.asin();
-    let cylinder = |u: f64| 2.0 / PI * (u.asin() + u * (1.0 / u).acosh());
+    let shear = |u: f64, grew: bool| 2.0 / PI * (u.asin() + if grew { u * (1.0 / u).acosh() } else { 0.0 });
     let panels = "[solver]\nquadrature = { type = \"graded-panels\" }";
     let whole = Sketch::half_plane(0.3);
-    let punches: [(&str, Sketch, fn(f64) -> f64); 4] = [
-        ("flat", whole.clone(), flat),
-        ("flat, by panels", whole.clone().with(panels), flat),
-        ("cylinder", whole.clone().cylinder(), cylinder),
-        ("cylinder, by panels", whole.cylinder().with(panels), cylinder),
+    let punches = [
+        ("flat", whole.clone(), false),
+        ("flat, by panels", whole.clone().with(panels), false),
+        ("cylinder", whole.clone().cylinder(), true),
+        ("cylinder, by panels", whole.cylinder().with(panels), true),
     ];
-    for (name, sketch, exact) in punches {
+    for (name, sketch, grew) in punches {
         for ratio in [1e-9, 1e-13, 1e-19, 1e-60] {
             let eta = PI * (2.0 / 7.0) / (2.0 * (4.0_f64 / ratio).ln());
             let parts = [0.1, 0.5, 0.9, 0.99];
@@ -54,9 +53,9 @@ fn the_shear_inside_a_narrow_stick_zone_keeps_its_digits() {
             let solution = sketch.clone().rubbing(eta).with(&format!("[output]\nx = {at:?}")).solve();
             assert_eq!(solution.status, Status::Converged, "{name} a/b = {ratio:e}: {:?}", solution.reason);
             let estimate = solution.error.each["profile.shear"];
-            let shear = solution.profile.shear.expect("friction");
-            for ((part, q), p) in parts.into_iter().zip(shear).zip(&solution.profile.pressure) {
-                let (got, exact) = (q.unwrap() / (eta * p.unwrap()), exact(part));
+            let found = solution.profile.shear.expect("friction");
+            for ((part, q), p) in parts.into_iter().zip(found).zip(&solution.profile.pressure) {
+                let (got, exact) = (q.unwrap() / (eta * p.unwrap()), shear(part, grew));
                 let error = (got - exact).abs();
                 println!(
                     "{name} a/b = {ratio:e} x = {part} a: q = {got} eta p, error {error:.1e}, estimate {estimate:.1e}"
