@@ -6,8 +6,10 @@ use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::pressure::normal::Normal;
 use crate::engine::problem::Problem;
 
-/// Points of the contact closer than that, relative to its half-width, are one: nothing is to be told in between.
+/// Points of the contact closer than that, relative to how far out they are, are one: nothing is to be told in between.
 const NO_PIECE: f64 = 1e-11;
+/// How many times as far out as it begins a piece ends at most.
+const FARTHER: f64 = 1e3;
 
 impl Growing {
     /// The strain left on the surface at points of the stick zone, `x >= 0`; `None` where it cannot be told, and at points
@@ -32,9 +34,10 @@ impl Growing {
         let mut breaks: Vec<f64> = kinks.iter().map(|kink| family.zone(*kink).half_width).collect();
         breaks.extend(kinks.into_iter().chain([0.0, zone.half_width]));
         breaks.sort_by(f64::total_cmp);
-        breaks.dedup_by(|next, before| *next - *before < NO_PIECE * b);
+        breaks.dedup_by(|next, before| *next - *before < NO_PIECE * *next);
         breaks.retain(|end| *end < b * (1.0 - NO_PIECE));
         breaks.push(b);
+        let breaks = graded(&breaks);
         // What touched first was not strained yet when it stuck, and a corner has no strain.
         let is_unstrained = |x: f64| x < never_slipped || x == 0.0 && !problem.is_corner(x);
         let asked: Vec<f64> = at.iter().copied().filter(|x| !is_unstrained(*x) && !problem.is_corner(*x)).collect();
@@ -56,4 +59,24 @@ impl Growing {
         };
         Some((at.iter().map(one).collect(), a0 * found.apart))
     }
+}
+
+/// The same breaks, and more of them where a piece reaches very much farther out than it begins: seen from within a narrow stick zone what
+/// slides acts in proportion to `dr/r` all the way from the zone's end to the contact's.
+fn graded(breaks: &[f64]) -> Vec<f64> {
+    let mut all = Vec::with_capacity(breaks.len());
+    for ends in breaks.windows(2) {
+        all.push(ends[0]);
+        if ends[0] > 0.0 {
+            let parts = ((ends[1] / ends[0]).ln() / FARTHER.ln()).ceil().max(1.0);
+            let step = (ends[1] / ends[0]).powf(parts.recip());
+            let mut end = ends[0] * step;
+            while end < ends[1] / step.sqrt() {
+                all.push(end);
+                end *= step;
+            }
+        }
+    }
+    all.extend(breaks.last());
+    all
 }
