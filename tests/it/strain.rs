@@ -33,6 +33,43 @@ fn a_cylinder_on_a_half_plane_follows_the_closed_form() {
     }
 }
 
+/// A zone so narrow that what slides beside it acts from all distances between its own width and the contact's: the strain of the closed form on a
+/// half-plane; on a layer, where zones grew much faster than their contacts, the same under either of two loads.
+#[test]
+fn narrow_zones_keep_what_is_left_in_them() {
+    let parts = [0.03, 0.1, 0.5, 0.9, 0.99];
+    let asked = |a: f64| format!("[output]\nx = {:?}\nstrain = true", parts.map(|part| part * a));
+    let beta: f64 = 2.0 / 7.0; // nu = 0.3
+    let friction = |ratio: f64| std::f64::consts::PI * beta / (2.0 * (4.0 / ratio).ln());
+    for ratio in [1e-6, 1e-9, 1e-13, 1e-60] {
+        let eta = friction(ratio);
+        let solution = Sketch::half_plane(0.3).cylinder().rubbing(eta).with(&asked(ratio)).solve();
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+        let end = Goodman { eta, beta }.frozen_strain() * ratio;
+        let strains = strains(&solution);
+        assert_eq!(strains.len(), parts.len(), "all inside the stick zone");
+        let worst = strains.iter().zip(parts).map(|((_, s), part)| (s / end - part).abs()).fold(0.0, f64::max);
+        println!("a/b = {ratio:e}: error {worst:.1e} of the strain at a");
+        assert!(worst < 3e-8, "a/b = {ratio:e}: {worst:.1e}");
+    }
+    for ratio in [1e-9, 1e-11, 1e-15] {
+        let at = |b: f64, x: &str| {
+            let load = format!("half_width = {b}");
+            Sketch::flat(5.0, 2.0, 0.3).cylinder().rubbing(friction(ratio)).loaded(&load).with(x).solve()
+        };
+        let a = at(0.9, "").stick.expect("friction").half_width.expect("a zone");
+        let (less, more) = (at(0.9, &asked(a / 0.9)), at(1.0, &asked(a)));
+        assert_eq!((less.status, more.status), (Status::Converged, Status::Converged), "{:?}", less.reason);
+        let told = less.error.each["profile.strain"] + more.error.each["profile.strain"];
+        let scale = 0.7 * friction(ratio) * less.pressure.mean.expect("a load");
+        let (less, more) = (strains(&less), strains(&more));
+        assert_eq!((less.len(), more.len()), (parts.len(), parts.len()), "all inside the stick zone");
+        let apart = less.iter().zip(&more).map(|(l, m)| (l.1 - m.1).abs() / scale).fold(0.0, f64::max);
+        println!("a/b = {a:e}: {apart:.1e} apart, {told:.1e} told; {:?}", less.last());
+        assert!(apart < told && told < 3e-5, "a/b = {a:e}: {apart:.1e} apart, {told:.1e} told");
+    }
+}
+
 /// What is frozen stays: the strain is the same function of `x` whatever the load that it is seen under.
 #[test]
 fn it_stays_while_the_load_goes_on() {

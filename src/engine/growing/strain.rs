@@ -8,6 +8,12 @@ use crate::engine::problem::Problem;
 
 /// Points of the contact closer than that, relative to how far out they are, are one: nothing is to be told in between.
 const NO_PIECE: f64 = 1e-11;
+/// By how much more finely tractions are sampled for each `e` of `b/a`: on layers what grew from a hundred times narrower may have stuck anywhere
+/// in a narrow zone.
+///
+/// Measured under a cylinder on a layer 2.5 times as thick as the contact is wide, zones of 1e-8 to 1e-50 of it: strains known to 1e-4 with none, 1e-6 with
+/// 0.02, 1e-7 with 0.05 and with 0.1.
+const MORE_IF_NARROW: f64 = 0.05;
 /// How many times as far out as it begins a piece ends at most.
 const FARTHER: f64 = 1e3;
 
@@ -42,7 +48,8 @@ impl Growing {
         let is_unstrained = |x: f64| x < never_slipped || x == 0.0 && !problem.is_corner(x);
         let asked: Vec<f64> = at.iter().copied().filter(|x| !is_unstrained(*x) && !problem.is_corner(*x)).collect();
         let corners: Vec<f64> = problem.corners().filter(|corner| *corner > 0.0).collect();
-        let (crowding, length) = (zone.crowding(), layer.length());
+        let crowding = zone.crowding().max(1.0 - MORE_IF_NARROW * zone.log());
+        let length = layer.length();
         let sampling = Sampling { breaks: &breaks, corners: &corners, crowding, length };
         let a0 = problem.elastic.a0();
         let found = sampling.strains(layer, problem.elastic.beta(), (&asked, wanted / a0), |at| {
