@@ -192,6 +192,8 @@ fn remarks(model: Model, problem: &Problem, numbers: &Numbers) -> Vec<Cow<'stati
         .into()
     });
     let mut remarks: Vec<Cow<'static, str>> = stand_in.map(Cow::Borrowed).into_iter().chain(scatter).collect();
+    let of_shape = numbers.get(Quantity::HalfWidth).map(|b| problem.remarks_on_shape(b));
+    remarks.extend(of_shape.into_iter().flatten().map(Cow::Owned));
     remarks.extend(problem.may_sink_as_far_again().then_some(Cow::Borrowed(narrowest)));
     remarks.extend(problem.layer.law.remarks().into_iter().map(Cow::Owned));
     remarks.extend(rounded);
