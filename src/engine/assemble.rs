@@ -221,8 +221,7 @@ fn large_strains(problem: &Problem, numbers: &Numbers) -> Option<String> {
 fn finite(solution: Solution) -> Result<Solution, Refusal> {
     match first_found_not_finite(&solution) {
         None => Ok(solution),
-        Some(number) => Err(Refusal::OutOfReach {
-            method: "engine",
+        Some(number) => Err(Refusal::Limit {
             why: format!("a number of the result is not finite: {number}"),
             remedy: "check the sizes of the scene's numbers against each other",
         }),
