@@ -424,6 +424,24 @@ fn log_axes_have_ticks_that_differ_and_keep_apart() {
     }
 }
 
+/// A pressure that friction does not change filled the frame with its errors, between ticks that all read 0.536400686.
+#[test]
+fn numbers_that_differ_by_their_errors_only_are_a_level_line() {
+    let study = study(AXES, "x = 'friction.coefficient'\ny = 'pressure.mean'\n");
+    let with = |difference: f64| {
+        let all = records(&study).into_iter().enumerate().map(|(n, mut record)| {
+            record["pressure"]["mean"] = json!(0.536_400_686 * (1.0 + difference * n as f64));
+            record
+        });
+        ticks(&figure(&study, all), "end")
+    };
+    for difference in [0.0, 1e-11, 5e-10, 1e-8, 1e-3] {
+        let beside = with(difference);
+        assert!(beside.windows(2).all(|pair| pair[0].1 != pair[1].1), "{difference:e}: {beside:?}");
+    }
+    assert_eq!(with(0.0), with(5e-10));
+}
+
 #[test]
 fn members_that_differ_have_names_that_do() {
     let axes = AXES.replace("[0.4, 0.1, 0.2, 0.3]", "[0.3, 0.300001, 0.30002, 0.1]");
