@@ -193,6 +193,8 @@ fn remarks(model: Model, problem: &Problem, numbers: &Numbers) -> Vec<Cow<'stati
         .into()
     });
     let mut remarks: Vec<Cow<'static, str>> = stand_in.map(Cow::Borrowed).into_iter().chain(scatter).collect();
+    let of_shape = numbers.get(Quantity::HalfWidth).map(|b| problem.remarks_on_shape(b));
+    remarks.extend(of_shape.into_iter().flatten().map(Cow::Owned));
     remarks.extend(problem.may_sink_as_far_again().then_some(Cow::Borrowed(narrowest)));
     remarks.extend(problem.layer.law.remarks().into_iter().map(Cow::Owned));
     remarks.extend(rounded);
@@ -220,8 +222,7 @@ fn large_strains(problem: &Problem, numbers: &Numbers) -> Option<String> {
 fn finite(solution: Solution) -> Result<Solution, Refusal> {
     match first_found_not_finite(&solution) {
         None => Ok(solution),
-        Some(number) => Err(Refusal::OutOfReach {
-            method: "engine",
+        Some(number) => Err(Refusal::Limit {
             why: format!("a number of the result is not finite: {number}"),
             remedy: "check the sizes of the scene's numbers against each other",
         }),

@@ -415,7 +415,9 @@ fn guessed(layer: &mut PreparedLayer, task: Task, normal: &mut Normal, known: Op
         }
         (_, None) => match contact_size::press(layer, problem, normal, task.wanted, GUESSED, None) {
             // A contact hardly wider than the face has no node beyond it.
-            Err(Refusal::OutOfReach { .. }) if problem.face() > 0.0 => Ok(Size::exactly(problem.face())),
+            Err(Refusal::OutOfReach { .. } | Refusal::Limit { .. }) if problem.face() > 0.0 => {
+                Ok(Size::exactly(problem.face()))
+            }
             found => found,
         },
     }

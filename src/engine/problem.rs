@@ -187,6 +187,11 @@ impl Problem {
         self.shape.noise()
     }
 
+    /// What is to be said of how the shape under a half-width was made of what the scene gives.
+    pub(crate) fn remarks_on_shape(&self, half_width: f64) -> Vec<String> {
+        self.shape.remarks(half_width * self.length)
+    }
+
     /// Where the shape is not analytic, in layer units.
     pub(crate) fn kinks(&self) -> impl Iterator<Item = f64> {
         self.shape.kinks().iter().map(|kink| kink / self.length)

@@ -159,7 +159,7 @@ impl Ladder {
                     break;
                 }
                 // Too coarse for a thin layer: finer steps may do.
-                Err(refusal @ Refusal::OutOfReach { .. }) if step < SKIPPED => {
+                Err(refusal @ (Refusal::OutOfReach { .. } | Refusal::Limit { .. })) if step < SKIPPED => {
                     stopped = Some(refusal);
                     continue;
                 }

@@ -130,7 +130,9 @@ fn base_file(document: &Document, files: &dyn Files) -> Result<(Option<(String, 
         Some(DeValue::String(name)) => {
             let bytes = files.read(name).map_err(|why| {
                 let error = document.error(document.best(&path), "the scene of the study cannot be read");
-                error.found(why).expected("a scene file, named relative to the study")
+                error.found(why).expected(
+                    "a scene file, named relative to the study's folder (from standard input: to the current one)",
+                )
             })?;
             let text = crate::scene::text(name, bytes)?;
             let folder = Path::new(name.as_ref()).parent().unwrap_or(Path::new("")).to_path_buf();

@@ -237,6 +237,25 @@ fn friction_bears_what_grew_and_not_each_slice_of_it() {
     assert!(soft.reason.as_ref().is_some_and(|reason| reason.contains("eta p")), "{:?}", soft.reason);
 }
 
+/// The first place that was looked at was told, of all that friction does not bear: 1.027 eta p where it came to 1.294.
+#[test]
+fn the_worst_of_what_friction_does_not_bear_is_told() {
+    let solution = Sketch::flat(0.5, 1.0, 0.4).cylinder().loaded("half_width = 1.0").rubbing(0.1).solve();
+    assert_eq!(solution.status, Status::AssumptionViolated, "{:?}", solution.reason);
+    let (shear, pressure) = (solution.profile.shear.as_ref().expect("friction"), &solution.profile.pressure);
+    let loads = shear.iter().zip(pressure).filter_map(|(q, p)| Some((*q)?.abs() / (0.1 * (*p)?)));
+    let worst = loads.filter(|load| load.is_finite()).fold(0.0, f64::max);
+    let reason = solution.reason.expect("why");
+    let told = reason.split("|q| reaches ").nth(1).and_then(|rest| rest.split(' ').next()?.parse::<f64>().ok());
+    let told = told.unwrap_or_else(|| panic!("no size in {reason}"));
+    // The worst moment may be one before the last; four digits, and samples beside the top.
+    assert!(worst > 1.2 && told > worst - 2e-3, "{told} after {worst}: {reason}");
+    assert!(
+        reason.contains("does not bear the shear at half-widths from 0.") && reason.contains(" to 1, and"),
+        "{reason}"
+    );
+}
+
 /// Beside the end of the stick zone friction always bears hardly more than the shear; there, under a narrow contact, was the weakest
 /// place of all, and the one inside the last contact, which is too weak, was not looked at more closely.
 #[test]

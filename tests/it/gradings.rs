@@ -1,7 +1,7 @@
 //! Gradings as scenes name them: nested ones, files of theirs, the thickness that a stack knows itself.
 
 use slipzone::api::Files;
-use slipzone::engine::{Status, solve};
+use slipzone::engine::{Solution, Status, solve};
 use slipzone::scene::{self, Scene, SceneError};
 
 /// Files in memory.
@@ -107,6 +107,22 @@ fn a_poisson_ratio_may_fade_to_nothing() {
     assert!((depth("0.3*exp(-5*y)") / depth("1e-7 + (0.3 - 1e-7)*exp(-5*y)") - 1.0).abs() < 1e-6);
     depth("0.3*exp(-y^2)");
     depth("0.3*(y/h)^8");
+}
+
+/// Only who asked for the figure of the layer saw it.
+#[test]
+fn a_curve_that_leaves_straight_lines_between_rows_is_among_the_assumptions() {
+    const STEEP: &str = "type = \"table\"\npoints = [[0.0, 1.0], [1.0, 4.0], [2.0, 16.0], [3.0, 64.0], [5.0, 1024.0]]";
+    const SHALLOW: &str = "type = \"table\"\npoints = [[0.0, 1.0], [1.0, 1.5], [2.0, 2.2], [3.0, 3.1], [5.0, 5.5]]";
+    const EXPONENTIAL: &str = "type = \"exponential\"\nsurface = 1.0\nbase = 1024.0";
+    let solved = |grading: &str| solve(&parse("thickness = 5.0", grading, &FILES).expect("a good scene"));
+    let said = |solution: &Solution| solution.assumptions.iter().filter(|said| said.contains("straight lines")).count();
+    let steep = solved(STEEP);
+    // A quarter of the way between the last two: 128 where a straight line has 304.
+    let told = "up to 58 %: at depth 3.5 the modulus is that much smaller";
+    assert!(steep.assumptions.iter().any(|said| said.ends_with(told)), "{:?}", steep.assumptions);
+    assert!(slipzone::report::text(&steep).contains(told), "in the report as well");
+    assert_eq!([SHALLOW, EXPONENTIAL].map(|grading| said(&solved(grading))), [0, 0]);
 }
 
 /// Rows that crowd where the modulus falls: a curve of degree 4 would swing between them.

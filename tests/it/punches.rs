@@ -202,3 +202,23 @@ fn a_rounding_however_short_is_told_from_a_corner() {
         }
     }
 }
+
+/// Half a row further in, nobody was told that the shape was the program's own between two rows.
+#[test]
+fn few_rows_of_a_table_under_the_contact_are_among_the_assumptions() {
+    slipzone::link_plugins();
+    let said = |half_width: f64| {
+        let text = format!(
+            "format = 1\nlayer = {{ thickness = 5.0, poisson = 0.3, grading = {{ type = \"homogeneous\", modulus = 1.0 }} }}\n\
+             punch = {{ type = \"table\", points = [[0.0, 0.0], [0.5, 0.0125], [1.0, 0.05], [1.5, 0.1125], [2.0, 0.2]] }}\n\
+             load = {{ half_width = {half_width} }}\n"
+        );
+        let solution = solve(&slipzone::scene::parse("rows.toml", &text).expect("a scene"));
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+        solution.assumptions.into_iter().filter(|said| said.contains("few rows")).collect::<Vec<_>>()
+    };
+    // 0.05 x^2 between rows half apart: 0.003125 of 0.018.
+    let told = said(0.6);
+    assert!(told.len() == 1 && told[0].contains("up to 17 % of its height"), "{told:?}");
+    assert!(said(1.2).is_empty(), "{:?}", said(1.2));
+}

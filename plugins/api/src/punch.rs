@@ -83,6 +83,12 @@ pub trait PunchShape: Debug + Send + Sync {
     fn noise(&self) -> Option<f64> {
         None
     }
+
+    /// What users are to know of how the shape under a contact of that half-width was made of what they gave, in words; as a rule nothing.
+    fn remarks(&self, half_width: f64) -> Vec<String> {
+        let _ = half_width;
+        Vec::new()
+    }
 }
 
 /// What is wrong with a shape, and where.

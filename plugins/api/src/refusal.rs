@@ -42,4 +42,12 @@ pub enum Refusal {
         /// What to use instead.
         remedy: &'static str,
     },
+    /// The scene lies outside what can be resolved, whatever the method: no name of one would tell more.
+    #[error("{why}; {remedy}")]
+    Limit {
+        /// The limit, and the scene's number where there is one.
+        why: String,
+        /// What to do instead.
+        remedy: &'static str,
+    },
 }

@@ -88,8 +88,7 @@ impl RateCurve<'_> {
         match root::bracketed((ends[0], ends[1]), POSITION, slope) {
             Ok(found) => Ok(found.at),
             Err(RootError::Evaluation(refusal)) => Err(refusal),
-            Err(other) => Err(Refusal::OutOfReach {
-                method: "engine",
+            Err(other) => Err(Refusal::Limit {
                 why: format!("where the strain's rate C is extremal could not be told: {other}"),
                 remedy: "leave out strain = \"linear\"",
             }),

@@ -4,6 +4,7 @@ use super::Growing;
 use crate::engine::friction::checks::{is_too_little, overloaded};
 use crate::engine::growing::family::during;
 use crate::engine::problem::Problem;
+use slipzone_api::rounded;
 use std::f64::consts::FRAC_PI_2;
 
 /// Parts of the stick zone at whose ends it is looked at, denser at its own end.
@@ -25,14 +26,24 @@ struct Moment {
 }
 
 impl Moment {
-    /// What is wrong there, if anything is.
-    fn told(&self, problem: &Problem) -> Option<String> {
+    /// What is wrong there, if anything is, and in contacts of which half-widths it is that of friction bears too little.
+    fn told(&self, problem: &Problem, [narrowest, widest]: [f64; 2]) -> Option<String> {
+        /// Half-widths that tell a range, over the wider one.
+        const APART: f64 = 1e-3;
         let Self { half_width, at, bears, .. } = *self;
-        let what = || {
-            let what = overloaded(bears.max(0.0).recip(), at);
-            if bears < 0.0 { what } else { what + " inside the stick zone" }
-        };
-        is_too_little(bears).then(|| during(problem, half_width, &what()))
+        if !is_too_little(bears) {
+            return None;
+        }
+        let what = overloaded(bears.max(0.0).recip(), at);
+        let place = if bears < 0.0 { "" } else { " inside the stick zone" };
+        let range = (widest - narrowest > APART * widest).then(|| {
+            let [narrowest, widest] = [narrowest, widest].map(|b| rounded(b * problem.length, 3));
+            format!(
+                "; friction does not bear the shear at half-widths from {narrowest} to {widest}, and least of all there"
+            )
+        });
+        let what = what + place + &range.unwrap_or_default();
+        Some(during(problem, half_width, &what))
     }
 }
 
@@ -45,20 +56,25 @@ fn dips(zone: &[Moment]) -> impl Iterator<Item = Moment> {
 }
 
 impl Growing {
-    /// What the first member fails that is looked at, or a contact between these near where friction bears hardly more than the shear:
+    /// What the member fails worst of those looked at, or a contact between them near where friction bears hardly more than the shear:
     /// near the weakest moment of all that are the weakest among their neighbours in the zone, and near that of the last contact.
     pub(super) fn overload(&mut self, problem: &Problem) -> Option<String> {
         let mut half_widths = self.family.as_ref()?.half_widths_to(self.half_width);
         half_widths.retain(|b| *b > problem.face());
         let mut weakest: [Option<(usize, Moment)>; 2] = [None; 2];
+        // The weakest moment of the members that fail, and the narrowest and the widest of these.
+        let mut worst: Option<(usize, Moment)> = None;
+        let mut range = [f64::INFINITY, 0.0_f64];
         for (k, b) in half_widths.iter().enumerate() {
             let mut zone = Vec::with_capacity(PARTS);
             for i in 1..PARTS {
-                let here = self.moment(problem, *b, i as f64 / PARTS as f64)?;
-                if let Some(what) = here.told(problem) {
-                    return Some(what);
+                zone.push(self.moment(problem, *b, i as f64 / PARTS as f64)?);
+            }
+            for here in zone.iter().filter(|here| is_too_little(here.bears)) {
+                range = [range[0].min(*b), range[1].max(*b)];
+                if worst.is_none_or(|(_, worst)| here.bears < worst.bears) {
+                    worst = Some((k, *here));
                 }
-                zone.push(here);
             }
             let of_all = &mut weakest[usize::from(k > 0)];
             for here in dips(&zone) {
@@ -67,11 +83,12 @@ impl Growing {
                 }
             }
         }
-        weakest.into_iter().flatten().filter(|(_, weakest)| weakest.bears < NEARLY).find_map(|(k, weakest)| {
+        let suspects = if worst.is_some() { [worst, None] } else { weakest };
+        suspects.into_iter().flatten().filter(|(_, weakest)| weakest.bears < NEARLY).find_map(|(k, weakest)| {
             // From the widest to the narrowest.
             let neighbours = &half_widths[k.saturating_sub(1)..(k + 2).min(half_widths.len())];
             let way = (neighbours.first()? - neighbours.last()?) / neighbours.len() as f64;
-            self.weaker(problem, weakest, [0.5 * way, 0.5 / PARTS as f64]).told(problem)
+            self.weaker(problem, weakest, [0.5 * way, 0.5 / PARTS as f64]).told(problem, range)
         })
     }
 

@@ -84,8 +84,7 @@ impl Dense {
         if columns.iter().all(|v| v.is_finite()) {
             return Ok(());
         }
-        Err(Refusal::OutOfReach {
-            method: "engine",
+        Err(Refusal::Limit {
             why: format!("the system of {n} equations is singular to working precision"),
             remedy: "take fewer nodes, or report the scene",
         })

@@ -93,8 +93,7 @@ impl Point {
         if numbers.into_iter().flatten().all(f64::is_finite) {
             return self;
         }
-        let refusal = Refusal::OutOfReach {
-            method: "engine",
+        let refusal = Refusal::Limit {
             why: "a number of the curve is not finite".into(),
             remedy: "check the sizes of the scene's numbers against each other",
         };

@@ -109,8 +109,7 @@ impl Meter {
             return Ok(());
         }
         self.is_used_up.store(true, Ordering::Relaxed);
-        Err(Refusal::OutOfReach {
-            method: "engine",
+        Err(Refusal::Limit {
             why: format!(
                 "this scene asks for more work than its budget, {:.0e} multiplications",
                 self.budget.load(Ordering::Relaxed)
@@ -133,6 +132,7 @@ mod tests {
         meter.count_multiplications(BUDGET as usize / 2 + 1);
         let refusal = meter.within().unwrap_err().to_string();
         assert!(refusal.contains("budget, 2e10 multiplications"), "{refusal}");
+        assert!(refusal.starts_with("this scene asks"), "no name of a part of the program before it: {refusal}");
         meter.conclude();
         assert!(meter.within().is_ok());
         #[allow(clippy::cast_possible_truncation)]

@@ -45,8 +45,10 @@ impl Scale {
         /// Room beyond an end, over the range.
         const ROOM: f64 = 0.06;
         const INTERVALS: f64 = 6.0;
+        /// Numbers that differ by less, over the largest, are equal but for their errors; nor would the ticks differ.
+        const EQUAL: f64 = 1e-8;
         // Equal numbers, or none, need a frame, too.
-        let apart = most - least > 1e-12 * least.abs().max(most.abs());
+        let apart = most - least > EQUAL * least.abs().max(most.abs());
         let spread = if apart { 0.0 } else { 0.1 * least.abs().max(f64::MIN_POSITIVE.sqrt()) };
         let (least, most) = (least - spread, most + spread);
         let size = least.abs().max(most.abs());

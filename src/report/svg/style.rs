@@ -19,6 +19,8 @@ const COLORS: [&str; 6] = ["#1f4e8c", "#b5401c", "#3d7a3d", "#7a4a9c", "#8a6d00"
 const DASHES: [&str; 6] = ["none", "9 4", "2.5 3", "10 3 2.5 3", "16 4", "9 3 2 3 2 3"];
 /// Of lines across the figure.
 const LEVELS: [&str; 3] = ["5 4", "1.5 3", "7 3 1.5 3"];
+/// The shape of a mark that says that something contradicts what it marks.
+const CROSS: usize = usize::MAX;
 /// Radius of a mark, px.
 const MARK: f64 = 4.0;
 
@@ -62,8 +64,30 @@ impl Style {
         Self { filled: false, ..self }
     }
 
+    /// The same with marks that are crosses.
+    pub(super) fn crossed(self) -> Self {
+        Self { mark: CROSS, ..self }
+    }
+
+    /// The same with a line of that width, px.
+    pub(super) fn with_width(self, width: f64) -> Self {
+        Self { width, ..self }
+    }
+
     /// A mark of the curve at a place on the canvas.
     pub(super) fn mark(&self, x: f64, y: f64) -> Primitive {
+        if self.mark == CROSS {
+            let place = |(dx, dy): (f64, f64)| format!("{:.2} {:.2}", x + MARK * dx, y + MARK * dy);
+            let stroke = |from, to| format!("M{}L{}", place(from), place(to));
+            return Primitive::Path(Box::new(PathData {
+                d: stroke((-1.0, -1.0), (1.0, 1.0)) + &stroke((-1.0, 1.0), (1.0, -1.0)),
+                fill: None,
+                stroke: Color::from(self.color),
+                stroke_width: 1.7,
+                opacity: None,
+                stroke_dasharray: None,
+            }));
+        }
         let corners: &[(f64, f64)] = match self.mark % 5 {
             0 => {
                 let fill = Color::from(if self.filled { self.color } else { "#ffffff" });

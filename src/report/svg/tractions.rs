@@ -54,6 +54,9 @@ pub fn svg(solution: &Solution) -> Result<String, FigureError> {
     for (line, text) in alarm.into_iter().enumerate() {
         write(&mut scene, SIZE.0 / 2.0, computed.margin_top - (lines - line as f64 - 0.6) * LINE, text, ALARM, true);
     }
+    for (style, x, y) in curves.samples(frame) {
+        scene.add(style.mark(computed.map_x(x), computed.map_y(y)));
+    }
     outline(&mut scene, &computed);
     under_frame(&curves.legend(), &mut scene, &computed);
     name_clip(&mut scene, "frame");
@@ -194,6 +197,25 @@ mod tests {
         assert!(texts(&figure).contains(&title.to_owned()), "{:?}", texts(&figure));
         solution.units.length = Some("<m>".into());
         assert!(texts(&svg(&solution).unwrap()).contains(&"x / b (b = 1 <m>)".to_owned()));
+    }
+
+    /// A curve through five points looked as smooth as one through two hundred.
+    #[test]
+    fn few_samples_are_marked_and_many_are_not() {
+        let marks =
+            |points: u32| svg(&samples::flat(0.5, 0.3, Slip::Inward, points)).unwrap().matches("<circle").count();
+        // Pressure and shear between the edges, where both are unbounded, and each in the legend.
+        assert_eq!((marks(5), marks(9), marks(201)), (2 * 3 + 2, 2 * 7 + 2, 0));
+        let of_list = |x: Vec<f64>| {
+            let mut solution = samples::cylinder_without_friction();
+            solution.profile.pressure = x.iter().map(|x| Some(0.6 * (1.0 - x * x).sqrt())).collect();
+            solution.profile.x = x;
+            svg(&solution).unwrap().matches("<circle").count()
+        };
+        let list = |count: u32| (0..count).map(|i| f64::from(i) / 30.0).collect::<Vec<_>>();
+        assert_eq!((of_list(list(24)), of_list(list(25))), (25, 0));
+        // The one at the edge is as good as any, and what lies beyond a frame is not drawn.
+        assert_eq!(of_list(vec![-1.0, 0.0, 1.0]), 4);
     }
 
     #[test]

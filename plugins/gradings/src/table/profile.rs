@@ -3,7 +3,7 @@
 use super::floater_hormann::{DEGREE, Interpolant};
 use super::rows::Rows;
 use slipzone_api::{Fault, ModulusLaw, Poisson, short};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// The fewest rows.
 const LEAST: usize = 4;
@@ -19,6 +19,12 @@ const STRAYS: f64 = 0.25;
 const SWINGS: f64 = 0.5;
 const LEAST_STEP: f64 = std::f64::consts::LN_2;
 
+/// By how much of itself the modulus may leave the straight line between two rows before users are told: one that grows exponentially
+/// does so where it grows by a factor of 1.9 from row to row.
+const TOLD: f64 = 0.05;
+/// Where that is looked for, over the distance of two rows: a curve that swings may cross the line half-way.
+const LOOKED: [f64; 3] = [0.25, 0.5, 0.75];
+
 /// A table this many times as deep as the layer is to have as many rows within it as a table has at least.
 const FAR_DEEPER: f64 = 100.0;
 
@@ -30,6 +36,8 @@ pub(super) struct Profile {
     logarithms: Vec<f64>,
     /// Poisson's ratios; none where the layer has one.
     ratios: Vec<f64>,
+    /// By how much of it the modulus leaves the straight line between each row and the next, and at which depth; found when asked for.
+    departures: OnceLock<Vec<(f64, f64)>>,
 }
 
 impl Profile {
@@ -43,7 +51,8 @@ impl Profile {
         let logarithms: Vec<f64> = rows.moduli.iter().map(|modulus| (modulus * modulus_unit).ln()).collect();
         let of_degree = |degree: usize| {
             let curve = Interpolant::new(depths.clone(), degree);
-            let profile = Self { curve, degree, logarithms: logarithms.clone(), ratios: rows.ratios.clone() };
+            let (logarithms, ratios) = (logarithms.clone(), rows.ratios.clone());
+            let profile = Self { curve, degree, logarithms, ratios, departures: OnceLock::new() };
             let strays = if profile.overshoot().is_some() { f64::INFINITY } else { profile.strays().0 };
             (strays, profile)
         };
@@ -81,6 +90,38 @@ impl Profile {
             }
         }
         worst
+    }
+
+    /// By how much of it the modulus leaves the straight line between each row and the next, and at which depth.
+    fn departures(&self) -> &[(f64, f64)] {
+        self.departures.get_or_init(|| {
+            let gaps = self.curve.nodes().windows(2).zip(self.logarithms.windows(2));
+            let of = |(ends, rows): (&[f64], &[f64])| {
+                let departure = |part: f64| {
+                    let depth = ends[0] + part * (ends[1] - ends[0]);
+                    let line = rows[0].exp() + part * (rows[1].exp() - rows[0].exp());
+                    (self.curve.at(depth, &self.logarithms).exp() / line - 1.0, depth)
+                };
+                let far = |one: &(f64, f64), other: &(f64, f64)| one.0.abs().total_cmp(&other.0.abs());
+                LOOKED.into_iter().map(departure).max_by(far).unwrap_or_default()
+            };
+            gaps.map(of).collect()
+        })
+    }
+
+    /// By how much the modulus leaves straight lines between rows above a depth, if that is to be told.
+    fn departure(&self, base: f64) -> Option<String> {
+        let within = self.departures().iter().filter(|(_, depth)| *depth <= base);
+        let (departure, depth) = within.max_by(|one, other| one.0.abs().total_cmp(&other.0.abs()))?;
+        (departure.abs() > TOLD).then(|| {
+            format!(
+                "between its rows the grading is a smooth curve, which leaves straight lines from row to row by up to {:.0} %: at depth \
+                 {} the modulus is that much {}",
+                100.0 * departure.abs(),
+                short(*depth),
+                if *departure > 0.0 { "larger" } else { "smaller" }
+            )
+        })
     }
 
     /// A modulus far beyond those of the rows that it lies between: a steep step makes a smooth curve swing on both sides.
@@ -187,14 +228,14 @@ impl ModulusLaw for Law {
 
     fn remarks(&self) -> Vec<String> {
         let (degree, rows) = (self.profile.degree, self.profile.curve.nodes().len());
-        if degree == DEGREE {
-            return Vec::new();
-        }
-        let why = if degree + 1 == rows {
-            format!("{rows} rows allow no higher one")
-        } else {
-            "curves of higher degrees swing between them".to_owned()
-        };
-        vec![format!("the curve through the rows of the grading is of degree {degree}, not {DEGREE}: {why}")]
+        let lower = (degree != DEGREE).then(|| {
+            let why = if degree + 1 == rows {
+                format!("{rows} rows allow no higher one")
+            } else {
+                "curves of higher degrees swing between them".to_owned()
+            };
+            format!("the curve through the rows of the grading is of degree {degree}, not {DEGREE}: {why}")
+        });
+        lower.into_iter().chain(self.profile.departure(self.thickness)).collect()
     }
 }

@@ -252,3 +252,34 @@ fn the_law_is_the_rows_at_its_probes() {
         assert_eq!((law.modulus(*depth), law.poisson(*depth)), (of_row, Some(0.01 * f64::from(i))), "row {i}");
     }
 }
+
+/// Rows of an exponential that grows tenfold from one to the next: half-way the curve is `sqrt(10)` where a straight line is 5.5. Nobody was told.
+#[test]
+fn a_curve_that_leaves_straight_lines_between_rows_is_told_with_place_and_size() {
+    let rows = |factor: f64| (0..6).map(|i| vec![f64::from(i), factor.powi(i)]).collect();
+    let remarks = |factor: f64, thickness: f64| {
+        let table = Table::points(rows(factor));
+        table.law(&Setting::thick(Positive::new(thickness).unwrap())).unwrap().remarks()
+    };
+    let told = remarks(10.0, 5.0);
+    // A quarter of the way: 10^(1/4)/(1 + 9/4) - 1 = -0.453; half-way: sqrt(10)/5.5 - 1 = -0.425; each the same between any two rows.
+    assert!(told.len() == 1 && told[0].contains("up to 45 %") && told[0].ends_with("smaller"), "{told:?}");
+    // The logarithm of a factor decides: (1 + f)/2/sqrt(f) - 1 passes 5 % between 1.8 and 2.
+    assert!(remarks(1.8, 5.0).is_empty() && remarks(2.0, 5.0).len() == 1);
+
+    // Below the base nothing is told; above it, what the law itself does at that depth: a bump at 8 is felt most at the table's end, where all
+    // rows are 1.
+    let mut bump: Vec<_> = (0..12).map(|i| vec![f64::from(i), 1.0]).collect();
+    bump[8][1] = 1.6;
+    let told = |thickness: f64| {
+        let law = Table::points(bump.clone()).law(&Setting::thick(Positive::new(thickness).unwrap())).unwrap();
+        let remark = law.remarks().into_iter().find(|remark| remark.contains("straight lines"));
+        remark.map(|remark| (remark, 100.0 * (law.modulus(10.5 / thickness) - 1.0)))
+    };
+    assert_eq!(told(4.0), None);
+    let (remark, percent) = told(11.0).expect("a bump");
+    assert!(
+        remark.contains(&format!("up to {:.0} %", percent.abs())) && remark.contains("depth 10.5"),
+        "{remark} {percent}"
+    );
+}

@@ -9,7 +9,7 @@
 use super::rows::Rows;
 use super::scatter;
 use nalgebra::{DMatrix, DVector};
-use slipzone_api::{Fault, Flaw, PunchShape};
+use slipzone_api::{Fault, Flaw, PunchShape, short};
 
 /// The most pieces.
 const PIECES: usize = 32;
@@ -25,6 +25,10 @@ const LEVEL: f64 = 1e-9;
 
 /// How much more a corner in the middle must gain than a coefficient.
 const CORNER: f64 = 10.0;
+
+/// By how much of the height at the contact's edge the shape may leave straight lines from row to row before users are told: a parabola
+/// does so where two rows or fewer are under half of the contact.
+const TOLD: f64 = 0.05;
 
 /// A point of the folded table, scaled.
 #[derive(Clone, Copy, Debug)]
@@ -47,6 +51,18 @@ pub(super) struct Profile {
     corners: Vec<f64>,
     /// Ascending.
     flaws: Vec<Flaw>,
+    /// Each deeper than those before.
+    sags: Vec<Sag>,
+}
+
+/// By how much the shape lies below the straight line between two rows.
+#[derive(Clone, Copy, Debug)]
+struct Sag {
+    /// Where the first of the rows is.
+    from: f64,
+    /// Half-way between them.
+    at: f64,
+    depth: f64,
 }
 
 /// A stretch on which the spline is one cubic; all in the user's units.
@@ -191,7 +207,13 @@ impl Profile {
         let flaws = scatter::flaws(points, &residuals, fitted, *rounding);
         let (reach, rise) = (reach * x_unit, range * height_unit);
         let noise = (left_over / points.len() as f64).sqrt() * rise;
-        Ok(Self::in_units(&pieces, reach, rise, noise, flaws))
+        let sags = deepest(points, fitted).map(|Sag { from, at, depth }| Sag {
+            from: from * reach,
+            at: at * reach,
+            depth: depth * rise,
+        });
+        let sags = sags.collect();
+        Ok(Self { sags, ..Self::in_units(&pieces, reach, rise, noise, flaws) })
     }
 
     fn in_units(pieces: &[Piece], reach: f64, rise: f64, noise: f64, mut flaws: Vec<Flaw>) -> Self {
@@ -217,8 +239,23 @@ impl Profile {
         }
         flaws.sort_by(|one, other| one.x.total_cmp(&other.x));
         let corners = if corner > 0.0 { vec![0.0] } else { Vec::new() };
-        Self { reach, pieces: scaled.collect(), noise, kinks, corners, flaws }
+        Self { reach, pieces: scaled.collect(), noise, kinks, corners, flaws, sags: Vec::new() }
     }
+}
+
+/// Between which neighbours a convex curve lies deeper below the straight line between them than between any before, from the middle outwards.
+fn deepest(points: &[Point], fitted: impl Fn(f64) -> f64) -> impl Iterator<Item = Sag> {
+    let gaps = points.windows(2).filter(|pair| pair[0].x < pair[1].x);
+    let mut most = 0.0;
+    gaps.filter_map(move |pair| {
+        let (from, to) = (pair[0].x, pair[1].x);
+        let at = f64::midpoint(from, to);
+        let depth = f64::midpoint(fitted(from), fitted(to)) - fitted(at);
+        (depth > most).then(|| {
+            most = depth;
+            Sag { from, at, depth }
+        })
+    })
 }
 
 /// The piece in which a point lies.
@@ -462,5 +499,21 @@ impl PunchShape for Profile {
 
     fn noise(&self) -> Option<f64> {
         Some(self.noise)
+    }
+
+    fn remarks(&self, half_width: f64) -> Vec<String> {
+        let within = &self.sags[..self.sags.partition_point(|sag| sag.from < half_width)];
+        let Some(Sag { at, depth, .. }) = within.last() else { return Vec::new() };
+        let share = depth / self.height(half_width);
+        let told = (share > TOLD).then(|| {
+            let by =
+                if share < 1.0 { format!("up to {:.0} % of its height", 100.0 * share) } else { "more than its height".into() };
+            format!(
+                "the punch has few rows under the contact: between them it is a smooth convex curve, which lies below straight lines from \
+                 row to row by {by} at the contact's edge, most at x = {}",
+                short(*at)
+            )
+        });
+        told.into_iter().collect()
     }
 }

@@ -306,3 +306,25 @@ proptest! {
         prop_assert!(profile.noise().unwrap() <= 2.0);
     }
 }
+
+/// A contact within the first rows rests on the curve between them, and nobody was told.
+#[test]
+fn few_rows_under_a_contact_are_told() {
+    let parabola = of_points(sampled(0.0, 8.0, 9, |x| x * x));
+    // Between rows 1 apart `x^2` lies a quarter below straight lines; half-way to the first row it does first.
+    let told = |half_width: f64| parabola.remarks(half_width);
+    assert!(
+        told(1.5)[0].contains("up to 11 % of its height at the contact's edge, most at x = 0.5"),
+        "{:?}",
+        told(1.5)
+    );
+    assert!(told(0.4)[0].contains("by more than its height"), "{:?}", told(0.4));
+    assert_eq!((told(2.2).len(), told(2.3).len()), (1, 0), "5 % at sqrt(5)");
+    let straight = of_points(sampled(0.0, 8.0, 9, |x| x));
+    assert!(straight.remarks(0.4).is_empty(), "{:?}", straight.remarks(0.4));
+    // Where the rows are far from each other, out there.
+    let sparse = of_points([0.0, 0.1, 0.2, 0.3, 0.4, 2.4, 4.0, 8.0].map(|x| [x, x * x]));
+    assert!(sparse.remarks(0.4).is_empty(), "{:?}", sparse.remarks(0.4));
+    let told = sparse.remarks(2.0);
+    assert!(told[0].contains("up to 25 % of its height") && told[0].ends_with("x = 1.4"), "{told:?}");
+}

@@ -21,6 +21,8 @@ struct Row {
     member: usize,
     x: Option<f64>,
     y: Vec<Option<f64>>,
+    /// Whether its numbers are as computed, and something contradicts them.
+    violated: bool,
 }
 
 /// Some of the scenes: all, as long as they are few; then every second, fourth, ... by a hash of their numbers, so that the
@@ -62,8 +64,10 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
         rows.add(row);
         Ok(())
     })?;
-    let left_out = left_out(groups, &without_place);
     let mut rows = rows.kept;
+    let out_of_sight = hide_what_is_far(groups, &mut rows);
+    let left_out: Vec<String> = left_out(groups, &without_place).into_iter().chain(out_of_sight).collect();
+    let left_out = (!left_out.is_empty()).then(|| left_out.join("; "));
     // Along an axis in the order of its values, otherwise in that of the scenes.
     let along = |row: &Row| if matches!(x, Source::Field(_)) { row.x.unwrap_or(f64::INFINITY) } else { 0.0 };
     rows.sort_by(|one, other| along(one).total_cmp(&along(other)).then(one.index.cmp(&other.index)));
@@ -85,7 +89,8 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
         }
     }
     let abreast = if y_scales.len() > 1 { y_scales.len().min(ABREAST) } else { ABREAST };
-    Ok(Drawing { panels, abreast, legend: legend(groups, few), scenes, failed, left_out })
+    let has_violated = rows.iter().any(|row| row.violated && row.x.is_some() && row.y.iter().any(Option::is_some));
+    Ok(Drawing { panels, abreast, legend: legend(groups, few, has_violated), scenes, failed, left_out })
 }
 
 /// A scene's place, and how many of its points have none on the scales.
@@ -96,12 +101,35 @@ fn row(groups: &Groups, x: Source, shot: &Shot) -> (Row, u64) {
     let placed = known.filter(|x| drawable(x, plot.x_scale));
     let (mut ys, mut lost) = (Vec::new(), 0);
     for y in &shown.y {
-        let y = groups.number(shot, *y).filter(|_| shot.converged);
+        let y = groups.number(shot, *y).filter(|_| shot.converged || shot.violated);
         let fits = y.filter(|y| drawable(y, plot.y_scale));
         lost += u64::from(known.is_some() && y.is_some() && (placed.is_none() || fits.is_none()));
         ys.push(fits);
     }
-    (Row { index: shot.index, panel: shot.panel, member: shot.member, x: placed, y: ys }, lost)
+    let Shot { index, panel, member, violated, .. } = *shot;
+    (Row { index, panel, member, x: placed, y: ys, violated }, lost)
+}
+
+/// Takes out numbers that something contradicts and that lie farther from all others than these from each other: a frame that held
+/// them would show little else. Says how many.
+fn hide_what_is_far(groups: &Groups, rows: &mut [Row]) -> Option<String> {
+    let is_log = groups.plot.y_scale == Steps::Log;
+    let along = |y: f64| if is_log { y.ln() } else { y };
+    let mut hidden = 0_u64;
+    for which in 0..groups.shown.y.len() {
+        let sure = rows.iter().filter(|row| !row.violated && row.x.is_some()).filter_map(|row| row.y[which]).map(along);
+        let Some((least, most)) = sure.map(|y| (y, y)).reduce(|(l, m), (y, _)| (l.min(y), m.max(y))) else { continue };
+        // Of one number, or of equal ones, its own size.
+        let range = if most > least { most - least } else { most.abs().max(1.0) };
+        for row in rows.iter_mut().filter(|row| row.violated && row.x.is_some()) {
+            let is_far = row.y[which].is_some_and(|y| !(least - range..=most + range).contains(&along(y)));
+            if is_far {
+                (row.y[which], hidden) = (None, hidden + 1);
+            }
+        }
+    }
+    let points = if hidden == 1 { "1 point is".into() } else { format!("{hidden} points are") };
+    (hidden > 0).then(|| format!("{points} not shown, an assumption violated and far from all others"))
 }
 
 /// The scale of the abscissa and those of the ordinates; `None` where one has no numbers.
@@ -138,9 +166,13 @@ fn curves(
         let points: Vec<Option<(f64, f64)>> = rows
             .iter()
             .filter(|row| row.panel == panel && row.member == member)
-            .map(|row| row.x.zip(row.y[which]).map(|(x, y)| place(x, y)))
+            .map(|row| row.x.zip(row.y[which]).filter(|_| !row.violated).map(|(x, y)| place(x, y)))
             .collect();
-        curves.push(curve(groups, member, &points, few));
+        let curve = curve(groups, member, &points, few);
+        let violated = rows.iter().filter(|row| row.panel == panel && row.member == member && row.violated);
+        let crosses = thinned_marks(violated.filter_map(|row| Some(place(row.x?, row.y[which]?))));
+        let crosses = Curve { style: curve.style.crossed(), stretches: Vec::new(), marks: crosses };
+        curves.extend([curve, crosses]);
     }
     curves.extend(groups.plot.points.iter().enumerate().map(|(index, points)| Curve {
         style: Style::points(index),
@@ -193,7 +225,7 @@ fn levels(groups: &Groups, x: &Scale, y: &Scale) -> Vec<Curve> {
 }
 
 /// Members, lines and points that have a name.
-pub(super) fn legend(groups: &Groups, is_marked: bool) -> Vec<Entry> {
+pub(super) fn legend(groups: &Groups, is_marked: bool, has_violated: bool) -> Vec<Entry> {
     let is_cloud = groups.shown.is_cloud;
     let members = (0..groups.members()).map(|member| Entry {
         name: groups.member_name(member).into(),
@@ -213,7 +245,13 @@ pub(super) fn legend(groups: &Groups, is_marked: bool) -> Vec<Entry> {
         is_line: false,
         is_marked: true,
     });
-    members.chain(lines).chain(points).filter(|entry| !entry.name.is_empty()).collect()
+    let violated = has_violated.then(|| Entry {
+        name: "assumption violated, as computed".into(),
+        style: Style::points(0).crossed(),
+        is_line: false,
+        is_marked: true,
+    });
+    members.chain(lines).chain(points).chain(violated).filter(|entry| !entry.name.is_empty()).collect()
 }
 
 /// A scale that shows all of the numbers; `None` without any. From 0 where the least is small beside the largest, and with

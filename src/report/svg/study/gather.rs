@@ -27,6 +27,8 @@ pub(super) struct Shot {
     pub(super) record: Value,
     /// Whether its numbers are results.
     pub(super) converged: bool,
+    /// Whether they are as computed, and something contradicts them.
+    pub(super) violated: bool,
 }
 
 impl<'a> Groups<'a> {
@@ -114,8 +116,9 @@ impl<'a> Groups<'a> {
         let member =
             self.family.iter().try_fold(0, |member, (place, list)| Some(member * list.len() + among(place, list)?));
         let (Some(panel), Some(member)) = (panel, member) else { return Ok(None) };
-        let converged = record.get("status").and_then(Value::as_str) == Some("converged");
-        Ok(Some(Shot { index, steps, panel, member, record, converged }))
+        let status = record.get("status").and_then(Value::as_str);
+        let [converged, violated] = ["converged", "assumption-violated"].map(|name| status == Some(name));
+        Ok(Some(Shot { index, steps, panel, member, record, converged, violated }))
     }
 
     /// What a figure shows of a scene, if it is known.
@@ -127,7 +130,7 @@ impl<'a> Groups<'a> {
                     crate::study::Cell::Text(_) => None,
                 }
             }
-            Source::Number(path) => shot.converged.then(|| number(&shot.record, path)).flatten(),
+            Source::Number(path) => (shot.converged || shot.violated).then(|| number(&shot.record, path)).flatten(),
         };
         value.filter(|value| value.is_finite())
     }

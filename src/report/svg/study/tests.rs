@@ -112,13 +112,68 @@ fn what_did_not_converge_is_a_gap_and_is_counted() {
     // By the coefficient the scenes 1, 2, 3, 0 follow each other: one line is left of two.
     all[2]["status"] = json!("assumption-violated");
     let svg = figure(&study, all);
-    assert_eq!(lengths(&svg), [2, 4, 4], "a line of two beyond the gap, beside a point");
+    assert_eq!(lengths(&svg), [2, 4, 4], "a line of two beyond the gap, beside a point and a cross");
+    assert_eq!(crosses(&svg), 2, "one for the scene, one for the legend");
+    assert!(texts(&svg).contains(&VIOLATED.to_owned()), "{:?}", texts(&svg));
     assert!(texts(&svg).contains(&"1 of 12 scenes did not converge".to_owned()), "{:?}", texts(&svg));
     let failed = records(&study).into_iter().map(|mut record| {
         record["status"] = json!("not-converged");
         record
     });
     assert!(matches!(study_svg(&study, &study.plots[0], failed), Err(FigureError::NothingToShow(_))));
+}
+
+/// The legend's word for a cross.
+const VIOLATED: &str = "assumption violated, as computed";
+
+fn crosses(svg: &str) -> usize {
+    let document = roxmltree::Document::parse(svg).expect("well-formed XML");
+    document.descendants().filter(|n| n.has_tag_name("path") && n.attribute("stroke-width") == Some("1.7")).count()
+}
+
+/// They have numbers, as computed. Without them a figure of pressures ended where the punch lifts off, and nobody saw how far it was off.
+#[test]
+fn what_contradicts_an_assumption_is_marked_and_not_left_out() {
+    let study = study(AXES, CURVES);
+    let with = |status: &str, ratio: Option<f64>| {
+        let mut all = records(&study);
+        all[2]["status"] = json!(status);
+        if let Some(ratio) = ratio {
+            all[2]["stick"]["ratio"] = json!(ratio);
+        }
+        study_svg(&study, &study.plots[0], all).unwrap()
+    };
+    // Nothing computed, nothing shown; nor any word of it in a figure that has none.
+    for status in ["converged", "not-converged", "refused", "invalid"] {
+        let figure = with(status, None);
+        assert!(crosses(&figure.svg) == 0 && !texts(&figure.svg).contains(&VIOLATED.to_owned()), "{status}");
+    }
+    // A number far from all others would make a line of them.
+    let far = with("assumption-violated", Some(1e6));
+    assert_eq!(crosses(&far.svg), 0);
+    assert!(far.left_out.is_some_and(|told| told.starts_with("1 point is not shown")));
+    let axis = |figure: &StudyFigure| ticks(&figure.svg, "end");
+    assert_eq!(axis(&with("not-converged", None)), axis(&with("assumption-violated", Some(-1e6))));
+    // Where all are, there is a figure all the same.
+    let all = records(&study).into_iter().map(|mut record| {
+        record["status"] = json!("assumption-violated");
+        record
+    });
+    let svg = figure(&study, all);
+    assert_eq!((curves(&svg), crosses(&svg)), (0, 13));
+}
+
+#[test]
+fn tractions_that_contradict_an_assumption_are_thin_and_crossed() {
+    let study = study(AXES, "kind = 'tractions'\nonly = { 'friction.coefficient' = 0.3 }\n");
+    let mut all = records(&study);
+    let whole = figure(&study, all.clone());
+    assert_eq!((curves(&whole), crosses(&whole)), (6, 0));
+    // The second of three, by its pressure.
+    all[7]["status"] = json!("assumption-violated");
+    let svg = figure(&study, all);
+    assert_eq!(curves(&svg), 4, "two of each are as wide as before");
+    assert!(crosses(&svg) > 10 && texts(&svg).contains(&VIOLATED.to_owned()), "{:?}", texts(&svg));
 }
 
 /// Neither 0 nor what is below has a place on an axis of equal factors: it is counted, curve by curve.
@@ -367,6 +422,24 @@ fn log_axes_have_ticks_that_differ_and_keep_apart() {
         let longest = beside.iter().map(|(at, text)| at - width(text)).fold(f64::INFINITY, f64::min);
         assert!(name.expect("an upright name") < longest, "{from} to {to}: {name:?} {beside:?}");
     }
+}
+
+/// A pressure that friction does not change filled the frame with its errors, between ticks that all read 0.536400686.
+#[test]
+fn numbers_that_differ_by_their_errors_only_are_a_level_line() {
+    let study = study(AXES, "x = 'friction.coefficient'\ny = 'pressure.mean'\n");
+    let with = |difference: f64| {
+        let all = records(&study).into_iter().enumerate().map(|(n, mut record)| {
+            record["pressure"]["mean"] = json!(0.536_400_686 * (1.0 + difference * n as f64));
+            record
+        });
+        ticks(&figure(&study, all), "end")
+    };
+    for difference in [0.0, 1e-11, 5e-10, 1e-8, 1e-3] {
+        let beside = with(difference);
+        assert!(beside.windows(2).all(|pair| pair[0].1 != pair[1].1), "{difference:e}: {beside:?}");
+    }
+    assert_eq!(with(0.0), with(5e-10));
 }
 
 #[test]

@@ -5,7 +5,7 @@ use super::{ABREAST, Drawing, curves};
 use crate::report::labels::Labels;
 use crate::report::svg::FigureError;
 use crate::report::svg::edges::to_the_edges;
-use crate::report::svg::panel::{Curve, Panel};
+use crate::report::svg::panel::{Curve, MARKED, Panel};
 use crate::report::svg::scale::Scale;
 use crate::report::svg::style::Style;
 use crate::study::{Over, Source};
@@ -22,7 +22,16 @@ struct Profile {
     member: usize,
     /// Pressure and shear, over what the figure divides them by.
     tractions: [Vec<(f64, Option<f64>)>; 2],
+    /// Whether they are so few that a curve alone would hide where they are.
+    few: bool,
+    /// Whether they are as computed, and something contradicts them.
+    violated: bool,
 }
+
+/// Crosses along a curve that something contradicts.
+const CROSSES: f64 = 10.0;
+/// Width of such a curve, px.
+const DOUBTFUL: f64 = 1.1;
 
 pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) -> Result<Drawing, FigureError> {
     let Groups { study, plot, shown, .. } = *groups;
@@ -63,10 +72,11 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
     for panel in 0..groups.panels() {
         for (which, y) in &kinds {
             let of_panel = profiles.iter().filter(|profile| profile.panel == panel);
-            let drawn = of_panel.map(|profile| Curve {
-                style: Style::of(profile.member, &groups.member_steps(profile.member)),
-                stretches: vec![line(&profile.tractions[*which], y)],
-                marks: Vec::new(),
+            let drawn = of_panel.map(|profile| {
+                let points = &profile.tractions[*which];
+                let style = Style::of(profile.member, &groups.member_steps(profile.member));
+                let style = if profile.violated { style.crossed().with_width(DOUBTFUL) } else { style };
+                Curve { style, stretches: vec![line(points, y)], marks: marks(profile, points, y) }
             });
             let level = |(index, line): (usize, &crate::study::Line)| Curve {
                 style: Style::level(index),
@@ -77,12 +87,30 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
             panels.push(Panel { name: groups.panel_name(panel), x: x.clone(), y: y.clone(), curves, ground: None });
         }
     }
-    Ok(Drawing { panels, abreast: ABREAST, legend: curves::legend(groups, false), scenes, failed, left_out: None })
+    let few = profiles.iter().any(|profile| profile.few && !profile.violated);
+    let legend = curves::legend(groups, few, profiles.iter().any(|profile| profile.violated));
+    Ok(Drawing { panels, abreast: ABREAST, legend, scenes, failed, left_out: None })
+}
+
+/// The points of a curve that are marked: all where they are few, some where something contradicts them.
+fn marks(profile: &Profile, points: &[(f64, Option<f64>)], y: &Scale) -> Vec<(f64, f64)> {
+    let bounded = points.iter().filter_map(|(x, value)| Some((*x, (*value)? / y.unit)));
+    if profile.few {
+        return bounded.collect();
+    }
+    let (mut marks, mut next) = (Vec::new(), 0.5 / CROSSES);
+    for (x, value) in bounded.filter(|_| profile.violated) {
+        if x >= next {
+            marks.push((x, value));
+            next = x + 1.0 / CROSSES;
+        }
+    }
+    marks
 }
 
 /// `None` where there are no numbers.
 fn profile(groups: &Groups, shot: &Shot) -> Option<Profile> {
-    if !shot.converged {
+    if !(shot.converged || shot.violated) {
         return None;
     }
     let (record, of) = (&shot.record, |path: &str| number(&shot.record, path).filter(|number| *number > 0.0));
@@ -110,7 +138,8 @@ fn profile(groups: &Groups, shot: &Shot) -> Option<Profile> {
         half
     };
     let tractions = [column("pressure", 1.0), column("shear", -1.0)];
-    Some(Profile { panel: shot.panel, member: shot.member, tractions })
+    let few = x.len() <= MARKED;
+    Some(Profile { panel: shot.panel, member: shot.member, tractions, few, violated: shot.violated })
 }
 
 /// A curve in the units of its scale, continued to a sharp edge.

@@ -5,6 +5,8 @@ use crate::report::svg::FigureError;
 use crate::report::svg::canvas::line;
 use crate::report::svg::edges::to_the_edges;
 use crate::report::svg::legend::Entry;
+use crate::report::svg::panel::MARKED;
+use crate::report::svg::style::Style;
 use kuva::render::plots::Plot;
 use slipzone_api::Friction;
 
@@ -30,6 +32,8 @@ pub(super) struct Frame {
 pub(super) struct Curves {
     pressure: Vec<(f64, f64)>,
     shear: Vec<(f64, f64)>,
+    /// What the two curves go through, where that is so little that they alone would hide it.
+    few: Option<[Vec<(f64, f64)>; 2]>,
     /// Coefficient of friction.
     eta: Option<f64>,
     /// Whether the pressure is unbounded anywhere in the contact.
@@ -58,13 +62,16 @@ impl Curves {
         // A scene that lists its points may leave the sharp edges out.
         let sharp = solution.edge.stress_intensity.is_some_and(|k| k > 0.0);
         let unbounded = sharp || pressure.iter().any(|point| point.1.is_none());
+        let shear = profile.shear.as_deref().map(scaled).unwrap_or_default();
+        let bounded = |points: &[(f64, Option<f64>)]| points.iter().filter_map(|(x, y)| Some((*x, (*y)?))).collect();
+        let few = (profile.x.len() <= MARKED).then(|| [bounded(&pressure), bounded(&shear)]);
         let pressure = to_the_edges(&pressure);
         if pressure.len() < 2 {
             return Err(FigureError::NoProfile(pressure.len()));
         }
-        let shear = profile.shear.as_deref().map(|values| to_the_edges(&scaled(values))).unwrap_or_default();
+        let shear = to_the_edges(&shear);
         let eta = solution.scene.friction.as_ref().map(|Friction::Goodman { coefficient, .. }| coefficient.get());
-        Ok(Self { pressure, shear, eta, unbounded })
+        Ok(Self { pressure, shear, few, eta, unbounded })
     }
 
     /// A range that shows all of a bounded pressure, most of an unbounded one, and the shear beside it.
@@ -105,11 +112,24 @@ impl Curves {
         plots
     }
 
+    /// Samples to be marked, shear first: those within the frame, where they are few.
+    pub(super) fn samples(&self, frame: Frame) -> Vec<(Style, f64, f64)> {
+        let Some([pressure, shear]) = &self.few else { return Vec::new() };
+        let of = |points: &[(f64, f64)], entry: Entry| {
+            let style = entry.style.with_filled_marks();
+            let seen = points.iter().filter(|point| (frame.bottom..=frame.top).contains(&point.1));
+            seen.map(|(x, y)| (style, *x, *y)).collect::<Vec<_>>()
+        };
+        of(shear, SHEAR).into_iter().chain(of(pressure, PRESSURE)).collect()
+    }
+
     /// What is drawn.
     pub(super) fn legend(&self) -> Vec<Entry> {
-        let mut entries = vec![PRESSURE];
+        let marked =
+            |entry: Entry| Entry { is_marked: self.few.is_some(), style: entry.style.with_filled_marks(), ..entry };
+        let mut entries = vec![marked(PRESSURE)];
         if !self.shear.is_empty() {
-            entries.push(SHEAR);
+            entries.push(marked(SHEAR));
         }
         if self.eta.is_some() {
             entries.push(LIMIT);
