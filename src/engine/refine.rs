@@ -129,7 +129,7 @@ impl Ladder {
             outcome.numbers.iter().for_each(|(quantity, _)| errors.set(quantity, 1.0));
         }
         if aim.problem.fixed_half_width().is_none() {
-            self.remember(layer, *stage, outcome, &history);
+            self.remember(layer, aim.problem, (*stage, outcome), &history);
         }
         found.how = How::Sequence { count: history.len(), kernels_proven: layer.is_proven() };
         Ok(found)
@@ -267,7 +267,7 @@ impl Ladder {
                 break;
             };
             history.push(outcome.seen());
-            let fastest = fastest(layer, &outcome, self.stages[stage].unknowns());
+            let fastest = fastest(layer, aim.problem, &outcome, self.stages[stage].unknowns());
             let Some(mut errors) = extrapolated(history, fastest) else { break };
             let told = errors.take(Quantity::Shear);
             let all = with_the_rest(aim.problem, layer, &outcome, aim.tolerance, errors);
