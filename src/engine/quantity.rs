@@ -71,6 +71,8 @@ pub(crate) struct Wishes {
     reported: [bool; Quantity::ALL.len()],
     /// Whether the tractions are sampled: they are known as well as the numbers that they are judged by.
     pub(crate) profile: bool,
+    /// How close to the edge the closest sample inside is, over the half-width.
+    pub(crate) nearest: f64,
     /// Whether a loading curve is asked for, which has a force and a half-width at every point.
     curve: bool,
 }
@@ -78,7 +80,8 @@ pub(crate) struct Wishes {
 impl Wishes {
     pub(crate) fn of(scene: &Scene) -> Self {
         let reported = Quantity::ALL.map(|quantity| scene.output.asks(quantity.path()));
-        Self { reported, profile: scene.output.asks("profile"), curve: scene.path.is_some() }
+        let profile = scene.output.asks("profile");
+        Self { reported, profile, nearest: scene.output.nearest(), curve: scene.path.is_some() }
     }
 
     /// Of a flat punch in a stack: its tractions, and its depth where that of the contact is wanted.
