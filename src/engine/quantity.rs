@@ -201,6 +201,8 @@ pub(crate) struct ShearTrace {
     pub(crate) largest: f64,
     /// The friction coefficient, with the sign of the shear.
     pub(crate) friction: f64,
+    /// That of what slides to which it is told what the shear lacks: none where everything sticks.
+    pub(crate) sliding: f64,
 }
 
 impl ShearTrace {
@@ -219,9 +221,9 @@ impl ShearTrace {
         Self::LEAST * friction.abs().min(1.0)
     }
 
-    /// What slides under the mean pressure, over the largest shear.
+    /// What slides under the mean pressure, as far as the shear is told by what it lacks of that, over the largest shear.
     pub(crate) fn of_sliding(&self) -> f64 {
-        self.friction.abs() / self.largest
+        self.sliding.abs() / self.largest
     }
 
     /// Of a traction over the mean pressure, its shear at those points, and the friction coefficient.
@@ -233,6 +235,7 @@ impl ShearTrace {
             scale: largest(&at, 0.0),
             largest: largest(&shear, Self::least(friction)),
             friction,
+            sliding: friction,
         }
     }
 }

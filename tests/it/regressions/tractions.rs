@@ -89,6 +89,23 @@ fn the_pressure_close_to_a_corner_is_told_as_well() {
     }
 }
 
+/// Where everything sticks its shear was the difference to what slides, `eta p`, however large: under a cylinder it was off by up to 60
+/// estimates, nearly a hundred tolerances.
+#[test]
+fn what_sticks_is_no_worse_for_more_friction() {
+    for (h, ratio, nu) in [(3.0, 10.0, 0.3), (1.0, 10.0, 0.49), (3.0, 0.125, 0.3)] {
+        let sketch = |friction: f64| Sketch::flat(h, ratio, nu).cylinder().rubbing(friction);
+        let exact = sketch(10.0).with("[solver]\ntolerance = 1e-9").solve();
+        for tolerance in [1e-3, 1e-4, 1e-5, 1e-6] {
+            let found = sketch(1000.0).with(&format!("[solver]\ntolerance = {tolerance:e}")).solve();
+            assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
+            let [apart, claimed] = shear_apart(&found, &exact);
+            assert!(apart <= 2.0 * claimed, "{apart:e} apart, {claimed:e} claimed at {tolerance:e}, h = {h} b");
+            assert!(claimed <= 6.0 * tolerance, "{claimed:e} claimed at {tolerance:e}, h = {h} b");
+        }
+    }
+}
+
 /// Two resolutions of a shear may agree where both are wrong: the first three were off by 20, 3.5 and 5 estimates.
 #[test]
 fn a_shear_is_not_believed_for_a_phase_that_suits_it() {
