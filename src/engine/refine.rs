@@ -131,7 +131,7 @@ impl Ladder {
             outcome.numbers.iter().for_each(|(quantity, _)| errors.set(quantity, 1.0));
         }
         if aim.problem.fixed_half_width().is_none() {
-            self.remember(layer, *stage, outcome, &history);
+            self.remember(layer, aim.problem, (*stage, outcome), &history);
         }
         found.how = How::Sequence { count: history.len(), kernels_proven: layer.is_proven() };
         Ok(found)
@@ -235,7 +235,8 @@ impl Ladder {
 
     /// [`Stage::lost_between`], where the tractions are asked for.
     fn lost_between(&self, aim: Aim, stage: usize) -> Option<f64> {
-        self.stages[stage].lost_between().filter(|_| aim.problem.wishes.profile)
+        let wishes = aim.problem.wishes;
+        self.stages[stage].lost_between(wishes.nearest).filter(|_| wishes.profile)
     }
 
     /// Takes resolutions more than the numbers need: between the nodes the pressure is known later, and the shear may want a finer one,
@@ -269,7 +270,7 @@ impl Ladder {
                 break;
             };
             history.push(outcome.seen());
-            let fastest = fastest(layer, &outcome, self.stages[stage].unknowns());
+            let fastest = fastest(layer, aim.problem, &outcome, self.stages[stage].unknowns());
             let Some(mut errors) = extrapolated(history, fastest) else { break };
             let told = errors.take(Quantity::Shear);
             let all = with_the_rest(aim.problem, layer, &outcome, aim.tolerance, errors);
@@ -312,7 +313,7 @@ impl Ladder {
         let is_of_pressure = |quantity: Quantity| !quantity.is_of_shear() && quantity != Quantity::Indentation;
         let known = errors.judged_by(wishes);
         let at_nodes = known.iter().filter(|(quantity, _)| is_of_pressure(*quantity)).map(|(_, error)| error);
-        let of_pressure = at_nodes.fold(stage.lost_between().unwrap_or(0.0), f64::max);
+        let of_pressure = at_nodes.fold(stage.lost_between(wishes.nearest).unwrap_or(0.0), f64::max);
         let shear =
             stage.contact.sharpen(layer, task, outcome, of_pressure, coarser.last().map(|stage| &stage.contact))?;
         Ok(Settled::Here { shear })

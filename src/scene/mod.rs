@@ -277,6 +277,12 @@ impl Output {
         self.quantities.as_ref().is_none_or(|asked| asked.iter().any(|asked| asked.covers(path)))
     }
 
+    /// How close to an edge of the contact the closest sample inside is, in units of the half-width.
+    pub(crate) fn nearest(&self) -> f64 {
+        let Some(x) = &self.x else { return 2.0 / (self.points - 1) as f64 };
+        x.iter().map(|x| 1.0 - x.abs()).filter(|gap| *gap > 0.0).fold(1.0, f64::min)
+    }
+
     /// Whether any number of the stick zone is.
     pub(crate) fn asks_of_stick(&self) -> bool {
         Asked::NAMES.iter().any(|name| name.starts_with("stick") && self.asks(name))

@@ -174,8 +174,8 @@ pub trait Rule: Send + Sync {
     }
 
     /// About how far values between the nodes are off beside those at nodes: in `f sqrt(1 - (x/c)^2)` where the edge is
-    /// [`Edge::Sharp`], in `f` otherwise. `None` where the rule does not tell.
-    fn lost_between(&self, _unknowns: &[f64]) -> Option<f64> {
+    /// [`Edge::Sharp`], in `f` otherwise. `nearest` is how close to an end the closest of them is. `None` where the rule does not tell.
+    fn lost_between(&self, _unknowns: &[f64], _nearest: f64) -> Option<f64> {
         None
     }
 

@@ -71,6 +71,8 @@ pub(crate) struct Wishes {
     reported: [bool; Quantity::ALL.len()],
     /// Whether the tractions are sampled: they are known as well as the numbers that they are judged by.
     pub(crate) profile: bool,
+    /// How close to the edge the closest sample inside is, over the half-width.
+    pub(crate) nearest: f64,
     /// Whether a loading curve is asked for, which has a force and a half-width at every point.
     curve: bool,
 }
@@ -78,7 +80,8 @@ pub(crate) struct Wishes {
 impl Wishes {
     pub(crate) fn of(scene: &Scene) -> Self {
         let reported = Quantity::ALL.map(|quantity| scene.output.asks(quantity.path()));
-        Self { reported, profile: scene.output.asks("profile"), curve: scene.path.is_some() }
+        let profile = scene.output.asks("profile");
+        Self { reported, profile, nearest: scene.output.nearest(), curve: scene.path.is_some() }
     }
 
     /// Of a flat punch in a stack: its tractions, and its depth where that of the contact is wanted.
@@ -198,6 +201,8 @@ pub(crate) struct ShearTrace {
     pub(crate) largest: f64,
     /// The friction coefficient, with the sign of the shear.
     pub(crate) friction: f64,
+    /// That of what slides to which it is told what the shear lacks: none where everything sticks.
+    pub(crate) sliding: f64,
 }
 
 impl ShearTrace {
@@ -216,9 +221,9 @@ impl ShearTrace {
         Self::LEAST * friction.abs().min(1.0)
     }
 
-    /// What slides under the mean pressure, over the largest shear.
+    /// What slides under the mean pressure, as far as the shear is told by what it lacks of that, over the largest shear.
     pub(crate) fn of_sliding(&self) -> f64 {
-        self.friction.abs() / self.largest
+        self.sliding.abs() / self.largest
     }
 
     /// Of a traction over the mean pressure, its shear at those points, and the friction coefficient.
@@ -230,6 +235,7 @@ impl ShearTrace {
             scale: largest(&at, 0.0),
             largest: largest(&shear, Self::least(friction)),
             friction,
+            sliding: friction,
         }
     }
 }

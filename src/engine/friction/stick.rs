@@ -326,7 +326,7 @@ impl Shear {
 
     /// About how far it is off between the nodes of the grid used last; 0 where the rule does not tell.
     pub(crate) fn lost_between(&self) -> f64 {
-        self.grids[self.used].rule.lost_between(&self.unknowns).unwrap_or(0.0)
+        self.grids[self.used].rule.lost_between(&self.unknowns, self.zone.half_width).unwrap_or(0.0)
     }
 
     /// The shear at [`Traces::AT`] and at the end of the stick zone, over a mean pressure.

@@ -284,6 +284,11 @@ impl Family {
         self.rubbed.as_ref().map_or(0.0, |rubbed| rubbed.branch) * self.friction.unwrap_or(0.0)
     }
 
+    /// The coefficient of what its shears are told to lack, of the same sign: none where all of it sticks at all half-widths.
+    pub(crate) fn lacking_to(&self) -> f64 {
+        if self.rubbed.as_ref().is_some_and(|rubbed| rubbed.sticks) { 0.0 } else { self.signed_friction() }
+    }
+
     /// Whether friction does not bear one of its members by itself.
     pub(crate) fn is_overloaded(&self) -> bool {
         self.contact.is_overloaded

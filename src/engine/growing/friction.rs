@@ -30,7 +30,7 @@ impl Growing {
             return Ok(rubbing.failing(during(problem, at, "the stick zone shrinks")));
         }
         // The pressure has a trace of its own.
-        let friction = family.signed_friction();
+        let (friction, sliding) = (family.signed_friction(), family.lacking_to());
         let mean = self.force / (2.0 * b);
         let lack = TRACED.map(|part| self.lack(problem, b, part * zone.half_width) / mean);
         let inner = ShearTrace::NEAR_MIDDLE.map(|part| self.lack(problem, b, part * zone.half_width) / mean);
@@ -40,7 +40,7 @@ impl Growing {
             // Beside what slides with much friction what sticks may be little, and so may be the errors of what is lacking.
             let at = ShearTrace::NEAR_MIDDLE.map(|part| zone.in_contact(own(part)));
             let inner = self.shear_traced(problem, normal, at, inner);
-            return Ok(rubbing.traced(ShearTrace { inner, ..ShearTrace::new(shear, shear, friction) }));
+            return Ok(rubbing.traced(ShearTrace { inner, sliding, ..ShearTrace::new(shear, shear, friction) }));
         }
         Ok(rubbing.traced(ShearTrace { inner, ..ShearTrace::new(lack, shear, friction) }))
     }
@@ -56,7 +56,7 @@ impl Growing {
         let mut pressure = [0.0; N];
         self.pressure_into(problem, normal, &at, &mut pressure);
         let mean = self.force / (2.0 * self.half_width);
-        let sliding = self.signed_friction().unwrap_or(0.0);
+        let sliding = self.family.as_ref().filter(|_| self.broken.is_none()).map_or(0.0, Family::lacking_to);
         std::array::from_fn(|i| sliding * pressure[i] / mean - lack[i])
     }
 
@@ -100,7 +100,7 @@ impl Growing {
         }
         let (Some(family), Some(_), None) = (&self.family, &self.stack, &self.broken) else { return None };
         problem.friction?;
-        let (b, zone, sliding) = (self.half_width, family.zone(self.half_width), family.signed_friction());
+        let (b, zone, sliding) = (self.half_width, family.zone(self.half_width), family.lacking_to());
         let one = |(at, p): (&Station, &f64)| {
             let x = at.x.abs();
             if x == 0.0 {

@@ -114,10 +114,11 @@ impl Growing {
 
     fn moment(&mut self, problem: &Problem, half_width: f64, place: f64) -> Option<Moment> {
         let family = self.family.as_mut()?;
-        let (sliding, a) = (family.signed_friction(), family.zone(half_width).half_width);
+        let (friction, a) = (family.signed_friction().abs(), family.zone(half_width).half_width);
+        let lacking_to = family.lacking_to();
         let x = a * (FRAC_PI_2 * place).sin();
         let p = self.stack.as_ref()?.pressure(problem, family, half_width, x);
-        let q = sliding * p - self.lack(problem, half_width, x);
-        Some(Moment { half_width, place, at: x / half_width, bears: sliding.abs() * p / q.abs() })
+        let q = lacking_to * p - self.lack(problem, half_width, x);
+        Some(Moment { half_width, place, at: x / half_width, bears: friction * p / q.abs() })
     }
 }

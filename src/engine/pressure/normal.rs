@@ -261,12 +261,14 @@ impl Normal {
         }
     }
 
-    /// About how far it is off between the nodes, over the pressure there or its mean; `None` where the rule does not tell.
-    pub(crate) fn lost_between(&self) -> Option<f64> {
+    /// About how far it is off between the nodes, over the pressure there or its mean, up to a distance from the edge over the half-width;
+    /// `None` where the rule does not tell.
+    pub(crate) fn lost_between(&self, nearest: f64) -> Option<f64> {
         let mean = self.mean().abs();
         // Close to a sharp edge the pressure is the limit's.
         let limit = if self.is_sharp() { (self.edge_factor / self.half_width).abs() } else { mean };
-        let lost = self.rule.lost_between(&self.unknowns)? / limit.min(mean).max(FAINT_EDGE * mean);
+        let lost = self.rule.lost_between(&self.unknowns, nearest * self.half_width)?;
+        let lost = lost / limit.min(mean).max(FAINT_EDGE * mean);
         // No number is no agreement.
         Some(if lost.is_finite() { lost.min(1.0) } else { 1.0 })
     }

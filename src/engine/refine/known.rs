@@ -7,7 +7,7 @@ use crate::engine::accuracy::error_estimate::{Pace, Seen, extrapolated};
 use crate::engine::accuracy::quantity::{Numbers, Quantity};
 use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::PreparedLayer;
-use crate::engine::problem::LoadInLayerUnits;
+use crate::engine::problem::{LoadInLayerUnits, Problem};
 use crate::engine::refine::judged::{How, Judged, meets, with_the_rest};
 use crate::engine::refine::stage::Stage;
 
@@ -49,9 +49,15 @@ impl Ladder {
     }
 
     /// Takes note of how a contact that grew was settled.
-    pub(super) fn remember(&mut self, layer: &PreparedLayer, stage: usize, outcome: &Outcome, history: &[Seen]) {
+    pub(super) fn remember(
+        &mut self,
+        layer: &PreparedLayer,
+        problem: &Problem,
+        (stage, outcome): (usize, &Outcome),
+        history: &[Seen],
+    ) {
         self.settled = Some(stage);
-        let pace = Pace::seen(history, fastest(layer, outcome, self.stages[stage].unknowns()));
+        let pace = Pace::seen(history, fastest(layer, problem, outcome, self.stages[stage].unknowns()));
         self.pace = outcome.numbers.get(Quantity::HalfWidth).zip(pace);
     }
 
@@ -72,7 +78,7 @@ impl Ladder {
             // One step more is less than all of them again.
             let finer = self.solve_again(layer, aim, (stage + 1, widest), Some(&found.outcome))?;
             let seen = [&coarse, &found.outcome, &finer].map(Outcome::seen);
-            let errors = extrapolated(&seen, fastest(layer, &finer, self.stages[stage + 1].unknowns()))?;
+            let errors = extrapolated(&seen, fastest(layer, aim.problem, &finer, self.stages[stage + 1].unknowns()))?;
             found = Judged::new(finer, stage + 1, errors, How::Sequence { count: seen.len(), kernels_proven });
             if !self.is_sure(layer, aim, &mut found) {
                 return None;

@@ -72,9 +72,9 @@ impl Stage {
     }
 
     /// Error estimate of the pressure between its nodes, see [`Normal::lost_between`]; `None` where nothing tells.
-    pub(crate) fn lost_between(&self) -> Option<f64> {
+    pub(crate) fn lost_between(&self, nearest: f64) -> Option<f64> {
         let is_stacked = self.growing.as_ref().is_some_and(|growing| growing.stacks_pressure());
-        if is_stacked { None } else { self.contact.normal.lost_between().map(|lost| SAFETY * lost) }
+        if is_stacked { None } else { self.contact.normal.lost_between(nearest).map(|lost| SAFETY * lost) }
     }
 
     /// Shear at such points, where the pressures are `pressure`; `None` where there is none to tell.

@@ -187,8 +187,8 @@ impl Rule for DeSincRule {
         self.shaped(unknowns, |shape| shape.values_into(at, self.half_width, out));
     }
 
-    fn lost_between(&self, unknowns: &[f64]) -> Option<f64> {
-        Some(self.shaped(unknowns, |shape| shape.lost_between()))
+    fn lost_between(&self, unknowns: &[f64], nearest: f64) -> Option<f64> {
+        Some(self.shaped(unknowns, |shape| shape.lost_between() + shape.lost_at_end(nearest / self.half_width)))
     }
 
     fn edge_factor(&self, unknowns: &[f64]) -> f64 {

@@ -69,6 +69,15 @@ impl<'a> Shape<'a> {
         2.0 * whole * fallen.exp() / (-fallen).max(1.0)
     }
 
+    /// About how far it is off as close to a sharp end as that, over the half-width: past the last node but one it is on its way to
+    /// the limit, which it is taken to have reached at the last. There `y` is still something like the last gap.
+    pub(super) fn lost_at_end(&self, nearest: f64) -> f64 {
+        let Self { grid, signed, .. } = *self;
+        let nodes = &grid.nodes[..grid.first + signed.len()];
+        let [.., before, _] = nodes else { return 0.0 };
+        if grid.edge == Edge::Sharp && nearest < before.gap { signed.last().map_or(0.0, |y| y.abs()) } else { 0.0 }
+    }
+
     /// The density at points strictly inside an interval of that half-width.
     pub(super) fn values_into(&self, at: &[Station], half_width: f64, out: &mut [f64]) {
         Arch::new().dispatch(Values { shape: self, at, half_width, out });

@@ -41,7 +41,7 @@ impl Members {
                         make_alike(&mut lack, known);
                         lack.iter_mut().zip(known).for_each(|(lack, moves)| *lack += step * *moves);
                     }
-                    return Ok(Some(Member { root, lack, moves: known }));
+                    return Ok(Some(Member { root, lack, stuck: None, moves: known }));
                 }
                 before = Some((from.lambda, step, lack));
                 from = root;
@@ -56,7 +56,7 @@ impl Members {
                     self.doubt = doubt(known, &moves, share);
                 }
                 lack.iter_mut().zip(&moves).for_each(|(lack, moves)| *lack += step * moves);
-                return Ok(Some(Member { root: next, lack, moves: Some(moves) }));
+                return Ok(Some(Member { root: next, lack, stuck: None, moves: Some(moves) }));
             }
             before = Some((from.lambda, step, lack));
             from = next;

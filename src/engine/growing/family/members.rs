@@ -5,11 +5,13 @@ use super::pressed::Pressed;
 use super::rubbed::{Member, Members, Rubbed};
 use super::{CHECKED, Family, Room, Unfit, during, member};
 use crate::engine::accuracy::error_estimate::apart;
+use crate::engine::accuracy::quantity::ShearTrace;
 use crate::engine::contact::Contact;
 use crate::engine::friction::rubbing::{Rubbing, Verdict};
 use crate::engine::friction::stick_search::{FrictionCurve, Root};
 use crate::engine::growing::blend::Blend;
 use crate::engine::growing::sheet::{END, FAR_END};
+use crate::engine::numerics::chebyshev::largest;
 use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
@@ -248,7 +250,7 @@ impl Family {
         } else {
             self.contact.curve(layer, task).at(root.lambda)?;
             let friction = self.contact.friction_of_shear();
-            Member { root, lack: Member::lack(&self.contact, friction, self.end_of_shear), moves: None }
+            Member { root, lack: Member::lack(&self.contact, friction, self.end_of_shear), stuck: None, moves: None }
         };
         Ok(Ok((member, rubbing.checked)))
     }
@@ -267,8 +269,9 @@ impl Family {
             let stuck = Rubbing::sticking(b, true);
             return Ok(Some(Err(Box::new(stuck.failing(what)))));
         }
-        let lack = Member::lack(&self.contact, eta, self.end_of_shear);
-        Ok(Some(Ok((Member { root, lack, moves: None }, asked))))
+        let [lack, stuck] = [eta, 0.0].map(|friction| Member::lack(&self.contact, friction, self.end_of_shear));
+        let least = ShearTrace::least(eta) / eta * largest(&lack);
+        Ok(Some(Ok((Member { root, lack, stuck: Some((stuck, least)), moves: None }, asked))))
     }
 
     /// The stick zone of one member from near it.

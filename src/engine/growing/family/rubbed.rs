@@ -29,6 +29,8 @@ pub(super) struct Rubbed {
     slope_left: f64,
     /// `+1` where the slip is inward, `-1` where it is outward.
     pub(super) branch: f64,
+    /// Whether all of every member sticks: what the shear lacks is then told to none at all, for what slides is out of all proportion.
+    pub(super) sticks: bool,
     /// What the shear lacks in the stick zone, times `sqrt(b^2 - x^2)`.
     pub(super) lack: Sheet,
     /// By how much that moves with `lambda`, here or at a coarser resolution.
@@ -95,6 +97,8 @@ pub(super) struct Member {
     pub(super) root: Root,
     /// What the shear lacks, times `sqrt(b^2 - x^2)`, as a series over the places.
     pub(super) lack: Vec<f64>,
+    /// What it lacks to no shear at all, where everything sticks, and the least that errors of that are relative to.
+    pub(super) stuck: Option<(Vec<f64>, f64)>,
     /// By how much that moves with `lambda`: measured, or known well enough before.
     pub(super) moves: Option<Vec<f64>>,
 }
@@ -130,6 +134,9 @@ pub(super) struct Members {
     slope: Vec<f64>,
     branch: f64,
     lack: Vec<Vec<f64>>,
+    stuck: Vec<Vec<f64>>,
+    /// The least that errors of what is `stuck` are relative to.
+    least: f64,
     moves: Vec<Vec<f64>>,
     /// What a coarser resolution knows of the moves, and by how much those measured last differ from it, relative.
     known: Option<Arc<Moves>>,
@@ -145,6 +152,8 @@ impl Members {
             slope: Vec::new(),
             branch: 1.0,
             lack: Vec::new(),
+            stuck: Vec::new(),
+            least: 0.0,
             moves: Vec::new(),
             known,
             doubt,
@@ -180,6 +189,10 @@ impl Members {
         self.lambda.push(member.root.lambda);
         self.slope.push(member.root.slope);
         self.lack.push(member.lack);
+        if let Some((stuck, least)) = member.stuck {
+            self.stuck.push(stuck);
+            self.least = self.least.max(least);
+        }
         self.moves.extend(member.moves);
         self.branch.to_bits() == member.root.branch.to_bits()
     }
@@ -188,7 +201,9 @@ impl Members {
     pub(super) fn blended(self, blend: Blend, end: f64, coarse: Option<(Told, f64)>) -> Rubbed {
         let blend = Arc::new(blend);
         let is_known = self.moves.len() == self.lack.len();
-        let (lack, width) = side_by_side(self.lack);
+        let sticks = self.stuck.len() == self.lack.len();
+        let (lack, least) = if sticks { (self.stuck, self.least) } else { (self.lack, 0.0) };
+        let (lack, width) = side_by_side(lack);
         let moves = is_known.then(|| {
             let (moves, width) = side_by_side(self.moves);
             let coefficients = blend.coefficients(&moves, width);
@@ -199,7 +214,7 @@ impl Members {
         let lack = blend.coefficients(&lack, width);
         // A zone is a logarithm.
         let of_zone = blend.last(&of_lambda, 1) / felt(largest(&of_lambda));
-        let of_lack = blend.last(&lack, width) / largest(&lack);
+        let of_lack = blend.last(&lack, width) / largest(&lack).max(least);
         let told = Told::new(blend.functions(), of_lack.max(of_zone), coarse);
         Rubbed {
             told,
@@ -212,6 +227,7 @@ impl Members {
             },
             of_slope,
             branch: self.branch,
+            sticks,
             slower: (of_lack / of_zone).max(1.0),
             lack: Sheet::new(lack, width, end),
             moves: moves.or(self.known),
@@ -288,7 +304,7 @@ mod tests {
             for (k, b) in blend.half_widths().iter().enumerate() {
                 let slope = if k == 5 { odd } else { 0.14 + 0.001 * b };
                 let root = Root { lambda: 5.0 + b, branch: 1.0, slope, doubt: 0.0 };
-                found.add(Member { root, lack: vec![1.0], moves: None });
+                found.add(Member { root, lack: vec![1.0], stuck: None, moves: None });
             }
             found.blended(blend, END, None).root_at(1.0, 0.005).doubt
         };

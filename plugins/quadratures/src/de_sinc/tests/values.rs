@@ -74,13 +74,13 @@ fn what_is_lost_between_the_nodes_is_told() {
                     scale * (value(rule.as_ref(), &unknowns, c * t, gap) - told(t) * s.powi(power)).abs()
                 };
                 let off = (0..400).map(off).fold(0.0, f64::max);
-                let lost = rule.lost_between(&unknowns).expect("told");
+                let lost = rule.lost_between(&unknowns, c).expect("told");
                 let case = format!("{parity:?} {edge:?}, poles at {real} + {imaginary} i, {n} steps");
                 assert!(off <= 3.0 * lost && lost <= 10.0 * off, "{off:.1e} off, {lost:.1e} told: {case}");
             }
         }
         let rule = rule(c, parity, edge, 12);
-        assert_eq!(rule.lost_between(&vec![0.0; rule.unknowns()]), Some(0.0), "of nothing nothing is lost");
+        assert_eq!(rule.lost_between(&vec![0.0; rule.unknowns()], 0.0), Some(0.0), "of nothing nothing is lost");
     }
 }
 
