@@ -101,7 +101,9 @@ fn what_sticks_is_no_worse_for_more_friction() {
             assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
             let [apart, claimed] = shear_apart(&found, &exact);
             assert!(apart <= 2.0 * claimed, "{apart:e} apart, {claimed:e} claimed at {tolerance:e}, h = {h} b");
-            assert!(claimed <= 6.0 * tolerance, "{claimed:e} claimed at {tolerance:e}, h = {h} b");
+            println!("h = {h} b, {tolerance:e}: {apart:.1e} apart, {claimed:.1e} claimed");
+            // Six are not refined further, and what series over the half-width leave is added: 7 under a coefficient of 10.
+            assert!(claimed <= 10.0 * tolerance, "{claimed:e} claimed at {tolerance:e}, h = {h} b");
         }
     }
 }
