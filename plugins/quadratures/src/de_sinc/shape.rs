@@ -73,9 +73,11 @@ impl<'a> Shape<'a> {
     /// the limit, which it is taken to have reached at the last. There `y` is still something like the last gap.
     pub(super) fn lost_at_end(&self, nearest: f64) -> f64 {
         let Self { grid, signed, .. } = *self;
-        let nodes = &grid.nodes[..grid.first + signed.len()];
-        let [.., before, _] = nodes else { return 0.0 };
-        if grid.edge == Edge::Sharp && nearest < before.gap { signed.last().map_or(0.0, |y| y.abs()) } else { 0.0 }
+        if grid.edge != Edge::Sharp {
+            return 0.0;
+        }
+        let [.., before, _] = &grid.nodes[..signed.len()] else { return 0.0 };
+        if nearest < before.gap { signed.last().map_or(0.0, |y| y.abs()) } else { 0.0 }
     }
 
     /// The density at points strictly inside an interval of that half-width.
