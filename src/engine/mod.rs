@@ -8,10 +8,11 @@
 //! | `accuracy` | what a result reports, and how sure each number is |
 //! | `problem`, `prepared_layer` | the scene in the layer's units; its layer with flexibility and kernels |
 //! | `pressure`, `friction` | the parts of one contact at one resolution |
-//! | `contact`, `growing` | a contact solved at once, or as a stack of the flat punches that it grew through |
+//! | `outcome`, `contact`, `growing` | what a resolution answers: a contact solved at once, or as a stack of the flat punches that it grew through |
 //! | `refine` | resolutions, until the estimate meets the tolerance |
 //! | `verdict`, `assemble`, `solution` | whether to believe it, and the result in the scene's units |
 //! | `stand_in`, `layer`, `solver` | a cheaper solid where one will do; what one load leaves to the next |
+//! | `portrait` | what a layer looks like, whether or not it is solved |
 //!
 //! It knows the traits of `slipzone-api` and no plugin by name, prints nothing and reads no file.
 

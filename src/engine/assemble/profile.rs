@@ -72,10 +72,8 @@ impl Solved<'_> {
     /// The scene's friction coefficient over that of the stick zone found, which is as far from it as the zone is from its root: what slides
     /// bears `eta p` to the last digit.
     fn friction_as_told(&self) -> f64 {
-        let found = self.judged.outcome.rubbing.as_ref().and_then(Rubbing::reported);
-        let [told, own] =
-            [self.problem.friction, self.stage.signed_friction()].map(|friction| friction.filter(|_| found.is_some()));
-        told.zip(own).map_or(1.0, |(told, own)| told / own.abs())
+        let found = self.judged.outcome.rubbing.as_ref().and_then(Rubbing::reported).and(self.stage.signed_friction());
+        self.problem.friction.zip(found).map_or(1.0, |(told, found)| told / found.abs())
     }
 
     /// Adds the strain left in the stick zone to the tractions, where the scene asks for it and it can be told. How uncertain it is, over

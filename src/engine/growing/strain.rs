@@ -73,15 +73,15 @@ impl Growing {
 fn graded(breaks: &[f64]) -> Vec<f64> {
     let mut all = Vec::with_capacity(breaks.len());
     for ends in breaks.windows(2) {
-        all.push(ends[0]);
-        if ends[0] > 0.0 {
-            let parts = ((ends[1] / ends[0]).ln() / FARTHER.ln()).ceil().max(1.0);
-            let step = (ends[1] / ends[0]).powf(parts.recip());
-            let mut end = ends[0] * step;
-            while end < ends[1] / step.sqrt() {
-                all.push(end);
-                end *= step;
-            }
+        let (lower, upper) = (ends[0], ends[1]);
+        all.push(lower);
+        // The piece in the middle is sampled towards it anyway.
+        let farther = if lower > 0.0 { (upper / lower).ln() } else { 0.0 };
+        let parts = (farther / FARTHER.ln()).ceil();
+        let mut part = 1.0;
+        while part < parts {
+            all.push(lower * (farther * part / parts).exp());
+            part += 1.0;
         }
     }
     all.extend(breaks.last());

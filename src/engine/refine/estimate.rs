@@ -116,7 +116,8 @@ fn is_vain(
 /// How fast resolutions of so many unknowns may come; few stand too far apart to see the layer, or a narrow edge.
 pub(super) fn fastest(layer: &PreparedLayer, problem: &Problem, outcome: &Outcome, unknowns: usize) -> Fastest {
     let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
-    let edge = if problem.face() > 0.0 { half_width - problem.face() } else { half_width };
+    // All of the contact where there is no face, none where there is nothing else.
+    let edge = half_width - problem.face();
     match layer.is_proven() {
         _ if edge > 0.0 && edge < NARROW_EDGE * half_width => Fastest::UNSEEN,
         _ if WIDE * half_width > UNSEEN * layer.length() * unknowns as f64 => Fastest::UNSEEN,

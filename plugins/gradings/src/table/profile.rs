@@ -102,8 +102,7 @@ impl Profile {
                     let line = rows[0].exp() + part * (rows[1].exp() - rows[0].exp());
                     (self.curve.at(depth, &self.logarithms).exp() / line - 1.0, depth)
                 };
-                let far = |one: &(f64, f64), other: &(f64, f64)| one.0.abs().total_cmp(&other.0.abs());
-                LOOKED.into_iter().map(departure).max_by(far).unwrap_or_default()
+                farthest(LOOKED.into_iter().map(departure)).unwrap_or_default()
             };
             gaps.map(of).collect()
         })
@@ -111,15 +110,14 @@ impl Profile {
 
     /// By how much the modulus leaves straight lines between rows above a depth, if that is to be told.
     fn departure(&self, base: f64) -> Option<String> {
-        let within = self.departures().iter().filter(|(_, depth)| *depth <= base);
-        let (departure, depth) = within.max_by(|one, other| one.0.abs().total_cmp(&other.0.abs()))?;
+        let (departure, depth) = farthest(self.departures().iter().copied().filter(|(_, depth)| *depth <= base))?;
         (departure.abs() > TOLD).then(|| {
             format!(
                 "between its rows the grading is a smooth curve, which leaves straight lines from row to row by up to {:.0} %: at depth \
                  {} the modulus is that much {}",
                 100.0 * departure.abs(),
-                short(*depth),
-                if *departure > 0.0 { "larger" } else { "smaller" }
+                short(depth),
+                if departure > 0.0 { "larger" } else { "smaller" }
             )
         })
     }
@@ -188,6 +186,11 @@ impl Profile {
         let rows = self.curve.nodes().iter().map(|depth| depth / thickness).take_while(|depth| *depth <= 1.0).collect();
         Ok(Box::new(Law { profile: self, thickness, rows }))
     }
+}
+
+/// The departure that is farthest from none, and its depth.
+fn farthest(departures: impl Iterator<Item = (f64, f64)>) -> Option<(f64, f64)> {
+    departures.max_by(|one, other| one.0.abs().total_cmp(&other.0.abs()))
 }
 
 #[derive(Debug)]
