@@ -116,6 +116,23 @@ fn what_a_finer_grid_costs_counts() {
     assert!(solution.status == Status::Refused && reason.contains("budget, 1e8"), "{:?}: {reason}", solution.status);
 }
 
+/// The slip zone beside a stick zone took 21 nodes for each thickness of the layer in it, 2e4 where the layer was a thousandth of the contact:
+/// half of all readings, for no digit.
+#[test]
+fn slip_zones_on_a_thin_coating_take_no_more_nodes_than_the_unknowns_tell() {
+    let text = "format = 1\nlayer = { thickness = 1e-3, poisson = 0.3, grading = { type = \"homogeneous\", modulus = 2.0 }, \
+                base = { type = \"half-plane\", shear = 1.0, poisson = 0.3 } }\n\
+                punch = { type = \"flat\", half_width = 1.0 }\nfriction = { type = \"goodman\", coefficient = 0.2 }\n\
+                load = { force = 1.0 }\nsolver = { tolerance = 1e-4 }";
+    let solution = solve(&slipzone::scene::parse("coating", text).unwrap());
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+    let readings = solution.plan.kernel_evaluations;
+    assert!(readings < 80_000_000, "{readings} readings");
+    // With 182 unknowns and 21 nodes for each thickness.
+    let apart = (solution.stick.unwrap().ratio.unwrap() / 0.399_743_092 - 1.0).abs();
+    assert!(apart < solution.error.each["stick.ratio"], "{apart:e}");
+}
+
 /// Found by random scenes: each load of a curve tried again what the budget had refused, and a refused system was counted as
 /// done (98,280 loads, three minutes, 3,400 times the budget); a stick zone refused between two grids was told on the wrong one,
 /// which panicked.
