@@ -24,6 +24,8 @@ pub(super) struct Pieces {
     pub(super) list: Vec<Piece>,
     /// Angles of the Gauss points, piece by piece.
     pub(super) angle: Vec<f64>,
+    /// Sines and cosines of half these angles.
+    pub(super) half: Vec<(f64, f64)>,
     /// Measure of the density at these points: `f dx = c unknown-polynomial * measure dtheta`.
     pub(super) measure: Vec<f64>,
     /// `degree + 1` basis values for each Gauss point.
@@ -35,8 +37,13 @@ impl Pieces {
     pub(super) fn new(mesh: &Mesh, gauss: &Gauss, basis: Basis, cuts: &[usize]) -> Self {
         let points = gauss.z.len() * cuts.iter().sum::<usize>();
         let width = mesh.degree + 1;
-        let mut pieces =
-            Self { list: Vec::new(), angle: Vec::with_capacity(points), measure: Vec::new(), basis: Vec::new() };
+        let mut pieces = Self {
+            list: Vec::new(),
+            angle: Vec::with_capacity(points),
+            half: Vec::with_capacity(points),
+            measure: Vec::with_capacity(points),
+            basis: Vec::with_capacity(points * width),
+        };
         let mut row = vec![0.0; width];
         for (panel, &cuts) in cuts.iter().enumerate() {
             let half_length = mesh.half_length(panel) / cuts as f64;
@@ -47,6 +54,7 @@ impl Pieces {
                     let offset = (1.0 + z + 2.0 * cut as f64) / cuts as f64;
                     let angle = mesh.angle(Place { panel, offset });
                     pieces.angle.push(angle);
+                    pieces.half.push((0.5 * angle).sin_cos());
                     pieces.measure.push(basis.measure(angle));
                     mesh.basis_into(offset, &mut row);
                     pieces.basis.extend_from_slice(&row);
@@ -61,16 +69,19 @@ impl Pieces {
         let per_piece = summand.len() / self.list.len();
         let width = mesh.degree + 1;
         row.fill(0.0);
-        for (p, piece) in self.list.iter().enumerate() {
-            let first = piece.panel * mesh.degree;
-            let points = p * per_piece..(p + 1) * per_piece;
-            for (k, value) in points.clone().zip(&summand[points]) {
-                for (i, entry) in self.basis[k * width..(k + 1) * width].iter().enumerate() {
-                    if let Some(j) = basis.unknown(first + i)
-                        && j < row.len()
-                    {
-                        row[j] += value * entry;
-                    }
+        let mut points = summand.iter().zip(self.basis.chunks_exact(width));
+        let mut of_panel = vec![0.0; width];
+        for pieces in self.list.chunk_by(|one, next| one.panel == next.panel) {
+            of_panel.fill(0.0);
+            for (value, basis) in points.by_ref().take(per_piece * pieces.len()) {
+                of_panel.iter_mut().zip(basis).for_each(|(sum, entry)| *sum += value * entry);
+            }
+            let first = pieces[0].panel * mesh.degree;
+            for (i, sum) in of_panel.iter().enumerate() {
+                if let Some(j) = basis.unknown(first + i)
+                    && j < row.len()
+                {
+                    row[j] += sum;
                 }
             }
         }

@@ -29,17 +29,26 @@ pub(super) struct Regular {
 /// Most pieces of a panel. A kernel that varies over less is not resolved, which differences between resolutions tell.
 const MOST_CUTS: usize = 1 << 14;
 
+/// Into how many pieces each panel is cut where the kernel's length is `1/thinness` of the half-width.
+fn cuts(layout: &Layout, thinness: f64) -> impl Iterator<Item = usize> {
+    layout.mesh.breaks.windows(2).map(move |panel| {
+        // |dx| = c sin(theta) dtheta is largest at the upper end.
+        let longest = thinness * panel[1].sin() * (panel[1] - panel[0]);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive, and saturates
+        let cuts = (longest / PIECE).ceil() as usize;
+        cuts.clamp(1, MOST_CUTS)
+    })
+}
+
+/// Gauss points at which a kernel of `1/thinness` of the half-width is summed for one target.
+pub(super) fn points(layout: &Layout, thinness: f64) -> usize {
+    layout.gauss.z.len() * cuts(layout, thinness).sum::<usize>()
+}
+
 impl Regular {
     /// Cuts the panels so that no piece is longer than the kernel's `length` allows, and hands out the pieces.
     pub(super) fn prepare(&mut self, layout: &Layout, half_width: f64, length: f64) -> &Pieces {
-        let cuts_of = |panel: &[f64]| {
-            // |dx| = c sin(theta) dtheta is largest at the upper end.
-            let longest = half_width * panel[1].sin() * (panel[1] - panel[0]);
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive, and saturates
-            let cuts = (longest / (PIECE * length)).ceil() as usize;
-            cuts.clamp(1, MOST_CUTS)
-        };
-        let cuts: Vec<usize> = layout.mesh.breaks.windows(2).map(cuts_of).collect();
+        let cuts: Vec<usize> = cuts(layout, half_width / length).collect();
         if self.pieces.is_none() || cuts != self.cuts {
             let pieces = Pieces::new(&layout.mesh, &layout.gauss, layout.basis, &cuts);
             let points = pieces.angle.len();
@@ -70,11 +79,14 @@ impl Regular {
     ) {
         let pieces = self.pieces.as_ref().expect("prepared");
         let points = pieces.angle.len();
-        for (k, angle) in pieces.angle.iter().enumerate() {
-            let (difference, sum) = (0.5 * (angle - target), 0.5 * (angle + target));
-            // cos(target) -+ cos(angle)
-            self.distances[k] = 2.0 * half_width * difference.sin() * sum.sin();
-            self.distances[points + k] = 2.0 * half_width * difference.cos() * sum.cos();
+        let (sin, cos) = (0.5 * target).sin_cos();
+        let (direct, image) = self.distances.split_at_mut(points);
+        for ((direct, image), half) in direct.iter_mut().zip(image).zip(&pieces.half) {
+            // Sines and cosines of (angle -+ target)/2; their products are half of cos(target) -+ cos(angle).
+            let (sine, cosine) = (half.0 * cos, half.1 * sin);
+            *direct = 2.0 * half_width * (sine - cosine) * (sine + cosine);
+            let (cosine, sine) = (half.1 * cos, half.0 * sin);
+            *image = 2.0 * half_width * (cosine + sine) * (cosine - sine);
         }
         table.parts_into(component, &self.distances, self.parts.first(2 * points));
 

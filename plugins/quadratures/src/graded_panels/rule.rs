@@ -1,10 +1,14 @@
 //! One density of a given parity on `[-half_width, half_width]`.
 
 use super::layout::{Basis, Layout};
-use super::regular::Regular;
+use super::regular::{self, Regular};
 use slipzone_api::{Component, Densities, Edge, KernelTable, Parity, Rule, Station};
 use std::f64::consts::PI;
 use std::sync::Arc;
+
+/// Multiplications, of those that run side by side, that a point costs a target beside the kernel there: its distance, its weight, and a
+/// panel's polynomials, one after the other. Measured under 3,000 thicknesses, 16e6 points: 20 ns, where one of an elimination takes 0.5 and one of these counts a quarter of it.
+const PER_POINT: u64 = 160;
 
 /// The layout, stretched.
 pub(super) struct PanelRule {
@@ -50,6 +54,11 @@ impl Rule for PanelRule {
 
     fn half_width(&self) -> f64 {
         self.half_width
+    }
+
+    fn multiplications_beside(&self, thinness: f64) -> u64 {
+        let points = regular::points(&self.layout, thinness) as u64;
+        PER_POINT * self.stations.len() as u64 * points
     }
 
     fn stretch(&mut self, half_width: f64) {
