@@ -183,6 +183,10 @@ impl FrictionCurve<'_> {
         }
         let slope = -2.0 / (PI * self.strained());
         let predicted = lambda + (target.recip() - value.recip()) / slope;
+        // Where the pressure pulls in the middle the curve rises to a pole: no zone below takes less friction.
+        if predicted >= lambda {
+            return Ok(());
+        }
         if predicted < Self::NARROWEST {
             found.narrower = Some(Self::NARROWEST);
             return Ok(());

@@ -26,7 +26,7 @@ use crate::engine::work::Work;
 use crate::engine::work::budget::Meter;
 use depths::Depths;
 use pressed::{Pressed, Table};
-use rubbed::{Moves, PARTS, Rubbed};
+use rubbed::{Moves, PARTS, Rubbed, Seen};
 use slipzone_api::double_exponential::Node;
 use slipzone_api::{Component, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station, short};
 use std::ops::Range;
@@ -59,8 +59,6 @@ const SLOPE_DOUBT: f64 = 0.005;
 /// Measured under `|x|^2.5` on a stiff skin 33 times thinner than the contact is wide, with 56 members: the force off by 6e-4, the pressure by
 /// 2e-3 at a tenth of the half-width and by 6e-2 at its peak beside the edge; so told, peaks there are off by up to half of it.
 const STEEP: f64 = 2.0;
-/// Factor on what the series of the stick zones are taken to leave, where it is asked whether these shrink.
-const UNSURE: f64 = 4.0;
 /// Of so many points one is checked against the conditions of friction.
 const CHECKED: usize = 4;
 
@@ -212,15 +210,14 @@ impl Family {
     /// The first of the half-widths that a contact grows through beyond which the stick zone shrinks: from one member to the next by more
     /// than rounding, between them by more than is not known of it, too.
     pub(crate) fn shrinks(&self, through: Range<f64>, rounding: f64) -> Option<f64> {
-        let rubbed = self.rubbed.as_ref()?;
-        let left = UNSURE * rubbed.told.left() * self.widest();
-        let shrinks = |wide: (f64, f64), narrow: (f64, f64), left: f64| {
-            through.contains(&narrow.0) && wide.1 < narrow.1 * (1.0 - rounding - left / narrow.0)
+        let zones = &self.rubbed.as_ref()?.zones;
+        let shrinks = |wide: &Seen, narrow: &Seen| {
+            through.contains(&narrow.half_width) && wide.shrinks_from(narrow).start > rounding
         };
-        let mut members = rubbed.zones.windows(PARTS + 1).step_by(PARTS);
-        let at_members = members.rfind(|zones| shrinks(zones[0], zones[PARTS], 0.0)).map(|zones| zones[PARTS].0);
-        let mut neighbours = rubbed.zones.windows(2);
-        let between = neighbours.rfind(|zones| shrinks(zones[0], zones[1], left)).map(|zones| zones[1].0);
+        let mut members = zones.windows(PARTS + 1).step_by(PARTS);
+        let at_members = members.rfind(|zones| shrinks(&zones[0], &zones[PARTS])).map(|zones| zones[PARTS].half_width);
+        let mut neighbours = zones.windows(2);
+        let between = neighbours.rfind(|zones| shrinks(&zones[0], &zones[1])).map(|zones| zones[1].half_width);
         at_members.into_iter().chain(between).reduce(f64::min)
     }
 

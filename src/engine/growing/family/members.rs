@@ -2,13 +2,14 @@
 
 use super::depths::Depths;
 use super::pressed::Pressed;
-use super::rubbed::{Member, Members, Rubbed};
+use super::rubbed::{Member, Members, Rubbed, Seen};
 use super::{CHECKED, Family, Room, Unfit, during, member};
 use crate::engine::accuracy::error_estimate::apart;
 use crate::engine::accuracy::quantity::ShearTrace;
 use crate::engine::contact::Contact;
 use crate::engine::friction::rubbing::{Rubbing, Verdict};
 use crate::engine::friction::stick_search::{FrictionCurve, Root};
+use crate::engine::growing::STEADY;
 use crate::engine::growing::blend::Blend;
 use crate::engine::growing::sheet::{END, FAR_END};
 use crate::engine::numerics::chebyshev::largest;
@@ -149,6 +150,27 @@ impl Family {
         }
         let told = coarse_zones.map(|coarse| (coarse.told, wrong.over(blend.widest())));
         self.rubbed = Some(members.blended(blend, self.end_of_shear, told));
+        Ok(self.look_closer(layer, task)?)
+    }
+
+    /// Solves for the stick zones between the members that are told to shrink, but by less than is sure: narrow ones are told no better
+    /// than wide ones ask for.
+    fn look_closer(&mut self, layer: &mut PreparedLayer, task: Task) -> Result<(), Refusal> {
+        let Some(rubbed) = self.rubbed.as_ref().filter(|_| self.shrinks(0.0..f64::INFINITY, STEADY).is_none()) else {
+            return Ok(());
+        };
+        let neighbours = rubbed.zones.windows(2).enumerate();
+        let told = neighbours.filter(|(_, zones)| zones[0].shrinks_from(&zones[1]).end > STEADY);
+        let mut unsure: Vec<usize> = told.flat_map(|(k, _)| [k, k + 1]).collect();
+        unsure.retain(|k| rubbed.zones[*k].unsure > 0.0);
+        unsure.dedup();
+        let half_widths: Vec<f64> = unsure.iter().map(|k| rubbed.zones[*k].half_width).collect();
+        for (k, b) in unsure.into_iter().zip(half_widths) {
+            self.take_pressure(b);
+            let Some(found) = self.rubbing(layer, task, b)? else { continue };
+            let rubbed = self.rubbed.as_mut().expect("known above");
+            rubbed.zones[k] = Seen { half_width: b, zone: found.zone.half_width, unsure: REFINED * task.tolerance * b };
+        }
         Ok(())
     }
 

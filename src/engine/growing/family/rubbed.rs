@@ -10,6 +10,7 @@ use crate::engine::growing::sheet::{Places, Sheet};
 use crate::engine::numerics::chebyshev::largest;
 use crate::engine::numerics::lanes::{LANES, Lanes, add_rows};
 use slipzone_api::Station;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The stick zones of a family.
@@ -20,8 +21,8 @@ pub(super) struct Rubbed {
     pub(super) told: Told,
     /// By how much more slowly what the shear lacks falls off than the zone.
     slower: f64,
-    /// Half-widths of contacts and their stick zones, descending: of the members, and as told between them.
-    pub(super) zones: Vec<(f64, f64)>,
+    /// Stick zones of contacts, the widest contact first: of the members, and of some between them.
+    pub(super) zones: Vec<Seen>,
     /// How much of each function of the half-width there is in it, and in the slope of the friction coefficient over it.
     of_lambda: Vec<f64>,
     of_slope: Vec<f64>,
@@ -217,8 +218,8 @@ impl Members {
         let of_lack = blend.last(&lack, width) / largest(&lack).max(least);
         let told = Told::new(blend.functions(), of_lack.max(of_zone), coarse);
         Rubbed {
+            zones: zones(&blend, &self.lambda, &of_lambda, UNSURE * told.left() * blend.widest()),
             told,
-            zones: zones(&blend, &self.lambda, &of_lambda),
             of_lambda,
             slope_left: if are_alike(&self.slope) {
                 blend.last(&of_slope, 1) / largest(&of_slope)
@@ -250,16 +251,40 @@ fn felt(lambda: f64) -> f64 {
 /// Parts of the way from one member to the next, over each of which a zone is taken to grow, or to shrink.
 pub(super) const PARTS: usize = 4;
 
-/// Half-widths of contacts and their stick zones at the members, descending, and at the ends of the parts between.
-fn zones(blend: &Blend, lambda: &[f64], of_lambda: &[f64]) -> Vec<(f64, f64)> {
-    let zone = |b: f64, lambda: f64| (b, StickZone::from_log(lambda, b).half_width);
+/// Factor on what the series of the stick zones are taken to leave, where it is asked whether these shrink.
+const UNSURE: f64 = 4.0;
+
+/// The stick zone of a contact of some half-width.
+#[derive(Clone, Copy)]
+pub(super) struct Seen {
+    pub(super) half_width: f64,
+    pub(super) zone: f64,
+    /// How unsure that is, relative, times the half-width.
+    pub(super) unsure: f64,
+}
+
+impl Seen {
+    /// By how much it is smaller than that of a narrower contact, relative: the least that is sure, and what is said.
+    pub(super) fn shrinks_from(&self, narrow: &Self) -> Range<f64> {
+        let said = 1.0 - self.zone / narrow.zone;
+        said - self.unsure.max(narrow.unsure) / narrow.half_width..said
+    }
+}
+
+/// Stick zones at the members, the widest first, and as told at the ends of the parts between, where they are so `unsure`.
+fn zones(blend: &Blend, lambda: &[f64], of_lambda: &[f64], unsure: f64) -> Vec<Seen> {
+    let seen = |b: f64, lambda: f64, unsure: f64| Seen {
+        half_width: b,
+        zone: StickZone::from_log(lambda, b).half_width,
+        unsure,
+    };
     let half_widths = blend.half_widths();
     let mut zones = Vec::with_capacity(PARTS * half_widths.len());
     for (k, (b, lambda)) in half_widths.iter().zip(lambda).enumerate() {
-        zones.push(zone(*b, *lambda));
+        zones.push(seen(*b, *lambda, 0.0));
         let Some(next) = half_widths.get(k + 1) else { break };
         let between = (1..PARTS).map(|part| b + (next - b) * part as f64 / PARTS as f64);
-        zones.extend(between.map(|b| zone(b, blend.sum(b, of_lambda))));
+        zones.extend(between.map(|b| seen(b, blend.sum(b, of_lambda), unsure)));
     }
     zones
 }
