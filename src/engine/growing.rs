@@ -149,7 +149,7 @@ impl Growing {
             return Ok(None);
         }
         let size = if self.is_kinked {
-            Size::exactly(half_width)
+            stack.size(problem, family, half_width)
         } else {
             let start = known.unwrap_or_else(|| stack.size_about(problem, family, half_width));
             contact_size::press(layer, problem, normal, task.wanted, task.tolerance, Some(start))?
@@ -295,7 +295,7 @@ impl Growing {
                 });
             }
             if let Some(half_width) = found {
-                return Ok(Size::exactly(half_width));
+                return Ok(stack.size(problem, family, half_width));
             }
             let before = widest;
             widest = short_of_end(problem, widest, widest * ROOM_BESIDE_GUESS.powi(2));

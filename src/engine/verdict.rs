@@ -43,6 +43,9 @@ fn objection(
     let inexact = || {
         let why = if error < ROUNDED {
             "; double precision allows no more"
+        } else if judged.outcome.size.is_some_and(|size| size.missed > 0.5 * error) {
+            "; so little of the half-width lies beyond the punch's face that double precision allows no more: prescribe the half-width, whose \
+             force is told better"
         } else if problem
             .smoothing_errors(&judged.outcome.numbers)
             .get(worst)

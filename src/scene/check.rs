@@ -347,7 +347,7 @@ fn ratios(document: &Document, _scene: &Scene) -> Result<(), SceneError> {
         Some(DeValue::Array(path)) => path.len().saturating_sub(1).to_string(),
         _ => String::new(),
     };
-    let places: [&[&str]; 7] = [
+    let places: [&[&str]; 8] = [
         &["layer", "thickness"],
         &["punch", "half_width"],
         &["punch", "radius"],
@@ -356,6 +356,7 @@ fn ratios(document: &Document, _scene: &Scene) -> Result<(), SceneError> {
         // Those between are between.
         &["load", "path", "half_width", "0"],
         &["load", "path", "half_width", &last],
+        &["layer", "datum"],
     ];
     let lengths: Vec<_> = places
         .iter()

@@ -84,6 +84,12 @@ pub trait LayerResponse: Send + Sync {
         self.depth()
     }
 
+    /// How deep the solid goes on to change, where a datum makes [`Self::thickness`] less: towards the origin the flexibility varies over its
+    /// inverse.
+    fn extent(&self) -> Option<f64> {
+        self.thickness()
+    }
+
     /// Whether [`Self::depth`] is where the law breaks, and not only how far it is known to be smooth.
     fn breaks(&self) -> bool {
         false

@@ -254,6 +254,10 @@ impl LayerResponse for AgainstDatum {
         self.layer.thickness().map(|thickness| thickness.min(0.5 * self.datum))
     }
 
+    fn extent(&self) -> Option<f64> {
+        self.layer.thickness()
+    }
+
     fn breaks(&self) -> bool {
         self.layer.breaks()
     }

@@ -301,17 +301,27 @@ impl Stack {
 
     /// Half-width of the contact under a load; `None` where no member bears it.
     pub(crate) fn under(&mut self, problem: &Problem, family: &mut Family, load: LoadInLayerUnits) -> Option<f64> {
+        let shrinks = match load {
+            LoadInLayerUnits::HalfWidth(half_width) => return Some(half_width),
+            LoadInLayerUnits::Force(_) => problem.is_on_soft_base() || problem.has_soft_sublayer(),
+            LoadInLayerUnits::Indentation(_) => !problem.layer.is_grounded() || problem.has_soft_sublayer(),
+        };
+        self.first(shrinks, |stack, b| stack.excess(problem, family, load, b))
+    }
+
+    /// What a contact of that half-width bears beyond a load, relative.
+    fn excess(&mut self, problem: &Problem, family: &mut Family, load: LoadInLayerUnits, b: f64) -> f64 {
         match load {
-            LoadInLayerUnits::HalfWidth(half_width) => Some(half_width),
-            LoadInLayerUnits::Force(force) => self
-                .first(problem.is_on_soft_base() || problem.has_soft_sublayer(), |stack, b| {
-                    stack.force(problem, b) / force - 1.0
-                }),
-            LoadInLayerUnits::Indentation(depth) => self
-                .first(!problem.layer.is_grounded() || problem.has_soft_sublayer(), |stack, b| {
-                    stack.depth(problem, family, b) / depth - 1.0
-                }),
+            LoadInLayerUnits::HalfWidth(half_width) => b / half_width - 1.0,
+            LoadInLayerUnits::Force(force) => self.force(problem, b) / force - 1.0,
+            LoadInLayerUnits::Indentation(depth) => self.depth(problem, family, b) / depth - 1.0,
         }
+    }
+
+    /// A half-width that bears the load, with what it misses of that: the force grows from a face like a power of what is beyond it, of which the
+    /// half-width holds few digits, a millionth where that is 1e-10 of it.
+    pub(crate) fn size(&mut self, problem: &Problem, family: &mut Family, half_width: f64) -> Size {
+        Size::exactly(half_width).missing(self.excess(problem, family, problem.load, half_width).abs())
     }
 
     /// The narrowest half-width at which something grows through zero, where it may shrink again: a stiff surface bends, and a

@@ -69,6 +69,11 @@ impl Size {
         Self { half_width, slope: f64::NAN, missed: 0.0, is_guess: false, is_beside_top: false }
     }
 
+    /// The same where that misses so much of the load.
+    pub(crate) fn missing(self, missed: f64) -> Self {
+        Self { missed, ..self }
+    }
+
     /// A size to start from, where the load grows with that slope.
     pub(crate) fn about(half_width: f64, slope: f64) -> Self {
         Self { slope, is_guess: true, ..Self::exactly(half_width) }

@@ -90,7 +90,7 @@ fn lengths_beyond_compare_do_not_panic() {
         "format = 1\nlayer = { poisson = 0.3, grading = { type = \"stack\", layers = [{ thickness = 50.0, \
          grading = { type = \"exponential\", surface = 5e-3, base = 5e-4 } }] } }\n\
          punch = { type = \"flat\", half_width = 2e22 }\nfriction = { type = \"goodman\", coefficient = 0.5 }\nload = { force = 0.01 }",
-        "format = 1\nlayer = { thickness = 5.0, poisson = 0.3, datum = 1e-24, grading = { type = \"homogeneous\", modulus = 1.0 }, \
+        "format = 1\nlayer = { thickness = 5.0, poisson = 0.3, datum = 1e-8, grading = { type = \"homogeneous\", modulus = 1.0 }, \
          base = { type = \"half-plane\", shear = 0.7, poisson = 0.3 } }\npunch = { type = \"cylinder\", radius = 1.0 }\n\
          load = { half_width = 1.0 }\nsolver = { tolerance = 1e-3, quadrature = { type = \"graded-panels\" } }",
     ];

@@ -61,6 +61,9 @@ const FAR: f64 = 400.0;
 const FIRST_SPLIT: f64 = 0.2;
 /// Where the first panel is looked at beside its nodes, over its width.
 const BESIDE_ORIGIN: f64 = 1e-4;
+/// The same over the inverse of the solid's extent, where that is less. A datum of 2e-5 thicknesses made the first panel so wide that all of
+/// what the layer is lay beside its place: the indentation was that of a half-plane, 16 % to 100 % off.
+const BESIDE_EXTENT: f64 = 0.1;
 /// Most wave numbers for one table.
 const MOST_SAMPLES: usize = 4096;
 
@@ -85,7 +88,9 @@ impl Spectrum {
             let phase = (0.5 * width * reach).min(FAST * digits);
             even(guess.least + digits * by_digit + NODES_BY_PHASE * phase)
         };
-        let origin = End::new(response, 0.0, BESIDE_ORIGIN * FIRST_SPLIT * cutoff)?;
+        let of_extent = response.extent().map_or(f64::INFINITY, |extent| BESIDE_EXTENT / extent);
+        let beside_origin = |width: f64| (BESIDE_ORIGIN * width).min(of_extent);
+        let origin = End::new(response, 0.0, beside_origin(FIRST_SPLIT * cutoff))?;
         let end = End { s: cutoff, at: cutoff, flexibility: at_cutoff };
         let middle = End::new(response, FIRST_SPLIT * cutoff, FIRST_SPLIT * cutoff)?;
         spectrum.evaluations += 1;
@@ -127,7 +132,7 @@ impl Spectrum {
             spectrum.evaluations += 1;
             stack.push((middle, upper, nodes, worst, noisy));
             // Beside the origin, as the narrower panel sees it.
-            let lower = if lower.s == 0.0 { End::new(response, 0.0, BESIDE_ORIGIN * at)? } else { lower };
+            let lower = if lower.s == 0.0 { End::new(response, 0.0, beside_origin(at))? } else { lower };
             stack.push((lower, middle, nodes, worst, noisy));
         }
         Ok(spectrum)
