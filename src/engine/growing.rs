@@ -118,7 +118,7 @@ impl Growing {
             None => None,
         };
         let pressure = pressure.unwrap_or_else(|| self.pressure_traced(problem, normal));
-        Ok(self.outcome(size, numbers, pressure, rubbing))
+        Ok(self.outcome(problem, size, numbers, pressure, rubbing))
     }
 
     /// Solves another load of the same punch, the stick zone told between those of the flat punches known; `None` where it is no
@@ -141,11 +141,11 @@ impl Growing {
             if problem.reach() < widest {
                 return Ok(None);
             }
-            self.stacked_on(task)?;
+            self.stacked_on(task, widest)?;
         }
         let (Some(family), Some(stack)) = (&mut self.family, &mut self.stack) else { return Ok(None) };
         let Some(half_width) = stack.under(problem, family, problem.load) else { return Ok(None) };
-        if !serves(family, half_width) {
+        if !serves(family, half_width) || !stack.reaches(half_width) {
             return Ok(None);
         }
         let size = if self.is_kinked {
@@ -170,7 +170,7 @@ impl Growing {
         let (numbers, pressure) = self.sized(layer, problem, normal, size);
         // A stacked pressure is as good as the flat punches known.
         let pressure = pressure.unwrap_or_default();
-        Ok(Some(self.outcome(size, numbers, pressure, rubbing)))
+        Ok(Some(self.outcome(problem, size, numbers, pressure, rubbing)))
     }
 
     /// Takes a size; the numbers of the pressure there, and the pressure at [`Traces::AT`] over its mean unless it is stacked.
@@ -202,6 +202,7 @@ impl Growing {
 
     fn outcome(
         &self,
+        problem: &Problem,
         size: Size,
         mut numbers: Numbers,
         pressure: [f64; Traces::AT.len()],
@@ -210,7 +211,8 @@ impl Growing {
         if let Some(rubbing) = rubbing.as_ref().filter(|_| !self.was_broken()) {
             rubbing.report(&mut numbers);
         }
-        let lost = self.stack.as_ref().map_or((0.0, 0.0), |stack| (stack.lost(), stack.lost_at_kinks()));
+        let lost_of = |stack: &Stack| (stack.lost(problem, self.half_width), stack.lost_at_kinks());
+        let lost = self.stack.as_ref().map_or((0.0, 0.0), lost_of);
         let left = self.family.as_ref().map_or_else(Left::default, Family::left);
         let left = if self.is_kinked { left } else { Left { shear: left.shear, ..Left::default() } };
         Outcome::new(numbers, rubbing, Some(size), pressure, lost, left)
@@ -239,7 +241,15 @@ impl Growing {
         }
         let rubs = task.problem.friction.is_some() && self.given_up.is_none();
         if self.family.as_ref().is_some_and(|family| family.serves(task, rubs, half_width)) {
-            return if self.stack.is_none() { self.stacked_on(task) } else { Ok(()) };
+            let widest = self.family.as_ref().map_or(half_width, Family::widest);
+            return match &self.stack {
+                None => self.stacked_on(task, widest),
+                // One that ends sooner tells what is of rounding in this one.
+                Some(stack) if !stack.tells(task.problem, half_width, SERIES_SHARE * task.tolerance) => {
+                    self.stacked_on(task, widest.min(room * half_width))
+                }
+                Some(_) => Ok(()),
+            };
         }
         self.stack = None;
         self.inherited = Work::default();
@@ -262,16 +272,18 @@ impl Growing {
                 Err(Unfit::Friction(..)) => unreachable!("no friction was asked for"),
             };
         }
-        self.stacked_on(task)
+        let widest = self.family.as_ref().map_or(half_width, Family::widest);
+        self.stacked_on(task, widest)
     }
 
-    fn stacked_on(&mut self, task: Task) -> Result<(), Refusal> {
+    /// Makes the stack over the members of the family up to a widest.
+    fn stacked_on(&mut self, task: Task, widest: f64) -> Result<(), Refusal> {
         let Some(family) = &mut self.family else { return Ok(()) };
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen
         let nodes = (FEWEST_NODES - NODES_PER_DIGIT * task.tolerance.log10()
             + NODES_PER_UNKNOWN * family.unknowns() as f64
             + NODES_PER_LENGTH * family.kernel_lengths().min(MOST_LENGTHS)) as usize;
-        self.stack = Some(Stack::new(task.problem, family, SERIES_SHARE * task.tolerance, nodes)?);
+        self.stack = Some(Stack::new(task.problem, family, widest, (SERIES_SHARE * task.tolerance, nodes))?);
         Ok(())
     }
 
@@ -346,11 +358,11 @@ impl Growing {
         if problem.friction.is_some() && family.shrinks(problem.face()..half_width, STEADY).is_some() {
             return None;
         }
-        let lost = stack.lost() + family.left().force;
         let mut point = |load: &LoadInLayerUnits| {
             family.within_budget().ok()?;
             let b = stack.under(problem, family, *load)?;
             let mut numbers = sizes(layer, problem, family, stack, b);
+            let lost = stack.lost(problem, b) + family.left().force;
             if problem.friction.is_none() {
                 return Some((numbers, lost));
             }

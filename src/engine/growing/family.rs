@@ -51,6 +51,13 @@ pub(crate) const OF_SHEAR: &[Term] = &[(1, 1), (2, 1), (2, 2)];
 const LEFT_OF_FORCE: f64 = 0.1;
 const LEFT_OF_PRESSURE: f64 = 0.3;
 const LEFT_OF_SHEAR: f64 = 1.0;
+/// A face narrower than that, over the widest half-width, is none to the members: they begin with a point, and tell the logarithms with which
+/// a layer begins to be felt. Polynomials from the face on do not.
+///
+/// Measured on random curves under rounded flat punches, most without friction: with polynomials alone loads on the way were off by up to 21
+/// estimates on 100 of 507 with faces of 1e-4 to 0.1 of the last contact, and so they were by up to 3 on 32 of 687 with faces of 0.01 to 0.03; on
+/// none of these so, in half of the work. With faces of 0.03 to 0.25 none of 514 was.
+const SMALL_FACE: f64 = 3e-2;
 /// Doubt of a slope that a coarser resolution tells; see [`crate::engine::numerics::root::Near`].
 const SLOPE_DOUBT: f64 = 0.005;
 /// What is left of a force changes its sign from member to member: its growth, of which a pressure is stacked, is off by as much for
@@ -148,7 +155,8 @@ impl Family {
         let n = rule.unknowns();
         layer.tabulate(widest, task.wanted)?;
         // A contact is never narrower than the face.
-        let ends = (task.problem.face().min(0.5 * widest), widest);
+        let face = task.problem.face();
+        let ends = (if face < SMALL_FACE * widest { 0.0 } else { face.min(0.5 * widest) }, widest);
         let kernel_lengths = widest / layer.length();
         let members = |told: Option<Told>, left: f64| {
             told.map_or_else(|| first_members(n, kernel_lengths), |told| told.enough(left * task.tolerance))

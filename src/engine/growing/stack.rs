@@ -78,14 +78,19 @@ struct Room {
 }
 
 impl Stack {
-    /// The stack of a punch over a family; `digits` is the error wanted, relative. Nodes of the integrals are added until they
+    /// The stack of a punch over the members of a family up to a widest; `digits` is the error wanted, relative. Nodes of the integrals are added until they
     /// are enough for the slope of the shape, which is as steep as the force over the half-width.
-    pub(crate) fn new(problem: &Problem, family: &mut Family, digits: f64, mut nodes: usize) -> Result<Self, Refusal> {
-        let mut stack = Self::empty(problem, family.widest(), digits, nodes);
+    pub(crate) fn new(
+        problem: &Problem,
+        family: &mut Family,
+        widest: f64,
+        (digits, mut nodes): (f64, usize),
+    ) -> Result<Self, Refusal> {
+        let mut stack = Self::empty(problem, widest, digits, nodes);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most MOST_NODES
         while stack.lost > (LOST * digits).max(ROUNDING) && nodes < MOST_NODES {
             nodes = (MORE_NODES * nodes as f64).ceil() as usize;
-            stack = Self::empty(problem, family.widest(), digits, nodes);
+            stack = Self::empty(problem, widest, digits, nodes);
         }
         let mut cuts = 0;
         while stack.pieces.len() + 1 < stack.breaks.len() {
@@ -174,9 +179,19 @@ impl Stack {
         most
     }
 
-    /// What the integrals lose of the shape's height, or the series of its force, relative.
-    pub(crate) fn lost(&self) -> f64 {
-        self.lost
+    /// What the integrals lose of the shape's height, or the series of its force, beside those of the contact of that half-width.
+    pub(crate) fn lost(&self, problem: &Problem, b: f64) -> f64 {
+        self.lost.max(self.piece_at(b).missed_at(problem, b))
+    }
+
+    /// Whether the contact of that half-width is within it, and its force told as well as those of the widest, or to so many digits.
+    pub(crate) fn tells(&self, problem: &Problem, b: f64, digits: f64) -> bool {
+        self.reaches(b) && self.lost(problem, b) <= self.lost.max(digits).max(ROUNDING)
+    }
+
+    /// Whether it reaches to a half-width.
+    pub(crate) fn reaches(&self, b: f64) -> bool {
+        self.breaks.last().is_some_and(|widest| b <= *widest)
     }
 
     /// What they lose of a pressure exactly at a kink.
@@ -266,9 +281,12 @@ impl Stack {
 
     /// The force at a half-width.
     pub(crate) fn force(&self, problem: &Problem, b: f64) -> f64 {
+        self.piece_at(b).force(problem, b)
+    }
+
+    fn piece_at(&self, b: f64) -> &Piece {
         let last = self.pieces.last().expect("one piece at least");
-        let piece = self.pieces.iter().find(|piece| b <= piece.to).unwrap_or(last);
-        piece.force(problem, b)
+        self.pieces.iter().find(|piece| b <= piece.to).unwrap_or(last)
     }
 
     /// Whether the force grows all the way to a half-width, as far as a few of them tell.

@@ -104,6 +104,11 @@ impl Series {
         if all > 0.0 { self.last() / all } else { 0.0 }
     }
 
+    /// What it misses and what rounding makes of it, the same everywhere.
+    pub(crate) fn missed(&self, rounding: f64) -> f64 {
+        self.last() + rounding * largest(&self.0)
+    }
+
     /// How large the last few are.
     pub(crate) fn last(&self) -> f64 {
         largest(&self.0[self.0.len().saturating_sub(3)..])

@@ -315,3 +315,25 @@ fn a_series_that_stalls_tells_a_kink_with_the_coefficients_that_tell_it_best() {
         assert!(error < 3.0 * found.error.each["pressure.peak"] + 1e-7, "{error:e} at {tolerance:e}");
     }
 }
+
+/// Flat punches from a narrow face on were told by polynomials alone, which know little of how a layer begins to be felt: on the way to a
+/// contact 2,000 times as wide as the face, one four times as wide was off by five estimates.
+#[test]
+fn a_contact_hardly_wider_than_a_narrow_face_is_as_good_as_wide_ones() {
+    let solved = |load: &str, tolerance: f64| {
+        let scene = format!(
+            "format = 1\nlayer = {{ thickness = 472.7, poisson = 0.3, \
+             grading = {{ type = \"exponential\", surface = 1.0, base = 2.813 }}, \
+             base = {{ type = \"half-plane\", shear = 0.02243, poisson = 0.49 }} }}\n\
+             punch = {{ type = \"rounded-flat\", half_width = 0.0896, radius = 4964.0 }}\nload = {{ {load} }}\n\
+             solver = {{ tolerance = {tolerance:e} }}\noutput = {{ quantities = [\"load\"] }}\n"
+        );
+        slipzone::engine::solve(&slipzone::scene::parse("narrow.toml", &scene).unwrap())
+    };
+    let curve = solved("path = { force = [4.57e-5, 10.845] }", 1e-8).path.expect("a curve");
+    let exact = solved("force = 4.57e-5", 1e-11).load.half_width.unwrap();
+    assert_eq!(curve.status, Status::Converged, "{:?}", curve.note);
+    let off = (curve.half_width[0].unwrap() / exact - 1.0).abs();
+    let claimed = 3.0 * curve.error.unwrap();
+    assert!(off <= claimed, "off by {off:e}, three estimates are {claimed:e}");
+}

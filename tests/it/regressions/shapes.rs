@@ -230,6 +230,61 @@ fn loads_on_the_way_are_right_where_a_formula_loses_digits_at_its_tip() {
     }
 }
 
+/// Cut into pieces for a tight tolerance, a force that grows by forty orders over one of them was told to rounding of where that ends:
+/// loads on the way to the last were off by up to 1e26 times what they are, some of them pulled, and 2e-9 was claimed.
+#[test]
+fn forces_under_a_steep_punch_are_right_however_small_they_are_beside_the_last() {
+    let solved = |layer: &str, punch: &str, load: &str| {
+        let scene = format!(
+            "format = 1\nlayer = {{ {layer}, poisson = 0.3, grading = {{ type = \"homogeneous\", modulus = 1.0 }} }}\n\
+             punch = {{ {punch} }}\nload = {{ {load} }}\nsolver = {{ tolerance = 1e-8 }}\n"
+        );
+        solve(&slipzone::scene::parse("steep.toml", &scene).expect("a good scene"))
+    };
+    let power = |exponent: f64| format!("type = \"power\", coefficient = 0.01, exponent = {exponent:?}");
+    let rubbed = |exponent: f64| format!("{} }}\nfriction = {{ type = \"goodman\", coefficient = 0.5", power(exponent));
+    for (exponent, punch) in [(64.0, power(64.0)), (50.0, rubbed(50.0)), (64.0, rubbed(64.0))] {
+        let curve = solved("base = { type = \"infinite\" }", &punch, "until = { half_width = 1.0, points = 24 }");
+        let curve = curve.path.expect("a curve");
+        assert_eq!(curve.status, Status::Converged, "{punch}: {:?}", curve.note);
+        let claimed = 3.0 * curve.error.expect("an error");
+        for (b, force) in curve.half_width.iter().zip(&curve.force) {
+            let half_width = b.expect("a half-width");
+            let exact = Power { coefficient: 0.01, exponent, half_width, compliance: 0.7 }.force();
+            let off = (force.expect("a force") / exact - 1.0).abs();
+            assert!(off <= claimed, "{punch} at {half_width}: off by {off:e}, three estimates are {claimed:e}");
+        }
+    }
+    let exponential = "type = \"formula\", height = \"0.01*exp((abs(x) - 1)/0.02)\"".to_owned();
+    let of_layer = if cfg!(feature = "formula") { vec![power(64.0), exponential] } else { vec![power(64.0)] };
+    for punch in of_layer {
+        let half_widths = [0.03, 0.28, 0.3, 0.32, 0.6, 0.9];
+        let alone = half_widths.map(|b| solved("thickness = 0.56", &punch, &format!("half_width = {b}")));
+        for path in ["load.force", "load.indentation"] {
+            let kind = if path == "load.force" { "half_width" } else { "indentation" };
+            let of_last = if kind == "half_width" {
+                "1.0".to_owned()
+            } else {
+                let last = solved("thickness = 0.56", &punch, "half_width = 1.0");
+                format!("{:e}", last.load.indentation.expect("a depth"))
+            };
+            let loads = alone.iter().zip(half_widths).map(|(one, b)| match kind {
+                "half_width" => b.to_string(),
+                _ => format!("{:e}", one.load.indentation.expect("a depth")),
+            });
+            let loads = loads.chain([of_last]).collect::<Vec<_>>().join(", ");
+            let curve = solved("thickness = 0.56", &punch, &format!("path = {{ {kind} = [{loads}] }}"));
+            let curve = curve.path.expect("a curve");
+            assert_eq!(curve.status, Status::Converged, "{punch}, {kind}: {:?}", curve.note);
+            let claimed = 3.0 * (curve.error.expect("an error") + 1e-8);
+            for (force, one) in curve.force.iter().zip(&alone) {
+                let off = (force.expect("a force") / one.load.force.expect("a force") - 1.0).abs();
+                assert!(off <= claimed, "{punch}, {kind}: off by {off:e}, three estimates are {claimed:e}");
+            }
+        }
+    }
+}
+
 /// A punch of slope `rise x` with steps by `jump` rounded off over `width`, and its pressure in the middle of a half-plane were they sharp:
 /// `A0 p(0) = rise + (2/pi) jump arcosh(1/c)`, summed over the steps.
 fn stepped(places: &[f64], width: f64, tolerance: f64) -> (Solution, f64) {

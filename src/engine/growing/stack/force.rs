@@ -168,6 +168,25 @@ impl Stack {
 }
 
 impl Piece {
+    /// What the series leaves out of the force at a half-width, relative to that force. A series of the force itself is as good as its
+    /// largest coefficient has digits; beside the force close to where the piece begins that may be anything.
+    ///
+    /// Measured under `|x|^64` on a layer of 0.56 half-widths, at 0.3 of the half-width: the force there is 2e-34 of the last, and was
+    /// -0.5 of what it is.
+    pub(super) fn missed_at(&self, problem: &Problem, b: f64) -> f64 {
+        let s = self.variable((b - self.from).max(0.0));
+        let missed = match &self.force {
+            Force::OfHeight { rho, kappa } => {
+                let part = |series: &Series| series.last() / series.value_and_slope(s).0.abs();
+                part(rho).max(part(kappa))
+            }
+            Force::FromFace(series) => series.missed(ROUNDING) / series.value_and_slope(s).0.abs(),
+            Force::Plain { series, .. } => series.missed(ROUNDING) / self.force(problem, b).max(0.0),
+        };
+        // A quotient of zeros misses nothing: there is no force.
+        if missed.is_nan() { 0.0 } else { missed }
+    }
+
     /// The force at a half-width.
     pub(super) fn force(&self, problem: &Problem, b: f64) -> f64 {
         let s = self.variable(b - self.from);
