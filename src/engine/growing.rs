@@ -362,7 +362,8 @@ impl Growing {
             family.within_budget().ok()?;
             let b = stack.under(problem, family, *load)?;
             let mut numbers = sizes(layer, problem, family, stack, b);
-            let lost = stack.lost(problem, b) + family.left().force;
+            let missed = stack.excess(problem, family, *load, b).abs();
+            let lost = stack.lost(problem, b) + family.left().force + missed;
             if problem.friction.is_none() {
                 return Some((numbers, lost));
             }

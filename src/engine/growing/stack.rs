@@ -328,7 +328,7 @@ impl Stack {
     }
 
     /// What a contact of that half-width bears beyond a load, relative.
-    fn excess(&mut self, problem: &Problem, family: &mut Family, load: LoadInLayerUnits, b: f64) -> f64 {
+    pub(crate) fn excess(&mut self, problem: &Problem, family: &mut Family, load: LoadInLayerUnits, b: f64) -> f64 {
         match load {
             LoadInLayerUnits::HalfWidth(half_width) => b / half_width - 1.0,
             LoadInLayerUnits::Force(force) => self.force(problem, b) / force - 1.0,

@@ -164,6 +164,11 @@ fn what_a_half_width_beside_the_face_misses_of_its_force_is_told() {
         assert!(off < error + 1e-9 && error < 10.0 * off, "off by {off:e}, told {error:e}");
         assert!(found.reason.is_none_or(|reason| reason.contains("beyond the punch's face")));
     }
+    let curve = text("type = \"rounded-flat\", half_width = 0.999999999001, radius = 100.0", "1e-6")
+        .replace("force = 1.1057254640390242e-15", "path = { force = [1.1057254640390242e-15, 2e-15] }");
+    let path = solve(&slipzone::scene::parse("curve", &curve).unwrap()).path.unwrap();
+    let (off, error) = ((path.indentation.unwrap()[0].unwrap() / flat - 1.0).abs(), path.error.unwrap());
+    assert!(off < error + 1e-9 && error > 1e-8, "off by {off:e}, told {error:e}");
 }
 
 /// Flat punches between those solved were told by polynomials alone once there were some forty of them, which converges slowly:
