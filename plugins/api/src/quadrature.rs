@@ -15,7 +15,7 @@ pub struct Station {
 }
 
 /// Symmetry of a density about the middle of its interval.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Parity {
     /// `f(-x) = f(x)`, like the pressure of a symmetric punch.
     Even,
@@ -24,7 +24,7 @@ pub enum Parity {
 }
 
 /// What a density does at the ends of its interval.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Edge {
     /// Unbounded like `1/sqrt(gap)`: a sharp corner. The equations leave one number free (the resultant).
     Sharp,

@@ -1,7 +1,6 @@
 //! Tables that depend on a resolution alone, made once per process.
 
-use std::collections::HashMap;
-use std::hash::Hash;
+use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// A bounded store of shared tables: what one solve made of a resolution serves the next, on any thread.
@@ -14,12 +13,12 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 /// assert_eq!(roots(5)[4], 2.0);
 /// ```
 pub struct Shelf<K, V> {
-    tables: OnceLock<Mutex<HashMap<K, Arc<V>>>>,
+    tables: OnceLock<Mutex<BTreeMap<K, Arc<V>>>>,
     most: usize,
     numbers: fn(&V) -> usize,
 }
 
-impl<K: Eq + Hash, V> Shelf<K, V> {
+impl<K: Ord, V> Shelf<K, V> {
     /// One that keeps so many numbers, as `numbers` counts them in a table; a table of more is kept alone.
     pub const fn new(most: usize, numbers: fn(&V) -> usize) -> Self {
         Self { tables: OnceLock::new(), most, numbers }
