@@ -141,7 +141,7 @@ impl Growing {
             if problem.reach() < widest {
                 return Ok(None);
             }
-            self.stacked_on(task, widest)?;
+            self.stacked_on(task, f64::INFINITY)?;
         }
         let (Some(family), Some(stack)) = (&mut self.family, &mut self.stack) else { return Ok(None) };
         let Some(half_width) = stack.under(problem, family, problem.load) else { return Ok(None) };
@@ -241,12 +241,11 @@ impl Growing {
         }
         let rubs = task.problem.friction.is_some() && self.given_up.is_none();
         if self.family.as_ref().is_some_and(|family| family.serves(task, rubs, half_width)) {
-            let widest = self.family.as_ref().map_or(half_width, Family::widest);
             return match &self.stack {
-                None => self.stacked_on(task, widest),
+                None => self.stacked_on(task, f64::INFINITY),
                 // One that ends sooner tells what is of rounding in this one.
                 Some(stack) if !stack.tells(task.problem, half_width, SERIES_SHARE * task.tolerance) => {
-                    self.stacked_on(task, widest.min(room * half_width))
+                    self.stacked_on(task, room * half_width)
                 }
                 Some(_) => Ok(()),
             };
@@ -272,17 +271,17 @@ impl Growing {
                 Err(Unfit::Friction(..)) => unreachable!("no friction was asked for"),
             };
         }
-        let widest = self.family.as_ref().map_or(half_width, Family::widest);
-        self.stacked_on(task, widest)
+        self.stacked_on(task, f64::INFINITY)
     }
 
-    /// Makes the stack over the members of the family up to a widest.
-    fn stacked_on(&mut self, task: Task, widest: f64) -> Result<(), Refusal> {
+    /// Makes the stack over the members of the family, of those up to a half-width.
+    fn stacked_on(&mut self, task: Task, up_to: f64) -> Result<(), Refusal> {
         let Some(family) = &mut self.family else { return Ok(()) };
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few dozen
         let nodes = (FEWEST_NODES - NODES_PER_DIGIT * task.tolerance.log10()
             + NODES_PER_UNKNOWN * family.unknowns() as f64
             + NODES_PER_LENGTH * family.kernel_lengths().min(MOST_LENGTHS)) as usize;
+        let widest = family.widest().min(up_to);
         self.stack = Some(Stack::new(task.problem, family, widest, (SERIES_SHARE * task.tolerance, nodes))?);
         Ok(())
     }
