@@ -214,6 +214,12 @@ pub trait KernelTable: Send + Sync {
     /// complex singularity may be at [`NEAREST_POLE`] of it.
     fn length(&self) -> f64;
 
+    /// Where the parts are singular at the origin, as a power of the distance is: down to which distance they vary over the distance
+    /// itself. `None` where each of them is analytic there.
+    fn nearest(&self) -> Option<f64> {
+        None
+    }
+
     /// Number of wave numbers at which the flexibility was evaluated.
     fn flexibility_evaluations(&self) -> usize;
 }

@@ -35,6 +35,10 @@ impl KernelTable for Counted {
         self.table.length()
     }
 
+    fn nearest(&self) -> Option<f64> {
+        self.table.nearest()
+    }
+
     fn flexibility_evaluations(&self) -> usize {
         self.table.flexibility_evaluations()
     }

@@ -101,25 +101,26 @@ fn lengths_beyond_compare_do_not_panic() {
     }
 }
 
-/// Under 2,000 thicknesses a pinned resolution sums its kernels over a grid a hundred times as fine, or over panels cut as often: that counted
-/// nothing beside the readings, and ten seconds of budget took a minute, ten milliseconds 13 seconds.
+/// Under 2,000 thicknesses a pinned resolution sums its kernels over a grid a hundred times as fine: that counted nothing beside the readings,
+/// and ten seconds of budget took a minute. Panels were cut as often, and ten milliseconds took 13 seconds: cut as each target sees them they
+/// take no more than that.
 #[test]
 fn what_a_finer_grid_costs_counts() {
-    // Enough for the readings, 8 and 60 million at first, and for elimination, but for nothing beside them.
-    for (quadrature, budget, told) in
-        [("\"de-sinc\", n = 100", 120_000_000, "1e8"), ("\"graded-panels\", nodes = 14", 700_000_000, "7e8")]
-    {
+    let within = |quadrature: &str, budget: u64| {
         let text = format!(
             "format = 1\n[layer]\nthickness = 5.0\npoisson = 0.3\n\
              grading = {{ type = \"exponential\", surface = 1.0, base = 8.0 }}\n\
              [punch]\ntype = \"flat\"\nhalf_width = 1e4\n[load]\nforce = 1.0\n\
              [solver]\nquadrature = {{ type = {quadrature} }}\n"
         );
-        let solution = slipzone::engine::solve_within(&slipzone::scene::parse("wide", &text).unwrap(), budget);
-        let reason = solution.reason.unwrap_or_default();
-        let is_refused = solution.status == Status::Refused && reason.contains(&format!("budget, {told}"));
-        assert!(is_refused, "{quadrature}, {:?}: {reason}", solution.status);
-    }
+        slipzone::engine::solve_within(&slipzone::scene::parse("wide", &text).unwrap(), budget)
+    };
+    // Enough for the readings, 8 million at first, and for elimination, but for nothing beside them.
+    let solution = within("\"de-sinc\", n = 100", 120_000_000);
+    let reason = solution.reason.unwrap_or_default();
+    assert!(solution.status == Status::Refused && reason.contains("budget, 1e8"), "{:?}: {reason}", solution.status);
+    let solution = within("\"graded-panels\", nodes = 14", 120_000_000);
+    assert!(solution.status != Status::Refused, "{:?}", solution.reason);
 }
 
 /// The slip zone beside a stick zone took 21 nodes for each thickness of the layer in it, 2e4 where the layer was a thousandth of the contact:

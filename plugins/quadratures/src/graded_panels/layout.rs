@@ -51,6 +51,15 @@ impl Basis {
         node.checked_sub(self.first())
     }
 
+    /// Adds what the nodes from the `first` on contribute to a row of the unknowns.
+    pub(super) fn add_into(self, first: usize, of_nodes: &[f64], row: &mut [f64]) {
+        for (node, sum) in (first..).zip(of_nodes) {
+            if let Some(out) = self.unknown(node).and_then(|j| row.get_mut(j)) {
+                *out += sum;
+            }
+        }
+    }
+
     /// `F` at a node.
     pub(super) fn coefficient(self, node: usize, unknowns: &[f64]) -> f64 {
         self.unknown(node).and_then(|j| unknowns.get(j)).copied().unwrap_or(0.0)
@@ -62,6 +71,8 @@ pub(super) struct Layout {
     pub(super) mesh: Mesh,
     pub(super) gauss: Gauss,
     pub(super) basis: Basis,
+    /// The panels, each in one piece.
+    pub(super) pieces: Pieces,
     /// Angles of the collocation points, descending (`x` ascends).
     pub(super) angles: Vec<f64>,
     /// Factor of each row.
@@ -98,7 +109,7 @@ impl Layout {
             .map(|(p, i)| middle(p, i))
             .collect();
         let row_scale: Vec<f64> = angles.iter().map(|a| basis.row_scale(*a)).collect();
-        let pieces = Pieces::new(&mesh, &gauss, basis, &vec![1; panels]);
+        let pieces = Pieces::new(&mesh, &gauss, basis);
         let unknowns = basis.unknowns(mesh.nodes());
 
         let mut cauchy = vec![0.0; angles.len() * unknowns];
@@ -121,7 +132,7 @@ impl Layout {
             *out *= measure;
         }
         pieces.gather_into(&summand, &mesh, basis, &mut resultant);
-        Self { mesh, gauss, basis, angles, row_scale, cauchy, resultant }
+        Self { mesh, gauss, basis, pieces, angles, row_scale, cauchy, resultant }
     }
 
     /// The layout of these numbers, made once per process: a solver asks for the same one at every trial stick zone.

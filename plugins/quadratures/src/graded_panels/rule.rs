@@ -77,10 +77,8 @@ impl Rule for PanelRule {
             rows.for_each(|(row, cauchy)| row.copy_from_slice(cauchy));
             return;
         };
-        self.regular.prepare(layout, self.half_width, kernel.0.length());
         for ((row, cauchy), (target, scale)) in rows.zip(layout.angles.iter().zip(&layout.row_scale)) {
-            self.regular.sum_at(*target, layout, self.half_width, kernel);
-            self.regular.gather_into(layout, row);
+            self.regular.row_into(*target, layout, self.half_width, kernel, row);
             for (out, cauchy) in row.iter_mut().zip(cauchy) {
                 *out = cauchy + scale * *out;
             }
@@ -140,13 +138,11 @@ impl Rule for PanelRule {
 
     fn sample_potential(&mut self, unknowns: &[f64], kernel: (&dyn KernelTable, Component), samples: &mut Vec<f64>) {
         let layout = &self.layout;
-        let mut density = Vec::new();
-        let pieces = self.regular.prepare(layout, self.half_width, kernel.0.length());
-        pieces.density_into(unknowns, &layout.mesh, layout.basis, &mut density);
+        let mut row = vec![0.0; unknowns.len()];
         samples.clear();
         for node in 0..layout.mesh.nodes() {
-            self.regular.sum_at(layout.mesh.node(node), layout, self.half_width, kernel);
-            samples.push(self.regular.summand.iter().zip(&density).map(|(weight, f)| weight * f).sum());
+            self.regular.row_into(layout.mesh.node(node), layout, self.half_width, kernel, &mut row);
+            samples.push(row.iter().zip(unknowns).map(|(weight, f)| weight * f).sum());
         }
     }
 

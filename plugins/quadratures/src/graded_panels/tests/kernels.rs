@@ -155,3 +155,47 @@ fn the_middle_is_on_one_side_whatever_the_pieces() {
         assert_close(got, 2.0 * c * c / PI, 1e-13, &format!("length {length}"));
     }
 }
+
+/// A kernel singular like a power of the distance: `int |x - r|^(p-1)/sqrt(1 - r^2) dr` is `B(p/2, 1/2)` in the middle; elsewhere rules of
+/// different panels agree.
+#[test]
+fn a_broken_power_at_the_origin_is_summed() {
+    struct Power(f64);
+    impl KernelTable for Power {
+        fn parts_into(&self, _: Component, distances: &[f64], out: PartsMut) {
+            out.fill(distances, |t| Parts { smooth: t.abs().max(NEAREST).powf(self.0 - 1.0), ..Parts::default() });
+        }
+
+        fn length(&self) -> f64 {
+            1.0
+        }
+
+        fn nearest(&self) -> Option<f64> {
+            Some(NEAREST)
+        }
+
+        fn flexibility_evaluations(&self) -> usize {
+            0
+        }
+    }
+    const NEAREST: f64 = 1e-26;
+    // Gamma(1/4) Gamma(1/2)/Gamma(3/4) and Gamma(3/4) Gamma(1/2)/Gamma(5/4).
+    for (p, beta) in [(0.5, 5.244_115_108_584_24), (1.5, 2.396_280_469_471_184)] {
+        let at = |nodes: usize, panels: usize| {
+            let mut rule = rule(1.0, Parity::Even, Edge::Sharp, nodes, panels);
+            let unknowns = unknowns(Parity::Even, Edge::Sharp, nodes, panels, |_| 1.0);
+            let centre = rule.potential_at_centre(&unknowns, (&Power(p), Component::Coupling));
+            let plain = operator(rule.as_mut(), None);
+            let rows = operator(rule.as_mut(), Some((&Power(p), Component::Coupling)));
+            let only: Vec<f64> = rows.iter().zip(&plain).map(|(all, plain)| all - plain).collect();
+            (centre, apply(&only, &unknowns), rule.collocation().to_vec(), row_scale(rule.as_ref()))
+        };
+        let (centre, ..) = at(12, 4);
+        assert_close(centre, beta / PI, 2e-12, &format!("p = {p}"));
+        // Three times the nodes have the middle one of each three in common.
+        let ((_, coarse, places, scales), (_, fine, ..)) = (at(6, 4), at(18, 4));
+        for (i, (coarse, (place, scale))) in coarse.iter().zip(places.iter().zip(scales)).enumerate() {
+            assert_close(*coarse / scale, fine[3 * i + 1] / scale, 3e-9, &format!("p = {p} at {}", place.x));
+        }
+    }
+}
