@@ -1,7 +1,6 @@
 //! What is charted: ways to solve a scene, and how finely.
 
 use super::Effort;
-use crate::plan::serves_any_contact;
 use serde::Serialize;
 use slipzone_api::{Family, PluginInfo, Values, plugins};
 
@@ -35,13 +34,13 @@ const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 const PINNED: f64 = 1e-8;
 
 impl Method {
-    /// What the program chooses, then every quadrature with every kernel strategy.
+    /// What the program chooses, then every quadrature with every kernel strategy that has a knob.
     #[must_use]
     pub fn all() -> Vec<Self> {
         let names = |family| plugins().into_iter().filter(move |info| info.family == family).map(|info| info.name);
         let pairs = names(Family::Quadrature).flat_map(|quadrature| {
             names(Family::Kernel)
-                .filter(|kernel| serves_any_contact(kernel))
+                .filter(|kernel| knob_samples(Family::Kernel, kernel).is_some())
                 .map(move |kernel| Self { quadrature: Some(quadrature), kernel: Some(kernel) })
         });
         [Self { quadrature: None, kernel: None }].into_iter().chain(pairs).collect()

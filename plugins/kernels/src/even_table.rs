@@ -64,7 +64,7 @@ pub(crate) fn chebyshev(values: &[f64]) -> Vec<f64> {
 }
 
 /// `sum_k series[k] T_k(y)`.
-fn clenshaw(series: &[f64], y: f64) -> f64 {
+pub(crate) fn clenshaw(series: &[f64], y: f64) -> f64 {
     let (mut older, mut newer) = (0.0, 0.0);
     for c in series[1..].iter().rev() {
         (older, newer) = (newer, 2.0 * y * newer - older + c);

@@ -1,14 +1,21 @@
 //! Kernel strategies: how the contact kernels `k(t)` are got from `F(s)`. One file per plugin.
 
 mod even_table;
+mod integrand;
 mod moments;
+mod octaves;
+mod piece;
+mod polynomial;
 #[cfg(test)]
 mod rational;
+mod spherical_bessel;
 mod split;
+mod table;
 mod truncated;
 mod wave_numbers;
 
 pub use moments::Moments;
+pub use octaves::Octaves;
 pub use split::Split;
 pub use truncated::Truncated;
 
@@ -25,6 +32,7 @@ fn depth(response: &dyn LayerResponse) -> Result<f64, Refusal> {
 /// Names every module that registers a plugin, so that no linker drops this crate.
 pub fn link() {
     moments::link();
+    octaves::link();
     split::link();
     truncated::link();
 }

@@ -5,23 +5,20 @@ mod column;
 mod exponential_integral;
 mod felt;
 mod legendre;
-mod piece;
 mod pieces;
-mod polynomial;
 mod power_series;
 mod powers;
 mod singular;
 mod spectrum;
-mod spherical_bessel;
-mod table;
 mod waves;
 
+use crate::piece::{MOST_NODES, Pieces};
+use crate::table::Table;
 use beyond::{Beyond, Cut, MOST_TERMS};
 use column::Column;
 use felt::Felt;
 use num_complex::Complex64;
-use piece::MOST_NODES;
-use pieces::{Pieces, Plan};
+use pieces::Plan;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize};
 use singular::Singular;
@@ -31,7 +28,6 @@ use slipzone_api::{
 use spectrum::{Spectrum, surface_gradient};
 use std::f64::consts::FRAC_PI_2;
 use std::num::NonZeroU8;
-use table::Table;
 use waves::Waves;
 
 /// The Fourier integral over `[0, S]` and, beyond, the whole series of `s F` in `1/s`, transformed exactly.
@@ -148,15 +144,14 @@ impl KernelStrategy for Split {
             return Err(Refusal::OutOfReach {
                 method: "split",
                 why: format!("the kernel is too rough beside t = 0 to be told to {:.0e}", request.accuracy),
-                remedy: "ask for a coarser tolerance, or take a grading that is smooth at the surface (a volume fraction whose \
-                         exponent is no whole number is not)",
+                remedy: "ask for a coarser tolerance, or take the kernel strategy `octaves` and the quadrature `graded-panels`",
             });
         }
         Ok(Box::new(Table::new(
             request.components,
             draft.pieces,
             request.reach,
-            draft.length,
+            (draft.length, None),
             draft.error,
             evaluations,
         )))

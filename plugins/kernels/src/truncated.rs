@@ -1,6 +1,7 @@
 //! The Fourier integrals of CC13, cut at a finite wave number.
 
 use crate::even_table::{self, EvenTable};
+use crate::integrand::Integrand;
 use crate::wave_numbers::{Samples, too_wide};
 use serde::{Deserialize, Serialize};
 use slipzone_api::{
@@ -66,7 +67,7 @@ impl KernelStrategy for Truncated {
         }
         let integral = Integral {
             samples: &samples,
-            beta: response.elastic().beta(),
+            response,
             tail: response.tail(1).first().copied().unwrap_or_default(),
             pole: response.pole(),
         };
@@ -86,7 +87,7 @@ impl KernelStrategy for Truncated {
 /// One layer's flexibility on the wave numbers, and what is known beyond them.
 struct Integral<'a> {
     samples: &'a Samples,
-    beta: f64,
+    response: &'a dyn LayerResponse,
     tail: SurfaceFlexibility,
     /// Of `s Fuu/A0` at the origin: taken off, its transform is a jump alone.
     pole: f64,
@@ -130,15 +131,9 @@ impl Integral<'_> {
 
     /// Gauss weight times what stands before the wave, at each wave number.
     fn weighted(&self, component: Component) -> Vec<f64> {
-        let value = |s: f64, f: &SurfaceFlexibility| match component {
-            Component::NormalSlope => f.vv - 1.0,
-            Component::ShearStrain => f.uu - 1.0 - self.pole / s,
-            Component::Coupling => f.uv + self.beta,
-            // [M_vv + exp(-s)]/s = [s Fvv/A0 + (exp(-s) - 1)]/s; the rest of G is in `Kernel::parts`.
-            Component::Depth => (f.vv + (-s).exp_m1()) / s,
-        };
+        let integrand = Integrand::new(component, self.response);
         let nodes = self.samples.s.iter().zip(&self.samples.weight).zip(&self.samples.flexibility);
-        nodes.map(|((s, weight), f)| weight * value(*s, f)).collect()
+        nodes.map(|((s, weight), f)| weight * integrand.weight(*s, f)).collect()
     }
 
     /// The smooth part at `t > 0`, divided by `t` for an odd kernel.

@@ -2,7 +2,7 @@
 
 use super::column::Column;
 use super::exponential_integral;
-use super::piece::LARGEST_LOG;
+use crate::piece::LARGEST_LOG;
 use arrayvec::ArrayVec;
 use num_complex::Complex64;
 use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};

@@ -1,6 +1,6 @@
 //! The three parts of the kernels as polynomials over pieces of `|t|`.
 
-use super::piece::{NEAR_ORIGIN, Piece, Sample, Values, Variable};
+use crate::piece::{Kernel, NEAR_ORIGIN, Piece, Pieces, Sample, Values, Variable, place};
 
 /// Where and how the kernels are interpolated.
 pub(super) struct Plan {
@@ -17,25 +17,6 @@ pub(super) struct Plan {
     pub(super) local: f64,
     /// Per kernel: whether it is odd, and the error that a piece may have.
     pub(super) kernels: Vec<(bool, f64)>,
-}
-
-/// One kernel over all pieces.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Kernel {
-    /// Rows of a piece: one per power of its variable, constant first; the columns are the parts.
-    pub(super) rows: Vec<Vec<[f64; 3]>>,
-    /// Bound on the interpolation's error, and on `|k - far form|` beyond the last piece.
-    pub(super) error: f64,
-    /// What of it no finer pieces would remove.
-    pub(super) noise: f64,
-}
-
-/// All kernels over the same pieces.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Pieces {
-    /// Upper ends; the first piece begins at 0.
-    pub(super) ends: Vec<f64>,
-    pub(super) kernels: Vec<Kernel>,
 }
 
 /// Most pieces: 0.1 h wide ones over 50 h.
@@ -124,16 +105,6 @@ impl Pieces {
         }
         pieces
     }
-
-    /// Takes the kernels' pieces up to an end; where they have stalled, all their error is noise.
-    fn take(&mut self, upper: f64, pieces: Vec<Piece>, stalled: bool) {
-        self.ends.push(upper);
-        for (kernel, piece) in self.kernels.iter_mut().zip(pieces) {
-            kernel.error = kernel.error.max(piece.error);
-            kernel.noise = kernel.noise.max(if stalled { piece.error } else { piece.noise });
-            kernel.rows.push(piece.rows);
-        }
-    }
 }
 
 impl Plan {
@@ -186,10 +157,4 @@ impl Sampled<'_> {
         };
         self.all().map(apart).fold(0.0, f64::max)
     }
-}
-
-/// Where a variable stands between two ends.
-fn place(v: f64, (lower, upper): (f64, f64)) -> f64 {
-    // (1 + v)/2 without cancellation on the first piece, whose variable is (t/upper)^2.
-    if lower == 0.0 { upper * (0.5 * (1.0 + v)).sqrt() } else { lower + (upper - lower) * 0.5 * (1.0 + v) }
 }

@@ -2,11 +2,11 @@
 
 use super::beyond::{Beyond, Cut};
 use super::column::Column;
-use super::piece::LARGEST_LOG;
-use super::pieces::{Kernel, Pieces};
-use super::polynomial;
 use super::singular::{Singular, signed_taylor};
 use super::spectrum::Spectrum;
+use crate::piece::LARGEST_LOG;
+use crate::piece::{Kernel, Pieces};
+use crate::polynomial;
 use arrayvec::ArrayVec;
 use slipzone_api::elementary::EULER_GAMMA;
 use std::f64::consts::FRAC_PI_2;

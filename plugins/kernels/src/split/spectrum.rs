@@ -3,7 +3,7 @@
 use super::column::Column;
 use super::legendre::{self, End, LARGEST_NOISE, Legendre, Panel, Size};
 use super::powers::Moments;
-use super::spherical_bessel;
+use crate::spherical_bessel;
 use num_complex::Complex64;
 use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
 

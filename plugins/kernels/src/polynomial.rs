@@ -4,14 +4,14 @@ use slipzone_api::chebyshev::in_powers;
 use std::sync::OnceLock;
 
 /// Most coefficients.
-pub(super) const MOST: usize = 32;
+pub(crate) const MOST: usize = 32;
 
 /// `sum_j powers[j] x^j` on `[0, 1]` in powers of `v = 2 x - 1`, shortened by as much as is `allowed` in its value.
 ///
 /// The last powers are dropped first, then the last Chebyshev terms. Also returns the number of coefficients and what the
 /// dropped ones sum up to.
 #[inline]
-pub(super) fn shortened(powers: &[f64], allowed: f64) -> ([f64; MOST], usize, f64) {
+pub(crate) fn shortened(powers: &[f64], allowed: f64) -> ([f64; MOST], usize, f64) {
     let mut dropped = 0.0;
     let short = without_last(powers, 0.5 * allowed, &mut dropped);
     let series = chebyshev(short);
@@ -41,7 +41,7 @@ fn monomials(series: &[f64]) -> [f64; MOST] {
 
 /// The sum of polynomials, the `k`-th of degree `k`.
 #[inline]
-pub(super) fn sum<const N: usize>(factors: &[f64], polynomials: &[[f64; N]; N]) -> [f64; N] {
+pub(crate) fn sum<const N: usize>(factors: &[f64], polynomials: &[[f64; N]; N]) -> [f64; N] {
     let mut sum = [0.0; N];
     for (k, (factor, polynomial)) in factors.iter().zip(polynomials).enumerate() {
         for (sum, c) in sum[..=k].iter_mut().zip(polynomial) {

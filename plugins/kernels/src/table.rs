@@ -2,7 +2,7 @@
 
 mod lanes;
 
-use super::pieces::Pieces;
+use crate::piece::Pieces;
 use lanes::Piece;
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::elementary::ln;
@@ -42,8 +42,8 @@ impl Kernel {
     }
 }
 
-/// What `split` builds.
-pub(super) struct Table {
+/// Kernels as piecewise polynomials of the distance.
+pub(crate) struct Table {
     kernels: Vec<Kernel>,
     /// Per piece: `v = slope x + offset`, with `x = t^2` on the first and `|t|` on the others.
     variables: Vec<(f64, f64)>,
@@ -54,6 +54,7 @@ pub(super) struct Table {
     /// Beyond it a kernel is `-1/t` or nothing; infinite where the pieces cover the reach.
     far: f64,
     length: f64,
+    nearest: Option<f64>,
     error: f64,
     flexibility_evaluations: usize,
 }
@@ -68,11 +69,11 @@ const SIGN_BIT: u64 = 1 << 63;
 const MOST_CELLS: f64 = 4096.0;
 
 impl Table {
-    pub(super) fn new(
+    pub(crate) fn new(
         components: &[Component],
         pieces: Pieces,
         reach: f64,
-        length: f64,
+        (length, nearest): (f64, Option<f64>),
         error: f64,
         flexibility_evaluations: usize,
     ) -> Self {
@@ -107,6 +108,7 @@ impl Table {
             cells_per_length,
             far,
             length,
+            nearest,
             error,
             flexibility_evaluations,
         }
@@ -125,6 +127,10 @@ impl Table {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // not negative; `as` saturates
         let cell = (x * self.cells_per_length) as usize;
         let mut piece = self.first_of_cell[cell.min(self.first_of_cell.len() - 1)] as usize;
+        if self.nearest.is_some() {
+            // A cell holds many that shrink towards the origin.
+            return (piece + self.ends[piece..].partition_point(|end| *end < x)).min(self.ends.len() - 1);
+        }
         while x > self.ends[piece] && piece + 1 < self.ends.len() {
             piece += 1;
         }
@@ -247,6 +253,10 @@ impl KernelTable for Table {
 
     fn length(&self) -> f64 {
         self.length
+    }
+
+    fn nearest(&self) -> Option<f64> {
+        self.nearest
     }
 
     fn flexibility_evaluations(&self) -> usize {

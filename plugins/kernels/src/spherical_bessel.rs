@@ -8,7 +8,7 @@ const MARGIN: (usize, usize) = (8, 32);
 ///
 /// Upwards while `l < x` and downwards in the ratios `j_l/j_(l-1) = x/(2l + 1 - x j_(l+1)/j_l)` beyond,
 /// each where it is stable (DLMF 10.51.1, 3.6); no ratio has a pole there.
-pub(super) fn sequence(x: f64, out: &mut [f64]) {
+pub(crate) fn sequence(x: f64, out: &mut [f64]) {
     let orders = out.len();
     if orders == 0 {
         return;

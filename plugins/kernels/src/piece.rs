@@ -1,28 +1,28 @@
 //! One kernel's parts as polynomials on one piece of `|t|`.
 
-use super::polynomial;
+use crate::polynomial;
 use slipzone_api::chebyshev::in_powers;
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
 /// The variable of a piece, the distance, and the parts there.
-pub(super) type Sample = (f64, f64, Values);
+pub(crate) type Sample = (f64, f64, Values);
 
 /// A kernel's parts (smooth, sign, log) at `t > 0`.
-pub(super) type Values = [f64; 3];
+pub(crate) type Values = [f64; 3];
 
 /// Most nodes of a piece.
-pub(super) const MOST_NODES: usize = 18;
+pub(crate) const MOST_NODES: usize = 18;
 
 /// Where the variable of a piece is sampled: Chebyshev nodes, then the checks.
-pub(super) struct Variable {
-    pub(super) nodes: usize,
-    pub(super) all: Vec<f64>,
+pub(crate) struct Variable {
+    pub(crate) nodes: usize,
+    pub(crate) all: Vec<f64>,
 }
 
 impl Variable {
     /// An interpolant is worst at the ends of its range.
-    pub(super) fn chebyshev(nodes: usize, checks: &[f64]) -> Self {
+    pub(crate) fn chebyshev(nodes: usize, checks: &[f64]) -> Self {
         let cosine = |j: usize| (PI * (2 * j + 1) as f64 / (2 * nodes) as f64).cos();
         Self { nodes, all: (0..nodes).map(cosine).chain(checks.iter().copied()).collect() }
     }
@@ -30,14 +30,51 @@ impl Variable {
 
 /// The variable `2 (t/upper)^2 - 1` at a thousandth of the first piece: nearly its lower end, where a kernel whose series
 /// is too short is not smooth.
-pub(super) const NEAR_ORIGIN: f64 = -1.0 + 2e-6;
+pub(crate) const NEAR_ORIGIN: f64 = -1.0 + 2e-6;
 
 /// One kernel on one piece.
-pub(super) struct Piece {
-    pub(super) rows: Vec<[f64; 3]>,
-    pub(super) error: f64,
+pub(crate) struct Piece {
+    pub(crate) rows: Vec<[f64; 3]>,
+    pub(crate) error: f64,
     /// What of the error no finer piece removes.
-    pub(super) noise: f64,
+    pub(crate) noise: f64,
+}
+
+/// One kernel over all pieces.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Kernel {
+    /// Rows of a piece: one per power of its variable, constant first; the columns are the parts.
+    pub(crate) rows: Vec<Vec<[f64; 3]>>,
+    /// Bound on the interpolation's error, and on `|k - far form|` beyond the last piece.
+    pub(crate) error: f64,
+    /// What of it no finer pieces would remove.
+    pub(crate) noise: f64,
+}
+
+/// All kernels over the same pieces.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Pieces {
+    /// Upper ends; the first piece begins at 0.
+    pub(crate) ends: Vec<f64>,
+    pub(crate) kernels: Vec<Kernel>,
+}
+
+impl Pieces {
+    /// Takes the kernels' pieces up to an end; where they have stalled, all their error is noise.
+    pub(crate) fn take(&mut self, upper: f64, pieces: Vec<Piece>, stalled: bool) {
+        self.ends.push(upper);
+        for (kernel, piece) in self.kernels.iter_mut().zip(pieces) {
+            kernel.error = kernel.error.max(piece.error);
+            kernel.noise = kernel.noise.max(if stalled { piece.error } else { piece.noise });
+            kernel.rows.push(piece.rows);
+        }
+    }
+}
+
+/// Where a variable stands between two ends.
+pub(crate) fn place(v: f64, (lower, upper): (f64, f64)) -> f64 {
+    // (1 + v)/2 without cancellation on the first piece, whose variable is (t/upper)^2.
+    if lower == 0.0 { upper * (0.5 * (1.0 + v)).sqrt() } else { lower + (upper - lower) * 0.5 * (1.0 + v) }
 }
 
 /// Rounding of the values that are interpolated, over their size: below it nothing is resolved.
@@ -45,14 +82,14 @@ const NOISE: f64 = 6.0 * f64::EPSILON;
 
 /// On the piece at the origin an even factor of the logarithm has its error multiplied by up to this: `|log t|`
 /// at the smallest distances that two points of a contact have, `exp(-40)` of the thickness.
-pub(super) const LARGEST_LOG: f64 = 40.0;
+pub(crate) const LARGEST_LOG: f64 = 40.0;
 
 impl Piece {
     /// Through the values at the nodes; those at the `checks`, of which the last is the upper end, show the error.
     ///
     /// The piece `at_origin` has the parity of each part built in: a kernel's smooth part and the factor of its
     /// logarithm are odd when it is (`odd`), the factor of its sign when it is not.
-    pub(super) fn through((nodes, checks): (&[Sample], &[Sample]), at_origin: bool, odd: bool, aim: f64) -> Self {
+    pub(crate) fn through((nodes, checks): (&[Sample], &[Sample]), at_origin: bool, odd: bool, aim: f64) -> Self {
         let upper = checks.last().expect("a check at the upper end").1;
         let parity = [odd, !odd, odd].map(|odd| odd && at_origin);
         let mut piece = Self { rows: Vec::with_capacity(nodes.len()), error: 0.0, noise: 0.0 };

@@ -1,0 +1,63 @@
+//! Kernels octave by octave, in wave number and in distance, of any law whatever at the surface.
+
+mod bands;
+mod octave;
+
+use crate::integrand::Integrand;
+use crate::table::Table;
+use bands::Bands;
+use serde::{Deserialize, Serialize};
+use slipzone_api::{KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal};
+
+/// The Fourier integral on octaves of wave numbers, for distances octave by octave.
+///
+/// `k(t) = int_0^inf W(s) w(s/S) sin(st) ds`, and with a cosine for the even kernels, with the window
+/// `w(x) = erfc(3 ln x)/2`. At a distance `t` no more of `W` is felt than up to `s = 900/t`, if it is faded out
+/// smoothly: `S = 128/t` leaves 1e-14. So the nearer, the more octaves, and each is an interpolant of a few nodes whose
+/// transform is exact (spherical Bessel functions). Nothing is asked of the law's derivatives at the surface: a power of the
+/// depth that is no whole number makes kernels like `t^(p-1)` at the origin, and these are piecewise polynomials on octaves
+/// of `t` as well.
+///
+/// Nearest to the origin `S` stays what it is: past it, contacts feel nothing. A density that is as singular as a contact's may be has
+/// a spectrum like `1/sqrt(s)`, so that what is left out is `W(S)/S` over the contact's width.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Octaves {}
+
+slipzone_api::register!(Kernel, "octaves", "Fourier integral on octaves of wave numbers, kernels on octaves of distance: any law at the surface",
+    example: "type = \"octaves\"",
+    parameters: [],
+    source: "docs/theory.md section 3");
+
+#[typetag::serde(name = "octaves")]
+impl KernelStrategy for Octaves {
+    fn serves(&self, response: &dyn LayerResponse) -> Result<(), Refusal> {
+        crate::depth(response).map(|_| ())
+    }
+
+    fn tabulate(&self, response: &dyn LayerResponse, request: &KernelRequest) -> Result<Box<dyn KernelTable>, Refusal> {
+        let depth = crate::depth(response)?;
+        let extent = response.extent().unwrap_or(depth);
+        let length = if response.breaks() { depth } else { response.thickness().unwrap_or(depth) };
+        let integrands: Vec<Integrand> = request.components.iter().map(|c| Integrand::new(*c, response)).collect();
+        let bands = Bands::new(&integrands, response, extent, request)?;
+        let (pieces, error) = octave::tabulated(&integrands, &bands, request);
+        let lengths = (length, pieces.ends.first().copied());
+        let error = error + bands.error;
+        Ok(Box::new(Table::new(request.components, pieces, request.reach, lengths, error, bands.evaluations)))
+    }
+
+    fn refined(&self, _level: u32) -> Box<dyn KernelStrategy> {
+        Box::new(self.clone())
+    }
+
+    fn is_pinned(&self) -> bool {
+        false
+    }
+}
+
+/// See [`crate::link`].
+pub(crate) fn link() {}
+
+#[cfg(test)]
+mod tests;

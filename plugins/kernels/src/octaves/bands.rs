@@ -1,0 +1,230 @@
+//! The flexibility on octaves of wave numbers.
+
+use crate::integrand::Integrand;
+use crate::spherical_bessel;
+use bilby::GaussLegendre;
+use num_complex::Complex64;
+use slipzone_api::{Component, KernelRequest, LayerResponse, Refusal, SurfaceFlexibility};
+use spec_math::cephes64::erfc;
+
+/// Gauss nodes of a band: a function that is analytic but at the origin has Legendre coefficients there that fall like `5.8^-l`.
+const NODES: usize = 20;
+/// Coefficients that must be small at the end of a series.
+const LAST: usize = 3;
+/// Where a band is looked at beside its nodes: near either end, where a polynomial that misses something is off most.
+const BESIDE: [f64; 2] = [-0.999, 0.993];
+/// Rounding of `s F`, of order one, in what a band leaves unresolved.
+const NOISE: f64 = 4e-14;
+/// Share of the accuracy that a band may miss.
+const SHARE: f64 = 1e-3;
+/// Narrowest band over its upper end.
+const NARROWEST: f64 = 1e-3;
+/// And at the origin, over the inverse of the extent.
+const NEAREST: f64 = 1e-9;
+/// Most wave numbers for one table.
+const MOST_SAMPLES: usize = 1 << 14;
+/// What is faded out contacts feel by this part of the accuracy at most: their stick and slip zones may be as much narrower.
+const FELT: f64 = 1e-3;
+/// Highest wave number over the inverse of the extent: no law is followed nearer to the surface than 1e-13.
+const HIGHEST: f64 = 1e11;
+/// Steepness of the window over the logarithm of the wave number, and where nothing is left of it.
+const STEEP: f64 = 3.0;
+const GONE: f64 = 7.2;
+/// Phase of the wave at which the window is half gone, where it is the distance that sets it.
+const PHASE: f64 = 128.0;
+
+/// `W` of each kernel at Gauss nodes of one band after the other.
+pub(super) struct Bands {
+    all: Vec<Band>,
+    rule: Rule,
+    /// Where the last window is half gone.
+    pub(super) highest: f64,
+    /// In the terms of the request.
+    pub(super) error: f64,
+    pub(super) evaluations: usize,
+}
+
+struct Band {
+    lower: f64,
+    upper: f64,
+    /// A row for each kernel.
+    values: Vec<[f64; NODES]>,
+}
+
+/// Transforms of the bands, faded out: what is left below one distance is as good at larger ones.
+pub(super) struct Faded {
+    bands: Vec<(f64, f64, Vec<[f64; NODES]>)>,
+}
+
+impl Bands {
+    /// Bands up to where nothing more is felt, as accurate as is asked for.
+    pub(super) fn new(
+        integrands: &[Integrand],
+        response: &dyn LayerResponse,
+        extent: f64,
+        request: &KernelRequest,
+    ) -> Result<Self, Refusal> {
+        let mut bands = Self { all: Vec::new(), rule: Rule::new(), highest: f64::INFINITY, error: 0.0, evaluations: 0 };
+        // For the end of each octave: what a wave there adds to all that is felt.
+        let mut ends: Vec<(f64, f64)> = Vec::new();
+        let mut lower = 0.0;
+        while lower < GONE * bands.highest {
+            let upper = if lower == 0.0 { extent.recip() } else { 2.0 * lower };
+            bands.add(integrands, response, (lower, upper), (extent, request))?;
+            lower = upper;
+            if bands.highest < f64::INFINITY {
+                continue;
+            }
+            let f = response.surface(upper)?;
+            bands.evaluations += 1;
+            let felt = |integrand: &Integrand| {
+                let (size, width) = (integrand.weight(upper, &f).abs(), (upper * request.reach).recip());
+                // Of the depth no more than it is.
+                if integrand.component == Component::Depth { upper * size * width.min(1.0) } else { size * width }
+            };
+            ends.push((upper, integrands.iter().map(felt).fold(0.0, f64::max)));
+            // All that a window here would take away.
+            let felt = ends.iter().map(|(s, felt)| felt * window(upper / s)).sum::<f64>();
+            if felt <= FELT * request.accuracy || upper * extent >= HIGHEST {
+                bands.highest = upper;
+                bands.error += felt;
+            }
+        }
+        Ok(bands)
+    }
+
+    /// Adds what lies between two wave numbers, halved until it is resolved.
+    fn add(
+        &mut self,
+        integrands: &[Integrand],
+        response: &dyn LayerResponse,
+        whole: (f64, f64),
+        (extent, request): (f64, &KernelRequest),
+    ) -> Result<(), Refusal> {
+        let mut stack = vec![whole];
+        while let Some((lower, upper)) = stack.pop() {
+            let (middle, half) = (f64::midpoint(lower, upper), 0.5 * (upper - lower));
+            let place = |i: usize| if i < NODES { self.rule.nodes[i] } else { BESIDE[i - NODES] };
+            let at: [f64; NODES + BESIDE.len()] = std::array::from_fn(|i| middle + half * place(i));
+            let mut f = [SurfaceFlexibility::default(); NODES + BESIDE.len()];
+            response.surface_into(&at, &mut f)?;
+            self.evaluations += at.len();
+            let (mut values, mut error, mut is_resolved) = (Vec::with_capacity(integrands.len()), 0.0_f64, true);
+            for integrand in integrands {
+                let own: [f64; NODES + BESIDE.len()] = std::array::from_fn(|i| integrand.weight(at[i], &f[i]));
+                let of_nodes: [f64; NODES] = std::array::from_fn(|i| own[i]);
+                let off = self.rule.unresolved(&of_nodes, &own[NODES..]);
+                let largest = own.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+                // An error over the band makes one of the kernel that is as wide up to `t = 1/half` and falls like 1/t from there on.
+                let (felt, size) = if integrand.component == Component::Depth {
+                    (2.0 * half, largest.max(middle.recip()))
+                } else {
+                    (1.0 + (1.0 + half * request.reach).ln(), largest.max(1.0))
+                };
+                is_resolved &= off * felt <= SHARE * request.accuracy || off <= NOISE * size;
+                error = error.max(off * felt);
+                values.push(of_nodes);
+            }
+            let width = if lower == 0.0 { upper * extent / NEAREST } else { (upper - lower) / (NARROWEST * upper) };
+            if !is_resolved && width > 1.0 && self.evaluations < MOST_SAMPLES {
+                stack.extend([(middle, upper), (lower, middle)]);
+                continue;
+            }
+            self.error += error;
+            self.all.push(Band { lower, upper, values });
+        }
+        Ok(())
+    }
+
+    /// The bands as far as they are felt at a distance and beyond.
+    pub(super) fn faded(&self, distance: f64) -> Faded {
+        let scale = (PHASE / distance).min(self.highest);
+        let fade = |band: &Band| {
+            let (middle, half) = (f64::midpoint(band.lower, band.upper), 0.5 * (band.upper - band.lower));
+            let window: [f64; NODES] = std::array::from_fn(|i| window((middle + half * self.rule.nodes[i]) / scale));
+            let waves = |values: &[f64; NODES]| {
+                let mut series = self.rule.coefficients(&std::array::from_fn(|i| window[i] * values[i]));
+                // The signs of `i^l`.
+                for (l, c) in series.iter_mut().enumerate() {
+                    *c *= if l % 4 < 2 { 2.0 * half } else { -2.0 * half };
+                }
+                series
+            };
+            (middle, half, band.values.iter().map(waves).collect())
+        };
+        Faded { bands: self.all.iter().take_while(|band| band.lower < GONE * scale).map(fade).collect() }
+    }
+}
+
+impl Faded {
+    /// The transforms at a distance: of odd kernels the imaginary part, of even ones the real one.
+    pub(super) fn at(&self, t: f64, out: &mut [Complex64]) {
+        out.fill(Complex64::default());
+        let mut bessel = [0.0; NODES];
+        for (middle, half, waves) in &self.bands {
+            spherical_bessel::sequence(half * t, &mut bessel);
+            let wave = Complex64::cis(middle * t);
+            for (out, waves) in out.iter_mut().zip(waves) {
+                let (mut re, mut im) = (0.0, 0.0);
+                for (w, j) in waves.chunks_exact(2).zip(bessel.chunks_exact(2)) {
+                    re += w[0] * j[0];
+                    im += w[1] * j[1];
+                }
+                *out += wave * Complex64::new(re, im);
+            }
+        }
+    }
+}
+
+/// What is left of a wave number over that at which half is.
+fn window(x: f64) -> f64 {
+    0.5 * erfc(STEEP * x.ln())
+}
+
+/// Gauss's nodes, and what leads from values there to Legendre coefficients.
+struct Rule {
+    nodes: Vec<f64>,
+    /// `(l + 1/2) w_i P_l(x_i)`, a row for each `l`.
+    projector: Vec<[f64; NODES]>,
+}
+
+impl Rule {
+    fn new() -> Self {
+        let gauss = GaussLegendre::new(NODES).expect("at least one node").rule().clone();
+        let mut projector = vec![[0.0; NODES]; NODES];
+        for (i, (x, weight)) in gauss.nodes.iter().zip(&gauss.weights).enumerate() {
+            for (l, (row, p)) in projector.iter_mut().zip(polynomials(*x)).enumerate() {
+                row[i] = (l as f64 + 0.5) * weight * p;
+            }
+        }
+        Self { nodes: gauss.nodes, projector }
+    }
+
+    fn coefficients(&self, values: &[f64; NODES]) -> [f64; NODES] {
+        std::array::from_fn(|l| self.projector[l].iter().zip(values).map(|(p, v)| p * v).sum())
+    }
+
+    /// What a series through these values leaves: the last of its terms, and how far off it is beside the nodes.
+    fn unresolved(&self, values: &[f64; NODES], beside: &[f64]) -> f64 {
+        let coefficients = self.coefficients(values);
+        let last = coefficients[NODES - LAST..].iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+        let seen = BESIDE.iter().zip(beside).map(|(x, value)| (series(&coefficients, *x) - value).abs());
+        seen.fold(last, f64::max)
+    }
+}
+
+/// A Legendre series at a point.
+fn series(coefficients: &[f64], x: f64) -> f64 {
+    coefficients.iter().zip(polynomials(x)).map(|(c, p)| c * p).sum()
+}
+
+/// `P_0(x)`, `P_1(x)`, ...
+fn polynomials(x: f64) -> impl Iterator<Item = f64> {
+    let (mut before, mut p) = (0.0, 1.0);
+    (0..).map(move |l: usize| {
+        let here = p;
+        let a = (2 * l + 1) as f64 / (l + 1) as f64;
+        (before, p) = (p, a * x * p - (a - 1.0) * before);
+        here
+    })
+}

@@ -1,0 +1,154 @@
+//! The tables against integrals in closed form, and against another strategy.
+
+use super::*;
+use crate::Split;
+use crate::rational::{Rational, exact};
+use slipzone_api::{Component, Elastic, Plane, Poisson, SurfaceFlexibility};
+use std::f64::consts::PI;
+
+const ALL: [Component; 4] = [Component::NormalSlope, Component::ShearStrain, Component::Coupling, Component::Depth];
+
+fn table(response: &dyn LayerResponse, reach: f64, components: &[Component], accuracy: f64) -> Box<dyn KernelTable> {
+    Octaves::default().tabulate(response, &KernelRequest { reach, components, accuracy }).expect("a table")
+}
+
+/// Distances from the reach down to well above where the wave numbers end.
+fn distances(table: &dyn KernelTable, reach: f64) -> Vec<f64> {
+    let least = 1e3 * table.nearest().expect("a kernel of any power");
+    (0..400).map(|i| reach * (least / reach).powf(f64::from(i) / 399.0)).collect()
+}
+
+/// An error over a distance counts as much as the distance is long; the depth's counts as it is.
+fn felt(component: Component, t: f64, error: f64) -> f64 {
+    if component == Component::Depth { error } else { t * error }
+}
+
+/// `W = s (1 + s^2)^-q` in the slopes, `(1 + s^2)^-q` in the coupling: they fall like `s^(1 - 2q)` and `s^(-2q)`.
+struct Broken(f64);
+
+impl LayerResponse for Broken {
+    fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
+        let even = (1.0 + s * s).powf(-self.0);
+        Ok(SurfaceFlexibility { vv: 1.0 + s * even, uu: 1.0 + s * even, uv: even - self.elastic().beta() })
+    }
+
+    fn elastic(&self) -> Elastic {
+        Elastic::new(Plane::Strain, Poisson::new(0.3).expect("in range"))
+    }
+
+    fn tail(&self, _: usize) -> Vec<SurfaceFlexibility> {
+        Vec::new()
+    }
+
+    fn depth(&self) -> Option<f64> {
+        Some(1.0)
+    }
+}
+
+impl Broken {
+    /// Along the cut from `i` upwards: `sin(pi q) int_1^inf y^k (y^2 - 1)^-q exp(-ty) dy`, `k` being 1 for the slopes and 0 for the
+    /// coupling; by the trapezoidal rule in `log(y - 1)`.
+    fn kernel(&self, component: Component, t: f64) -> f64 {
+        let step = 0.02;
+        let term = |i: i32| {
+            let u = (f64::from(i) * step).exp();
+            let y = if component.is_odd() { 1.0 + u } else { 1.0 };
+            u * y * (u * (2.0 + u)).powf(-self.0) * (-t * (1.0 + u)).exp()
+        };
+        (PI * self.0).sin() * step * (-20_000..3000).map(term).sum::<f64>()
+    }
+}
+
+#[test]
+fn kernels_like_a_broken_power_are_told_down_to_the_smallest_distances() {
+    for (q, accuracy) in [(0.6, 1e-10), (0.85, 1e-10), (0.75, 1e-5)] {
+        let (response, reach) = (Broken(q), 2.0);
+        let table = table(&response, reach, &ALL[..3], accuracy);
+        let bound = table.error().expect("a bound");
+        assert!(bound <= accuracy, "q = {q}: {bound:e}");
+        for t in distances(&*table, reach) {
+            for component in &ALL[..3] {
+                let found = table.parts(*component, t).value(t);
+                let error = felt(*component, t, (found - response.kernel(*component, t)).abs());
+                assert!(error <= accuracy, "q = {q}, {component:?} at {t:e}: {error:e}");
+                let mirrored = table.parts(*component, -t).value(-t);
+                let expected = if component.is_odd() { -found } else { found };
+                assert!((mirrored - expected).abs() <= 1e-15 * found.abs(), "{component:?} at {t:e}");
+            }
+        }
+    }
+}
+
+/// Asked for nothing but the depth, over distances far smaller than all that is known: it was cut at its first octave.
+#[test]
+fn the_depth_alone_is_told_as_well() {
+    let response = Rational::knowing(0);
+    for reach in [1.0, 1e-80] {
+        let table = table(&response, reach, &ALL[3..], 1e-6);
+        for t in [1.0, 0.3, 1e-2].map(|share| share * reach) {
+            let error = (table.parts(ALL[3], t).value(t) - exact(ALL[3], t)).abs();
+            assert!(error < 1e-6, "reach {reach:e}: {error:e}");
+        }
+    }
+}
+
+/// With a jump and a logarithm, which are summed up of octaves here.
+#[test]
+fn kernels_of_a_rational_response_are_si_and_ci() {
+    let response = Rational::knowing(0);
+    for (reach, accuracy) in [(0.4, 1e-10), (8.0, 1e-8), (40.0, 1e-10)] {
+        let table = table(&response, reach, &ALL, accuracy);
+        let bound = table.error().expect("a bound");
+        assert!(bound <= 2.0 * accuracy, "reach {reach}: {bound:e}");
+        for t in distances(&*table, reach) {
+            for component in ALL {
+                let error = felt(component, t, (table.parts(component, t).value(t) - exact(component, t)).abs());
+                assert!(error <= accuracy, "{component:?}, reach {reach}, t = {t:e}: {error:e}");
+            }
+        }
+    }
+}
+
+/// Beside the origin, where waves end, what is left out of the slope is as good as nothing to a contact: the integral over the nearest
+/// distances is that of `split`, whose jump is exact.
+#[test]
+fn what_fades_out_is_not_felt() {
+    let (response, reach) = (Rational::knowing(usize::MAX), 0.4);
+    let request = KernelRequest { reach, components: &ALL[..1], accuracy: 1e-8 };
+    let sharp = Split::default().tabulate(&response, &request).expect("a table");
+    let faded = table(&response, reach, &ALL[..1], 1e-8);
+    let nearest = faded.nearest().expect("a kernel of any power");
+    let step = nearest / 64.0;
+    let missing: f64 = (0..64 * 400)
+        .map(|i| {
+            let t = (f64::from(i) + 0.5) * step;
+            step * (sharp.parts(ALL[0], t).value(t) - faded.parts(ALL[0], t).value(t))
+        })
+        .sum();
+    assert!(missing.abs() < 3.0 * nearest && nearest < 1e-3 * reach, "{missing:e} at {nearest:e}");
+}
+
+#[test]
+fn a_half_plane_has_no_kernel() {
+    struct Plain;
+    impl LayerResponse for Plain {
+        fn surface(&self, _: f64) -> Result<SurfaceFlexibility, Refusal> {
+            Ok(SurfaceFlexibility { vv: 1.0, uu: 1.0, uv: -self.elastic().beta() })
+        }
+
+        fn elastic(&self) -> Elastic {
+            Elastic::new(Plane::Strain, Poisson::new(0.3).expect("in range"))
+        }
+
+        fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
+            vec![SurfaceFlexibility::default(); terms]
+        }
+
+        fn depth(&self) -> Option<f64> {
+            None
+        }
+    }
+    let request = KernelRequest { reach: 1.0, components: &ALL[..1], accuracy: 1e-8 };
+    assert!(Octaves::default().tabulate(&Plain, &request).is_err());
+    assert!(Octaves::default().serves(&Plain).is_err());
+}
