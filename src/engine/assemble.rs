@@ -185,19 +185,11 @@ fn remarks(model: Model, problem: &Problem, numbers: &Numbers) -> Vec<Cow<'stati
         format!("the punch's heights scatter by {noise:.1e} (root mean square) around the smooth shape taken").into()
     });
     let narrowest = "of all contacts that sink as far against the datum, the narrowest: the force grew from zero";
-    let rounded = problem.smoothing_errors(numbers).worst().map_or(0.0, |(_, error)| error);
-    let rounded = (rounded > 0.0).then(|| {
-        format!(
-            "the grading is rounded at the surface, where it has too few derivatives: up to {rounded:.0e} of the errors"
-        )
-        .into()
-    });
     let mut remarks: Vec<Cow<'static, str>> = stand_in.map(Cow::Borrowed).into_iter().chain(scatter).collect();
     let of_shape = numbers.get(Quantity::HalfWidth).map(|b| problem.remarks_on_shape(b));
     remarks.extend(of_shape.into_iter().flatten().map(Cow::Owned));
     remarks.extend(problem.may_sink_as_far_again().then_some(Cow::Borrowed(narrowest)));
     remarks.extend(problem.layer.law.remarks().into_iter().map(Cow::Owned));
-    remarks.extend(rounded);
     remarks.extend(large_strains(problem, numbers).map(Cow::Owned));
     remarks
 }

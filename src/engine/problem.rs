@@ -2,14 +2,10 @@
 
 mod details;
 
-use crate::engine::accuracy::quantity::{Numbers, Quantity, Wishes};
+use crate::engine::accuracy::quantity::{Quantity, Wishes};
 use crate::scene::{Load, Scene};
 use slipzone_api::{Base, Elastic, Flaw, Friction, FrozenStrain, LayerModel, PunchShape, Refusal, short};
 use std::sync::Arc;
-
-/// What a law smoothed at the surface changes of a stick zone over what it changes of the pressure: the zone follows from how
-/// shear and pressure are coupled, which is less than either.
-const COUPLED: f64 = 4.0;
 
 /// A place this near to a corner, relative, is on it: rounding of the units of length.
 const CORNER: f64 = 8.0 * f64::EPSILON;
@@ -21,9 +17,6 @@ const CLOSE: f64 = 1e-3;
 const SOFT: f64 = 1.0 / 9.0;
 /// Depths at which it is looked at.
 const DEPTHS: u32 = 32;
-
-/// Terms of its series at the surface by which a law shows that it is smooth there.
-const SERIES: usize = 8;
 
 /// What the engine solves.
 pub(crate) struct Problem {
@@ -142,34 +135,6 @@ impl Problem {
     /// Whether the shape is not analytic all over the contact, or must not be taken for that.
     pub(crate) fn is_kinked(&self) -> bool {
         self.is_detailed == Some(true) || self.shape.face() > 0.0 || !self.shape.kinks().is_empty()
-    }
-
-    /// Relative errors of numbers because the layer's law is smoother than what it stands for: the narrower the contact, or its
-    /// zones of stick and slip, the larger.
-    pub(crate) fn smoothing_errors(&self, numbers: &Numbers) -> Numbers {
-        let half_width = numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
-        let ratio = numbers.get(Quantity::StickRatio).unwrap_or(0.0);
-        let narrowest = ratio.min(1.0 - ratio);
-        let of_pressure = self.layer.law.smoothing_error(half_width);
-        let of_zone = COUPLED * narrowest * self.layer.law.smoothing_error(half_width * narrowest);
-        let mut errors = Numbers::default();
-        for (quantity, _) in numbers.iter() {
-            let error = match quantity {
-                Quantity::OneMinusRatio => of_zone / (1.0 - ratio),
-                quantity if quantity.is_of_shear() => of_zone / ratio,
-                _ => of_pressure,
-            };
-            errors.set(quantity, if error.is_nan() { of_pressure } else { error });
-        }
-        if let Some(of_zone) = errors.get(Quantity::StickRatio) {
-            errors.set(Quantity::Shear, of_zone);
-        }
-        errors
-    }
-
-    /// Whether the law is not smooth at the surface, such as a power of the depth that is no whole number: its series ends.
-    pub(crate) fn begins_rough(&self) -> bool {
-        (2..SERIES).contains(&self.layer.law.surface_series(SERIES).len())
     }
 
     /// Half-width of the face that touches before there is any load, in layer units.

@@ -29,8 +29,6 @@ pub(super) struct Departure {
     base: f64,
     /// Largest change of the material over the depth at which it is met.
     gradient: f64,
-    /// What its law, smoothed at the surface, is off by itself.
-    smoothing: f64,
 }
 
 impl Departure {
@@ -43,7 +41,7 @@ impl Departure {
                 layer.substrate().map_or(1.0, |below| (below.elastic.a0() / below.shear / layer.elastic.a0()).max(1.0))
             }
         };
-        Self { base, gradient: gradient(layer, NEAREST * half_width), smoothing: layer.law.smoothing_error(0.0) }
+        Self { base, gradient: gradient(layer, NEAREST * half_width) }
     }
 }
 
@@ -219,13 +217,13 @@ impl StandIn {
     /// Bounds on the relative errors of all numbers under a contact of a half-width in the problem's units.
     pub(super) fn bound(&self, problem: &Problem, half_width: f64) -> Numbers {
         let b = half_width / self.thickness;
-        let Departure { base, gradient, smoothing } = self.departure;
+        let Departure { base, gradient } = self.departure;
         let base = if self.model == Model::HalfPlane { base } else { 0.0 };
         // Kernels tell what they leave out of the base, but not what becomes of it in the drive of the shear.
         let rest = if self.model == Model::CorrectedHalfPlane { SECOND_CORRECTION * b.powi(4) } else { 0.0 };
         // A contact of a given depth is as uncertain as the depth is.
         let by_depth = if problem.is_pressed_by_depth() { DEPTH * gradient } else { 0.0 };
-        let of_pressure = PRESSURE_BY_BASE * base * b * b + PRESSURE_BY_GRADIENT * gradient * b + by_depth + smoothing;
+        let of_pressure = PRESSURE_BY_BASE * base * b * b + PRESSURE_BY_GRADIENT * gradient * b + by_depth;
         let beta = problem.elastic.beta().abs();
         // The coupling's kernel has a logarithm, and what it is compared with is beta.
         let coupled =

@@ -46,18 +46,12 @@ fn objection(
         } else if judged.outcome.size.is_some_and(|size| size.missed > 0.5 * error) {
             "; so little of the half-width lies beyond the punch's face that double precision allows no more: prescribe the half-width, whose \
              force is told better"
-        } else if problem
-            .smoothing_errors(&judged.outcome.numbers)
-            .get(worst)
-            .is_some_and(|error| error > 0.5 * tolerance)
-        {
-            "; the grading, rounded at the surface, allows no more"
-        } else if problem.begins_rough()
+        } else if problem.layer.law.broken_power().is_some()
             && judged.outcome.numbers.get(Quantity::HalfWidth).and_then(|b| layer.kernel_error(b))
                 > Some(0.5 * tolerance)
         {
             "; the modulus begins at the surface with a power of the depth that is no whole number, and of its kernels little \
-             can be proved: a grading `volume-fraction` rounds such a law"
+             can be proved: leave out `kernel` and `quadrature`, or take `octaves` and `graded-panels`"
         } else {
             ""
         };

@@ -74,11 +74,10 @@ pub trait ModulusLaw: Debug + Send + Sync {
         None
     }
 
-    /// Relative error of a contact's numbers because the law is not quite what it stands for: smoother at the surface. `width`
-    /// is the shortest length that matters to them, over the thickness: of the contact, of its stick or slip zone.
-    fn smoothing_error(&self, width: f64) -> f64 {
-        let _ = width;
-        0.0
+    /// The power of the depth, no whole number, with which the law begins to be no analytic function at the surface; `None` where it
+    /// is one.
+    fn broken_power(&self) -> Option<f64> {
+        None
     }
 
     /// Taylor coefficients of `modulus(depth)/surface_modulus()` at the surface: `terms` of them, or as many

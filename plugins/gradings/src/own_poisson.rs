@@ -51,8 +51,8 @@ impl ModulusLaw for OwnPoisson {
         self.law().exponent()
     }
 
-    fn smoothing_error(&self, width: f64) -> f64 {
-        self.law().smoothing_error(width)
+    fn broken_power(&self) -> Option<f64> {
+        self.law().broken_power()
     }
 
     fn surface_series(&self, terms: usize) -> Vec<f64> {

@@ -28,6 +28,8 @@ const BESIDE: [f64; 2] = [0.3, 0.02];
 pub(crate) struct Blend {
     narrowest: f64,
     widest: f64,
+    /// Functions are smooth in this root of the half-width.
+    root: u32,
     functions: Functions,
     /// Descending.
     half_widths: Vec<f64>,
@@ -38,10 +40,20 @@ pub(crate) struct Blend {
 impl Blend {
     /// So many half-widths between two, crowding at both ends like Chebyshev points; for functions with these terms beside what is
     /// analytic: they are told where the half-widths begin with 0.
-    pub(crate) fn new((narrowest, widest): (f64, f64), n: usize, terms: &[Term]) -> Result<Self, Refusal> {
+    pub(crate) fn new(ends: (f64, f64), n: usize, terms: &[Term]) -> Result<Self, Refusal> {
+        let terms = if ends.0 > 0.0 { &[] } else { terms };
+        Self::through(ends, 1, n, terms)
+    }
+
+    /// The same of functions that are analytic in a root of the half-width, where the half-widths begin with 0.
+    pub(crate) fn in_root(ends: (f64, f64), root: u32, n: usize) -> Result<Self, Refusal> {
+        Self::through(ends, if ends.0 > 0.0 { 1 } else { root }, n, &[])
+    }
+
+    fn through((narrowest, widest): (f64, f64), root: u32, n: usize, terms: &[Term]) -> Result<Self, Refusal> {
         let n = n.min(MOST);
-        let functions = Functions::new(if narrowest > 0.0 { &[] } else { terms }, n);
-        let at = if narrowest > 0.0 { Points::get(n).at.clone() } else { places(n) };
+        let functions = Functions::new(terms, n);
+        let at = if terms.is_empty() { Points::get(n).at.clone() } else { places(n) };
         let mut system = Dense::new(n, n);
         // A row for each function: the pivots are then the points where it is largest, and few digits are lost.
         let mut values = vec![0.0; n];
@@ -56,8 +68,9 @@ impl Blend {
             n
         })?;
         let inverse = (0..n).flat_map(|m| system.column(m)).copied().collect();
-        let half_widths = at.iter().map(|s| narrowest + (widest - narrowest) * s).collect();
-        Ok(Self { narrowest, widest, functions, half_widths, inverse })
+        let power = i32::try_from(root).unwrap_or(i32::MAX);
+        let half_widths = at.iter().map(|s| narrowest + (widest - narrowest) * s.powi(power)).collect();
+        Ok(Self { narrowest, widest, root, functions, half_widths, inverse })
     }
 
     /// The narrowest.
@@ -99,9 +112,10 @@ impl Blend {
         largest(&coefficients[last.start * width..last.end * width])
     }
 
-    /// A half-width from 0, the narrowest, to 1, the widest.
+    /// A half-width from 0, the narrowest, to 1, the widest; its root.
     fn share(&self, half_width: f64) -> f64 {
-        (half_width - self.narrowest) / (self.widest - self.narrowest)
+        let share = (half_width - self.narrowest) / (self.widest - self.narrowest);
+        if self.root == 1 { share } else { share.powf(f64::from(self.root).recip()) }
     }
 
     /// The functions at some half-widths, one after another.
@@ -327,6 +341,25 @@ mod tests {
         };
         assert!(ratio(&cubic, &[(1, 1), (2, 1)]) > 48.0, "{}", ratio(&cubic, &[(1, 1), (2, 1)]));
         assert!(ratio(&square, &[(1, 1)]) > 12.0, "{}", ratio(&square, &[(1, 1)]));
+    }
+
+    #[test]
+    fn broken_powers_are_polynomials_in_a_root() {
+        let broken = |b: f64| (0.5 * b).exp() + b.powf(0.4) + b.powf(1.2);
+        let error = |root: u32| {
+            let blend = Blend::in_root((0.0, 3.0), root, 40).unwrap();
+            let values: Vec<f64> = blend.half_widths().iter().map(|b| broken(*b)).collect();
+            let coefficients = blend.coefficients(&values, 1);
+            let at = |b: &f64| (blend.sum(*b, &coefficients) - broken(*b)).abs();
+            EVERYWHERE.iter().map(at).fold(0.0, f64::max)
+        };
+        assert!(error(5) < 1e-13, "{:e}", error(5));
+        assert!(error(1) > 1e-3, "{:e}", error(1));
+        // A layer that ends in a face has no such power.
+        assert_eq!(
+            Blend::in_root((1.0, 3.0), 5, 8).unwrap().half_widths(),
+            Blend::new((1.0, 3.0), 8, &[]).unwrap().half_widths()
+        );
     }
 
     #[test]

@@ -29,7 +29,7 @@ use pressed::{Pressed, Table};
 use rubbed::{Moves, PARTS, Rubbed, Seen};
 use slipzone_api::double_exponential::Node;
 use slipzone_api::{Component, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station, short};
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 use std::sync::Arc;
 use told::Told;
 
@@ -58,6 +58,8 @@ const LEFT_OF_SHEAR: f64 = 1.0;
 /// estimates on 100 of 507 with faces of 1e-4 to 0.1 of the last contact, and so they were by up to 3 on 32 of 687 with faces of 0.01 to 0.03; on
 /// none of these so, in half of the work. With faces of 0.03 to 0.25 none of 514 was.
 const SMALL_FACE: f64 = 3e-2;
+/// Laws that begin with a higher power of the depth, no whole number, are told by the terms of smooth ones.
+const OF_BREAK: f64 = 2.0;
 /// Doubt of a slope that a coarser resolution tells; see [`crate::engine::numerics::root::Near`].
 const SLOPE_DOUBT: f64 = 0.005;
 /// What is left of a force changes its sign from member to member: its growth, of which a pressure is stacked, is off by as much for
@@ -111,6 +113,23 @@ struct Room {
 fn first_members(unknowns: usize, kernel_lengths: f64) -> usize {
     let octaves = kernel_lengths.max(1.0).log2();
     ((FEWEST_MEMBERS + MEMBERS_PER_UNKNOWN * unknowns as f64) * (1.0 + MORE_PER_OCTAVE * octaves)) as usize
+}
+
+/// What tells functions of the half-width between so many members: by series in `b` with these terms beside them, or, where the law begins with a
+/// power `p` of the depth that is no whole number, in a root of `b` in which `b^p` is nearly a polynomial.
+fn blend(problem: &Problem, ends: (f64, f64), members: usize, terms: &[Term]) -> Result<Blend, Refusal> {
+    /// Roots tried for a power that is exactly as smooth as it may be; else one in which it is as smooth as that.
+    const ROOTS: RangeInclusive<u32> = 2..=10;
+    const EXACT: f64 = 1e-9;
+    const POWER: f64 = 3.0;
+    const MOST: f64 = 12.0;
+    let Some(power) = problem.layer.law.broken_power().filter(|power| *power < OF_BREAK) else {
+        return Blend::new(ends, members, terms);
+    };
+    let is_whole = |root: &u32| (power * f64::from(*root) - (power * f64::from(*root)).round()).abs() < EXACT;
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive and small
+    let root = ROOTS.clone().find(is_whole).unwrap_or_else(|| (POWER / power).ceil().clamp(2.0, MOST) as u32);
+    Blend::in_root(ends, root, members)
 }
 
 /// A flat punch of that half-width.
@@ -170,7 +189,7 @@ impl Family {
             is_deep: task.problem.wants_depth(),
             accuracy: task.wanted.accuracy,
             kernel_lengths,
-            pressed: Pressed::new(Blend::new(ends, pressed, OF_PRESSURE)?),
+            pressed: Pressed::new(blend(task.problem, ends, pressed, OF_PRESSURE)?),
             pressure_at: None,
             tilt_over: None,
             on_half_plane: HalfPlaneDepth::new(task.problem.layer.datum, task.problem.elastic.beta()),
@@ -188,7 +207,7 @@ impl Family {
         family.contact.is_overloaded = coarse.is_some_and(Family::is_overloaded);
         if friction {
             let rubbed = members(coarse.and_then(|coarse| Some(coarse.rubbed.as_ref()?.told)), LEFT_OF_SHEAR);
-            let blend = Blend::new(ends, rubbed, OF_SHEAR)?;
+            let blend = blend(task.problem, ends, rubbed, OF_SHEAR)?;
             family.solve_under_friction(layer, task, contact, (blend, coarse))?;
         } else {
             family.solve_pressures(layer, task, coarse)?;

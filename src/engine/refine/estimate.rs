@@ -92,14 +92,14 @@ fn is_vain(
     (told, all): (&Numbers, &Numbers),
     has_kernels: bool,
 ) -> bool {
-    let lost = problem.smoothing_errors(&outcome.numbers).plus(outcome.lost.unwrap_or(0.0));
+    let lost = outcome.lost.unwrap_or(0.0);
     // A finer step may miss less of the load, which counts for more beside a faint pressure in the middle.
     let missed = outcome.size.map_or(0.0, |size| size.missed) / share_in_middle(outcome);
     let unmended = |(quantity, error): (Quantity, f64)| {
         let beside = all.get(quantity).filter(|_| has_kernels);
         let rest = beside.map_or(0.0, |all| all - error - missed - mended(outcome, quantity));
         let least = if quantity.is_of_shear() { SLIP_ROUNDING } else { ROUNDING };
-        (lost.get(quantity).unwrap_or(0.0).max(least), rest)
+        (lost.max(least), rest)
     };
     let judged = told.judged_by(problem.wishes);
     let is_beyond = |told: (Quantity, f64)| {

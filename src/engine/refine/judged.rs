@@ -174,7 +174,7 @@ fn of_peak(outcome: &Outcome) -> f64 {
 }
 
 /// Errors, and those that differences between resolutions do not see: what the kernels prove of theirs, what a contact misses of
-/// its load, what a smoothed law makes, and what a stack leaves out at all of them, which follows the tolerance.
+/// its load, and what a stack leaves out at all of them, which follows the tolerance.
 pub(crate) fn with_the_rest(
     problem: &Problem,
     layer: &PreparedLayer,
@@ -192,7 +192,7 @@ pub(crate) fn with_the_rest(
     if problem.is_pressed_by_depth() {
         rest += of_depth;
     }
-    let mut errors = errors.plus(rest).and(&problem.smoothing_errors(&outcome.numbers));
+    let mut errors = errors.plus(rest);
     errors.add(Quantity::Indentation, of_depth);
     let of_zone = of_kernels * (1.0 / share_in_shear(outcome) - 1.0);
     for quantity in Quantity::ALL.into_iter().filter(|quantity| quantity.is_of_shear()) {

@@ -130,7 +130,6 @@ fn solve(problem: &Problem, response: &dyn LayerResponse) -> Option<(Numbers, Nu
     let power = 1.0 + b * problem.slope(b) / height(b);
     let second = SECOND_ORDER * power * power * (layer.shift.powi(2) + layer.bend.abs() + 0.1) / (b * b);
     let numerical = layer.errors.0 + power * layer.errors.1 / b + (in_parts / p - 1.0).abs();
-    let rest = numerical + problem.layer.law.smoothing_error(b);
     let rise = height(wide);
     let at_edge = layer.at_edge(problem, b) / rise;
     let beside = |x: f64| layer.beside(problem, x, b.max(wide)) / rise;
@@ -147,7 +146,7 @@ fn solve(problem: &Problem, response: &dyn LayerResponse) -> Option<(Numbers, Nu
             // All of the pressure moves with the depth, over all of the contact.
             _ => at_edge * 2.0 * b * centre / p,
         };
-        let error = second.max(of_shape) + rest;
+        let error = second.max(of_shape) + numerical;
         if !value.is_finite() || !error.is_finite() {
             return None;
         }

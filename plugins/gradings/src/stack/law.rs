@@ -57,10 +57,8 @@ impl ModulusLaw for Law {
         self.sublayers[0].law.surface_modulus()
     }
 
-    /// As if each of its sublayers were the first.
-    fn smoothing_error(&self, width: f64) -> f64 {
-        let of = |sublayer: &Sublayer| sublayer.law.smoothing_error(width / sublayer.thickness);
-        self.sublayers.iter().map(of).fold(0.0, f64::max)
+    fn broken_power(&self) -> Option<f64> {
+        self.sublayers[0].law.broken_power()
     }
 
     fn surface_series(&self, terms: usize) -> Vec<f64> {
