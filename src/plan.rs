@@ -8,6 +8,7 @@ use slipzone_gradings::Homogeneous;
 use slipzone_kernels::{Moments, Octaves, Split};
 use slipzone_quadratures::{DeSinc, GradedPanels};
 use std::borrow::Cow;
+use std::cell::LazyCell;
 
 /// Reasons that a plan most often has.
 const USUAL_REASONS: usize = 4;
@@ -73,7 +74,7 @@ impl Chosen {
     /// The same with a model in place of the solid: the methods that were left open are those that the model takes.
     pub(crate) fn with(mut self, model: Model, modelled: &Layer, because: String) -> Self {
         if self.is_open {
-            let (flexibility, reason) = flexibility_for(modelled);
+            let (flexibility, reason) = flexibility_for(modelled.model().ok().as_ref());
             self.plan.flexibility = flexibility.typetag_name();
             self.scene.solver.flexibility = Some(flexibility.clone());
             self.methods.flexibility = flexibility;
@@ -114,14 +115,15 @@ pub(crate) fn choose(scene: &Scene) -> Chosen {
     let is_open = solver.flexibility.is_none() && solver.kernel.is_none() && solver.quadrature.is_none();
     let mut because = |reason: &'static str| reasons.push(Cow::Borrowed(reason));
 
+    let model = LazyCell::new(|| scene.layer.model().ok());
     let flexibility = solver.flexibility.get_or_insert_with(|| {
-        let (flexibility, reason) = flexibility_for(&scene.layer);
+        let (flexibility, reason) = flexibility_for(model.as_ref());
         because(reason);
         flexibility
     });
     // Under other quadratures kernels of any power are no better than those that `split` tells.
     let by_panels = solver.quadrature.as_ref().is_none_or(|quadrature| quadrature.typetag_name() == PANELS);
-    let is_broken = by_panels && solver.kernel.is_none() && begins_broken(&scene.layer);
+    let is_broken = by_panels && solver.kernel.is_none() && model.as_ref().is_some_and(begins_broken);
     let kernel = solver.kernel.get_or_insert_with(|| {
         if is_broken {
             because(
@@ -177,8 +179,8 @@ fn left_out(scene: &Scene) -> Vec<Cow<'static, str>> {
 }
 
 /// The flexibility of a layer that leaves it open, and why.
-fn flexibility_for(layer: &Layer) -> (Box<dyn Flexibility>, &'static str) {
-    if has_closed_form(layer) {
+fn flexibility_for(model: Option<&LayerModel>) -> (Box<dyn Flexibility>, &'static str) {
+    if model.is_some_and(has_closed_form) {
         (Box::new(ClosedForm {}), "closed-form: the layer is exponential or homogeneous")
     } else {
         (Box::new(Compliance {}), "compliance: serves any grading")
@@ -194,13 +196,13 @@ const OCTAVES: &str = "octaves";
 const SMOOTH: f64 = 3.5;
 
 /// Whether a layer's law has so few derivatives at the surface that its kernels are none of those that `split` knows.
-fn begins_broken(layer: &Layer) -> bool {
-    layer.model().is_ok_and(|model| model.law.broken_power().is_some_and(|power| power < SMOOTH))
+fn begins_broken(model: &LayerModel) -> bool {
+    model.law.broken_power().is_some_and(|power| power < SMOOTH)
 }
 
 /// Whether the flexibility of a layer is known in closed form.
-pub(crate) fn has_closed_form(layer: &Layer) -> bool {
-    matches!(layer.base, Base::Rigid | Base::Infinite) && layer.model().is_ok_and(|model| model.exponent().is_some())
+pub(crate) fn has_closed_form(model: &LayerModel) -> bool {
+    matches!(model.base, Base::Rigid | Base::Infinite) && model.exponent().is_some()
 }
 
 /// Whether a kernel strategy serves any contact: moments serve narrow ones alone, and are the planner's.

@@ -127,7 +127,8 @@ fn cheapest(scene: &Scene, problem: &Problem) -> Option<StandIn> {
     }
     let departure = Departure::of(&problem.layer, b);
     // Where the flexibility is as cheap as it gets, another grading saves nothing.
-    let saves = |model: &Model| *model != Model::Homogeneous || !has_closed_form(&scene.layer);
+    let saves =
+        |model: &Model| *model != Model::Homogeneous || !scene.layer.model().is_ok_and(|model| has_closed_form(&model));
     let fits = |model: Model| {
         let stand_in = StandIn { model, is_forced: false, departure, thickness: 1.0 };
         let is_near = stand_in.bound(problem, b).worst().is_some_and(|(_, bound)| bound <= allowed)

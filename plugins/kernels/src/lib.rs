@@ -2,6 +2,7 @@
 
 mod even_table;
 mod integrand;
+mod legendre_waves;
 mod moments;
 mod octaves;
 mod piece;

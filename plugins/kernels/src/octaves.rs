@@ -27,7 +27,7 @@ pub struct Octaves {}
 slipzone_api::register!(Kernel, "octaves", "Fourier integral on octaves of wave numbers, kernels on octaves of distance: any law at the surface",
     example: "type = \"octaves\"",
     parameters: [],
-    source: "docs/theory.md section 3");
+    source: "docs/plugins.md");
 
 #[typetag::serde(name = "octaves")]
 impl KernelStrategy for Octaves {

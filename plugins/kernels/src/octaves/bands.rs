@@ -1,7 +1,7 @@
 //! The flexibility on octaves of wave numbers.
 
 use crate::integrand::Integrand;
-use crate::spherical_bessel;
+use crate::legendre_waves::{add_transforms, values, waves_of};
 use bilby::GaussLegendre;
 use num_complex::Complex64;
 use slipzone_api::{Component, KernelRequest, LayerResponse, Refusal, SurfaceFlexibility};
@@ -53,7 +53,8 @@ struct Band {
 
 /// Transforms of the bands, faded out: what is left below one distance is as good at larger ones.
 pub(super) struct Faded {
-    bands: Vec<(f64, f64, Vec<[f64; NODES]>)>,
+    /// Middle, half of the width, and the waves of each kernel.
+    bands: Vec<(f64, f64, Vec<Vec<f64>>)>,
 }
 
 impl Bands {
@@ -143,12 +144,8 @@ impl Bands {
             let (middle, half) = (f64::midpoint(band.lower, band.upper), 0.5 * (band.upper - band.lower));
             let window: [f64; NODES] = std::array::from_fn(|i| window((middle + half * self.rule.nodes[i]) / scale));
             let waves = |values: &[f64; NODES]| {
-                let mut series = self.rule.coefficients(&std::array::from_fn(|i| window[i] * values[i]));
-                // The signs of `i^l`.
-                for (l, c) in series.iter_mut().enumerate() {
-                    *c *= if l % 4 < 2 { 2.0 * half } else { -2.0 * half };
-                }
-                series
+                let coefficients = self.rule.coefficients(&std::array::from_fn(|i| window[i] * values[i]));
+                waves_of(&coefficients, half).collect()
             };
             (middle, half, band.values.iter().map(waves).collect())
         };
@@ -162,16 +159,7 @@ impl Faded {
         out.fill(Complex64::default());
         let mut bessel = [0.0; NODES];
         for (middle, half, waves) in &self.bands {
-            spherical_bessel::sequence(half * t, &mut bessel);
-            let wave = Complex64::cis(middle * t);
-            for (out, waves) in out.iter_mut().zip(waves) {
-                let (mut re, mut im) = (0.0, 0.0);
-                for (w, j) in waves.chunks_exact(2).zip(bessel.chunks_exact(2)) {
-                    re += w[0] * j[0];
-                    im += w[1] * j[1];
-                }
-                *out += wave * Complex64::new(re, im);
-            }
+            add_transforms((*middle, *half), waves.iter().map(Vec::as_slice), t, &mut bessel, out);
         }
     }
 }
@@ -193,7 +181,7 @@ impl Rule {
         let gauss = GaussLegendre::new(NODES).expect("at least one node").rule().clone();
         let mut projector = vec![[0.0; NODES]; NODES];
         for (i, (x, weight)) in gauss.nodes.iter().zip(&gauss.weights).enumerate() {
-            for (l, (row, p)) in projector.iter_mut().zip(polynomials(*x)).enumerate() {
+            for (l, (row, p)) in projector.iter_mut().zip(values(*x)).enumerate() {
                 row[i] = (l as f64 + 0.5) * weight * p;
             }
         }
@@ -215,16 +203,5 @@ impl Rule {
 
 /// A Legendre series at a point.
 fn series(coefficients: &[f64], x: f64) -> f64 {
-    coefficients.iter().zip(polynomials(x)).map(|(c, p)| c * p).sum()
-}
-
-/// `P_0(x)`, `P_1(x)`, ...
-fn polynomials(x: f64) -> impl Iterator<Item = f64> {
-    let (mut before, mut p) = (0.0, 1.0);
-    (0..).map(move |l: usize| {
-        let here = p;
-        let a = (2 * l + 1) as f64 / (l + 1) as f64;
-        (before, p) = (p, a * x * p - (a - 1.0) * before);
-        here
-    })
+    coefficients.iter().zip(values(x)).map(|(c, p)| c * p).sum()
 }

@@ -1,6 +1,7 @@
 //! The Legendre series of one panel of wave numbers, and what it leaves unresolved.
 
 use super::column::Column;
+use crate::legendre_waves::{values, waves_of};
 use arrayvec::ArrayVec;
 use bilby::GaussLegendre;
 use pulp::{Arch, Simd, WithSimd};
@@ -178,8 +179,7 @@ impl Legendre {
             let noise = NOISE.max(0.5 * rough);
             let (error, ratio, noisy) = unresolved(coefficients, (seen, noise), &waves, lower.s == 0.0, summed);
             if !summed {
-                let signed = |(l, c): (usize, &f64)| c * if l % 4 < 2 { 2.0 * half } else { -2.0 * half };
-                told.extend(coefficients.iter().enumerate().map(signed));
+                told.extend(waves_of(coefficients, half));
             }
             let size = Size { whole: half * size, roughened: TWICE * half * rough };
             Resolved { error: 2.0 * half * error, ratio, size, noisy }
@@ -279,17 +279,6 @@ fn unresolved(
         }
     }
     (sum, ratio, false)
-}
-
-/// `P_0(x)`, `P_1(x)`, ...
-fn values(x: f64) -> impl Iterator<Item = f64> {
-    let (mut before, mut p) = (0.0, 1.0);
-    (0..).map(move |l: usize| {
-        let here = p;
-        let a = (2 * l + 1) as f64 / (l + 1) as f64;
-        (before, p) = (p, a * x * p - (a - 1.0) * before);
-        here
-    })
 }
 
 /// Waves below this matter to no coefficient.

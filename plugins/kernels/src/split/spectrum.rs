@@ -3,7 +3,7 @@
 use super::column::Column;
 use super::legendre::{self, End, LARGEST_NOISE, Legendre, Panel, Size};
 use super::powers::Moments;
-use crate::spherical_bessel;
+use crate::legendre_waves::add_transforms;
 use num_complex::Complex64;
 use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
 
@@ -164,16 +164,7 @@ impl Spectrum {
     /// Adds the transforms at `t` to `out`; `scratch` holds [`Self::terms`] numbers.
     pub(super) fn add(&self, t: f64, scratch: &mut [f64], out: &mut [Complex64]) {
         for panel in &self.panels {
-            spherical_bessel::sequence(panel.half * t, scratch);
-            let wave = Complex64::cis(panel.middle * t);
-            for (out, waves) in out.iter_mut().zip(panel.waves()) {
-                let (mut re, mut im) = (0.0, 0.0);
-                for (w, j) in waves.chunks_exact(2).zip(scratch.chunks_exact(2)) {
-                    re += w[0] * j[0];
-                    im += w[1] * j[1];
-                }
-                *out += wave * Complex64::new(re, im);
-            }
+            add_transforms((panel.middle, panel.half), panel.waves(), t, scratch, out);
         }
     }
 }

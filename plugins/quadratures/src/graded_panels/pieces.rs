@@ -4,7 +4,7 @@ use super::layout::Basis;
 use super::legendre::Gauss;
 use super::mesh::{Mesh, Place};
 
-/// A panel, or a part of one.
+/// A panel, as far as integrals see it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
     pub(super) lower: f64,
