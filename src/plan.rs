@@ -142,6 +142,10 @@ pub(crate) fn choose(scene: &Scene) -> Chosen {
         because("de-sinc: exponential convergence with jumps, logarithms and any edge");
         Box::new(DeSinc::default())
     });
+    let power = model.as_ref().and_then(|model| model.law.broken_power());
+    if let Some(under) = power.and_then(|power| quadrature.under(power)) {
+        *quadrature = under;
+    }
     let methods = Methods { flexibility: flexibility.clone(), kernel: kernel.clone(), quadrature: quadrature.clone() };
     reasons.extend(left_out(&scene));
     let plan = Plan {

@@ -84,6 +84,12 @@ pub trait LayerResponse: Send + Sync {
         self.depth()
     }
 
+    /// The power of the depth, no whole number, with which the solid begins at its surface to be no analytic function of it; `None` where
+    /// that is not known, or it is one.
+    fn broken_power(&self) -> Option<f64> {
+        None
+    }
+
     /// How deep the solid goes on to change, where a datum makes [`Self::thickness`] less: towards the origin the flexibility varies over its
     /// inverse.
     fn extent(&self) -> Option<f64> {

@@ -220,6 +220,11 @@ pub trait KernelTable: Send + Sync {
         None
     }
 
+    /// Where the kernels are, at the origin, series in that power of the distance over the distance, or, of the depth, such series.
+    fn power(&self) -> Option<f64> {
+        None
+    }
+
     /// Number of wave numbers at which the flexibility was evaluated.
     fn flexibility_evaluations(&self) -> usize;
 }

@@ -78,6 +78,12 @@ pub trait Quadrature: dyn_clone::DynClone + Debug + Send + Sync {
     /// The same scheme, `level` steps finer. A step takes at least 5/4 and at most twice the unknowns.
     fn refined(&self, level: u32) -> Box<dyn Quadrature>;
 
+    /// What it is to be for kernels that begin at the origin with that power of the distance, no whole number, over the distance; `None`
+    /// where it is the same for all.
+    fn under(&self, _power: f64) -> Option<Box<dyn Quadrature>> {
+        None
+    }
+
     /// Whether the scene itself fixed the resolution.
     fn is_pinned(&self) -> bool;
 }

@@ -69,6 +69,10 @@ impl LayerResponse for ByNeed {
         self.rough.breaks()
     }
 
+    fn broken_power(&self) -> Option<f64> {
+        self.rough.broken_power()
+    }
+
     fn roughly(&self, accuracy: f64) -> Option<&dyn LayerResponse> {
         (accuracy >= ROUGHNESS).then_some(&self.rough as &dyn LayerResponse)
     }

@@ -196,6 +196,10 @@ impl LayerResponse for Layered {
         Some(1.0)
     }
 
+    fn broken_power(&self) -> Option<f64> {
+        self.layer.law.broken_power()
+    }
+
     fn breaks(&self) -> bool {
         self.depth() == Some(self.panels.first_break) && self.panels.first_break < 1.0
     }
@@ -256,6 +260,10 @@ impl LayerResponse for AgainstDatum {
 
     fn extent(&self) -> Option<f64> {
         self.layer.thickness()
+    }
+
+    fn broken_power(&self) -> Option<f64> {
+        self.layer.broken_power()
     }
 
     fn breaks(&self) -> bool {

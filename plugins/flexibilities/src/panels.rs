@@ -83,9 +83,15 @@ const LAST: usize = 3;
 /// A panel as thin as this over its law holds a jump or a kink that the law does not tell: nothing else is that narrow.
 const KINK: f64 = 1e-6;
 
+/// Where the law begins with a broken power panels shrink towards the surface, each as thick as this part of what lies above it, or thicker.
+const SHRINKING: f64 = 0.1;
+
 /// Even if it is not smooth a panel as thin as this is kept, all of it taken for what is at its top: what a jump is taken for
 /// matters no more than its thickness.
 const THINNEST: f64 = 1e-13;
+
+/// The same over the depth, of laws that begin with a broken power of it, down to here.
+const NEAREST: f64 = 1e-24;
 
 /// Most panels: a law that asks for more is noise.
 const MOST_PANELS: usize = 1 << 15;
@@ -128,12 +134,14 @@ impl Panels {
             self.all.push(Panel { top, thickness: span * thickness, unit: material.shear, matter });
             return Some(());
         }
+        let is_broken = law.broken_power().is_some_and(|power| power < 1.0);
         // Depths over the law's own range, deepest on the stack first.
         let mut stack = vec![(from, to - from, f64::INFINITY)];
         while let Some((start, width, before)) = stack.pop() {
             let fit = Fit::of(layer, law, (start, width), self.precision)?;
             let (top, wide) = (stretch.in_whole(start), width * thickness);
-            let is_thinnest = wide <= THINNEST || width <= THINNEST;
+            let thinnest = if is_broken { (THINNEST * (start + width)).max(NEAREST) } else { THINNEST };
+            let is_thinnest = wide <= thinnest || width <= thinnest;
             // A depth is rounded, too, and a law that varies over the panel with it; so thin a panel hardly matters,
             // unless it is very soft or very stiff.
             let rounding = NOISE_OF_DEPTH * f64::EPSILON * (start + width) / width;
@@ -150,8 +158,9 @@ impl Panels {
                 stack.push((start, half, error));
                 continue;
             }
-            // At the surface itself nothing can be split off but what its derivatives tell.
-            if width < KINK && top > KINK * thickness {
+            // At the surface itself nothing can be split off but what its derivatives tell; panels that shrink towards it are no kink.
+            let is_narrow = !is_broken || wide < SHRINKING * top;
+            if width < KINK && top > KINK * thickness && is_narrow {
                 self.first_break = self.first_break.min(top);
             }
             see(fit.extremes.0);

@@ -2,10 +2,12 @@
 
 mod bands;
 mod octave;
+pub(crate) mod origin;
 
 use crate::integrand::Integrand;
 use crate::table::Table;
 use bands::Bands;
+use origin::Origin;
 use serde::{Deserialize, Serialize};
 use slipzone_api::{KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal};
 
@@ -40,11 +42,17 @@ impl KernelStrategy for Octaves {
         let extent = response.extent().unwrap_or(depth);
         let length = if response.breaks() { depth } else { response.thickness().unwrap_or(depth) };
         let integrands: Vec<Integrand> = request.components.iter().map(|c| Integrand::new(*c, response)).collect();
-        let bands = Bands::new(&integrands, response, extent, request)?;
-        let (pieces, error) = octave::tabulated(&integrands, &bands, request);
-        let lengths = (length, pieces.ends.first().copied());
-        let error = error + bands.error;
-        Ok(Box::new(Table::new(request.components, pieces, request.reach, lengths, error, bands.evaluations)))
+        if let Some(power) = response.broken_power().filter(|power| *power < 1.0)
+            && let Some((stretch, tried)) = origin::stretch(&integrands, response, (power, length), request.accuracy)?
+        {
+            let mut bands = Bands::new(&integrands, response, extent, request, Some(Origin::waves(stretch.0)))?;
+            bands.evaluations += tried;
+            if let Some(origin) = Origin::new(&integrands, &bands, stretch, power, request.accuracy) {
+                return Ok(told(&integrands, &bands, Some(origin), request, length));
+            }
+        }
+        let bands = Bands::new(&integrands, response, extent, request, None)?;
+        Ok(told(&integrands, &bands, None, request, length))
     }
 
     fn refined(&self, _level: u32) -> Box<dyn KernelStrategy> {
@@ -54,6 +62,23 @@ impl KernelStrategy for Octaves {
     fn is_pinned(&self) -> bool {
         false
     }
+}
+
+/// The table of what the bands make, and of what is next to the origin.
+fn told(
+    integrands: &[Integrand],
+    bands: &Bands,
+    origin: Option<Origin>,
+    request: &KernelRequest,
+    length: f64,
+) -> Box<dyn KernelTable> {
+    let (pieces, error) = octave::tabulated(integrands, bands, origin.as_ref(), request);
+    let lengths = (length, pieces.ends.first().copied());
+    let table = Table::new(request.components, pieces, request.reach, lengths, error + bands.error, bands.evaluations);
+    Box::new(match origin {
+        Some(origin) => table.beginning_with(origin, integrands.to_vec()),
+        None => table,
+    })
 }
 
 /// See [`crate::link`].

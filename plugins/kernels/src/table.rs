@@ -2,11 +2,13 @@
 
 mod lanes;
 
+use crate::integrand::Integrand;
+use crate::octaves::origin::Origin;
 use crate::piece::Pieces;
 use lanes::Piece;
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::elementary::ln;
-use slipzone_api::{Component, KernelTable, PartsMut};
+use slipzone_api::{Component, KernelTable, Parts, PartsMut};
 
 /// One kernel: its polynomials, piece after piece.
 struct Kernel {
@@ -55,6 +57,8 @@ pub(crate) struct Table {
     far: f64,
     length: f64,
     nearest: Option<f64>,
+    /// What stands in the place of the first piece.
+    origin: Option<(Origin, Vec<Integrand>)>,
     error: f64,
     flexibility_evaluations: usize,
 }
@@ -109,8 +113,29 @@ impl Table {
             far,
             length,
             nearest,
+            origin: None,
             error,
             flexibility_evaluations,
+        }
+    }
+
+    /// The same with powers of the distance in the place of the first piece.
+    pub(crate) fn beginning_with(mut self, origin: Origin, integrands: Vec<Integrand>) -> Self {
+        self.origin = Some((origin, integrands));
+        self
+    }
+
+    /// Writes the parts next to the origin.
+    fn write_origin(&self, (origin, integrands): &(Origin, Vec<Integrand>), component: Component, t: &[f64], [a, b, c]: [&mut [f64]; 3]) {
+        let k = integrands.iter().position(|integrand| integrand.component == component).expect("requested");
+        let integrand = &integrands[k];
+        for (((a, b), c), t) in a.iter_mut().zip(b).zip(c).zip(t) {
+            let at = t.abs();
+            // At the origin itself it is as large as next to it.
+            let Parts { smooth, sign, log } = integrand.parts(at, origin.transform(k, at.max(f64::MIN_POSITIVE)));
+            *a = if integrand.component.is_odd() { smooth * t.signum() } else { smooth };
+            *b = sign;
+            *c = log;
         }
     }
 
@@ -167,7 +192,10 @@ impl Table {
             let [a, b, c] = out;
             let ((a, a_later), (b, b_later), (c, c_later)) =
                 (a.split_at_mut(count), b.split_at_mut(count), c.split_at_mut(count));
-            if let Some(piece) = piece {
+            if let (Some(0), Some(origin)) = (piece, &self.origin) {
+                has_log |= kernel.component == Component::Depth;
+                self.write_origin(origin, kernel.component, here, [a, b, c]);
+            } else if let Some(piece) = piece {
                 let (slope, offset) = self.variables[piece];
                 let coefficients = kernel.on(piece);
                 has_log |= !coefficients[2].is_empty();
@@ -257,6 +285,10 @@ impl KernelTable for Table {
 
     fn nearest(&self) -> Option<f64> {
         self.nearest
+    }
+
+    fn power(&self) -> Option<f64> {
+        self.origin.as_ref().map(|(origin, _)| origin.power)
     }
 
     fn flexibility_evaluations(&self) -> usize {

@@ -49,6 +49,9 @@ pub struct GradedPanels {
     /// Added refinements, chosen by the solver.
     #[serde(skip)]
     level: u32,
+    /// Added to the root of the angle in which densities are told, for the solid's sake.
+    #[serde(skip)]
+    added_root: i32,
 }
 
 slipzone_api::register!(Quadrature, "graded-panels", "graded panels; jump and logarithm of the kernel integrated exactly",
@@ -79,6 +82,21 @@ impl GradedPanels {
     }
 }
 
+/// In which densities are told.
+const ROOT: i32 = 3;
+
+/// The root of the angle in which densities are polynomials, if kernels begin with that power of the distance: they are series in that
+/// power of the distance to the contact's end, which is half of the square of the angle.
+fn root_of(power: f64) -> i32 {
+    const WHOLE: f64 = 1e-3;
+    const LARGEST: i32 = 8;
+    let is_whole = |root: &i32| {
+        let in_root = 2.0 * f64::from(*root) * power;
+        (in_root - in_root.round()).abs() < WHOLE
+    };
+    if power < 1.0 { (ROOT..=10).find(is_whole).unwrap_or(LARGEST) } else { ROOT }
+}
+
 #[typetag::serde(name = "graded-panels")]
 impl Quadrature for GradedPanels {
     fn rule(&self, span: &Span) -> Result<Box<dyn Rule>, Refusal> {
@@ -92,12 +110,16 @@ impl Quadrature for GradedPanels {
                 remedy: "ask for a coarser tolerance or fewer nodes and panels",
             });
         }
-        let layout = Layout::shared(nodes, panels, Basis { parity, edge: span.edge });
+        let layout = Layout::shared((nodes, panels), ROOT + self.added_root, Basis { parity, edge: span.edge });
         Ok(Box::new(PanelRule::new(0.5 * (upper - lower), layout)))
     }
 
     fn refined(&self, level: u32) -> Box<dyn Quadrature> {
         Box::new(Self { level: self.level.saturating_add(level), ..self.clone() })
+    }
+
+    fn under(&self, power: f64) -> Option<Box<dyn Quadrature>> {
+        Some(Box::new(Self { added_root: root_of(power) - ROOT, ..self.clone() }))
     }
 
     fn is_pinned(&self) -> bool {

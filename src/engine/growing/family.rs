@@ -119,7 +119,7 @@ fn first_members(unknowns: usize, kernel_lengths: f64) -> usize {
 /// power `p` of the depth that is no whole number, in a root of `b` in which `b^p` is nearly a polynomial.
 fn blend(problem: &Problem, ends: (f64, f64), members: usize, terms: &[Term]) -> Result<Blend, Refusal> {
     /// Roots tried for a power that is exactly as smooth as it may be; else one in which it is as smooth as that.
-    const ROOTS: RangeInclusive<u32> = 2..=10;
+    const ROOTS: RangeInclusive<u32> = 6..=12;
     const EXACT: f64 = 1e-9;
     const POWER: f64 = 3.0;
     const MOST: f64 = 12.0;

@@ -39,6 +39,10 @@ impl KernelTable for Counted {
         self.table.nearest()
     }
 
+    fn power(&self) -> Option<f64> {
+        self.table.power()
+    }
+
     fn flexibility_evaluations(&self) -> usize {
         self.table.flexibility_evaluations()
     }

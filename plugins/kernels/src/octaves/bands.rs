@@ -23,15 +23,16 @@ const NARROWEST: f64 = 1e-3;
 const NEAREST: f64 = 1e-9;
 /// Most wave numbers for one table.
 const MOST_SAMPLES: usize = 1 << 14;
-/// What is faded out contacts feel by this part of the accuracy at most: their stick and slip zones may be as much narrower.
-const FELT: f64 = 1e-3;
+/// What is faded out is felt by this part of the accuracy at most: by contacts, and by what is as narrow as may be, slip zones and rounded
+/// corners.
+const FELT: (f64, f64) = (1e-3, 0.1);
 /// Highest wave number over the inverse of the extent: no law is followed nearer to the surface than 1e-13.
 const HIGHEST: f64 = 1e11;
 /// Steepness of the window over the logarithm of the wave number, and where nothing is left of it.
 const STEEP: f64 = 3.0;
 const GONE: f64 = 7.2;
 /// Phase of the wave at which the window is half gone, where it is the distance that sets it.
-const PHASE: f64 = 128.0;
+pub(super) const PHASE: f64 = 128.0;
 
 /// `W` of each kernel at Gauss nodes of one band after the other.
 pub(super) struct Bands {
@@ -58,37 +59,55 @@ pub(super) struct Faded {
 }
 
 impl Bands {
-    /// Bands up to where nothing more is felt, as accurate as is asked for.
+    /// Bands up to where nothing more is felt, or to where all is `known` from, as accurate as is asked for.
     pub(super) fn new(
         integrands: &[Integrand],
         response: &dyn LayerResponse,
         extent: f64,
         request: &KernelRequest,
+        known: Option<f64>,
     ) -> Result<Self, Refusal> {
         let mut bands = Self { all: Vec::new(), rule: Rule::new(), highest: f64::INFINITY, error: 0.0, evaluations: 0 };
         // For the end of each octave: what a wave there adds to all that is felt.
-        let mut ends: Vec<(f64, f64)> = Vec::new();
+        let mut ends: Vec<(f64, [f64; 2])> = Vec::new();
         let mut lower = 0.0;
+        // No window is felt within the first.
+        let first = extent.recip().min(PHASE / (GONE * request.reach));
         while lower < GONE * bands.highest {
-            let upper = if lower == 0.0 { extent.recip() } else { 2.0 * lower };
+            let upper = if lower == 0.0 { first } else { 2.0 * lower };
             bands.add(integrands, response, (lower, upper), (extent, request))?;
             lower = upper;
             if bands.highest < f64::INFINITY {
                 continue;
             }
+            if let Some(known) = known {
+                if upper >= known {
+                    bands.highest = upper;
+                }
+                continue;
+            }
             let f = response.surface(upper)?;
             bands.evaluations += 1;
+            // By the contact as a whole, and by a part of it that is as narrow as may be.
             let felt = |integrand: &Integrand| {
                 let (size, width) = (integrand.weight(upper, &f).abs(), (upper * request.reach).recip());
                 // Of the depth no more than it is.
-                if integrand.component == Component::Depth { upper * size * width.min(1.0) } else { size * width }
+                if integrand.component == Component::Depth {
+                    let felt = upper * size * width.min(1.0);
+                    [felt, felt]
+                } else {
+                    [size * width, size]
+                }
             };
-            ends.push((upper, integrands.iter().map(felt).fold(0.0, f64::max)));
+            let both = integrands.iter().map(felt).reduce(|a, b| [a[0].max(b[0]), a[1].max(b[1])]);
+            ends.push((upper, both.unwrap_or_default()));
             // All that a window here would take away.
-            let felt = ends.iter().map(|(s, felt)| felt * window(upper / s)).sum::<f64>();
-            if felt <= FELT * request.accuracy || upper * extent >= HIGHEST {
+            let [whole, narrow] =
+                [0, 1].map(|of| ends.iter().map(|(s, felt)| felt[of] * window(upper / s)).sum::<f64>());
+            let is_enough = whole <= FELT.0 * request.accuracy && narrow <= FELT.1 * request.accuracy;
+            if is_enough || upper * extent >= HIGHEST {
                 bands.highest = upper;
-                bands.error += felt;
+                bands.error += whole;
             }
         }
         Ok(bands)

@@ -1,6 +1,7 @@
 //! The kernels as polynomials on octaves of distance.
 
 use super::bands::Bands;
+use super::origin::Origin;
 use crate::integrand::Integrand;
 use crate::piece::{Kernel, NEAR_ORIGIN, Piece, Pieces, Sample, Variable, place};
 use num_complex::Complex64;
@@ -19,13 +20,25 @@ const NARROWEST: f64 = 3e-2;
 const NOISE: (f64, f64) = (50.0, 1e-13);
 
 /// The kernels on octaves of distance, each halved until it is resolved; and the sum of the errors, in the terms of the request.
-pub(super) fn tabulated(integrands: &[Integrand], bands: &Bands, request: &KernelRequest) -> (Pieces, f64) {
+///
+/// What is known next to the `origin` is in a first piece of its own, without a polynomial.
+pub(super) fn tabulated(
+    integrands: &[Integrand],
+    bands: &Bands,
+    origin: Option<&Origin>,
+    request: &KernelRequest,
+) -> (Pieces, f64) {
     let at_origin = Variable::chebyshev(NODES.0, &[NEAR_ORIGIN, 1.0]);
     let elsewhere = Variable::chebyshev(NODES.1, &[1.0]);
     let mut pieces = Pieces { ends: Vec::new(), kernels: vec![Kernel::default(); integrands.len()] };
     let mut transforms = vec![Complex64::default(); integrands.len()];
     let mut samples: Vec<Vec<Sample>> = vec![Vec::new(); integrands.len()];
     let (mut lower, mut sum) = (0.0, 0.0);
+    if let Some(origin) = origin {
+        lower = origin.end.min(request.reach);
+        let nothing = || Piece { rows: Vec::new(), error: 0.0, noise: 0.0 };
+        pieces.take(lower, integrands.iter().map(|_| nothing()).collect(), false);
+    }
     while lower < request.reach {
         let upper = if lower == 0.0 { FIRST / bands.highest } else { 2.0 * lower }.min(request.reach);
         let faded = bands.faded(if lower == 0.0 { upper } else { lower });

@@ -2,7 +2,8 @@
 
 use super::layout::Basis;
 use super::legendre::{Factor, Gauss};
-use super::pieces::Pieces;
+use super::mesh::Mesh;
+use super::pieces::{Piece, Pieces};
 use slipzone_api::Parity;
 use std::f64::consts::PI;
 
@@ -13,27 +14,82 @@ use std::f64::consts::PI;
 /// difference loses digits like `theta/target`.
 const FAR: f64 = 1.6;
 
-/// `summand[k]` = weight of the piecewise polynomial at each Gauss point in `sin(target)/pi PV int f(r)/(x - r) dr`.
+/// `row[j]` = `factor` times what the `j`-th unknown contributes to `sin(target)/pi PV int f(r)/(x - r) dr`.
 ///
 /// With the mirror image the kernel is `cot(theta - target) - cot(theta + target)` for an even density and the
 /// same with `1/sin` for an odd one. Both are `1/(theta - target) - 1/(theta + target) -+ 1/(theta + target - pi)`
 /// (minus for even, plus for odd) and a rest without poles nearer than `pi/2`. Near a pole, product integration
 /// of each pole and Gauss for the rest; elsewhere Gauss for the whole.
-pub(super) fn summand_into(target: f64, basis: Basis, pieces: &Pieces, gauss: &Gauss, summand: &mut [f64]) {
+///
+/// Where the angle is a power of `u`, poles in `u` are all around the origin. One next to the panel is integrated; what
+/// the others leave is summed on parts of the panel that shrink towards them.
+pub(super) fn row_into(
+    target: f64,
+    factor: f64,
+    basis: Basis,
+    (mesh, pieces, gauss): (&Mesh, &Pieces, &Gauss),
+    summand: &mut [f64],
+    row: &mut [f64],
+) {
     let q = gauss.z.len();
     let even = basis.parity == Parity::Even;
     let whole = if even { even_whole } else { odd_whole };
     let rest = if even { even_rest } else { odd_rest };
-    let poles = [(target, 1.0), (-target, -1.0), (PI - target, -basis.mirror())];
+    let angle = mesh.angle(target);
+    let image = mesh.place_of(PI - angle);
+    let is_simple = mesh.root == 1;
+    // What is integrated, and what is summed.
+    let poles = [(target, 1.0), (image, -basis.mirror()), (-target, -1.0)];
+    let (products, sums) = poles.split_at(if is_simple { 3 } else { 2 });
+    let around = PI / f64::from(mesh.root);
+    let off = |pole: f64, piece: &Piece| {
+        let (along, across) = (piece.local(pole * around.cos()), pole * around.sin() / piece.half_length);
+        along.hypot(across)
+    };
     let (mut moments, mut product) = (Vec::new(), vec![0.0; q]);
-    for (piece, (out, angles)) in pieces.list.iter().zip(summand.chunks_mut(q).zip(pieces.angle.chunks(q))) {
-        let far = poles.iter().all(|(pole, _)| piece.local(*pole).abs() > FAR);
-        let smooth = if far { whole } else { rest };
-        for ((out, w), angle) in out.iter_mut().zip(&gauss.w).zip(angles) {
-            *out = w * piece.half_length * smooth(*angle, target);
+    let width = mesh.degree + 1;
+    let (mut beside, mut values) = (vec![0.0; row.len()], vec![0.0; width]);
+    for (panel, (piece, (out, at))) in pieces.list.iter().zip(summand.chunks_mut(q).zip(pieces.at.chunks(q))).enumerate() {
+        let is_near = |piece: &Piece| !is_simple && off(target, piece) <= FAR;
+        let far = products.iter().all(|(pole, _)| piece.local(*pole).abs() > FAR) && !is_near(piece);
+        if far {
+            for ((out, w), u) in out.iter_mut().zip(&gauss.w).zip(at) {
+                *out = w * piece.half_length * mesh.slope(*u) * whole(mesh.angle(*u), angle);
+            }
+            continue;
         }
-        for (pole, residue) in poles.into_iter().filter(|_| !far) {
-            let at = piece.local(pole);
+        let smooth = |u: f64| {
+            let (theta, slope) = (mesh.angle(u), mesh.slope(u));
+            let of_powers: f64 = if is_simple { 0.0 } else { products.iter().map(|(pole, residue)| residue * mesh.rest_of_pole(u, *pole)).sum() };
+            let of_sums: f64 = sums.iter().map(|(_, residue)| residue * slope / (theta + angle)).sum();
+            slope * rest(theta, angle) + of_powers + of_sums
+        };
+        if is_near(piece) {
+            out.fill(0.0);
+            let mut stack = vec![*piece];
+            while let Some(part) = stack.pop() {
+                let half_length = 0.5 * part.half_length;
+                if is_near(&part) && half_length > 0.0 {
+                    let lower = part.lower + part.half_length;
+                    stack.extend([Piece { lower, half_length }, Piece { half_length, ..part }]);
+                    continue;
+                }
+                for (z, w) in gauss.z.iter().zip(&gauss.w) {
+                    let u = part.lower + part.half_length * (1.0 + z);
+                    let weight = factor * w * part.half_length * smooth(u) * basis.measure_at(mesh, u) / PI;
+                    let offset = ((u - mesh.breaks[panel]) / mesh.half_length(panel)).clamp(0.0, 2.0);
+                    mesh.basis_into(offset, &mut values);
+                    values.iter_mut().for_each(|value| *value *= weight);
+                    basis.add_into(panel * mesh.degree, &values, &mut beside);
+                }
+            }
+        } else {
+            for ((out, w), u) in out.iter_mut().zip(&gauss.w).zip(at) {
+                *out = w * piece.half_length * smooth(*u);
+            }
+        }
+        for (pole, residue) in products {
+            let at = piece.local(*pole);
             if at.abs() <= FAR {
                 gauss.product_weights_into(Factor::Pole, at, &mut moments, &mut product);
                 for (out, product) in out.iter_mut().zip(&product) {
@@ -47,8 +103,10 @@ pub(super) fn summand_into(target: f64, basis: Basis, pieces: &Pieces, gauss: &G
         }
     }
     for (out, measure) in summand.iter_mut().zip(&pieces.measure) {
-        *out *= measure / PI;
+        *out *= factor * measure / PI;
     }
+    pieces.gather_into(summand, mesh, basis, row);
+    row.iter_mut().zip(beside).for_each(|(out, beside)| *out += beside);
 }
 
 /// `cot(a - b) - cot(a + b)`.

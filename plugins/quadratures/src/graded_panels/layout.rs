@@ -60,7 +60,17 @@ impl Basis {
         }
     }
 
-    /// `F` at a node.
+    /// What `F` is beside its polynomial.
+    pub(super) fn factor(self, mesh: &Mesh, u: f64) -> f64 {
+        if self.edge == Edge::Sharp { 1.0 } else { mesh.vanishing(u) }
+    }
+
+    /// `f sin(theta)` over the polynomial.
+    pub(super) fn measure_at(self, mesh: &Mesh, u: f64) -> f64 {
+        self.factor(mesh, u) * self.measure(mesh.angle(u))
+    }
+
+    /// The polynomial at a node.
     pub(super) fn coefficient(self, node: usize, unknowns: &[f64]) -> f64 {
         self.unknown(node).and_then(|j| unknowns.get(j)).copied().unwrap_or(0.0)
     }
@@ -73,7 +83,8 @@ pub(super) struct Layout {
     pub(super) basis: Basis,
     /// The panels, each in one piece.
     pub(super) pieces: Pieces,
-    /// Angles of the collocation points, descending (`x` ascends).
+    /// The collocation points in `u`, descending (`x` ascends), and their angles.
+    pub(super) targets: Vec<f64>,
     pub(super) angles: Vec<f64>,
     /// Factor of each row.
     pub(super) row_scale: Vec<f64>,
@@ -87,39 +98,37 @@ pub(super) struct Layout {
 ///
 /// Twelve more than the degree: `sin(theta)` over the longest panel (half-length 0.39) leaves
 /// `0.2^12/12! = 1e-17` of itself, a kernel part what is measured at [`super::regular::PIECE`].
-pub(super) fn gauss_points(degree: usize) -> usize {
-    degree + 12
+pub(super) fn gauss_points(degree: usize, root: i32) -> usize {
+    degree + 11 + root.unsigned_abs() as usize
 }
 
 /// Entries of matrices kept, 64 MB.
 const KEPT: usize = 1 << 23;
 
 impl Layout {
-    fn new(degree: usize, panels: usize, basis: Basis) -> Self {
-        let mesh = Mesh::new(degree, panels);
-        let gauss = Gauss::new(gauss_points(degree));
+    fn new((degree, panels): (usize, usize), root: i32, basis: Basis) -> Self {
+        let mesh = Mesh::new(degree, panels, root);
+        let gauss = Gauss::new(gauss_points(degree, root));
         // Between the nodes: the zeros of the Chebyshev polynomial whose extrema the nodes are.
         let middle = |panel: usize, i: usize| {
             let offset = 2.0 * (0.5 * PI * (i as f64 + 0.5) / degree as f64).sin().powi(2);
             mesh.breaks[panel] + mesh.half_length(panel) * offset
         };
-        let angles: Vec<f64> = (0..panels)
+        let targets: Vec<f64> = (0..panels)
             .rev()
             .flat_map(|panel| (0..degree).rev().map(move |i| (panel, i)))
             .map(|(p, i)| middle(p, i))
             .collect();
+        let angles: Vec<f64> = targets.iter().map(|u| mesh.angle(*u)).collect();
         let row_scale: Vec<f64> = angles.iter().map(|a| basis.row_scale(*a)).collect();
         let pieces = Pieces::new(&mesh, &gauss, basis);
         let unknowns = basis.unknowns(mesh.nodes());
 
         let mut cauchy = vec![0.0; angles.len() * unknowns];
-        let mut summand = vec![0.0; pieces.angle.len()];
-        for (row, (target, scale)) in cauchy.chunks_mut(unknowns).zip(angles.iter().zip(&row_scale)) {
-            cauchy::summand_into(*target, basis, &pieces, &gauss, &mut summand);
-            for out in &mut summand {
-                *out *= scale / target.sin();
-            }
-            pieces.gather_into(&summand, &mesh, basis, row);
+        let mut summand = vec![0.0; pieces.at.len()];
+        for (row, (target, scale)) in cauchy.chunks_mut(unknowns).zip(targets.iter().zip(&row_scale)) {
+            let factor = scale / mesh.angle(*target).sin();
+            cauchy::row_into(*target, factor, basis, (&mesh, &pieces, &gauss), &mut summand, row);
         }
 
         let mut resultant = vec![0.0; unknowns];
@@ -128,16 +137,16 @@ impl Layout {
                 *out = w * piece.half_length * (1.0 + basis.mirror());
             }
         }
-        for (out, measure) in summand.iter_mut().zip(&pieces.measure) {
-            *out *= measure;
+        for (out, (measure, u)) in summand.iter_mut().zip(pieces.measure.iter().zip(&pieces.at)) {
+            *out *= measure * mesh.slope(*u);
         }
         pieces.gather_into(&summand, &mesh, basis, &mut resultant);
-        Self { mesh, gauss, basis, pieces, angles, row_scale, cauchy, resultant }
+        Self { mesh, gauss, basis, pieces, targets, angles, row_scale, cauchy, resultant }
     }
 
     /// The layout of these numbers, made once per process: a solver asks for the same one at every trial stick zone.
-    pub(super) fn shared(degree: usize, panels: usize, basis: Basis) -> Arc<Self> {
-        static LAYOUTS: Shelf<(usize, usize, Basis), Layout> = Shelf::new(KEPT, |layout| layout.cauchy.len());
-        LAYOUTS.get((degree, panels, basis), || Self::new(degree, panels, basis))
+    pub(super) fn shared(counts: (usize, usize), root: i32, basis: Basis) -> Arc<Self> {
+        static LAYOUTS: Shelf<((usize, usize), i32, Basis), Layout> = Shelf::new(KEPT, |layout| layout.cauchy.len());
+        LAYOUTS.get((counts, root, basis), || Self::new(counts, root, basis))
     }
 }

@@ -17,12 +17,13 @@ const RATIO: f64 = 0.25;
 
 /// Panels over `0 <= theta <= pi/2`, the contact's end at 0 and its middle at `pi/2`; `x = c cos(theta)`.
 ///
-/// On each panel a polynomial of degree `degree`, by its values at `degree + 1` Chebyshev-Lobatto points; the
-/// end points belong to both neighbours, so that what is described is continuous.
+/// They are panels of `u`, of which the angle is a power: `theta = u^root`. On each a polynomial of degree `degree`, by its values at
+/// `degree + 1` Chebyshev-Lobatto points; the end points belong to both neighbours, so that what is described is continuous.
 #[derive(Clone, Debug)]
 pub(super) struct Mesh {
     pub(super) degree: usize,
-    /// Ends of the panels, ascending from 0 to `pi/2`.
+    pub(super) root: i32,
+    /// Ends of the panels in `u`, ascending from the contact's end to its middle.
     pub(super) breaks: Vec<f64>,
     /// Lobatto points of `[0, 2]`: distance to the panel's lower end in half-lengths.
     offsets: Vec<f64>,
@@ -37,14 +38,20 @@ pub(super) struct Place {
 }
 
 impl Mesh {
-    pub(super) fn new(degree: usize, panels: usize) -> Self {
-        let graded = std::iter::successors(Some(0.5 * PI * OUTERMOST), |end| Some(end * RATIO));
-        let mut breaks: Vec<f64> = std::iter::once(0.5 * PI).chain(graded).take(panels).collect();
-        breaks.push(0.0);
-        breaks.reverse();
+    pub(super) fn new(degree: usize, panels: usize, root: i32) -> Self {
+        let middle = to_root(0.5 * PI, root);
+        let breaks: Vec<f64> = if root == 1 {
+            let graded = std::iter::successors(Some(middle * OUTERMOST), |end| Some(end * RATIO));
+            let mut breaks: Vec<f64> = std::iter::once(middle).chain(graded).take(panels).collect();
+            breaks.push(0.0);
+            breaks.reverse();
+            breaks
+        } else {
+            (0..=panels).map(|k| middle * k as f64 / panels as f64).collect()
+        };
         // 1 - cos(a) = 2 sin^2(a/2) keeps the distance to the lower end.
         let offset = |i: usize| 2.0 * (0.5 * PI * i as f64 / degree as f64).sin().powi(2);
-        Self { degree, breaks, offsets: (0..=degree).map(offset).collect() }
+        Self { degree, root, breaks, offsets: (0..=degree).map(offset).collect() }
     }
 
     pub(super) fn panels(&self) -> usize {
@@ -60,23 +67,63 @@ impl Mesh {
         0.5 * (self.breaks[panel + 1] - self.breaks[panel])
     }
 
-    /// The angle at `offset` half-lengths from the lower end of `panel`.
-    pub(super) fn angle(&self, Place { panel, offset }: Place) -> f64 {
+    /// `u` at `offset` half-lengths from the lower end of `panel`.
+    pub(super) fn at(&self, Place { panel, offset }: Place) -> f64 {
         self.breaks[panel] + self.half_length(panel) * offset
     }
 
-    /// Angle of the `i`-th node, counted from the contact's end.
-    pub(super) fn node(&self, i: usize) -> f64 {
-        if i == self.nodes() - 1 {
-            return 0.5 * PI;
-        }
-        self.angle(Place { panel: i / self.degree, offset: self.offsets[i % self.degree] })
+    /// The angle there.
+    pub(super) fn angle(&self, u: f64) -> f64 {
+        u.powi(self.root)
     }
 
-    pub(super) fn locate(&self, angle: f64) -> Place {
-        let panel = self.breaks[1..self.panels()].partition_point(|end| *end < angle);
-        let offset = (angle - self.breaks[panel]) / self.half_length(panel);
+    /// How the angle rises with `u`.
+    pub(super) fn slope(&self, u: f64) -> f64 {
+        f64::from(self.root) * u.powi(self.root - 1)
+    }
+
+    /// By how much it differs between two places over their distance in `u`.
+    pub(super) fn rise(&self, u: f64, v: f64) -> f64 {
+        let (mut sum, mut power) = (1.0, 1.0);
+        for _ in 1..self.root {
+            power *= v;
+            sum = sum * u + power;
+        }
+        sum
+    }
+
+    /// What `slope/(theta - theta_p)` is beside its pole `1/(u - p)`: `sum (k + 1) u^k p^(root - 2 - k)` over [`Self::rise`].
+    pub(super) fn rest_of_pole(&self, u: f64, p: f64) -> f64 {
+        let (mut sum, mut power) = (0.0, 1.0);
+        for k in (1..self.root).rev() {
+            sum = sum * u + f64::from(k) * power;
+            power *= p;
+        }
+        sum / self.rise(u, p)
+    }
+
+    /// `u` at an angle.
+    pub(super) fn place_of(&self, angle: f64) -> f64 {
+        to_root(angle, self.root)
+    }
+
+    /// `u` at the `i`-th node, counted from the contact's end.
+    pub(super) fn node(&self, i: usize) -> f64 {
+        if i == self.nodes() - 1 {
+            return self.breaks[self.panels()];
+        }
+        self.at(Place { panel: i / self.degree, offset: self.offsets[i % self.degree] })
+    }
+
+    pub(super) fn locate(&self, u: f64) -> Place {
+        let panel = self.breaks[1..self.panels()].partition_point(|end| *end < u);
+        let offset = (u - self.breaks[panel]) / self.half_length(panel);
         Place { panel, offset: offset.min(2.0) }
+    }
+
+    /// What stands before the polynomial of a density that vanishes at the contact's end in proportion to the angle.
+    pub(super) fn vanishing(&self, u: f64) -> f64 {
+        u.powi(self.root - 1)
     }
 
     /// `out[i]` = value at `offset` of the polynomial that is one at the panel's node `i` and zero at the others.
@@ -112,13 +159,18 @@ impl Mesh {
     }
 }
 
+/// A root of a number.
+fn to_root(x: f64, root: i32) -> f64 {
+    if root == 1 { x } else { x.powf(f64::from(root).recip()) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn polynomials_come_back_and_small_values_keep_their_digits() {
-        let mesh = Mesh::new(7, 12);
+        let mesh = Mesh::new(7, 12, 1);
         let mut basis = Vec::new();
         let polynomial = |angle: f64| angle * (1.0 - 0.3 * angle.powi(6));
         for angle in [1e-12, 3e-8, 1e-4, 0.2, 0.4, 1.5, 0.5 * PI] {

@@ -4,7 +4,7 @@ use super::layout::Basis;
 use super::legendre::Gauss;
 use super::mesh::{Mesh, Place};
 
-/// A panel, as far as integrals see it.
+/// A panel, as far as integrals see it, or a part of one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
     pub(super) lower: f64,
@@ -12,18 +12,18 @@ pub(super) struct Piece {
 }
 
 impl Piece {
-    /// `angle` measured from the piece's middle in half-lengths.
-    pub(super) fn local(&self, angle: f64) -> f64 {
-        (angle - self.lower) / self.half_length - 1.0
+    /// A place measured from the piece's middle in half-lengths.
+    pub(super) fn local(&self, u: f64) -> f64 {
+        (u - self.lower) / self.half_length - 1.0
     }
 }
 
 /// Gauss points on each panel, and the density there in terms of the unknowns.
 pub(super) struct Pieces {
     pub(super) list: Vec<Piece>,
-    /// Angles of the Gauss points, panel by panel.
-    pub(super) angle: Vec<f64>,
-    /// Measure of the density at these points: `f dx = c unknown-polynomial * measure dtheta`.
+    /// The Gauss points, panel by panel.
+    pub(super) at: Vec<f64>,
+    /// Measure of the density at these points: `f dx = c F measure dtheta`.
     pub(super) measure: Vec<f64>,
     /// `degree + 1` basis values for each Gauss point.
     basis: Vec<f64>,
@@ -35,7 +35,7 @@ impl Pieces {
         let width = mesh.degree + 1;
         let mut pieces = Self {
             list: Vec::with_capacity(mesh.panels()),
-            angle: Vec::with_capacity(points),
+            at: Vec::with_capacity(points),
             measure: Vec::with_capacity(points),
             basis: Vec::with_capacity(points * width),
         };
@@ -44,9 +44,9 @@ impl Pieces {
             pieces.list.push(Piece { lower: mesh.breaks[panel], half_length: mesh.half_length(panel) });
             for z in &gauss.z {
                 let offset = 1.0 + z;
-                let angle = mesh.angle(Place { panel, offset });
-                pieces.angle.push(angle);
-                pieces.measure.push(basis.measure(angle));
+                let place = Place { panel, offset };
+                pieces.at.push(mesh.at(place));
+                pieces.measure.push(basis.measure_at(mesh, mesh.at(place)));
                 mesh.basis_into(offset, &mut row);
                 pieces.basis.extend_from_slice(&row);
             }

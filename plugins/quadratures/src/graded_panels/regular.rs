@@ -2,6 +2,7 @@
 
 use super::layout::Layout;
 use super::legendre::{Factor, Gauss, NEAR};
+use super::mesh::Mesh;
 use slipzone_api::{Component, KernelTable, Parts, PartsVec};
 use std::f64::consts::PI;
 
@@ -17,18 +18,52 @@ const AWAY: f64 = 2.0 / (NEAR - 1.0);
 /// The same where they are singular: `2.2^(-2 q)` is left by `q` Gauss points.
 const GRADED: f64 = 6.0;
 
+/// Longest piece next to the target that is summed in the power of the distance with which kernels begin there, over the target's distance to
+/// the contact's end in `u`.
+const NEXT: f64 = 1e-5;
+
 /// What cuts round to, relative: a piece that was cut to be as long as it may be is not cut again.
 const ROUNDING: f64 = 1e-9;
 
-/// A stretch of a panel, as seen from a target or from its mirror image, and where it lies.
+/// A stretch of a panel in `u`, as seen from a target or from its mirror image, and where it lies.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
-    /// Where it begins, as seen from the nearer of the two angles at which the distance vanishes.
+    /// Where it begins, as seen from the nearer of the two places at which the distance vanishes.
     lower: f64,
     half_length: f64,
     is_image: bool,
     /// Whether it is the whole panel.
     is_whole: bool,
+    /// Whether it is summed as a power of the distance to its end at the pole.
+    is_next: bool,
+}
+
+/// Gauss points over `[0, 1]` in a root of the distance in which it and its power are polynomials, or nearly so; twice their weights.
+#[derive(Default)]
+struct Powers {
+    power: f64,
+    offsets: Vec<f64>,
+    weights: Vec<f64>,
+}
+
+impl Powers {
+    fn set(&mut self, power: f64, gauss: &Gauss) {
+        if self.power.to_bits() == power.to_bits() && self.offsets.len() == gauss.z.len() {
+            return;
+        }
+        const WHOLE: f64 = 1e-3;
+        const SMOOTH: f64 = 4.0;
+        const LARGEST: u32 = 20;
+        let is_whole = |root: &f64| (power * root - (power * root).round()).abs() < WHOLE;
+        let least = power.recip();
+        let root = (1..=LARGEST).map(f64::from).find(|root| *root > least - WHOLE && is_whole(root));
+        let root = root.unwrap_or_else(|| (SMOOTH * least).ceil());
+        let zeta = || gauss.z.iter().map(|z| 0.5 * (1.0 + z));
+        self.power = power;
+        self.offsets = zeta().map(|zeta| zeta.powf(root)).collect();
+        let weight = |(zeta, w): (f64, &f64)| w * root * zeta.powf(root - 1.0);
+        self.weights = zeta().zip(&gauss.w).map(weight).collect();
+    }
 }
 
 /// Pieces, their points and room for one target's kernel values; kept from call to call.
@@ -37,7 +72,7 @@ pub(super) struct Regular {
     pieces: Vec<Piece>,
     /// Where each panel's pieces end.
     ends: Vec<usize>,
-    /// For each point of each piece: the angle as its piece sees it, and the distance.
+    /// For each point of each piece: how far it is from the pole in `u`, and the distance.
     offsets: Vec<f64>,
     distances: Vec<f64>,
     parts: PartsVec,
@@ -46,22 +81,43 @@ pub(super) struct Regular {
     moments: Vec<f64>,
     values: Vec<f64>,
     of_panel: Vec<f64>,
+    powers: Powers,
 }
 
-/// A place from which the pieces are seen: the angles at which the distance vanishes, the second as the first sees it.
+/// A place from which the pieces are seen: where the distance vanishes.
 #[derive(Clone, Copy)]
-struct View {
+struct View<'a> {
+    mesh: &'a Mesh,
+    /// In `u`, and as an angle.
     pole: f64,
+    angle: f64,
+    /// Where it vanishes, too, as the pole sees that; beside the real line, if not 0, by the last.
     other: f64,
+    other_angle: f64,
+    across: f64,
 }
 
-impl View {
-    fn new(target: f64, is_image: bool) -> Self {
+impl<'a> View<'a> {
+    fn new(target: f64, is_image: bool, mesh: &'a Mesh) -> Self {
+        let angle = mesh.angle(target);
         if is_image {
-            Self { pole: PI - target, other: 2.0 * target }
-        } else {
-            Self { pole: target, other: -2.0 * target }
+            let pole = mesh.place_of(PI - angle);
+            let other = if mesh.root == 1 { 2.0 * angle } else { mesh.place_of(PI + angle) - pole };
+            return Self { mesh, pole, angle: PI - angle, other, other_angle: 2.0 * angle, across: 0.0 };
         }
+        let (across, along) = if mesh.root == 1 { (0.0, -1.0) } else { (PI / f64::from(mesh.root)).sin_cos() };
+        let other = (along - 1.0) * target;
+        Self { mesh, pole: target, angle, other, other_angle: -2.0 * angle, across: across * target }
+    }
+
+    /// The angle at a place, as the pole sees both.
+    fn angle_to(&self, offset: f64) -> f64 {
+        offset * self.mesh.rise(self.pole + offset, self.pole)
+    }
+
+    /// Whether a stretch is so far from what lies beside the real line that a Gauss sum does not see it.
+    fn is_clear(&self, lower: f64, upper: f64) -> bool {
+        self.across == 0.0 || (self.other - 0.5 * (lower + upper)).hypot(self.across) >= 0.5 * NEAR * (upper - lower)
     }
 }
 
@@ -80,24 +136,34 @@ impl Regular {
             Some(nearest) => (nearest, GRADED),
             None => (PIECE * table.length(), AWAY),
         };
+        let power = table.power();
+        // At the contact's end nothing but the end itself is near.
+        let next = NEXT * if target > 0.0 { target } else { layout.mesh.breaks[1] };
         self.pieces.clear();
         self.ends.clear();
         let mut stack = Vec::new();
         for ends in layout.mesh.breaks.windows(2) {
             for is_image in [false, true] {
-                let view = View::new(target, is_image);
-                stack.push((ends[0] - view.pole, ends[1] - view.pole, true));
+                let view = View::new(target, is_image, &layout.mesh);
+                let other = if view.across == 0.0 { view.other } else { f64::NEG_INFINITY };
+                // Rounding alone keeps nothing apart from the pole.
+                let seen = |u: f64| if (u - view.pole).abs() < 1e-15 * view.pole { 0.0 } else { u - view.pole };
+                stack.push((seen(ends[0]), seen(ends[1]), true));
                 while let Some((lower, upper, is_whole)) = stack.pop() {
                     let length = upper - lower;
                     // |dx| = c sin(theta) dtheta is largest at the upper end.
-                    let is_fine = half_width * (view.pole + upper).sin() * length <= finest;
+                    let end = view.pole + upper;
+                    let rise = layout.mesh.angle(end).sin() * layout.mesh.slope(end);
+                    let is_short = half_width * rise * length <= finest;
+                    let is_next = power.is_some() && is_short && length <= next && lower * upper == 0.0;
+                    let is_fine = is_next || power.is_none() && is_short && view.is_clear(lower, upper);
                     let apart = |pole: f64| (lower - pole).max(pole - upper);
-                    if is_fine || length <= (1.0 + ROUNDING) * ratio * apart(0.0).min(apart(view.other)) {
-                        self.pieces.push(Piece { lower, half_length: 0.5 * length, is_image, is_whole });
+                    if is_fine || length <= (1.0 + ROUNDING) * ratio * apart(0.0).min(apart(other)) {
+                        self.pieces.push(Piece { lower, half_length: 0.5 * length, is_image, is_whole, is_next });
                         continue;
                     }
                     // Cut at the pole, or so far from it that the farther part is as long as it may be.
-                    let pole = if apart(0.0) <= apart(view.other) { 0.0 } else { view.other };
+                    let pole = if apart(0.0) <= apart(other) { 0.0 } else { other };
                     let at = if apart(pole) < 0.0 {
                         pole
                     } else if lower >= pole {
@@ -122,6 +188,9 @@ impl Regular {
         (table, component): (&dyn KernelTable, Component),
         row: &mut [f64],
     ) {
+        if let Some(power) = table.power() {
+            self.powers.set(power, &layout.gauss);
+        }
         self.cut(target, layout, half_width, table);
         let q = layout.gauss.z.len();
         let points = q * self.pieces.len();
@@ -130,14 +199,23 @@ impl Regular {
         self.parts.resize(points);
         self.summand.resize(q, 0.0);
         self.product.resize(q, 0.0);
-        let (sin, cos) = target.sin_cos();
+        let (sin, cos) = layout.mesh.angle(target).sin_cos();
+        let views = [false, true].map(|is_image| View::new(target, is_image, &layout.mesh));
         let places = self.offsets.chunks_exact_mut(q).zip(self.distances.chunks_exact_mut(q));
         for (piece, (offsets, distances)) in self.pieces.iter().zip(places) {
-            for ((offset, distance), z) in offsets.iter_mut().zip(distances).zip(&layout.gauss.z) {
+            let view = &views[usize::from(piece.is_image)];
+            if piece.is_next {
+                // From the end at the pole.
+                let length = if piece.lower == 0.0 { 2.0 * piece.half_length } else { piece.lower };
+                offsets.iter_mut().zip(&self.powers.offsets).for_each(|(offset, share)| *offset = length * share);
+            } else {
                 // 1 + z keeps the digits of what is next to the pole.
-                *offset = piece.lower + piece.half_length * (1.0 + z);
+                let at = |z: &f64| piece.lower + piece.half_length * (1.0 + z);
+                offsets.iter_mut().zip(&layout.gauss.z).for_each(|(offset, z)| *offset = at(z));
+            }
+            for (offset, distance) in offsets.iter().zip(distances) {
                 // cos(target) -+ cos(theta) as products of sines of half the offset and of that from the target; no cosine is negative.
-                let half = (0.5 * *offset).sin();
+                let half = (0.5 * view.angle_to(*offset)).sin();
                 let other = (1.0 - half * half).max(0.0).sqrt();
                 let sign = if piece.is_image { -1.0 } else { 1.0 };
                 *distance = 2.0 * half_width * half * (sign * sin * other + cos * half);
@@ -155,26 +233,29 @@ impl Regular {
             for p in first..*end {
                 let piece = self.pieces[p];
                 let here = p * q..(p + 1) * q;
-                let view = View::new(target, piece.is_image);
+                let view = views[usize::from(piece.is_image)];
                 let factor = if piece.is_image { layout.basis.mirror() } else { 1.0 };
                 let share =
                     Share { piece, gauss: &layout.gauss, offsets: &self.offsets[here.clone()], view, half_width };
+                let weights = if piece.is_next { &self.powers.weights } else { &layout.gauss.w };
                 let mut scratch = Scratch { product: &mut self.product, moments: &mut self.moments };
                 self.summand.fill(0.0);
                 share.add(
                     factor,
+                    weights,
                     &self.parts.range(here.clone()),
                     &self.distances[here],
                     &mut scratch,
                     &mut self.summand,
                 );
                 for (k, summand) in self.summand.iter().enumerate() {
-                    let angle = view.pole + share.offsets[k];
-                    let weight = summand * half_width * piece.half_length * layout.basis.measure(angle) / PI;
+                    let u = view.pole + share.offsets[k];
+                    let measure = layout.basis.measure_at(&layout.mesh, u) * layout.mesh.slope(u);
+                    let weight = summand * half_width * piece.half_length * measure / PI;
                     let values = if piece.is_whole {
                         layout.pieces.basis_at(panel * q + k, width)
                     } else {
-                        let offset = (angle - layout.mesh.breaks[panel]) / layout.mesh.half_length(panel);
+                        let offset = (u - layout.mesh.breaks[panel]) / layout.mesh.half_length(panel);
                         layout.mesh.basis_into(offset.clamp(0.0, 2.0), &mut self.values);
                         &self.values
                     };
@@ -201,7 +282,7 @@ struct Share<'a> {
     piece: Piece,
     gauss: &'a Gauss,
     offsets: &'a [f64],
-    view: View,
+    view: View<'a>,
     half_width: f64,
 }
 
@@ -210,15 +291,18 @@ impl Share<'_> {
     fn add(
         &self,
         factor: f64,
+        weights: &[f64],
         parts: &(impl Iterator<Item = Parts> + Clone),
         distances: &[f64],
         scratch: &mut Scratch,
         out: &mut [f64],
     ) {
-        let poles = [0.0, self.view.other];
+        // What is beside the real line is near no piece.
+        let other = if self.view.across == 0.0 { self.view.other } else { f64::NEG_INFINITY };
+        let poles = [0.0, other];
         let local = poles.map(|pole| (pole - self.piece.lower) / self.piece.half_length - 1.0);
-        let plain = self.gauss.w.iter();
-        if local.iter().all(|at| at.abs() >= NEAR * (1.0 - ROUNDING)) {
+        let plain = weights.iter();
+        if self.piece.is_next || local.iter().all(|at| at.abs() >= NEAR * (1.0 - ROUNDING)) {
             for (((out, w), parts), t) in out.iter_mut().zip(plain).zip(parts.clone()).zip(distances) {
                 *out += factor * w * parts.value(*t);
             }
@@ -251,16 +335,17 @@ impl Share<'_> {
 
     /// Logarithm of the distance less `log|z - at|` of each near pole.
     fn log_rest(&self, offset: f64, poles: [f64; 2], local: [f64; 2]) -> f64 {
-        let of_pole = |(pole, at): (f64, f64)| {
-            let half = 0.5 * (offset - pole);
+        let View { mesh, pole, .. } = self.view;
+        let angle = self.view.angle_to(offset);
+        let of_pole = |((from, at), angle): ((f64, f64), f64)| {
+            let half = 0.5 * angle;
             if at.abs() >= NEAR {
-                half.sin().abs().ln()
-            } else if half == 0.0 {
-                (0.5 * self.piece.half_length).ln()
-            } else {
-                (0.5 * self.piece.half_length * half.sin() / half).ln()
+                return half.sin().abs().ln();
             }
+            let rise = 0.5 * self.piece.half_length * mesh.rise(pole + offset, pole + from);
+            if half == 0.0 { rise.ln() } else { (rise * half.sin() / half).ln() }
         };
-        (2.0 * self.half_width).ln() + poles.into_iter().zip(local).map(of_pole).sum::<f64>()
+        let angles = [angle, angle - self.view.other_angle];
+        (2.0 * self.half_width).ln() + poles.into_iter().zip(local).zip(angles).map(of_pole).sum::<f64>()
     }
 }

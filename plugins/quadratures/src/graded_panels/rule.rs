@@ -1,6 +1,7 @@
 //! One density of a given parity on `[-half_width, half_width]`.
 
 use super::layout::{Basis, Layout};
+use super::mesh::Place;
 use super::regular::{self, Regular};
 use slipzone_api::{Component, Densities, Edge, KernelTable, Parity, Rule, Station};
 use std::f64::consts::PI;
@@ -28,10 +29,21 @@ impl PanelRule {
         self.layout.basis
     }
 
-    /// The angle `0 <= theta <= pi/2` of `|x|`.
-    fn angle(&self, at: Station) -> f64 {
-        (2.0 * (at.gap / (2.0 * self.half_width)).max(0.0).sqrt().min(1.0).asin()).min(0.5 * PI)
+    /// Whether a kernel's integral over the density may be singular at the contact's end: it is sampled times `sin(theta)`.
+    fn is_singular(&self, table: &dyn KernelTable) -> bool {
+        self.basis().edge == Edge::Sharp && table.power().is_some()
     }
+
+    /// Where `|x|` is on the mesh.
+    fn place(&self, at: Station) -> Place {
+        let angle = (2.0 * (at.gap / (2.0 * self.half_width)).max(0.0).sqrt().min(1.0).asin()).min(0.5 * PI);
+        self.layout.mesh.locate(self.layout.mesh.place_of(angle))
+    }
+}
+
+/// `sin(theta)` at a gap over the half-width.
+fn sine(gap: f64) -> f64 {
+    (gap * (2.0 - gap)).sqrt()
 }
 
 /// `x = c cos(theta)`, its gap `2 c sin^2(theta/2)` without cancellation.
@@ -77,7 +89,7 @@ impl Rule for PanelRule {
             rows.for_each(|(row, cauchy)| row.copy_from_slice(cauchy));
             return;
         };
-        for ((row, cauchy), (target, scale)) in rows.zip(layout.angles.iter().zip(&layout.row_scale)) {
+        for ((row, cauchy), (target, scale)) in rows.zip(layout.targets.iter().zip(&layout.row_scale)) {
             self.regular.row_into(*target, layout, self.half_width, kernel, row);
             for (out, cauchy) in row.iter_mut().zip(cauchy) {
                 *out = cauchy + scale * *out;
@@ -94,12 +106,14 @@ impl Rule for PanelRule {
     ) {
         let (n, length) = (self.unknowns(), rows.len() / self.stations.len());
         let first = self.basis().first();
-        let angles: Vec<f64> = (first..first + n).map(|node| self.layout.mesh.node(node)).collect();
-        let at: Vec<Station> = angles.iter().map(|angle| station(*angle, self.half_width)).collect();
+        let mesh = &self.layout.mesh;
+        let nodes: Vec<f64> = (first..first + n).map(|node| mesh.node(node)).collect();
+        let at: Vec<Station> = nodes.iter().map(|u| station(mesh.angle(*u), self.half_width)).collect();
         let mut given = vec![[0.0; 2]; n];
         densities(&at, &mut given);
-        if self.basis().edge != Edge::Smooth {
-            given.iter_mut().zip(angles).for_each(|(given, angle)| *given = given.map(|density| angle.sin() * density));
+        for (given, u) in given.iter_mut().zip(nodes) {
+            let sine = if self.basis().edge == Edge::Smooth { 1.0 } else { mesh.angle(u).sin() };
+            *given = given.map(|density| sine / self.basis().factor(mesh, u) * density);
         }
         // What the operator is beside its Cauchy part.
         let rows = rows.chunks_exact(length).zip(self.layout.cauchy.chunks_exact(n));
@@ -121,12 +135,12 @@ impl Rule for PanelRule {
         let mut scratch = Vec::new();
         let basis = self.basis();
         for (out, at) in out.iter_mut().zip(at) {
-            let place = self.layout.mesh.locate(self.angle(*at));
+            let place = self.place(*at);
             let coefficient = |node| basis.coefficient(node, unknowns);
-            let polynomial = self.layout.mesh.interpolate(coefficient, place, &mut scratch);
-            let relative_gap = at.gap / self.half_width;
-            let sine = (relative_gap * (2.0 - relative_gap)).sqrt();
-            let value = if basis.edge == Edge::Smooth { polynomial } else { polynomial / sine };
+            let mesh = &self.layout.mesh;
+            let polynomial = basis.factor(mesh, mesh.at(place)) * mesh.interpolate(coefficient, place, &mut scratch);
+            let value =
+                if basis.edge == Edge::Smooth { polynomial } else { polynomial / sine(at.gap / self.half_width) };
             *out = if at.x < 0.0 { basis.mirror() * value } else { value };
         }
     }
@@ -137,28 +151,37 @@ impl Rule for PanelRule {
     }
 
     fn sample_potential(&mut self, unknowns: &[f64], kernel: (&dyn KernelTable, Component), samples: &mut Vec<f64>) {
+        let is_singular = self.is_singular(kernel.0);
         let layout = &self.layout;
         let mut row = vec![0.0; unknowns.len()];
         samples.clear();
         for node in 0..layout.mesh.nodes() {
-            self.regular.row_into(layout.mesh.node(node), layout, self.half_width, kernel, &mut row);
-            samples.push(row.iter().zip(unknowns).map(|(weight, f)| weight * f).sum());
+            let u = layout.mesh.node(node);
+            let scale = if is_singular { layout.mesh.angle(u).sin() } else { 1.0 };
+            if scale == 0.0 {
+                samples.push(0.0);
+                continue;
+            }
+            self.regular.row_into(u, layout, self.half_width, kernel, &mut row);
+            samples.push(scale * row.iter().zip(unknowns).map(|(weight, f)| weight * f).sum::<f64>());
         }
     }
 
     fn potential_into(
         &mut self,
         samples: &[f64],
-        (_, component): (&dyn KernelTable, Component),
+        (table, component): (&dyn KernelTable, Component),
         targets: &[Station],
         out: &mut [f64],
     ) {
         assert_eq!(targets.len(), out.len(), "one value per target");
+        let is_singular = self.is_singular(table);
         let odd = component.is_odd() == (self.basis().parity == Parity::Even);
         let mut scratch = Vec::new();
         for (out, at) in out.iter_mut().zip(targets) {
-            let place = self.layout.mesh.locate(self.angle(*at));
+            let place = self.place(*at);
             let value = self.layout.mesh.interpolate(|node| samples[node], place, &mut scratch);
+            let value = if is_singular { value / sine(at.gap / self.half_width) } else { value };
             *out = if odd && at.x < 0.0 { -value } else { value };
         }
     }
