@@ -20,7 +20,8 @@ use slipzone_api::{KernelRequest, KernelStrategy, KernelTable, LayerResponse, Re
 /// depth that is no whole number makes kernels like `t^(p-1)` at the origin, and these are piecewise polynomials on octaves
 /// of `t` as well.
 ///
-/// Nearest to the origin `S` stays what it is: past it, contacts feel nothing. A density that is as singular as a contact's may be has
+/// Nearest to the origin, where the law begins with a known power of the depth below 1, the kernels are series in that power of the distance,
+/// which go on where wave numbers end. Else `S` stays what it is there: past it, contacts feel nothing. A density that is as singular as a contact's may be has
 /// a spectrum like `1/sqrt(s)`, so that what is left out is `W(S)/S` over the contact's width.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -43,11 +44,11 @@ impl KernelStrategy for Octaves {
         let length = if response.breaks() { depth } else { response.thickness().unwrap_or(depth) };
         let integrands: Vec<Integrand> = request.components.iter().map(|c| Integrand::new(*c, response)).collect();
         if let Some(power) = response.broken_power().filter(|power| *power < 1.0)
-            && let Some((stretch, tried)) = origin::stretch(&integrands, response, (power, length), request.accuracy)?
+            && let Some(stretch) = origin::stretch(&integrands, response, (power, length), request.accuracy)?
         {
-            let mut bands = Bands::new(&integrands, response, extent, request, Some(Origin::waves(stretch.0)))?;
-            bands.evaluations += tried;
-            if let Some(origin) = Origin::new(&integrands, &bands, stretch, power, request.accuracy) {
+            let mut bands = Bands::new(&integrands, response, extent, request, Some(Origin::waves(stretch.ends.0)))?;
+            bands.evaluations += stretch.tried;
+            if let Some(origin) = Origin::new(&integrands, &bands, stretch.ends, power, request.accuracy) {
                 return Ok(told(&integrands, &bands, Some(origin), request, length));
             }
         }

@@ -125,20 +125,6 @@ impl Table {
         self
     }
 
-    /// Writes the parts next to the origin.
-    fn write_origin(&self, (origin, integrands): &(Origin, Vec<Integrand>), component: Component, t: &[f64], [a, b, c]: [&mut [f64]; 3]) {
-        let k = integrands.iter().position(|integrand| integrand.component == component).expect("requested");
-        let integrand = &integrands[k];
-        for (((a, b), c), t) in a.iter_mut().zip(b).zip(c).zip(t) {
-            let at = t.abs();
-            // At the origin itself it is as large as next to it.
-            let Parts { smooth, sign, log } = integrand.parts(at, origin.transform(k, at.max(f64::MIN_POSITIVE)));
-            *a = if integrand.component.is_odd() { smooth * t.signum() } else { smooth };
-            *b = sign;
-            *c = log;
-        }
-    }
-
     fn kernel(&self, component: Component) -> &Kernel {
         let kernel = self.kernels.iter().find(|kernel| kernel.component == component);
         kernel.unwrap_or_else(|| panic!("{component:?} was not requested"))
@@ -194,7 +180,7 @@ impl Table {
                 (a.split_at_mut(count), b.split_at_mut(count), c.split_at_mut(count));
             if let (Some(0), Some(origin)) = (piece, &self.origin) {
                 has_log |= kernel.component == Component::Depth;
-                self.write_origin(origin, kernel.component, here, [a, b, c]);
+                write_origin(origin, kernel.component, here, [a, b, c]);
             } else if let Some(piece) = piece {
                 let (slope, offset) = self.variables[piece];
                 let coefficients = kernel.on(piece);
@@ -212,6 +198,25 @@ impl Table {
             out = [a_later, b_later, c_later];
         }
         has_log
+    }
+}
+
+/// Writes the parts next to the origin.
+fn write_origin(
+    (origin, integrands): &(Origin, Vec<Integrand>),
+    component: Component,
+    t: &[f64],
+    [a, b, c]: [&mut [f64]; 3],
+) {
+    let k = integrands.iter().position(|integrand| integrand.component == component).expect("requested");
+    for (((a, b), c), t) in a.iter_mut().zip(b).zip(c).zip(t) {
+        let at = t.abs();
+        // At the origin itself it is as large as next to it.
+        let transform = origin.transform(k, at.max(f64::MIN_POSITIVE));
+        let Parts { smooth, sign, log } = integrands[k].parts(at, transform);
+        *a = if component.is_odd() { smooth * t.signum() } else { smooth };
+        *b = sign;
+        *c = log;
     }
 }
 

@@ -34,6 +34,10 @@ use slipzone_api::{Quadrature, Refusal, Rule, Span};
 /// points, on pieces of panels no longer than the kernel's own length. Only the pieces, not the unknowns, grow in
 /// number with the contact's width over the layer's thickness.
 ///
+/// Where kernels begin with a power `p < 1` of the distance (over the distance) a density is a series in that power of its distance to the
+/// end. The panels are then equal ones of `u`, `theta = u^root`, in a root for which `2 root p` is whole, or nearly so; densities that vanish
+/// at the end are `F = u^(root - 1)` times the polynomial.
+///
 /// Convergence is exponential also where densities contain `gap log gap` or, beyond the end of a stick zone, the
 /// branch point of the pressure: `P` panels resolve it from a distance of about `16^(2 - P)` of the half-width.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
@@ -49,9 +53,9 @@ pub struct GradedPanels {
     /// Added refinements, chosen by the solver.
     #[serde(skip)]
     level: u32,
-    /// Added to the root of the angle in which densities are told, for the solid's sake.
+    /// The power of the distance with which the kernels begin, where that is no whole number.
     #[serde(skip)]
-    added_root: i32,
+    power: Option<f64>,
 }
 
 slipzone_api::register!(Quadrature, "graded-panels", "graded panels; jump and logarithm of the kernel integrated exactly",
@@ -82,19 +86,17 @@ impl GradedPanels {
     }
 }
 
-/// In which densities are told.
-const ROOT: i32 = 3;
-
-/// The root of the angle in which densities are polynomials, if kernels begin with that power of the distance: they are series in that
-/// power of the distance to the contact's end, which is half of the square of the angle.
+/// The root of the angle in which densities are polynomials, or nearly so, if kernels begin with that power of the distance over the distance:
+/// they are then series in that power of the distance to the contact's end, which goes with the square of the angle.
 fn root_of(power: f64) -> i32 {
+    const SMALLEST: i32 = 3;
+    const LARGEST: i32 = 6;
     const WHOLE: f64 = 1e-3;
-    const LARGEST: i32 = 8;
     let is_whole = |root: &i32| {
         let in_root = 2.0 * f64::from(*root) * power;
         (in_root - in_root.round()).abs() < WHOLE
     };
-    if power < 1.0 { (ROOT..=10).find(is_whole).unwrap_or(LARGEST) } else { ROOT }
+    if power < 1.0 { (SMALLEST..=LARGEST).find(is_whole).unwrap_or(LARGEST) } else { 1 }
 }
 
 #[typetag::serde(name = "graded-panels")]
@@ -110,7 +112,7 @@ impl Quadrature for GradedPanels {
                 remedy: "ask for a coarser tolerance or fewer nodes and panels",
             });
         }
-        let layout = Layout::shared((nodes, panels), ROOT + self.added_root, Basis { parity, edge: span.edge });
+        let layout = Layout::shared((nodes, panels), self.power.map_or(1, root_of), Basis { parity, edge: span.edge });
         Ok(Box::new(PanelRule::new(0.5 * (upper - lower), layout)))
     }
 
@@ -119,7 +121,7 @@ impl Quadrature for GradedPanels {
     }
 
     fn under(&self, power: f64) -> Option<Box<dyn Quadrature>> {
-        Some(Box::new(Self { added_root: root_of(power) - ROOT, ..self.clone() }))
+        Some(Box::new(Self { power: Some(power), ..self.clone() }))
     }
 
     fn is_pinned(&self) -> bool {

@@ -3,7 +3,7 @@ use crate::fixtures::{Opaque, at, bonded, distance, exponential, on, substrate};
 use crate::panels::Panels;
 use crate::precision::{FULL, ROUGHNESS};
 use crate::surface_tail;
-use slipzone_api::{Base, Flexibility, LayerModel, Plane, Refusal, SurfaceFlexibility};
+use slipzone_api::{Base, Flexibility, LayerModel, ModulusLaw, Plane, Refusal, SurfaceFlexibility};
 use std::sync::Arc;
 
 type Law = fn(f64) -> f64;
@@ -77,6 +77,40 @@ fn golden_values_of_a_stack_and_a_power_law() {
             // Round-off of a few hundred slices.
             assert!(difference < 1e-13, "s = {s}: {difference:e}");
         }
+    }
+}
+
+/// `1 + c y^p`.
+#[derive(Debug)]
+struct Power {
+    factor: f64,
+    power: f64,
+}
+
+impl ModulusLaw for Power {
+    fn modulus(&self, depth: f64) -> f64 {
+        1.0 + self.factor * depth.powf(self.power)
+    }
+
+    fn broken_power(&self) -> Option<f64> {
+        Some(self.power)
+    }
+}
+
+/// Where no wave feels the base, `s` under `1 + c y^p` is `s/l` under `1 + c l^-p y^p`. Panels that shrink towards the surface are no kink.
+#[test]
+fn a_broken_power_is_followed_to_where_the_shortest_waves_are() {
+    for power in [0.2, 0.5, 0.8] {
+        let near = bonded(Power { factor: 7.0, power }, Plane::Strain, 0.3);
+        for scale in [1e6, 1e10, 1e13, 1e16] {
+            let far = bonded(Power { factor: 7.0 * f64::powf(scale, -power), power }, Plane::Strain, 0.3);
+            for s in [60.0, 1e3] {
+                let difference = distance(at(&Compliance {}, &near, s * scale), at(&Compliance {}, &far, s));
+                assert!(difference < 4e-12, "p = {power}, s = {s} {scale:e}: {difference:e}");
+            }
+        }
+        let panels = Panels::new(&near, &FULL).unwrap();
+        assert!(panels.first_break.to_bits() == 1.0_f64.to_bits(), "p = {power}: {}", panels.first_break);
     }
 }
 

@@ -71,13 +71,19 @@ struct Series {
     is_depth: bool,
 }
 
-/// Where it is to be found, from where to where, and how many wave numbers it took to say so; `None` where `W` does not get small.
+/// Where it is to be found, from where to where, and how many wave numbers it took to say so.
+pub(super) struct Stretch {
+    pub(super) ends: (f64, f64),
+    pub(super) tried: usize,
+}
+
+/// The stretch of some kernels; `None` where `W` does not get small.
 pub(super) fn stretch(
     integrands: &[Integrand],
     response: &dyn LayerResponse,
     (power, length): (f64, f64),
     accuracy: f64,
-) -> Result<Option<((f64, f64), usize)>, Refusal> {
+) -> Result<Option<Stretch>, Refusal> {
     let first = 1.0 / (END.0 * accuracy.sqrt()).min(END.1);
     let tried = std::iter::successors(Some(first), |s| Some(s * STEP)).take_while(|s| *s < LAST);
     for (count, s) in (1..).zip(tried) {
@@ -88,7 +94,8 @@ pub(super) fn stretch(
         };
         if integrands.iter().map(size).fold(0.0, f64::max) < SMALL {
             let end = length / s;
-            return Ok(Some(((BEGINNING.powf(power.recip()) * end, end), count)));
+            let ends = (BEGINNING.powf(power.recip()) * end, end);
+            return Ok(Some(Stretch { ends, tried: count }));
         }
     }
     Ok(None)
@@ -108,7 +115,8 @@ impl Origin {
         let node = |i: usize| (PI * (i as f64 + 0.5) / POWERS as f64).cos();
         let between = |i: usize| (PI * i as f64 / POWERS as f64).cos();
         let places = (0..POWERS).map(node).chain([0, 1, POWERS / 2, POWERS - 1, POWERS].map(between));
-        let at: Vec<(f64, f64)> = places.map(|x| within.1.mul_add(x, within.0)).map(|z| (z.powf(power.recip()), z)).collect();
+        let at: Vec<(f64, f64)> =
+            places.map(|x| within.1.mul_add(x, within.0)).map(|z| (z.powf(power.recip()), z)).collect();
         let faded = bands.faded(beginning);
         let mut transforms = vec![Complex64::default(); integrands.len()];
         let mut values = vec![Vec::with_capacity(at.len()); integrands.len()];
@@ -121,7 +129,8 @@ impl Origin {
                 });
             }
         }
-        let mut origin = Self { power, end, within, beside: Beside::new(power), series: Vec::with_capacity(integrands.len()) };
+        let mut origin =
+            Self { power, end, within, beside: Beside::new(power), series: Vec::with_capacity(integrands.len()) };
         let beside = Beside::new(power);
         let of_distance: Vec<f64> = at.iter().map(|(t, z)| beside.at(*t) / z).collect();
         let distance = coefficients(&of_distance[..POWERS]);
@@ -148,7 +157,7 @@ impl Origin {
             // A term less, at the origin: felt no farther than to where it was found.
             let last = series.coefficients[POWERS - 1] * sum(&unit(), origin.place(0.0));
             let there = last.abs() * if is_depth { beginning } else { first };
-            
+
             if !(here <= SHARE.mul_add(accuracy, 10.0 * NOISE) && there < 1e-4) {
                 return None;
             }

@@ -79,6 +79,110 @@ fn kernels_like_a_broken_power_are_told_down_to_the_smallest_distances() {
     }
 }
 
+/// The same of a power that is known.
+struct Known(Broken);
+
+impl LayerResponse for Known {
+    fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
+        self.0.surface(s)
+    }
+
+    fn elastic(&self) -> Elastic {
+        self.0.elastic()
+    }
+
+    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
+        self.0.tail(terms)
+    }
+
+    fn depth(&self) -> Option<f64> {
+        self.0.depth()
+    }
+
+    fn broken_power(&self) -> Option<f64> {
+        Some(2.0 * self.0.0 - 1.0)
+    }
+}
+
+/// Down to distances at which no wave number is asked for: a power that is known ends nowhere.
+#[test]
+fn a_power_that_is_known_is_told_down_to_nothing() {
+    for (q, accuracy) in [(0.6, 1e-10), (0.65, 1e-6), (0.75, 1e-10), (0.9, 1e-10)] {
+        let (response, reach) = (Known(Broken(q)), 2.0);
+        let table = table(&response, reach, &ALL[..2], accuracy);
+        assert_eq!(table.power(), Some(2.0 * q - 1.0), "q = {q}");
+        for i in 0..120 {
+            let t = reach * 10.0_f64.powf(-0.2 * f64::from(i));
+            for component in &ALL[..2] {
+                let (found, expected) = (table.parts(*component, t).value(t), response.0.kernel(*component, t));
+                let error = felt(*component, t, (found - expected).abs());
+                assert!(error <= accuracy, "q = {q}, {component:?} at {t:e}: {error:e}");
+                // Next to the origin the powers tell it as well as it is large.
+                assert!(t > 1e-12 || (found / expected - 1.0).abs() < 1e-6, "q = {q} at {t:e}: {found:e}");
+                let mirrored = table.parts(*component, -t).value(-t);
+                assert!((mirrored + found).abs() <= 1e-15 * found.abs(), "{component:?} at {t:e}");
+            }
+        }
+    }
+}
+
+/// An even kernel like `log t` at the origin, beside powers of `t^(1/2)`, and one like a power that meets none of what is analytic.
+#[test]
+fn even_kernels_have_more_than_powers_beside_the_origin() {
+    // W = (1 + s^2)^(-p/2), k = 2^(1/2 - p/2) sqrt(pi)/Gamma(p/2) t^((p - 1)/2) K_((1 - p)/2)(t): as above, q = p/2.
+    struct Even(f64);
+    impl LayerResponse for Even {
+        fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
+            let all = (1.0 + s * s).powf(-0.5 * self.0) + 0.5 * (1.0 + s * s).powf(-self.0);
+            Ok(SurfaceFlexibility { vv: 1.0, uu: 1.0, uv: all - self.elastic().beta() })
+        }
+
+        fn elastic(&self) -> Elastic {
+            Broken(self.0).elastic()
+        }
+
+        fn tail(&self, _: usize) -> Vec<SurfaceFlexibility> {
+            Vec::new()
+        }
+
+        fn depth(&self) -> Option<f64> {
+            Some(1.0)
+        }
+
+        fn broken_power(&self) -> Option<f64> {
+            Some(self.0)
+        }
+    }
+    for power in [0.5, 0.8] {
+        let response = Even(power);
+        let table = table(&response, 2.0, &ALL[2..3], 1e-10);
+        assert_eq!(table.power(), Some(power));
+        // `(1 + s^2)^-q` along the cut; q = 1/2 is `K_0(t)`.
+        let part = |q: f64, t: f64| Broken(q).kernel(ALL[2], t);
+        for i in 0..80 {
+            let t = 2.0 * 10.0_f64.powf(-0.2 * f64::from(i));
+            let expected = part(0.5 * power, t) + 0.5 * part(power, t);
+            let error = t * (table.parts(ALL[2], t).value(t) - expected).abs();
+            assert!(error <= 1e-10, "p = {power} at {t:e}: {error:e}");
+        }
+    }
+}
+
+/// The longest waves that a contact much wider than the layer is thick feels: the window ended within the first band.
+#[test]
+fn waves_much_longer_than_the_layer_are_told() {
+    let response = Rational::knowing(0);
+    for reach in [300.0, 3e3, 1e5] {
+        let table = table(&response, reach, &ALL[..3], 1e-8);
+        for t in [1.0, 0.5, 0.1, 0.01].map(|share| share * reach) {
+            for component in &ALL[..3] {
+                let error = (table.parts(*component, t).value(t) - exact(*component, t)).abs();
+                assert!(t * error < 1e-7, "{component:?}, reach {reach:e}, t = {t:e}: {error:e}");
+            }
+        }
+    }
+}
+
 /// Asked for nothing but the depth, over distances far smaller than all that is known: it was cut at its first octave.
 #[test]
 fn the_depth_alone_is_told_as_well() {

@@ -49,7 +49,9 @@ pub(super) fn row_into(
     let (mut moments, mut product) = (Vec::new(), vec![0.0; q]);
     let width = mesh.degree + 1;
     let (mut beside, mut values) = (vec![0.0; row.len()], vec![0.0; width]);
-    for (panel, (piece, (out, at))) in pieces.list.iter().zip(summand.chunks_mut(q).zip(pieces.at.chunks(q))).enumerate() {
+    for (panel, (piece, (out, at))) in
+        pieces.list.iter().zip(summand.chunks_mut(q).zip(pieces.at.chunks(q))).enumerate()
+    {
         let is_near = |piece: &Piece| !is_simple && off(target, piece) <= FAR;
         let far = products.iter().all(|(pole, _)| piece.local(*pole).abs() > FAR) && !is_near(piece);
         if far {
@@ -60,7 +62,11 @@ pub(super) fn row_into(
         }
         let smooth = |u: f64| {
             let (theta, slope) = (mesh.angle(u), mesh.slope(u));
-            let of_powers: f64 = if is_simple { 0.0 } else { products.iter().map(|(pole, residue)| residue * mesh.rest_of_pole(u, *pole)).sum() };
+            let of_powers: f64 = if is_simple {
+                0.0
+            } else {
+                products.iter().map(|(pole, residue)| residue * mesh.rest_of_pole(u, *pole)).sum()
+            };
             let of_sums: f64 = sums.iter().map(|(_, residue)| residue * slope / (theta + angle)).sum();
             slope * rest(theta, angle) + of_powers + of_sums
         };
@@ -79,7 +85,9 @@ pub(super) fn row_into(
                     let weight = factor * w * part.half_length * smooth(u) * basis.measure_at(mesh, u) / PI;
                     let offset = ((u - mesh.breaks[panel]) / mesh.half_length(panel)).clamp(0.0, 2.0);
                     mesh.basis_into(offset, &mut values);
-                    values.iter_mut().for_each(|value| *value *= weight);
+                    for value in &mut values {
+                        *value *= weight;
+                    }
                     basis.add_into(panel * mesh.degree, &values, &mut beside);
                 }
             }

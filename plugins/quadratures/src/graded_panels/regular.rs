@@ -48,12 +48,13 @@ struct Powers {
 
 impl Powers {
     fn set(&mut self, power: f64, gauss: &Gauss) {
-        if self.power.to_bits() == power.to_bits() && self.offsets.len() == gauss.z.len() {
-            return;
-        }
+        /// A power of the root is a polynomial if it is as near to a whole number as that; as good as one if it is that large.
         const WHOLE: f64 = 1e-3;
         const SMOOTH: f64 = 4.0;
         const LARGEST: u32 = 20;
+        if self.power.to_bits() == power.to_bits() && self.offsets.len() == gauss.z.len() {
+            return;
+        }
         let is_whole = |root: &f64| (power * root - (power * root).round()).abs() < WHOLE;
         let least = power.recip();
         let root = (1..=LARGEST).map(f64::from).find(|root| *root > least - WHOLE && is_whole(root));
@@ -88,9 +89,8 @@ pub(super) struct Regular {
 #[derive(Clone, Copy)]
 struct View<'a> {
     mesh: &'a Mesh,
-    /// In `u`, and as an angle.
+    /// In `u`.
     pole: f64,
-    angle: f64,
     /// Where it vanishes, too, as the pole sees that; beside the real line, if not 0, by the last.
     other: f64,
     other_angle: f64,
@@ -103,11 +103,11 @@ impl<'a> View<'a> {
         if is_image {
             let pole = mesh.place_of(PI - angle);
             let other = if mesh.root == 1 { 2.0 * angle } else { mesh.place_of(PI + angle) - pole };
-            return Self { mesh, pole, angle: PI - angle, other, other_angle: 2.0 * angle, across: 0.0 };
+            return Self { mesh, pole, other, other_angle: 2.0 * angle, across: 0.0 };
         }
         let (across, along) = if mesh.root == 1 { (0.0, -1.0) } else { (PI / f64::from(mesh.root)).sin_cos() };
         let other = (along - 1.0) * target;
-        Self { mesh, pole: target, angle, other, other_angle: -2.0 * angle, across: across * target }
+        Self { mesh, pole: target, other, other_angle: -2.0 * angle, across: across * target }
     }
 
     /// The angle at a place, as the pole sees both.
@@ -123,7 +123,9 @@ impl<'a> View<'a> {
 
 /// Points per target of a kernel of `1/thinness` of the half-width, about.
 pub(super) fn points(layout: &Layout, thinness: f64) -> usize {
-    let cuts = 2.0 * thinness.max(1.0).ln() / (1.0 + AWAY).ln();
+    let towards = |share: f64, ratio: f64| 2.0 * share.ln() / (1.0 + ratio).ln();
+    let to_next = if layout.mesh.root == 1 { 0.0 } else { towards(NEXT.recip(), GRADED) };
+    let cuts = towards(thinness.max(1.0), AWAY) + to_next;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive, and saturates
     let cuts = cuts.ceil() as usize;
     layout.gauss.z.len() * (2 * layout.mesh.panels() + 2 * cuts)

@@ -12,13 +12,13 @@ use slipzone_api::{Component, Edge, KernelTable, Parity, Parts, PartsMut, Statio
 use std::f64::consts::PI;
 
 fn rule(c: f64, parity: Parity, edge: Edge, nodes: usize, panels: usize) -> Box<dyn Rule> {
-    let quadrature = GradedPanels { nodes: Some(Count(nodes)), panels: Some(Count(panels)), level: 0 };
+    let quadrature = GradedPanels { nodes: Some(Count(nodes)), panels: Some(Count(panels)), ..GradedPanels::default() };
     quadrature.rule(&Span::symmetric(c, parity, edge)).expect("a symmetric span")
 }
 
 /// Unknowns of the density whose piecewise polynomial `F` is this function of the angle.
 fn unknowns(parity: Parity, edge: Edge, nodes: usize, panels: usize, polynomial: impl Fn(f64) -> f64) -> Vec<f64> {
-    let (mesh, basis) = (Mesh::new(nodes, panels), Basis { parity, edge });
+    let (mesh, basis) = (Mesh::new(nodes, panels, 1), Basis { parity, edge });
     let count = basis.unknowns(mesh.nodes());
     let kept = (0..mesh.nodes()).filter(|i| basis.unknown(*i).is_some_and(|j| j < count));
     kept.map(|i| polynomial(mesh.node(i))).collect()
@@ -81,7 +81,7 @@ fn counts_out_of_range_are_refused_with_the_range() {
     let pinned = |nodes: Option<usize>, panels: Option<usize>| GradedPanels {
         nodes: nodes.map(Count),
         panels: panels.map(Count),
-        level: 0,
+        ..GradedPanels::default()
     };
     assert!(!pinned(None, None).is_pinned());
     assert!(pinned(Some(8), None).is_pinned() && pinned(None, Some(8)).is_pinned());
@@ -97,7 +97,7 @@ fn a_level_takes_five_quarters_to_twice_the_unknowns() {
     let span = Span::symmetric(1.0, Parity::Even, Edge::Sharp);
     let mut starts = vec![GradedPanels::default()];
     for (nodes, panels) in [(4, 2), (5, 3), (8, 8), (21, 13)] {
-        starts.push(GradedPanels { nodes: Some(Count(nodes)), panels: Some(Count(panels)), level: 0 });
+        starts.push(GradedPanels { nodes: Some(Count(nodes)), panels: Some(Count(panels)), ..GradedPanels::default() });
     }
     for start in starts {
         let unknowns = |level| start.refined(level).rule(&span).map(|rule| rule.unknowns());

@@ -199,3 +199,66 @@ fn a_broken_power_at_the_origin_is_summed() {
         }
     }
 }
+
+/// The same where densities are told in a root of the angle: the kernel is a power down to nothing, next to the target and at the contact's end.
+#[test]
+fn a_power_of_the_distance_is_summed_in_a_root_of_the_angle() {
+    struct Power(f64);
+    impl KernelTable for Power {
+        fn parts_into(&self, _: Component, distances: &[f64], out: PartsMut) {
+            out.fill(distances, |t| Parts { smooth: t.abs().powf(self.0 - 1.0), ..Parts::default() });
+        }
+
+        fn length(&self) -> f64 {
+            1.0
+        }
+
+        fn nearest(&self) -> Option<f64> {
+            Some(1e-3)
+        }
+
+        fn power(&self) -> Option<f64> {
+            Some(self.0)
+        }
+
+        fn flexibility_evaluations(&self) -> usize {
+            0
+        }
+    }
+    // Gamma(p/2) Gamma(1/2)/Gamma((p + 1)/2); 12 p is whole but for one.
+    for (p, beta, tolerance) in [
+        (0.2, 11.323_086_975_215_753, 1e-9),
+        (0.35, 6.995_838_320_487_95, 2e-7),
+        (0.5, 5.244_115_108_584_24, 1e-9),
+        (0.8, 3.679_093_980_405_880_4, 1e-9),
+    ] {
+        let at = |nodes: usize| {
+            let pinned = GradedPanels { nodes: Some(Count(nodes)), panels: Some(Count(3)), ..GradedPanels::default() };
+            let quadrature = pinned.under(p).expect("a root of its own");
+            let mut rule = quadrature.rule(&Span::symmetric(1.0, Parity::Even, Edge::Sharp)).unwrap();
+            let plain = operator(rule.as_mut(), None);
+            let rows = operator(rule.as_mut(), Some((&Power(p), Component::Coupling)));
+            let only: Vec<f64> = rows.iter().zip(&plain).map(|(all, plain)| all - plain).collect();
+            let unknowns = vec![1.0; rule.unknowns()];
+            let slopes = apply(&plain, &unknowns);
+            let scaled = apply(&only, &unknowns);
+            (rule, slopes, scaled)
+        };
+        let (mut rule, slopes, _) = at(12);
+        let unknowns = vec![1.0; rule.unknowns()];
+        let centre = rule.potential_at_centre(&unknowns, (&Power(p), Component::Coupling));
+        assert_close(centre, beta / PI, 2e-11, &format!("p = {p}"));
+        // 1/sqrt(1 - x^2) makes no slope at all.
+        for (slope, place) in slopes.into_iter().zip(rule.collocation()) {
+            assert_close(slope, 0.0, 1e-12, &format!("slope, p = {p} at {}", place.x));
+        }
+        // Three times the nodes have the middle one of each three in common.
+        let ((rule, _, coarse), (_, _, fine)) = (at(6), at(18));
+        for (i, (place, scale)) in rule.collocation().iter().zip(row_scale(rule.as_ref())).enumerate() {
+            // As large as it grows towards the end; what beside it is rounded is the slope's part.
+            let size = scale * place.gap.powf((p - 0.5).min(0.0));
+            let what = format!("p = {p} at a gap of {:e}", place.gap);
+            assert_close(coarse[i], fine[3 * i + 1], tolerance * size + 1e-14, &what);
+        }
+    }
+}
