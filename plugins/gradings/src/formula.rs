@@ -117,8 +117,8 @@ impl Law {
     fn power_of(&self, formula: &formula::Formula) -> Option<f64> {
         /// Derivatives asked for: a formula that has as many is smooth.
         const DERIVATIVES: usize = 8;
-        /// Depths from which on more than rounding is left after one term and after two; of longer series the power hardly matters.
-        const DEPTHS: [f64; 2] = [1e-9, 1e-4];
+        /// Depths from which on more than rounding is left after one term, after two and so on; of longer series the power hardly matters.
+        const DEPTHS: [f64; 4] = [1e-9, 1e-4, 1e-3, 1e-2];
         /// Least power that is told.
         const LEAST: f64 = 0.05;
         let series = self.series(formula, DERIVATIVES).into_finite();
@@ -239,6 +239,9 @@ mod tests {
             ("exp(-2*(y/h)^0.7)", Some(0.7)),
             ("1 + y + 3*(y/h)^1.5", Some(1.5)),
             ("1 + (y/h)^2.5", Some(2.5)),
+            ("1 + y + (y/h)^2.2", Some(2.2)),
+            ("1 + (y/h)^pi", Some(std::f64::consts::PI)),
+            ("1 + (y/h)^3.8", Some(3.8)),
             ("1 + sqrt(y + 0.01*h)", None),
             ("3 + abs(y - 1)", None),
         ];
