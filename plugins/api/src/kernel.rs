@@ -220,7 +220,7 @@ pub trait KernelTable: Send + Sync {
         None
     }
 
-    /// Where the kernels are, at the origin, series in that power of the distance over the distance, or, of the depth, such series.
+    /// Where the kernels are series in that power of the distance, over the distance (of the depth, as it is), from [`Self::nearest`] down to 0.
     fn power(&self) -> Option<f64> {
         None
     }

@@ -5,6 +5,7 @@ mod integrand;
 mod legendre_waves;
 mod moments;
 mod octaves;
+mod origin;
 mod piece;
 mod polynomial;
 #[cfg(test)]

@@ -2,12 +2,13 @@
 
 mod bands;
 mod octave;
-pub(crate) mod origin;
+mod stretch;
 
 use crate::integrand::Integrand;
+use crate::origin::Origin;
 use crate::table::Table;
 use bands::Bands;
-use origin::Origin;
+use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
 use slipzone_api::{KernelRequest, KernelStrategy, KernelTable, LayerResponse, Refusal};
 
@@ -44,11 +45,13 @@ impl KernelStrategy for Octaves {
         let length = if response.breaks() { depth } else { response.thickness().unwrap_or(depth) };
         let integrands: Vec<Integrand> = request.components.iter().map(|c| Integrand::new(*c, response)).collect();
         if let Some(power) = response.broken_power().filter(|power| *power < 1.0)
-            && let Some(stretch) = origin::stretch(&integrands, response, (power, length), request.accuracy)?
+            && let Some(stretch) = stretch::of(&integrands, response, (power, length), request.accuracy)?
         {
-            let mut bands = Bands::new(&integrands, response, extent, request, Some(Origin::waves(stretch.ends.0)))?;
+            let mut bands = Bands::new(&integrands, response, extent, request, Some(stretch.waves()))?;
             bands.evaluations += stretch.tried;
-            if let Some(origin) = Origin::new(&integrands, &bands, stretch.ends, power, request.accuracy) {
+            let faded = bands.faded(stretch.ends.0);
+            let transforms_at = |t: f64, out: &mut [Complex64]| faded.at(t, out);
+            if let Some(origin) = Origin::new(&integrands, transforms_at, stretch.ends, power, request.accuracy) {
                 return Ok(told(&integrands, &bands, Some(origin), request, length));
             }
         }

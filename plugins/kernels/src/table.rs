@@ -3,7 +3,7 @@
 mod lanes;
 
 use crate::integrand::Integrand;
-use crate::octaves::origin::Origin;
+use crate::origin::Origin;
 use crate::piece::Pieces;
 use lanes::Piece;
 use pulp::{Arch, Simd, WithSimd};

@@ -1,8 +1,8 @@
 //! The kernels as polynomials on octaves of distance.
 
 use super::bands::Bands;
-use super::origin::Origin;
 use crate::integrand::Integrand;
+use crate::origin::Origin;
 use crate::piece::{Kernel, NEAR_ORIGIN, Piece, Pieces, Sample, Variable, place};
 use num_complex::Complex64;
 use slipzone_api::{Component, KernelRequest, Parts};

@@ -1,22 +1,12 @@
 //! The kernels next to the origin, of laws that begin with a broken power of the depth.
 
-use super::bands::{Bands, PHASE};
 use crate::integrand::Integrand;
 use num_complex::Complex64;
-use slipzone_api::{Component, LayerResponse, Refusal};
+use slipzone_api::Component;
 use std::f64::consts::PI;
 
 /// Powers of `z` that are told.
 const POWERS: usize = 12;
-/// Where the stretch ends on which they are found, over the root of the accuracy: what is analytic in the kernels counts by the square of it.
-const END: (f64, f64) = (0.3, 1e-5);
-/// And where it begins: `z` there over that at its end.
-const BEGINNING: f64 = 0.1;
-/// `W` at the wave number that belongs to its end: powers of it are as small.
-const SMALL: f64 = 0.1;
-/// From one wave number to the next that is tried, and up to which, over the inverse of the length.
-const STEP: f64 = 32.0;
-const LAST: f64 = 1e11;
 /// Share of the accuracy that may be missed, there and at the origin.
 const SHARE: f64 = 0.1;
 /// Noise of the transforms.
@@ -71,41 +61,11 @@ struct Series {
     is_depth: bool,
 }
 
-/// Where it is to be found, from where to where, and how many wave numbers it took to say so.
-pub(super) struct Stretch {
-    pub(super) ends: (f64, f64),
-    pub(super) tried: usize,
-}
-
-/// The stretch of some kernels; `None` where `W` does not get small.
-pub(super) fn stretch(
-    integrands: &[Integrand],
-    response: &dyn LayerResponse,
-    (power, length): (f64, f64),
-    accuracy: f64,
-) -> Result<Option<Stretch>, Refusal> {
-    let first = 1.0 / (END.0 * accuracy.sqrt()).min(END.1);
-    let tried = std::iter::successors(Some(first), |s| Some(s * STEP)).take_while(|s| *s < LAST);
-    for (count, s) in (1..).zip(tried) {
-        let f = response.surface(s / length)?;
-        let size = |integrand: &Integrand| {
-            let unit = if integrand.component == Component::Depth { s / length } else { 1.0 };
-            (unit * integrand.weight(s / length, &f)).abs()
-        };
-        if integrands.iter().map(size).fold(0.0, f64::max) < SMALL {
-            let end = length / s;
-            let ends = (BEGINNING.powf(power.recip()) * end, end);
-            return Ok(Some(Stretch { ends, tried: count }));
-        }
-    }
-    Ok(None)
-}
-
 impl Origin {
-    /// `None` where the kernels are no such series to within the accuracy, in the terms of the request.
-    pub(super) fn new(
+    /// Found from their transforms between two distances; `None` where the kernels are no such series to within the accuracy, in the terms of the request.
+    pub(crate) fn new(
         integrands: &[Integrand],
-        bands: &Bands,
+        mut transforms_at: impl FnMut(f64, &mut [Complex64]),
         (beginning, end): (f64, f64),
         power: f64,
         accuracy: f64,
@@ -117,11 +77,10 @@ impl Origin {
         let places = (0..POWERS).map(node).chain([0, 1, POWERS / 2, POWERS - 1, POWERS].map(between));
         let at: Vec<(f64, f64)> =
             places.map(|x| within.1.mul_add(x, within.0)).map(|z| (z.powf(power.recip()), z)).collect();
-        let faded = bands.faded(beginning);
         let mut transforms = vec![Complex64::default(); integrands.len()];
         let mut values = vec![Vec::with_capacity(at.len()); integrands.len()];
         for (t, z) in &at {
-            faded.at(*t, &mut transforms);
+            transforms_at(*t, &mut transforms);
             for ((values, transform), integrand) in values.iter_mut().zip(&transforms).zip(integrands) {
                 values.push(match integrand.component {
                     Component::Depth => transform.re,
@@ -164,11 +123,6 @@ impl Origin {
             origin.series.push(series);
         }
         Some(origin)
-    }
-
-    /// From which wave number on nothing is asked for.
-    pub(super) fn waves(beginning: f64) -> f64 {
-        PHASE / beginning
     }
 
     fn place(&self, z: f64) -> f64 {
