@@ -357,6 +357,19 @@ fn a_face_nearly_as_wide_as_the_contact_rubs_under_a_force() {
     assert!((ratio(&by_force) / ratio(&by_width) - 1.0).abs() < 1e-8);
 }
 
+/// An incompressible layer sticks as a whole until the contact is half as wide as it is thick, and slips outward from there on. A narrow contact
+/// that sticks slips in no direction, so none turns.
+#[test]
+fn where_everything_sticks_at_first_nothing_turns() {
+    let wide =
+        |b: f64| Sketch::flat(1.0, 1.0, 0.5).rubbing(0.3).cylinder().loaded(&format!("half_width = {b:?}")).solve();
+    assert_eq!(wide(0.5).status, Status::Converged);
+    let solution = wide(0.7);
+    assert_eq!(solution.status, Status::AssumptionViolated);
+    let reason = solution.reason.expect("why");
+    assert!(reason.contains("all of the surface sticks, but not always"), "{reason}");
+}
+
 /// A stick zone that is all of the contact is as uncertain as that.
 #[test]
 fn where_everything_sticks_the_zone_is_as_sure_as_the_contact() {

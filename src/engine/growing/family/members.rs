@@ -116,6 +116,13 @@ impl Family {
         let (is_first, known) = (coarse.is_none(), coarse.is_some_and(Family::is_checked));
         let mut members = Members::new(coarse.and_then(Family::moves), !is_first);
         let half_widths = blend.half_widths();
+        // What sticks as a whole slips in no direction.
+        let can_stick = flat.elastic.beta() < FrictionCurve::FLAT * PI;
+        let sticks_at_times = |members: &Members| {
+            let b = members.sticks_at_times(half_widths).filter(|_| can_stick)?;
+            let sticks = "all of the surface sticks, but not always".into();
+            Some(Unfit::Friction(b, Box::new(Rubbing::sticking(b, false).failing(sticks))))
+        };
         let coarse_zones = coarse.and_then(|coarse| coarse.rubbed.as_ref());
         let mut wrong = Wrong::default();
         for (k, b) in half_widths.iter().copied().enumerate() {
@@ -137,16 +144,15 @@ impl Family {
             let root = member.root;
             wrong.add_apart(coarse_zones, &member, b);
             if !members.add(member) {
+                if let Some(why) = sticks_at_times(&members) {
+                    return Err(why);
+                }
                 let turned = "the direction of slip turns while the contact grows".into();
                 return Err(Unfit::Friction(b, Box::new(Rubbing::expected(root, b, false).failing(turned))));
             }
         }
-        if flat.elastic.beta() < FrictionCurve::FLAT * PI
-            && let Some(b) = members.sticks_at_times(half_widths)
-        {
-            let sticks = "all of the surface sticks, but not always".into();
-            let stuck = Rubbing::sticking(b, false);
-            return Err(Unfit::Friction(b, Box::new(stuck.failing(sticks))));
+        if let Some(why) = sticks_at_times(&members) {
+            return Err(why);
         }
         let told = coarse_zones.map(|coarse| (coarse.told, wrong.over(blend.widest())));
         self.rubbed = Some(members.blended(blend, self.end_of_shear, told));
