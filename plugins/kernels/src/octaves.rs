@@ -80,7 +80,7 @@ fn told(
     let lengths = (length, pieces.ends.first().copied());
     let table = Table::new(request.components, pieces, request.reach, lengths, error + bands.error, bands.evaluations);
     Box::new(match origin {
-        Some(origin) => table.beginning_with(origin, integrands.to_vec()),
+        Some(origin) => table.beginning_with(origin),
         None => table,
     })
 }

@@ -1,6 +1,8 @@
 //! The kernels next to the origin, of laws that begin with a broken power of the depth.
 
+use crate::even_table::{chebyshev, clenshaw};
 use crate::integrand::Integrand;
+use crate::piece::Variable;
 use num_complex::Complex64;
 use slipzone_api::Component;
 use std::f64::consts::PI;
@@ -54,11 +56,17 @@ impl Beside {
 /// One kernel's.
 #[derive(Clone, Debug)]
 struct Series {
+    integrand: Integrand,
     /// Chebyshev's, of what is left if the first power is divided out; of the depth nothing is.
-    coefficients: [f64; POWERS],
+    coefficients: Vec<f64>,
     /// `c`.
     analytic: f64,
-    is_depth: bool,
+}
+
+impl Series {
+    fn is_of_depth(&self) -> bool {
+        self.integrand.component == Component::Depth
+    }
 }
 
 impl Origin {
@@ -72,11 +80,10 @@ impl Origin {
     ) -> Option<Self> {
         let (first, last) = (beginning.powf(power), end.powf(power));
         let within = (f64::midpoint(first, last), 0.5 * (last - first));
-        let node = |i: usize| (PI * (i as f64 + 0.5) / POWERS as f64).cos();
         let between = |i: usize| (PI * i as f64 / POWERS as f64).cos();
-        let places = (0..POWERS).map(node).chain([0, 1, POWERS / 2, POWERS - 1, POWERS].map(between));
-        let at: Vec<(f64, f64)> =
-            places.map(|x| within.1.mul_add(x, within.0)).map(|z| (z.powf(power.recip()), z)).collect();
+        let places = Variable::chebyshev(POWERS, &[0, 1, POWERS / 2, POWERS - 1, POWERS].map(between)).all;
+        let distances = places.iter().map(|x| within.1.mul_add(*x, within.0)).map(|z| (z.powf(power.recip()), z));
+        let at: Vec<(f64, f64)> = distances.collect();
         let mut transforms = vec![Complex64::default(); integrands.len()];
         let mut values = vec![Vec::with_capacity(at.len()); integrands.len()];
         for (t, z) in &at {
@@ -88,15 +95,15 @@ impl Origin {
                 });
             }
         }
-        let mut origin =
-            Self { power, end, within, beside: Beside::new(power), series: Vec::with_capacity(integrands.len()) };
         let beside = Beside::new(power);
+        let mut origin = Self { power, end, within, beside, series: Vec::with_capacity(integrands.len()) };
         let of_distance: Vec<f64> = at.iter().map(|(t, z)| beside.at(*t) / z).collect();
-        let distance = coefficients(&of_distance[..POWERS]);
+        let distance = chebyshev(&of_distance[..POWERS]);
         for (values, integrand) in values.iter().zip(integrands) {
-            let is_depth = integrand.component == Component::Depth;
-            let mut series = Series { coefficients: coefficients(&values[..POWERS]), analytic: 0.0, is_depth };
-            let left = |of: &[f64; POWERS], values: &[f64], i: usize| values[i] - sum(of, origin.place(at[i].1));
+            let coefficients = chebyshev(&values[..POWERS]);
+            let mut series = Series { integrand: integrand.clone(), coefficients, analytic: 0.0 };
+            let is_depth = series.is_of_depth();
+            let left = |of: &[f64], values: &[f64], i: usize| values[i] - clenshaw(of, places[i]);
             if !is_depth && !integrand.component.is_odd() {
                 let off = |i: &usize| left(&distance, &of_distance, *i);
                 let most = (POWERS..at.len()).max_by(|a, b| off(a).abs().total_cmp(&off(b).abs()))?;
@@ -109,12 +116,14 @@ impl Origin {
             }
             let missed = |i: usize| {
                 let (t, z) = at[i];
-                let told = sum(&series.coefficients, origin.place(z)) + series.analytic * beside.at(t) / z;
+                let told = clenshaw(&series.coefficients, places[i]) + series.analytic * beside.at(t) / z;
                 (told - values[i]).abs() * if is_depth { 1.0 } else { z }
             };
             let here = (POWERS..at.len()).map(missed).fold(0.0, f64::max);
             // A term less, at the origin: felt no farther than to where it was found.
-            let last = series.coefficients[POWERS - 1] * sum(&unit(), origin.place(0.0));
+            let mut last = vec![0.0; POWERS];
+            last[POWERS - 1] = series.coefficients[POWERS - 1];
+            let last = clenshaw(&last, origin.place(0.0));
             let there = last.abs() * if is_depth { beginning } else { first };
 
             if !(here <= SHARE.mul_add(accuracy, 10.0 * NOISE) && there < 1e-4) {
@@ -129,33 +138,23 @@ impl Origin {
         (z - self.within.0) / self.within.1
     }
 
-    /// The transform that makes one of the kernels, at a distance.
-    pub(crate) fn transform(&self, kernel: usize, t: f64) -> f64 {
-        let series = &self.series[kernel];
-        let z = t.powf(self.power);
-        let told = sum(&series.coefficients, self.place(z));
-        if series.is_depth { told } else { z / t * told + series.analytic * self.beside.at(t) / t }
+    /// Writes the parts of one of the kernels at distances of either sign.
+    pub(crate) fn parts_into(&self, component: Component, distances: &[f64], [smooth, sign, log]: [&mut [f64]; 3]) {
+        let series = self.series.iter().find(|series| series.integrand.component == component).expect("requested");
+        for (((smooth, sign), log), distance) in smooth.iter_mut().zip(sign).zip(log).zip(distances) {
+            // At the origin itself it is as large as next to it.
+            let transform = self.transform(series, distance.abs().max(f64::MIN_POSITIVE));
+            let parts = series.integrand.parts(distance.abs(), transform);
+            *smooth = if component.is_odd() { parts.smooth * distance.signum() } else { parts.smooth };
+            *sign = parts.sign;
+            *log = parts.log;
+        }
     }
-}
 
-/// Of the last of Chebyshev's polynomials.
-fn unit() -> [f64; POWERS] {
-    std::array::from_fn(|k| if k == POWERS - 1 { 1.0 } else { 0.0 })
-}
-
-/// From values at Chebyshev's nodes.
-fn coefficients(values: &[f64]) -> [f64; POWERS] {
-    let n = POWERS as f64;
-    std::array::from_fn(|k| {
-        let wave = |i: usize| (PI * k as f64 * (i as f64 + 0.5) / n).cos();
-        let sum: f64 = values.iter().enumerate().map(|(i, value)| value * wave(i)).sum();
-        sum * if k == 0 { 1.0 } else { 2.0 } / n
-    })
-}
-
-/// Clenshaw's sum.
-fn sum(coefficients: &[f64; POWERS], x: f64) -> f64 {
-    let (first, later) = coefficients.split_first().expect("some");
-    let (a, b) = later.iter().rev().fold((0.0, 0.0), |(a, b), c| (2.0 * x * a - b + c, a));
-    x * a - b + first
+    /// The transform that makes a kernel, at a distance.
+    fn transform(&self, series: &Series, t: f64) -> f64 {
+        let z = t.powf(self.power);
+        let told = clenshaw(&series.coefficients, self.place(z));
+        if series.is_of_depth() { told } else { z / t * told + series.analytic * self.beside.at(t) / t }
+    }
 }

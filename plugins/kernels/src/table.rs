@@ -2,13 +2,12 @@
 
 mod lanes;
 
-use crate::integrand::Integrand;
 use crate::origin::Origin;
 use crate::piece::Pieces;
 use lanes::Piece;
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::elementary::ln;
-use slipzone_api::{Component, KernelTable, Parts, PartsMut};
+use slipzone_api::{Component, KernelTable, PartsMut};
 
 /// One kernel: its polynomials, piece after piece.
 struct Kernel {
@@ -58,7 +57,7 @@ pub(crate) struct Table {
     length: f64,
     nearest: Option<f64>,
     /// What stands in the place of the first piece.
-    origin: Option<(Origin, Vec<Integrand>)>,
+    origin: Option<Origin>,
     error: f64,
     flexibility_evaluations: usize,
 }
@@ -120,8 +119,8 @@ impl Table {
     }
 
     /// The same with powers of the distance in the place of the first piece.
-    pub(crate) fn beginning_with(mut self, origin: Origin, integrands: Vec<Integrand>) -> Self {
-        self.origin = Some((origin, integrands));
+    pub(crate) fn beginning_with(mut self, origin: Origin) -> Self {
+        self.origin = Some(origin);
         self
     }
 
@@ -180,7 +179,7 @@ impl Table {
                 (a.split_at_mut(count), b.split_at_mut(count), c.split_at_mut(count));
             if let (Some(0), Some(origin)) = (piece, &self.origin) {
                 has_log |= kernel.component == Component::Depth;
-                write_origin(origin, kernel.component, here, [a, b, c]);
+                origin.parts_into(kernel.component, here, [a, b, c]);
             } else if let Some(piece) = piece {
                 let (slope, offset) = self.variables[piece];
                 let coefficients = kernel.on(piece);
@@ -198,25 +197,6 @@ impl Table {
             out = [a_later, b_later, c_later];
         }
         has_log
-    }
-}
-
-/// Writes the parts next to the origin.
-fn write_origin(
-    (origin, integrands): &(Origin, Vec<Integrand>),
-    component: Component,
-    t: &[f64],
-    [a, b, c]: [&mut [f64]; 3],
-) {
-    let k = integrands.iter().position(|integrand| integrand.component == component).expect("requested");
-    for (((a, b), c), t) in a.iter_mut().zip(b).zip(c).zip(t) {
-        let at = t.abs();
-        // At the origin itself it is as large as next to it.
-        let transform = origin.transform(k, at.max(f64::MIN_POSITIVE));
-        let Parts { smooth, sign, log } = integrands[k].parts(at, transform);
-        *a = if component.is_odd() { smooth * t.signum() } else { smooth };
-        *b = sign;
-        *c = log;
     }
 }
 
@@ -293,7 +273,7 @@ impl KernelTable for Table {
     }
 
     fn power(&self) -> Option<f64> {
-        self.origin.as_ref().map(|(origin, _)| origin.power)
+        self.origin.as_ref().map(|origin| origin.power)
     }
 
     fn flexibility_evaluations(&self) -> usize {

@@ -37,22 +37,19 @@ pub(super) fn row_into(
     let rest = if even { even_rest } else { odd_rest };
     let angle = mesh.angle(target);
     let image = mesh.place_of(PI - angle);
-    let is_simple = mesh.root == 1;
-    // What is integrated, and what is summed.
+    // What is integrated, and what is summed: in `u` the last of them lies beside the real line, but where that is the angle.
+    let is_angle = mesh.root == 1;
     let poles = [(target, 1.0), (image, -basis.mirror()), (-target, -1.0)];
-    let (products, sums) = poles.split_at(if is_simple { 3 } else { 2 });
-    let around = PI / f64::from(mesh.root);
-    let off = |pole: f64, piece: &Piece| {
-        let (along, across) = (piece.local(pole * around.cos()), pole * around.sin() / piece.half_length);
-        along.hypot(across)
-    };
+    let (products, sums) = poles.split_at(if is_angle { 3 } else { 2 });
+    let (across, along) = (PI / f64::from(mesh.root)).sin_cos();
+    let is_near =
+        |piece: &Piece| !is_angle && piece.local(target * along).hypot(target * across / piece.half_length) <= FAR;
     let (mut moments, mut product) = (Vec::new(), vec![0.0; q]);
     let width = mesh.degree + 1;
     let (mut beside, mut values) = (vec![0.0; row.len()], vec![0.0; width]);
     for (panel, (piece, (out, at))) in
         pieces.list.iter().zip(summand.chunks_mut(q).zip(pieces.at.chunks(q))).enumerate()
     {
-        let is_near = |piece: &Piece| !is_simple && off(target, piece) <= FAR;
         let far = products.iter().all(|(pole, _)| piece.local(*pole).abs() > FAR) && !is_near(piece);
         if far {
             for ((out, w), u) in out.iter_mut().zip(&gauss.w).zip(at) {
@@ -62,24 +59,13 @@ pub(super) fn row_into(
         }
         let smooth = |u: f64| {
             let (theta, slope) = (mesh.angle(u), mesh.slope(u));
-            let of_powers: f64 = if is_simple {
-                0.0
-            } else {
-                products.iter().map(|(pole, residue)| residue * mesh.rest_of_pole(u, *pole)).sum()
-            };
+            let of_powers: f64 = products.iter().map(|(pole, residue)| residue * mesh.rest_of_pole(u, *pole)).sum();
             let of_sums: f64 = sums.iter().map(|(_, residue)| residue * slope / (theta + angle)).sum();
             slope * rest(theta, angle) + of_powers + of_sums
         };
         if is_near(piece) {
             out.fill(0.0);
-            let mut stack = vec![*piece];
-            while let Some(part) = stack.pop() {
-                let half_length = 0.5 * part.half_length;
-                if is_near(&part) && half_length > 0.0 {
-                    let lower = part.lower + part.half_length;
-                    stack.extend([Piece { lower, half_length }, Piece { half_length, ..part }]);
-                    continue;
-                }
+            for part in parts_of(*piece, is_near) {
                 for (z, w) in gauss.z.iter().zip(&gauss.w) {
                     let u = part.lower + part.half_length * (1.0 + z);
                     let weight = factor * w * part.half_length * smooth(u) * basis.measure_at(mesh, u) / PI;
@@ -115,6 +101,21 @@ pub(super) fn row_into(
     }
     pieces.gather_into(summand, mesh, basis, row);
     row.iter_mut().zip(beside).for_each(|(out, beside)| *out += beside);
+}
+
+/// A piece in halves of halves, none of which is near.
+fn parts_of(piece: Piece, is_near: impl Fn(&Piece) -> bool) -> Vec<Piece> {
+    let (mut stack, mut parts) = (vec![piece], Vec::new());
+    while let Some(part) = stack.pop() {
+        let half_length = 0.5 * part.half_length;
+        if is_near(&part) && half_length > 0.0 {
+            let lower = part.lower + part.half_length;
+            stack.extend([Piece { lower, half_length }, Piece { half_length, ..part }]);
+        } else {
+            parts.push(part);
+        }
+    }
+    parts
 }
 
 /// `cot(a - b) - cot(a + b)`.

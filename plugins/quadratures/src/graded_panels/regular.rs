@@ -91,23 +91,31 @@ struct View<'a> {
     mesh: &'a Mesh,
     /// In `u`.
     pole: f64,
-    /// Where it vanishes, too, as the pole sees that; beside the real line, if not 0, by the last.
+    /// Where it vanishes, too, as the pole sees that: in `u`, nowhere if that is no real number, and as an angle.
     other: f64,
     other_angle: f64,
-    across: f64,
+    /// What is nearest beside the real line, if anything is: how far along it, and across.
+    beside: Option<(f64, f64)>,
 }
 
 impl<'a> View<'a> {
-    fn new(target: f64, is_image: bool, mesh: &'a Mesh) -> Self {
-        let angle = mesh.angle(target);
-        if is_image {
-            let pole = mesh.place_of(PI - angle);
-            let other = if mesh.root == 1 { 2.0 * angle } else { mesh.place_of(PI + angle) - pole };
-            return Self { mesh, pole, other, other_angle: 2.0 * angle, across: 0.0 };
+    /// From a target.
+    fn direct(target: f64, mesh: &'a Mesh) -> Self {
+        let view =
+            Self { mesh, pole: target, other: -2.0 * target, other_angle: -2.0 * mesh.angle(target), beside: None };
+        if mesh.root == 1 {
+            return view;
         }
-        let (across, along) = if mesh.root == 1 { (0.0, -1.0) } else { (PI / f64::from(mesh.root)).sin_cos() };
-        let other = (along - 1.0) * target;
-        Self { mesh, pole: target, other, other_angle: -2.0 * angle, across: across * target }
+        let (across, along) = (PI / f64::from(mesh.root)).sin_cos();
+        Self { other: f64::NEG_INFINITY, beside: Some(((along - 1.0) * target, across * target)), ..view }
+    }
+
+    /// From its mirror image.
+    fn mirrored(target: f64, mesh: &'a Mesh) -> Self {
+        let angle = mesh.angle(target);
+        let pole = mesh.place_of(PI - angle);
+        let other = if mesh.root == 1 { 2.0 * angle } else { mesh.place_of(PI + angle) - pole };
+        Self { mesh, pole, other, other_angle: 2.0 * angle, beside: None }
     }
 
     /// The angle at a place, as the pole sees both.
@@ -117,7 +125,9 @@ impl<'a> View<'a> {
 
     /// Whether a stretch is so far from what lies beside the real line that a Gauss sum does not see it.
     fn is_clear(&self, lower: f64, upper: f64) -> bool {
-        self.across == 0.0 || (self.other - 0.5 * (lower + upper)).hypot(self.across) >= 0.5 * NEAR * (upper - lower)
+        let is_far =
+            |(along, across): (f64, f64)| (along - 0.5 * (lower + upper)).hypot(across) >= 0.5 * NEAR * (upper - lower);
+        self.beside.is_none_or(is_far)
     }
 }
 
@@ -133,7 +143,7 @@ pub(super) fn points(layout: &Layout, thinness: f64) -> usize {
 
 impl Regular {
     /// Cuts the panels, as seen from the angle `target`: into pieces that are no longer than the kernel allows where they are near.
-    fn cut(&mut self, target: f64, layout: &Layout, half_width: f64, table: &dyn KernelTable) {
+    fn cut(&mut self, target: f64, views: &[View; 2], layout: &Layout, half_width: f64, table: &dyn KernelTable) {
         let (finest, ratio) = match table.nearest() {
             Some(nearest) => (nearest, GRADED),
             None => (PIECE * table.length(), AWAY),
@@ -145,9 +155,7 @@ impl Regular {
         self.ends.clear();
         let mut stack = Vec::new();
         for ends in layout.mesh.breaks.windows(2) {
-            for is_image in [false, true] {
-                let view = View::new(target, is_image, &layout.mesh);
-                let other = if view.across == 0.0 { view.other } else { f64::NEG_INFINITY };
+            for (view, is_image) in views.iter().zip([false, true]) {
                 // Rounding alone keeps nothing apart from the pole.
                 let seen = |u: f64| if (u - view.pole).abs() < 1e-15 * view.pole { 0.0 } else { u - view.pole };
                 stack.push((seen(ends[0]), seen(ends[1]), true));
@@ -160,12 +168,12 @@ impl Regular {
                     let is_next = power.is_some() && is_short && length <= next && lower * upper == 0.0;
                     let is_fine = is_next || power.is_none() && is_short && view.is_clear(lower, upper);
                     let apart = |pole: f64| (lower - pole).max(pole - upper);
-                    if is_fine || length <= (1.0 + ROUNDING) * ratio * apart(0.0).min(apart(other)) {
+                    if is_fine || length <= (1.0 + ROUNDING) * ratio * apart(0.0).min(apart(view.other)) {
                         self.pieces.push(Piece { lower, half_length: 0.5 * length, is_image, is_whole, is_next });
                         continue;
                     }
                     // Cut at the pole, or so far from it that the farther part is as long as it may be.
-                    let pole = if apart(0.0) <= apart(other) { 0.0 } else { other };
+                    let pole = if apart(0.0) <= apart(view.other) { 0.0 } else { view.other };
                     let at = if apart(pole) < 0.0 {
                         pole
                     } else if lower >= pole {
@@ -193,7 +201,8 @@ impl Regular {
         if let Some(power) = table.power() {
             self.powers.set(power, &layout.gauss);
         }
-        self.cut(target, layout, half_width, table);
+        let views = [View::direct(target, &layout.mesh), View::mirrored(target, &layout.mesh)];
+        self.cut(target, &views, layout, half_width, table);
         let q = layout.gauss.z.len();
         let points = q * self.pieces.len();
         self.offsets.resize(points, 0.0);
@@ -202,7 +211,6 @@ impl Regular {
         self.summand.resize(q, 0.0);
         self.product.resize(q, 0.0);
         let (sin, cos) = layout.mesh.angle(target).sin_cos();
-        let views = [false, true].map(|is_image| View::new(target, is_image, &layout.mesh));
         let places = self.offsets.chunks_exact_mut(q).zip(self.distances.chunks_exact_mut(q));
         for (piece, (offsets, distances)) in self.pieces.iter().zip(places) {
             let view = &views[usize::from(piece.is_image)];
@@ -299,9 +307,7 @@ impl Share<'_> {
         scratch: &mut Scratch,
         out: &mut [f64],
     ) {
-        // What is beside the real line is near no piece.
-        let other = if self.view.across == 0.0 { self.view.other } else { f64::NEG_INFINITY };
-        let poles = [0.0, other];
+        let poles = [0.0, self.view.other];
         let local = poles.map(|pole| (pole - self.piece.lower) / self.piece.half_length - 1.0);
         let plain = weights.iter();
         if self.piece.is_next || local.iter().all(|at| at.abs() >= NEAR * (1.0 - ROUNDING)) {
