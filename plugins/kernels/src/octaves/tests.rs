@@ -24,11 +24,15 @@ fn felt(component: Component, t: f64, error: f64) -> f64 {
 }
 
 /// `W = s (1 + s^2)^-q` in the slopes, `(1 + s^2)^-q` in the coupling: they fall like `s^(1 - 2q)` and `s^(-2q)`.
-struct Broken(f64);
+struct Broken {
+    q: f64,
+    /// Whether it tells the power with which it begins.
+    is_known: bool,
+}
 
 impl LayerResponse for Broken {
     fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
-        let even = (1.0 + s * s).powf(-self.0);
+        let even = (1.0 + s * s).powf(-self.q);
         Ok(SurfaceFlexibility { vv: 1.0 + s * even, uu: 1.0 + s * even, uv: even - self.elastic().beta() })
     }
 
@@ -43,6 +47,10 @@ impl LayerResponse for Broken {
     fn depth(&self) -> Option<f64> {
         Some(1.0)
     }
+
+    fn broken_power(&self) -> Option<f64> {
+        self.is_known.then_some(2.0 * self.q - 1.0)
+    }
 }
 
 impl Broken {
@@ -53,16 +61,16 @@ impl Broken {
         let term = |i: i32| {
             let u = (f64::from(i) * step).exp();
             let y = if component.is_odd() { 1.0 + u } else { 1.0 };
-            u * y * (u * (2.0 + u)).powf(-self.0) * (-t * (1.0 + u)).exp()
+            u * y * (u * (2.0 + u)).powf(-self.q) * (-t * (1.0 + u)).exp()
         };
-        (PI * self.0).sin() * step * (-20_000..3000).map(term).sum::<f64>()
+        (PI * self.q).sin() * step * (-20_000..3000).map(term).sum::<f64>()
     }
 }
 
 #[test]
 fn kernels_like_a_broken_power_are_told_down_to_the_smallest_distances() {
     for (q, accuracy) in [(0.6, 1e-10), (0.85, 1e-10), (0.75, 1e-5)] {
-        let (response, reach) = (Broken(q), 2.0);
+        let (response, reach) = (Broken { q, is_known: false }, 2.0);
         let table = table(&response, reach, &ALL[..3], accuracy);
         let bound = table.error().expect("a bound");
         assert!(bound <= accuracy, "q = {q}: {bound:e}");
@@ -79,42 +87,17 @@ fn kernels_like_a_broken_power_are_told_down_to_the_smallest_distances() {
     }
 }
 
-/// The same of a power that is known.
-struct Known(Broken);
-
-impl LayerResponse for Known {
-    fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
-        self.0.surface(s)
-    }
-
-    fn elastic(&self) -> Elastic {
-        self.0.elastic()
-    }
-
-    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
-        self.0.tail(terms)
-    }
-
-    fn depth(&self) -> Option<f64> {
-        self.0.depth()
-    }
-
-    fn broken_power(&self) -> Option<f64> {
-        Some(2.0 * self.0.0 - 1.0)
-    }
-}
-
 /// Down to distances at which no wave number is asked for: a power that is known ends nowhere.
 #[test]
 fn a_power_that_is_known_is_told_down_to_nothing() {
     for (q, accuracy) in [(0.6, 1e-10), (0.65, 1e-6), (0.75, 1e-10), (0.9, 1e-10)] {
-        let (response, reach) = (Known(Broken(q)), 2.0);
+        let (response, reach) = (Broken { q, is_known: true }, 2.0);
         let table = table(&response, reach, &ALL[..2], accuracy);
         assert_eq!(table.power(), Some(2.0 * q - 1.0), "q = {q}");
         for i in 0..120 {
             let t = reach * 10.0_f64.powf(-0.2 * f64::from(i));
             for component in &ALL[..2] {
-                let (found, expected) = (table.parts(*component, t).value(t), response.0.kernel(*component, t));
+                let (found, expected) = (table.parts(*component, t).value(t), response.kernel(*component, t));
                 let error = felt(*component, t, (found - expected).abs());
                 assert!(error <= accuracy, "q = {q}, {component:?} at {t:e}: {error:e}");
                 // Next to the origin the powers tell it as well as it is large.
@@ -138,7 +121,7 @@ fn even_kernels_have_more_than_powers_beside_the_origin() {
         }
 
         fn elastic(&self) -> Elastic {
-            Broken(self.0).elastic()
+            Broken { q: self.0, is_known: true }.elastic()
         }
 
         fn tail(&self, _: usize) -> Vec<SurfaceFlexibility> {
@@ -158,7 +141,7 @@ fn even_kernels_have_more_than_powers_beside_the_origin() {
         let table = table(&response, 2.0, &ALL[2..3], 1e-10);
         assert_eq!(table.power(), Some(power));
         // `(1 + s^2)^-q` along the cut; q = 1/2 is `K_0(t)`.
-        let part = |q: f64, t: f64| Broken(q).kernel(ALL[2], t);
+        let part = |q: f64, t: f64| Broken { q, is_known: true }.kernel(ALL[2], t);
         for i in 0..80 {
             let t = 2.0 * 10.0_f64.powf(-0.2 * f64::from(i));
             let expected = part(0.5 * power, t) + 0.5 * part(power, t);

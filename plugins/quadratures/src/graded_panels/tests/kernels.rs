@@ -156,37 +156,50 @@ fn the_middle_is_on_one_side_whatever_the_pieces() {
     }
 }
 
+/// `|t|^(p - 1)`, down to a distance or, known as a power, to nothing.
+#[derive(Clone, Copy)]
+struct Power {
+    power: f64,
+    nearest: f64,
+    is_known: bool,
+}
+
+impl KernelTable for Power {
+    fn parts_into(&self, _: Component, distances: &[f64], out: PartsMut) {
+        let least = if self.is_known { 0.0 } else { self.nearest };
+        out.fill(distances, |t| Parts { smooth: t.abs().max(least).powf(self.power - 1.0), ..Parts::default() });
+    }
+
+    fn length(&self) -> f64 {
+        1.0
+    }
+
+    fn nearest(&self) -> Option<f64> {
+        Some(self.nearest)
+    }
+
+    fn power(&self) -> Option<f64> {
+        self.is_known.then_some(self.power)
+    }
+
+    fn flexibility_evaluations(&self) -> usize {
+        0
+    }
+}
+
 /// A kernel singular like a power of the distance: `int |x - r|^(p-1)/sqrt(1 - r^2) dr` is `B(p/2, 1/2)` in the middle; elsewhere rules of
 /// different panels agree.
 #[test]
 fn a_broken_power_at_the_origin_is_summed() {
-    struct Power(f64);
-    impl KernelTable for Power {
-        fn parts_into(&self, _: Component, distances: &[f64], out: PartsMut) {
-            out.fill(distances, |t| Parts { smooth: t.abs().max(NEAREST).powf(self.0 - 1.0), ..Parts::default() });
-        }
-
-        fn length(&self) -> f64 {
-            1.0
-        }
-
-        fn nearest(&self) -> Option<f64> {
-            Some(NEAREST)
-        }
-
-        fn flexibility_evaluations(&self) -> usize {
-            0
-        }
-    }
-    const NEAREST: f64 = 1e-26;
     // Gamma(1/4) Gamma(1/2)/Gamma(3/4) and Gamma(3/4) Gamma(1/2)/Gamma(5/4).
     for (p, beta) in [(0.5, 5.244_115_108_584_24), (1.5, 2.396_280_469_471_184)] {
+        let power = Power { power: p, nearest: 1e-26, is_known: false };
         let at = |nodes: usize, panels: usize| {
             let mut rule = rule(1.0, Parity::Even, Edge::Sharp, nodes, panels);
             let unknowns = unknowns(Parity::Even, Edge::Sharp, nodes, panels, |_| 1.0);
-            let centre = rule.potential_at_centre(&unknowns, (&Power(p), Component::Coupling));
+            let centre = rule.potential_at_centre(&unknowns, (&power, Component::Coupling));
             let plain = operator(rule.as_mut(), None);
-            let rows = operator(rule.as_mut(), Some((&Power(p), Component::Coupling)));
+            let rows = operator(rule.as_mut(), Some((&power, Component::Coupling)));
             let only: Vec<f64> = rows.iter().zip(&plain).map(|(all, plain)| all - plain).collect();
             (centre, apply(&only, &unknowns), rule.collocation().to_vec(), row_scale(rule.as_ref()))
         };
@@ -203,28 +216,6 @@ fn a_broken_power_at_the_origin_is_summed() {
 /// The same where densities are told in a root of the angle: the kernel is a power down to nothing, next to the target and at the contact's end.
 #[test]
 fn a_power_of_the_distance_is_summed_in_a_root_of_the_angle() {
-    struct Power(f64);
-    impl KernelTable for Power {
-        fn parts_into(&self, _: Component, distances: &[f64], out: PartsMut) {
-            out.fill(distances, |t| Parts { smooth: t.abs().powf(self.0 - 1.0), ..Parts::default() });
-        }
-
-        fn length(&self) -> f64 {
-            1.0
-        }
-
-        fn nearest(&self) -> Option<f64> {
-            Some(1e-3)
-        }
-
-        fn power(&self) -> Option<f64> {
-            Some(self.0)
-        }
-
-        fn flexibility_evaluations(&self) -> usize {
-            0
-        }
-    }
     // Gamma(p/2) Gamma(1/2)/Gamma((p + 1)/2); 12 p is whole but for one.
     for (p, beta, tolerance) in [
         (0.2, 11.323_086_975_215_753, 1e-9),
@@ -232,12 +223,13 @@ fn a_power_of_the_distance_is_summed_in_a_root_of_the_angle() {
         (0.5, 5.244_115_108_584_24, 1e-9),
         (0.8, 3.679_093_980_405_880_4, 1e-9),
     ] {
+        let power = Power { power: p, nearest: 1e-3, is_known: true };
         let at = |nodes: usize| {
             let pinned = GradedPanels { nodes: Some(Count(nodes)), panels: Some(Count(3)), ..GradedPanels::default() };
             let quadrature = pinned.under(p).expect("a root of its own");
             let mut rule = quadrature.rule(&Span::symmetric(1.0, Parity::Even, Edge::Sharp)).unwrap();
             let plain = operator(rule.as_mut(), None);
-            let rows = operator(rule.as_mut(), Some((&Power(p), Component::Coupling)));
+            let rows = operator(rule.as_mut(), Some((&power, Component::Coupling)));
             let only: Vec<f64> = rows.iter().zip(&plain).map(|(all, plain)| all - plain).collect();
             let unknowns = vec![1.0; rule.unknowns()];
             let slopes = apply(&plain, &unknowns);
@@ -246,7 +238,7 @@ fn a_power_of_the_distance_is_summed_in_a_root_of_the_angle() {
         };
         let (mut rule, slopes, _) = at(12);
         let unknowns = vec![1.0; rule.unknowns()];
-        let centre = rule.potential_at_centre(&unknowns, (&Power(p), Component::Coupling));
+        let centre = rule.potential_at_centre(&unknowns, (&power, Component::Coupling));
         assert_close(centre, beta / PI, 2e-11, &format!("p = {p}"));
         // 1/sqrt(1 - x^2) makes no slope at all.
         for (slope, place) in slopes.into_iter().zip(rule.collocation()) {
@@ -259,6 +251,29 @@ fn a_power_of_the_distance_is_summed_in_a_root_of_the_angle() {
             let size = scale * place.gap.powf((p - 0.5).min(0.0));
             let what = format!("p = {p} at a gap of {:e}", place.gap);
             assert_close(coarse[i], fine[3 * i + 1], tolerance * size + 1e-14, &what);
+        }
+    }
+}
+
+/// A jump and a logarithm, as of a kernel that tells them where the law begins with a broken power all the same: against `1/sqrt(1 - r^2)` the one is
+/// `2 asin(x)/pi`, the other `-log 2`.
+#[test]
+fn jumps_and_logarithms_are_integrated_in_a_root_of_the_angle() {
+    for p in [0.2, 0.5, 0.8] {
+        let pinned = GradedPanels { nodes: Some(Count(12)), panels: Some(Count(4)), ..GradedPanels::default() };
+        let quadrature = pinned.under(p).expect("a root of its own");
+        let mut rule = quadrature.rule(&Span::symmetric(1.0, Parity::Even, Edge::Sharp)).unwrap();
+        let unknowns = vec![1.0; rule.unknowns()];
+        let plain = apply(&operator(rule.as_mut(), None), &unknowns);
+        for (table, component) in [(JUMP, Component::NormalSlope), (LOGARITHM, Component::Coupling)] {
+            let all = apply(&operator(rule.as_mut(), Some((&table, component))), &unknowns);
+            let places = rule.collocation().iter().zip(row_scale(rule.as_ref()));
+            for ((all, plain), (place, scale)) in all.iter().zip(&plain).zip(places) {
+                let expected =
+                    if component.is_odd() { 1.0 - 4.0 / PI * (0.5 * place.gap).sqrt().asin() } else { -2.0_f64.ln() };
+                let what = format!("p = {p}, {component:?} at a gap of {:e}", place.gap);
+                assert_close(all - plain, scale * expected, 1e-12, &what);
+            }
         }
     }
 }
