@@ -30,6 +30,7 @@ pub mod reference;
 mod refusal;
 mod registry;
 mod room;
+pub mod root;
 pub mod rows;
 mod shelf;
 pub mod taylor;

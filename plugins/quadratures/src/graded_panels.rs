@@ -12,7 +12,7 @@ use crate::count::Count;
 use layout::{Basis, Layout};
 use rule::PanelRule;
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Quadrature, Refusal, Rule, Span};
+use slipzone_api::{Quadrature, Refusal, Rule, Span, root};
 
 /// Product integration on graded panels.
 ///
@@ -88,15 +88,11 @@ impl GradedPanels {
 
 /// The root of the angle in which densities are polynomials, or nearly so, if kernels begin with that power of the distance over the distance:
 /// they are then series in that power of the distance to the contact's end, which goes with the square of the angle.
-fn root_of(power: f64) -> i32 {
-    const SMALLEST: i32 = 3;
-    const LARGEST: i32 = 6;
+fn root_of(power: f64) -> u32 {
+    const SMALLEST: u32 = 3;
+    const LARGEST: u32 = 6;
     const WHOLE: f64 = 1e-3;
-    let is_whole = |root: &i32| {
-        let in_root = 2.0 * f64::from(*root) * power;
-        (in_root - in_root.round()).abs() < WHOLE
-    };
-    if power < 1.0 { (SMALLEST..=LARGEST).find(is_whole).unwrap_or(LARGEST) } else { 1 }
+    if power < 1.0 { root::whole(2.0 * power, SMALLEST..=LARGEST, WHOLE).unwrap_or(LARGEST) } else { 1 }
 }
 
 #[typetag::serde(name = "graded-panels")]

@@ -28,7 +28,7 @@ use depths::Depths;
 use pressed::{Pressed, Table};
 use rubbed::{Moves, PARTS, Rubbed, Seen};
 use slipzone_api::double_exponential::Node;
-use slipzone_api::{Component, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station, short};
+use slipzone_api::{Component, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station, root, short};
 use std::ops::{Range, RangeInclusive};
 use std::sync::Arc;
 use told::Told;
@@ -126,9 +126,8 @@ fn blend(problem: &Problem, ends: (f64, f64), members: usize, terms: &[Term]) ->
     let Some(power) = problem.layer.law.broken_power().filter(|power| *power < OF_BREAK) else {
         return Blend::new(ends, members, terms);
     };
-    let is_whole = |root: &u32| (power * f64::from(*root) - (power * f64::from(*root)).round()).abs() < EXACT;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive and small
-    let root = ROOTS.clone().find(is_whole).unwrap_or_else(|| (POWER / power).ceil().clamp(2.0, MOST) as u32);
+    let root = root::whole(power, ROOTS, EXACT).unwrap_or_else(|| (POWER / power).ceil().clamp(2.0, MOST) as u32);
     Blend::in_root(ends, root, members)
 }
 

@@ -98,15 +98,15 @@ pub(super) struct Layout {
 ///
 /// Twelve more than the degree: `sin(theta)` over the longest panel (half-length 0.39) leaves
 /// `0.2^12/12! = 1e-17` of itself, a kernel part what is measured at [`super::regular::PIECE`].
-pub(super) fn gauss_points(degree: usize, root: i32) -> usize {
-    degree + 11 + root.unsigned_abs() as usize
+pub(super) fn gauss_points(degree: usize, root: u32) -> usize {
+    degree + 11 + root as usize
 }
 
 /// Entries of matrices kept, 64 MB.
 const KEPT: usize = 1 << 23;
 
 impl Layout {
-    fn new((degree, panels): (usize, usize), root: i32, basis: Basis) -> Self {
+    fn new((degree, panels): (usize, usize), root: u32, basis: Basis) -> Self {
         let mesh = Mesh::new(degree, panels, root);
         let gauss = Gauss::new(gauss_points(degree, root));
         // Between the nodes: the zeros of the Chebyshev polynomial whose extrema the nodes are.
@@ -145,8 +145,8 @@ impl Layout {
     }
 
     /// The layout of these numbers, made once per process: a solver asks for the same one at every trial stick zone.
-    pub(super) fn shared(counts: (usize, usize), root: i32, basis: Basis) -> Arc<Self> {
-        static LAYOUTS: Shelf<((usize, usize), i32, Basis), Layout> = Shelf::new(KEPT, |layout| layout.cauchy.len());
+    pub(super) fn shared(counts: (usize, usize), root: u32, basis: Basis) -> Arc<Self> {
+        static LAYOUTS: Shelf<((usize, usize), u32, Basis), Layout> = Shelf::new(KEPT, |layout| layout.cauchy.len());
         LAYOUTS.get((counts, root, basis), || Self::new(counts, root, basis))
     }
 }

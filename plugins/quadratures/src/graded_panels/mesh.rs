@@ -22,7 +22,7 @@ const RATIO: f64 = 0.25;
 #[derive(Clone, Debug)]
 pub(super) struct Mesh {
     pub(super) degree: usize,
-    pub(super) root: i32,
+    pub(super) root: u32,
     /// Ends of the panels in `u`, ascending from the contact's end to its middle.
     pub(super) breaks: Vec<f64>,
     /// Lobatto points of `[0, 2]`: distance to the panel's lower end in half-lengths.
@@ -38,7 +38,7 @@ pub(super) struct Place {
 }
 
 impl Mesh {
-    pub(super) fn new(degree: usize, panels: usize, root: i32) -> Self {
+    pub(super) fn new(degree: usize, panels: usize, root: u32) -> Self {
         let middle = to_root(0.5 * PI, root);
         let breaks: Vec<f64> = if root == 1 {
             let graded = std::iter::successors(Some(middle * OUTERMOST), |end| Some(end * RATIO));
@@ -74,12 +74,12 @@ impl Mesh {
 
     /// The angle there.
     pub(super) fn angle(&self, u: f64) -> f64 {
-        u.powi(self.root)
+        u.powi(self.root.cast_signed())
     }
 
     /// How the angle rises with `u`.
     pub(super) fn slope(&self, u: f64) -> f64 {
-        f64::from(self.root) * u.powi(self.root - 1)
+        f64::from(self.root) * u.powi(self.root.cast_signed() - 1)
     }
 
     /// By how much it differs between two places over their distance in `u`.
@@ -123,7 +123,7 @@ impl Mesh {
 
     /// What stands before the polynomial of a density that vanishes at the contact's end in proportion to the angle.
     pub(super) fn vanishing(&self, u: f64) -> f64 {
-        u.powi(self.root - 1)
+        u.powi(self.root.cast_signed() - 1)
     }
 
     /// `out[i]` = value at `offset` of the polynomial that is one at the panel's node `i` and zero at the others.
@@ -160,7 +160,7 @@ impl Mesh {
 }
 
 /// A root of a number.
-fn to_root(x: f64, root: i32) -> f64 {
+fn to_root(x: f64, root: u32) -> f64 {
     if root == 1 { x } else { x.powf(f64::from(root).recip()) }
 }
 

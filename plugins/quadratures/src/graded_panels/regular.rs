@@ -3,7 +3,7 @@
 use super::layout::Layout;
 use super::legendre::{Factor, Gauss, NEAR};
 use super::mesh::Mesh;
-use slipzone_api::{Component, KernelTable, Parts, PartsVec};
+use slipzone_api::{Component, KernelTable, Parts, PartsVec, root};
 use std::f64::consts::PI;
 
 /// Longest piece in `x` that a target may be near to or in, over the length on which the kernel parts vary (distance of their poles).
@@ -55,10 +55,10 @@ impl Powers {
         if self.power.to_bits() == power.to_bits() && self.offsets.len() == gauss.z.len() {
             return;
         }
-        let is_whole = |root: &f64| (power * root - (power * root).round()).abs() < WHOLE;
         let least = power.recip();
-        let root = (1..=LARGEST).map(f64::from).find(|root| *root > least - WHOLE && is_whole(root));
-        let root = root.unwrap_or_else(|| (SMOOTH * least).ceil());
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive, and saturates
+        let first = (least - WHOLE).floor() as u32 + 1;
+        let root = root::whole(power, first..=LARGEST, WHOLE).map_or_else(|| (SMOOTH * least).ceil(), f64::from);
         let zeta = || gauss.z.iter().map(|z| 0.5 * (1.0 + z));
         self.power = power;
         self.offsets = zeta().map(|zeta| zeta.powf(root)).collect();

@@ -159,7 +159,7 @@ fn the_middle_is_on_one_side_whatever_the_pieces() {
 /// `|t|^(p - 1)`, down to a distance or, known as a power, to nothing.
 #[derive(Clone, Copy)]
 struct Power {
-    power: f64,
+    exponent: f64,
     nearest: f64,
     is_known: bool,
 }
@@ -167,7 +167,7 @@ struct Power {
 impl KernelTable for Power {
     fn parts_into(&self, _: Component, distances: &[f64], out: PartsMut) {
         let least = if self.is_known { 0.0 } else { self.nearest };
-        out.fill(distances, |t| Parts { smooth: t.abs().max(least).powf(self.power - 1.0), ..Parts::default() });
+        out.fill(distances, |t| Parts { smooth: t.abs().max(least).powf(self.exponent - 1.0), ..Parts::default() });
     }
 
     fn length(&self) -> f64 {
@@ -179,7 +179,7 @@ impl KernelTable for Power {
     }
 
     fn power(&self) -> Option<f64> {
-        self.is_known.then_some(self.power)
+        self.is_known.then_some(self.exponent)
     }
 
     fn flexibility_evaluations(&self) -> usize {
@@ -193,7 +193,7 @@ impl KernelTable for Power {
 fn a_broken_power_at_the_origin_is_summed() {
     // Gamma(1/4) Gamma(1/2)/Gamma(3/4) and Gamma(3/4) Gamma(1/2)/Gamma(5/4).
     for (p, beta) in [(0.5, 5.244_115_108_584_24), (1.5, 2.396_280_469_471_184)] {
-        let power = Power { power: p, nearest: 1e-26, is_known: false };
+        let power = Power { exponent: p, nearest: 1e-26, is_known: false };
         let at = |nodes: usize, panels: usize| {
             let mut rule = rule(1.0, Parity::Even, Edge::Sharp, nodes, panels);
             let unknowns = unknowns(Parity::Even, Edge::Sharp, nodes, panels, |_| 1.0);
@@ -223,7 +223,7 @@ fn a_power_of_the_distance_is_summed_in_a_root_of_the_angle() {
         (0.5, 5.244_115_108_584_24, 1e-9),
         (0.8, 3.679_093_980_405_880_4, 1e-9),
     ] {
-        let power = Power { power: p, nearest: 1e-3, is_known: true };
+        let power = Power { exponent: p, nearest: 1e-3, is_known: true };
         let at = |nodes: usize| {
             let pinned = GradedPanels { nodes: Some(Count(nodes)), panels: Some(Count(3)), ..GradedPanels::default() };
             let quadrature = pinned.under(p).expect("a root of its own");
