@@ -44,6 +44,7 @@ impl KernelStrategy for Octaves {
         let extent = response.extent().unwrap_or(depth);
         let length = if response.breaks() { depth } else { response.thickness().unwrap_or(depth) };
         let integrands: Vec<Integrand> = request.components.iter().map(|c| Integrand::new(*c, response)).collect();
+        let mut in_vain = 0;
         if let Some(power) = response.broken_power().filter(|power| *power < 1.0)
             && let Some(stretch) = stretch::of(&integrands, response, (power, length), request.accuracy)?
         {
@@ -54,8 +55,10 @@ impl KernelStrategy for Octaves {
             if let Some(origin) = Origin::new(&integrands, transforms_at, stretch.ends, power, request.accuracy) {
                 return Ok(told(&integrands, &bands, Some(origin), request, length));
             }
+            in_vain = bands.evaluations;
         }
-        let bands = Bands::new(&integrands, response, extent, request, None)?;
+        let mut bands = Bands::new(&integrands, response, extent, request, None)?;
+        bands.evaluations += in_vain;
         Ok(told(&integrands, &bands, None, request, length))
     }
 
@@ -77,8 +80,9 @@ fn told(
     length: f64,
 ) -> Box<dyn KernelTable> {
     let (pieces, error) = octave::tabulated(integrands, bands, origin.as_ref(), request);
+    let error = error + bands.error + origin.as_ref().map_or(0.0, |origin| origin.error);
     let lengths = (length, pieces.ends.first().copied());
-    let table = Table::new(request.components, pieces, request.reach, lengths, error + bands.error, bands.evaluations);
+    let table = Table::new(request.components, pieces, request.reach, lengths, error, bands.evaluations);
     Box::new(match origin {
         Some(origin) => table.beginning_with(origin),
         None => table,

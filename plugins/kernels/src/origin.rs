@@ -23,6 +23,8 @@ pub(crate) struct Origin {
     pub(crate) power: f64,
     /// Up to which distance.
     pub(crate) end: f64,
+    /// By how much the kernels were missed where they were found, in the terms of the request.
+    pub(crate) error: f64,
     /// Of `z` where it was found: the middle, and half of the width.
     within: (f64, f64),
     beside: Beside,
@@ -96,7 +98,7 @@ impl Origin {
             }
         }
         let beside = Beside::new(power);
-        let mut origin = Self { power, end, within, beside, series: Vec::with_capacity(integrands.len()) };
+        let mut origin = Self { power, end, error: 0.0, within, beside, series: Vec::with_capacity(integrands.len()) };
         let of_distance: Vec<f64> = at.iter().map(|(t, z)| beside.at(*t) / z).collect();
         let distance = chebyshev(&of_distance[..POWERS]);
         for (values, integrand) in values.iter().zip(integrands) {
@@ -129,6 +131,7 @@ impl Origin {
             if !(here <= SHARE.mul_add(accuracy, 10.0 * NOISE) && there < 1e-4) {
                 return None;
             }
+            origin.error = origin.error.max(here);
             origin.series.push(series);
         }
         Some(origin)
