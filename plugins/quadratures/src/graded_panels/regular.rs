@@ -103,7 +103,8 @@ impl<'a> View<'a> {
     fn direct(target: f64, mesh: &'a Mesh) -> Self {
         let view =
             Self { mesh, pole: target, other: -2.0 * target, other_angle: -2.0 * mesh.angle(target), beside: None };
-        if mesh.root == 1 {
+        // At the contact's end all of them are where the pole is.
+        if mesh.root == 1 || target <= 0.0 {
             return view;
         }
         let (across, along) = (PI / f64::from(mesh.root)).sin_cos();
