@@ -274,11 +274,11 @@ fn jumps_and_logarithms_are_integrated_in_a_root_of_the_angle() {
                 let what = format!("p = {p}, {component:?} at a gap of {:e}", place.gap);
                 assert_close(all - plain, scale * expected, 1e-12, &what);
             }
-            // And sampled at the contact's end itself.
+            // And sampled at the contact's end itself, where all that is left of the logarithm is one of `u`.
             let mut samples = Vec::new();
             rule.sample_potential(&unknowns, (&table, component), &mut samples);
             let expected = if component.is_odd() { 1.0 } else { -2.0_f64.ln() };
-            assert_close(samples[0], expected, 1e-12, &format!("p = {p}, {component:?} at the end"));
+            assert_close(samples[0], expected, 1e-9, &format!("p = {p}, {component:?} at the end"));
         }
     }
 }
