@@ -83,6 +83,11 @@ impl Blend {
         self.widest
     }
 
+    /// Functions are smooth in this root of the half-width.
+    pub(crate) fn root(&self) -> u32 {
+        self.root
+    }
+
     /// Where the functions are known, descending.
     pub(crate) fn half_widths(&self) -> &[f64] {
         &self.half_widths

@@ -272,6 +272,11 @@ impl Family {
         self.contact.work() + self.system.work
     }
 
+    /// In this root of the half-width its pressures are smooth.
+    pub(crate) fn root(&self) -> u32 {
+        self.pressed.blend.root()
+    }
+
     /// Kernel lengths in its widest half-width.
     pub(crate) fn kernel_lengths(&self) -> f64 {
         self.kernel_lengths

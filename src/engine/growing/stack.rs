@@ -32,6 +32,11 @@ const LOST: f64 = 1e-2;
 const MORE_NODES: f64 = 1.2;
 /// Most of these nodes.
 const MOST_NODES: usize = 96;
+/// So many times as many tell what the middle feels: every flat punch at once, under narrow ones as under wide ones.
+///
+/// Measured under `|x|^3.3` and `|x|^2.5` on three plies: with one the pressure there was off by up to 35 times its estimate, as resolutions
+/// do not differ in what they miss; with two, all seven tolerances from 1e-4 to 1e-10 were within a tenth of theirs.
+const MORE_IN_MIDDLE: usize = 2;
 /// What rounding leaves of them.
 const ROUNDING: f64 = 1e-14;
 /// The longest piece that does not begin in the middle, in the logarithm of the distance from the kink before that where it begins, or from
@@ -59,6 +64,8 @@ pub(crate) struct Stack {
     breaks: Vec<f64>,
     /// Of unit length, for integrals over the shape.
     grid: Arc<Vec<Node>>,
+    /// The same for what the middle feels of a piece that begins there.
+    grid_of_middle: Arc<Vec<Node>>,
     /// For integrals over the half-width: of the shear, and of a pressure, beside which there may be a kink.
     ways: Ways,
     crowded_ways: Ways,
@@ -133,6 +140,7 @@ impl Stack {
             pieces: Vec::new(),
             breaks,
             grid: ways::grid(nodes),
+            grid_of_middle: ways::grid(MORE_IN_MIDDLE * nodes),
             ways: Ways::gathered(nodes),
             crowded_ways: Ways::crowded(nodes),
             lost: 0.0,

@@ -353,3 +353,45 @@ fn the_shear_beside_a_narrow_slip_zone_takes_few_unknowns() {
         }
     }
 }
+
+/// The middle of a growing contact feels all flat punches at once: the grid over them was too coarse there, and as coarse at each resolution,
+/// so that its pressure was off by up to 35 estimates.
+#[test]
+fn the_middle_of_a_stack_is_as_good_as_it_says() {
+    let ply = |thickness: f64, poisson: f64, modulus: f64| {
+        format!(
+            "{{ thickness = {thickness}, poisson = {poisson}, grading = {{ type = \"homogeneous\", modulus = {modulus} }} }}"
+        )
+    };
+    let plies = [ply(0.643, 0.5, 16.4), ply(0.746, 0.0, 1.11), ply(0.864, -0.3, 31.3)].join(", ");
+    let layer = format!(
+        "poisson = 0.5, base = {{ type = \"frictionless\" }}, grading = {{ type = \"stack\", layers = [{plies}] }}"
+    );
+    centre_claimed(&layer, (3.3, 1e-10), &[1e-4, 1e-6, 1e-8]);
+}
+
+/// Under a law that begins with a broken power the force of narrow contacts is no series in the square root of their half-widths: beneath a tip,
+/// which narrow ones press, the pressure was off by up to 166 estimates.
+#[test]
+#[cfg(feature = "formula")]
+fn the_middle_under_a_tip_on_a_broken_power_is_as_good_as_it_says() {
+    let layer = "thickness = 0.374, poisson = 0.49, grading = { type = \"formula\", modulus = \"1 + 3.4*(y/h)^0.3\" }";
+    centre_claimed(layer, (1.02, 1e-9), &[1e-4, 1e-7]);
+}
+
+/// Solves under `|x|^exponent` at some tolerances: the pressure in the middle is to be that of the finest within both estimates.
+fn centre_claimed(layer: &str, (exponent, finest): (f64, f64), tolerances: &[f64]) {
+    let punch = format!("type = \"power\", coefficient = 0.01, exponent = {exponent}");
+    let solved = |tolerance: f64| {
+        let rest = format!("[solver]\ntolerance = {tolerance:e}");
+        let found = written(layer, &punch, "half_width = 1.0", &rest);
+        assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
+        (found.pressure.centre.expect("finite in the middle"), found.error.each["pressure.centre"])
+    };
+    let (exact, of_exact) = solved(finest);
+    for tolerance in tolerances {
+        let (centre, claimed) = solved(*tolerance);
+        let apart = (centre / exact - 1.0).abs();
+        assert!(apart <= claimed + of_exact, "{apart:e} apart, {claimed:e} claimed at {tolerance:e}");
+    }
+}

@@ -16,8 +16,8 @@ const STALLING: usize = 48;
 /// What a pressure exactly at a kink misses, over what the series does of the rate there: one that goes with a low power of the distance has
 /// most of it nearest to the kink.
 const AT_KINK: f64 = 4.0;
-/// Power of the variable in which the force over the first piece is a series.
-const POWER: i32 = 2;
+/// Root of the distance from where a piece begins in which its force is a series; over the first piece that of the flat punches, if higher.
+const ROOT: u32 = 2;
 /// Over a piece shorter than this, beside where it ends, the force hardly grows: what its series does below rounding would be no small part of
 /// that.
 const SHORT: f64 = 1e-3;
@@ -28,12 +28,14 @@ const FAINTEST: f64 = 1e-290;
 pub(super) struct Piece {
     pub(super) from: f64,
     pub(super) to: f64,
+    /// In this root of the distance from where it begins the force is a series.
+    root: u32,
     force: Force,
 }
 
 /// How the force is written.
 enum Force {
-    /// From a point: `rho` times the height, which is `kappa b' g'(b')`; both series in `(b'/to)^(1/2)`. So the force has
+    /// From a point: `rho` times the height, which is `kappa b' g'(b')`; both series in a root of `b'/to`. So the force has
     /// the order of the shape from the start. A height that a formula gives may have lost all digits there, a slope has
     /// not.
     OfHeight { rho: Series, kappa: Series },
@@ -58,13 +60,14 @@ impl Stack {
     /// The force over a piece, with as many coefficients as the digits wanted take.
     pub(super) fn piece(&mut self, problem: &Problem, family: &mut Family, ends: (f64, f64), digits: f64) -> Made {
         let (from, to) = ends;
+        let root = if from == 0.0 { family.root().max(ROOT) } else { ROOT };
         let mut count = COEFFICIENTS[usize::from(digits < OF_FEWER)];
         let mut before = f64::INFINITY;
         let mut best: Option<(f64, f64, Force)> = None;
         loop {
             let points = Points::get(count);
             let (force, missed) = if from == 0.0 {
-                self.fit_of_height(problem, family, to, &points)
+                self.fit_of_height(problem, family, (to, root), &points)
             } else if from <= self.breaks[0] && !problem.is_corner(from) {
                 self.fit_from_face(problem, family, ends, &points)
             } else {
@@ -80,7 +83,7 @@ impl Stack {
             }
             if is_enough || is_vain || 2 * count > MOST_COEFFICIENTS {
                 let (felt_missed, missed, force) = best.expect("one at least");
-                let piece = Piece { from, to, force };
+                let piece = Piece { from, to, root, force };
                 let share = self.share_at_kink(problem, &piece);
                 let at_kink = if is_enough { 0.0 } else { AT_KINK * felt_missed * share };
                 let missed = missed.max(piece.felt_of_width(problem));
@@ -101,11 +104,17 @@ impl Stack {
     }
 
     /// [`Force::OfHeight`], and what the series leave out of all the force that the middle feels.
-    fn fit_of_height(&mut self, problem: &Problem, family: &mut Family, to: f64, points: &Points) -> (Force, f64) {
+    fn fit_of_height(
+        &mut self,
+        problem: &Problem,
+        family: &mut Family,
+        (to, root): (f64, u32),
+        points: &Points,
+    ) -> (Force, f64) {
         let count = points.at.len();
         let (mut rhos, mut kappas) = (Vec::with_capacity(count), Vec::with_capacity(count));
         for s in &points.at {
-            let b = to * s.powi(POWER);
+            let b = to * s.powi(root.cast_signed());
             let (force, mean) = self.force_and_mean_slope(problem, family, b);
             let slope = problem.slope(b);
             // Slopes too small for a number with all its digits: as if they went on as they are farther out.
@@ -220,7 +229,8 @@ impl Piece {
 
     /// What the series go with.
     fn variable(&self, from_lower: f64) -> f64 {
-        (from_lower / (self.to - self.from)).sqrt()
+        let part = from_lower / (self.to - self.from);
+        if self.root == ROOT { part.sqrt() } else { part.powf(f64::from(self.root).recip()) }
     }
 
     /// The series, and that of `kappa`.
@@ -239,7 +249,7 @@ impl Piece {
                 // Where the shape has a kink at the end, its slope before that.
                 let slope = problem.slope_before(self.to, b);
                 let height = kappa * b * slope;
-                (height * value, slope * value + height * rise * s / (2.0 * b))
+                (height * value, slope * value + height * rise * s / (f64::from(self.root) * b))
             }
             Force::FromFace(_) => (s * s * value, (value + 0.5 * s * rise) / width),
             Force::Plain { series, feigned } => {

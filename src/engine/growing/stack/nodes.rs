@@ -12,8 +12,11 @@ const LONGEST: f64 = 6.0;
 const POINTED: f64 = 0.5;
 /// A lower power than this is rounding.
 const BLUNT: f64 = 1e-9;
-/// Parts of the first piece between which that power is measured; it is taken to hold from the second inwards.
+/// Parts of the first piece between which that power is measured; it is taken to hold from the second inwards,
 const TIP: [f64; 2] = [1e-24, 1e-20];
+/// and where a law begins with a power of the depth, from where what that leaves is below this, but at the least from there.
+const FELT: f64 = 1e-16;
+const LEAST_TIP: f64 = 1e-200;
 
 /// A node of an integral over the half-width.
 pub(super) struct Beyond {
@@ -40,14 +43,15 @@ impl Stack {
         let mut start = lower;
         if lower == 0.0 {
             let Some(power) = pointed(problem, upper) else {
-                for node in self.grid.iter() {
+                for node in self.grid_of_middle.iter() {
                     let member = upper * node.from_lower;
                     each(Beyond { member, gap: member, from_lower: member, weight: upper * node.weight });
                 }
                 return;
             };
             // `dP/b'` of all that is nearer to the tip, in one place.
-            start = TIP[1] * upper;
+            let of_law = problem.layer.law.broken_power().map_or(1.0, |power| FELT.powf(power.recip()).max(LEAST_TIP));
+            start = TIP[1].min(of_law) * upper;
             each(Beyond { member: start, gap: start, from_lower: start, weight: start / power });
         }
         // In proportion.
@@ -102,4 +106,33 @@ fn pointed(problem: &Problem, upper: f64) -> Option<f64> {
     let [inner, outer] = TIP.map(|part| problem.slope(part * upper));
     let power = (outer / inner).ln() / (TIP[1] / TIP[0]).ln();
     (BLUNT..POINTED).contains(&power).then_some(power)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a tip presses on the middle, where the flat punches feel a broken power of the depth: so long as the tip told in one place is the same
+    /// part of every contact, whatever the power, all contacts are off alike, and none shows it.
+    #[test]
+    #[cfg(feature = "formula")]
+    fn a_tip_is_told_from_where_the_law_is_no_longer_felt() {
+        for (slope, power) in [(0.02, 0.3), (0.1, 0.2), (0.02, 2.5)] {
+            let text = format!(
+                "format = 1\nlayer = {{ thickness = 1.0, poisson = 0.3, \
+                 grading = {{ type = \"formula\", modulus = \"1 + y^{power:?}\" }} }}\n\
+                 punch = {{ type = \"power\", coefficient = 1.0, exponent = {:?} }}\nload = {{ half_width = 1.0 }}\n",
+                1.0 + slope
+            );
+            let scene = crate::scene::parse("tip", &text).expect("a scene");
+            let problem = Problem::new(&scene).expect("a punch");
+            let stack = Stack::empty(&problem, 1.0, 1e-12, 24);
+            let mut sum = 0.0;
+            stack.nodes_of_piece(&problem, &stack.ways, (0.0, 0.0), (0.0, 1.0), |at| {
+                sum += at.weight * at.member.powf(slope - 1.0) * (1.0 + at.member.powf(power));
+            });
+            let exact = slope.recip() + (slope + power).recip();
+            assert!((sum / exact - 1.0).abs() < 1e-12, "{slope} on {power}: {:e} off", sum / exact - 1.0);
+        }
+    }
 }
