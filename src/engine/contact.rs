@@ -24,7 +24,9 @@ pub(crate) struct Contact {
     slip_check: Option<Box<SlipCheck>>,
     /// Whether it solves slices of contacts that grow. Friction bears their sum: it need not bear each of them.
     pub(crate) of_slices: bool,
-    /// Whether it does not bear one of those examined.
+    /// Of several stick zones those of slip in this direction come first: `+1` inward, `-1` outward.
+    pub(crate) branch: f64,
+    /// Whether friction does not bear one of those examined.
     pub(crate) is_overloaded: bool,
     /// The friction curve, and the half-width that it belongs to: it depends on no load.
     sampled: Option<(f64, Samples)>,
@@ -56,6 +58,7 @@ impl Contact {
             shear,
             slip_check: None,
             of_slices: false,
+            branch: 1.0,
             is_overloaded: false,
             sampled: None,
             rubbed: None,

@@ -186,7 +186,7 @@ impl Contact {
         Ok(Some(rubbing))
     }
 
-    /// Looks for all stick zones, and for the first that holds where there are several.
+    /// Looks for all stick zones, and for the first that holds where there are several; that in which all sticks comes last.
     fn scan(&mut self, layer: &PreparedLayer, task: Task) -> Result<Rubbing, Refusal> {
         let (b, eta) = (self.normal.half_width, task.friction());
         let samples = match self.sampled.take() {
@@ -194,7 +194,10 @@ impl Contact {
             _ => self.curve(layer, task).sample()?,
         };
         let mut curve = self.curve(layer, task);
-        let found = curve.roots(eta, &samples)?;
+        let mut found = curve.roots(eta, &samples)?;
+        if self.branch < 0.0 {
+            found.roots.sort_by(|one, other| one.branch.total_cmp(&other.branch));
+        }
         self.sampled = Some((b, samples));
         let (lambda, verdict) = match (found.roots.first(), found.narrower) {
             (Some(root), _) => (root.lambda, Verdict::Holds),
@@ -208,9 +211,13 @@ impl Contact {
             _ => StickZone::from_log(lambda, b),
         };
         let mut rubbing = Rubbing::new(zone, verdict, found);
-        if rubbing.found.roots.len() > 1
+        let (roots, wider) = (rubbing.found.roots.len(), rubbing.found.wider);
+        if roots + usize::from(wider) > 1
             && let Some(what) = self.judge(layer, task, task.tolerance, &mut rubbing)?
         {
+            if wider {
+                return Ok(Rubbing::sticking(b, false));
+            }
             rubbing.verdict = Verdict::Fails(what);
         }
         Ok(rubbing)

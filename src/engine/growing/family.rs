@@ -202,7 +202,8 @@ impl Family {
             meter: Arc::clone(layer.meter()),
         };
         family.contact.of_slices = true;
-        // What a coarser resolution found to hold is not looked at again.
+        // What a coarser resolution found to hold is not looked at again, and nor is how the face slides.
+        family.contact.branch = coarse.map_or(1.0, |coarse| coarse.contact.branch);
         family.contact.is_overloaded = coarse.is_some_and(Family::is_overloaded);
         if friction {
             let rubbed = members(coarse.and_then(|coarse| Some(coarse.rubbed.as_ref()?.told)), LEFT_OF_SHEAR);

@@ -389,3 +389,40 @@ fn zones_below_all_that_are_looked_for_are_said_to_be() {
         assert!(reason.contains("narrower than any looked for") && !reason.contains("singular"), "{reason}");
     }
 }
+
+/// A slice of a grown contact need not bear its own shear, but the face that it grew from bears that of its own. Where that slides outward
+/// the stick zone beside the edge, of inward slip, was taken for the slices', as it came first, and friction did not bear the contact's.
+#[test]
+fn a_contact_that_grew_from_a_face_slides_as_that_did() {
+    let ply = "thickness = 0.5, poisson = 0.45, grading = { type = \"homogeneous\", modulus = 1.0 }";
+    let solved = |punch: &str, load: &str| {
+        let friction = "[friction]\ntype = \"goodman\"\ncoefficient = 0.1\n[solver]\ntolerance = 1e-6";
+        let found = written(&format!("{ply}, base = {{ type = \"rigid\" }}"), punch, load, friction);
+        assert_eq!(found.status, Status::Converged, "{punch}: {:?}", found.reason);
+        found.stick.expect("a stick zone").ratio.expect("found")
+    };
+    let grown = solved("type = \"rounded-flat\", half_width = 1.0, radius = 10.0", "half_width = 1.2");
+    let flat = solved("type = \"flat\", half_width = 1.2", "force = 1.0");
+    assert!((grown / flat - 1.0).abs() < 2e-6 && flat < 0.4, "{grown} and {flat}");
+}
+
+/// Where friction is so much that the slip zone is narrower than any looked for, a root far from there that slides the wrong way was all
+/// that was looked at: full stick was lost between coefficients of 2 and 20.
+#[test]
+fn full_stick_is_found_beside_a_root_that_slides_the_wrong_way() {
+    let ply = |thickness: f64, poisson: f64, modulus: f64| {
+        format!(
+            "{{ thickness = {thickness}, poisson = {poisson}, grading = {{ type = \"homogeneous\", modulus = {modulus} }} }}"
+        )
+    };
+    let plies = [ply(0.687, 0.49, 1.82), ply(0.657, 0.5, 0.243)].join(", ");
+    let base = "base = { type = \"half-plane\", shear = 0.0603, poisson = 0.1 }";
+    let layer = format!("poisson = 0.49, {base}, grading = {{ type = \"stack\", layers = [{plies}] }}");
+    for eta in [3.0, 5.0, 20.0] {
+        let friction = format!("[friction]\ntype = \"goodman\"\ncoefficient = {eta:?}\n[solver]\ntolerance = 1e-4");
+        let found = written(&layer, "type = \"cylinder\", radius = 10.0", "half_width = 1.0", &friction);
+        assert_eq!(found.status, Status::Converged, "at {eta}: {:?}", found.reason);
+        let slips = found.stick.expect("a stick zone").one_minus_ratio.expect("found");
+        assert!(slips < 1e-20, "at {eta}: {slips:e}");
+    }
+}

@@ -180,12 +180,29 @@ impl Family {
         Ok(())
     }
 
-    /// The stick zone of one member by a search of its own: the others follow.
+    /// The stick zone of one member by a search of its own: the others follow. Of several it is one that slides as the contact has from the
+    /// beginning: where that is a face, as that does.
     fn search(&mut self, layer: &mut PreparedLayer, task: Task, b: f64) -> Result<Root, Unfit> {
-        let outcome = self.contact.solve(layer, task, None)?;
+        let mut outcome = self.contact.solve(layer, task, None)?;
+        let is_one_of_several =
+            |outcome: &Outcome| outcome.rubbing.as_ref().is_some_and(|found| found.found.roots.len() > 1);
+        let face = self.pressed.blend.narrowest();
+        if face > 0.0 && is_one_of_several(&outcome) {
+            self.contact.branch = self.branch_of(layer, task, face)?;
+            outcome = self.contact.solve(layer, task, None)?;
+        }
         let found = outcome.rubbing.expect("a stick zone, or why there is none");
         let root = if found.verdict == Verdict::Sticks { self.contact.stuck(layer, task)? } else { found.reported() };
         root.ok_or_else(|| Unfit::Friction(b, Box::new(found)))
+    }
+
+    /// The direction of slip under the face of a punch, which bears its own shear.
+    fn branch_of(&mut self, layer: &mut PreparedLayer, task: Task, face: f64) -> Result<f64, Refusal> {
+        let flat = member(task.problem, face, true);
+        self.contact.of_slices = false;
+        let outcome = self.contact.solve(layer, Task { problem: &flat, ..task }, None);
+        self.contact.of_slices = true;
+        Ok(outcome?.rubbing.and_then(|found| found.reported()).map_or(self.contact.branch, |root| root.branch))
     }
 
     /// Gives the contact the pressure of a member, as it is told between those solved.
