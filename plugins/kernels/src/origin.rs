@@ -13,6 +13,8 @@ const POWERS: usize = 12;
 const SHARE: f64 = 0.1;
 /// Noise of the transforms.
 const NOISE: f64 = 1e-13;
+/// Distances at a time.
+const LANES: usize = 8;
 
 /// `t k = sum c_j z^j`, `z = t^p`, `p` the power with which the law begins; in even kernels with `c t` beside it, for what is analytic there. Of the
 /// depth it is `k` itself that is such a series, with a constant.
@@ -142,22 +144,43 @@ impl Origin {
     }
 
     /// Writes the parts of one of the kernels at distances of either sign.
+    #[inline(always)]
     pub(crate) fn parts_into(&self, component: Component, distances: &[f64], [smooth, sign, log]: [&mut [f64]; 3]) {
         let series = self.series.iter().find(|series| series.integrand.component == component).expect("requested");
-        for (((smooth, sign), log), distance) in smooth.iter_mut().zip(sign).zip(log).zip(distances) {
+        for (here, out) in distances.chunks(LANES).zip(smooth.chunks_mut(LANES)) {
             // At the origin itself it is as large as next to it.
-            let transform = self.transform(series, distance.abs().max(f64::MIN_POSITIVE));
-            let parts = series.integrand.parts(distance.abs(), transform);
+            let mut t = [1.0; LANES];
+            t.iter_mut().zip(here).for_each(|(t, distance)| *t = distance.abs().max(f64::MIN_POSITIVE));
+            out.copy_from_slice(&self.transforms(series, t)[..here.len()]);
+        }
+        for (((smooth, sign), log), distance) in smooth.iter_mut().zip(sign).zip(log).zip(distances) {
+            let parts = series.integrand.parts(distance.abs(), *smooth);
             *smooth = if component.is_odd() { parts.smooth * distance.signum() } else { parts.smooth };
             *sign = parts.sign;
             *log = parts.log;
         }
     }
 
-    /// The transform that makes a kernel, at a distance.
-    fn transform(&self, series: &Series, t: f64) -> f64 {
-        let z = t.powf(self.power);
-        let told = clenshaw(&series.coefficients, self.place(z));
-        if series.is_of_depth() { told } else { z / t * told + series.analytic * self.beside.at(t) / t }
+    /// The transforms that make a kernel, at some distances.
+    #[inline(always)]
+    fn transforms(&self, series: &Series, t: [f64; LANES]) -> [f64; LANES] {
+        let z = t.map(|t| t.powf(self.power));
+        let told = clenshaw_in_lanes(&series.coefficients, z.map(|z| self.place(z)));
+        if series.is_of_depth() {
+            return told;
+        }
+        let beside = if series.analytic == 0.0 { [0.0; LANES] } else { t.map(|t| series.analytic * self.beside.at(t)) };
+        std::array::from_fn(|i| (z[i] * told[i] + beside[i]) / t[i])
     }
+}
+
+/// [`clenshaw`] at some places, side by side.
+#[inline(always)]
+fn clenshaw_in_lanes(series: &[f64], y: [f64; LANES]) -> [f64; LANES] {
+    let (mut older, mut newer) = ([0.0; LANES], [0.0; LANES]);
+    for c in series[1..].iter().rev() {
+        let next = std::array::from_fn(|i| 2.0 * y[i] * newer[i] - older[i] + c);
+        (older, newer) = (newer, next);
+    }
+    std::array::from_fn(|i| y[i] * newer[i] - older[i] + series[0])
 }

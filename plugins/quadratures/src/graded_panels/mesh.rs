@@ -25,8 +25,9 @@ pub(super) struct Mesh {
     pub(super) root: u32,
     /// Ends of the panels in `u`, ascending from the contact's end to its middle.
     pub(super) breaks: Vec<f64>,
-    /// Lobatto points of `[0, 2]`: distance to the panel's lower end in half-lengths.
+    /// Lobatto points of `[0, 2]`: distance to the panel's lower end in half-lengths; their barycentric weights.
     offsets: Vec<f64>,
+    weights: Vec<f64>,
 }
 
 /// A place on the mesh.
@@ -51,7 +52,12 @@ impl Mesh {
         };
         // 1 - cos(a) = 2 sin^2(a/2) keeps the distance to the lower end.
         let offset = |i: usize| 2.0 * (0.5 * PI * i as f64 / degree as f64).sin().powi(2);
-        Self { degree, root, breaks, offsets: (0..=degree).map(offset).collect() }
+        let weight = |i: usize| {
+            let size = if i == 0 || i == degree { 0.5 } else { 1.0 };
+            if i.is_multiple_of(2) { size } else { -size }
+        };
+        let (offsets, weights) = (0..=degree).map(|i| (offset(i), weight(i))).unzip();
+        Self { degree, root, breaks, offsets, weights }
     }
 
     pub(super) fn panels(&self) -> usize {
@@ -130,24 +136,27 @@ impl Mesh {
     ///
     /// Barycentric; near the lower end of the first panel the entries for the other nodes are exact in their
     /// ratio to the distance, as densities that vanish at the contact's end ask for.
-    #[expect(clippy::float_cmp, reason = "only an exact hit divides by zero")]
     pub(super) fn basis_into(&self, offset: f64, out: &mut [f64]) {
-        if let Some(hit) = self.offsets.iter().position(|node| *node == offset) {
-            out.fill(0.0);
-            out[hit] = 1.0;
-            return;
-        }
-        let mut sum = 0.0;
-        let mut sign = 1.0;
-        for (i, (out, node)) in out.iter_mut().zip(&self.offsets).enumerate() {
-            let end = i == 0 || i == self.degree;
-            *out = sign * if end { 0.5 } else { 1.0 } / (offset - node);
-            sum += *out;
-            sign = -sign;
-        }
+        let sum = self.shares_into(offset, out);
         for out in out.iter_mut() {
             *out /= sum;
         }
+    }
+
+    /// The same times a number, which is returned.
+    #[expect(clippy::float_cmp, reason = "only an exact hit divides by zero")]
+    #[inline(always)]
+    pub(super) fn shares_into(&self, offset: f64, out: &mut [f64]) -> f64 {
+        let mut is_hit = false;
+        for ((out, node), weight) in out.iter_mut().zip(&self.offsets).zip(&self.weights) {
+            is_hit |= *node == offset;
+            *out = weight / (offset - node);
+        }
+        if is_hit {
+            out.iter_mut().zip(&self.offsets).for_each(|(out, node)| *out = f64::from(u8::from(*node == offset)));
+            return 1.0;
+        }
+        out.iter().sum()
     }
 
     /// Value at `place` of what has the value `at_node(i)` at each node.

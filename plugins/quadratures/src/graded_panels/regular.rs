@@ -262,12 +262,12 @@ impl Regular {
                 for (k, summand) in self.summand.iter().enumerate() {
                     let u = view.pole + share.offsets[k];
                     let measure = layout.basis.measure_at(&layout.mesh, u) * layout.mesh.slope(u);
-                    let weight = summand * half_width * piece.half_length * measure / PI;
+                    let mut weight = summand * half_width * piece.half_length * measure / PI;
                     let values = if piece.is_whole {
                         layout.pieces.basis_at(panel * q + k, width)
                     } else {
                         let offset = (u - layout.mesh.breaks[panel]) / layout.mesh.half_length(panel);
-                        layout.mesh.basis_into(offset.clamp(0.0, 2.0), &mut self.values);
+                        weight /= layout.mesh.shares_into(offset.clamp(0.0, 2.0), &mut self.values);
                         &self.values
                     };
                     self.of_panel.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
