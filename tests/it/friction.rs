@@ -381,3 +381,26 @@ fn where_everything_sticks_the_zone_is_as_sure_as_the_contact() {
     assert!(error("load.half_width") > 1e-9, "a coarse tolerance");
     assert!(error("stick.half_width") >= error("load.half_width"), "{:?}", full.error.each);
 }
+
+/// A hard coating on a half-plane that gives way: the stick zone grows up to a half-width of 0.14194 and shrinks from there, at first by less than
+/// between two flat punches. Contacts up to one per cent wider were called converged, and where it begins was told by the flat punch nearest
+/// to that, another for each load.
+#[test]
+fn where_the_stick_zone_begins_to_shrink_is_the_same_for_every_load() {
+    let coating = "thickness = 1.0\npoisson = 0.25\nmoduli = \"young\"\n\
+        base = { type = \"half-plane\", young = 114.0, poisson = 0.34 }\n\
+        grading = { type = \"homogeneous\", modulus = 450.0 }";
+    for (half_width, tolerance, shrinks) in
+        [(0.1418, 1e-8, false), (0.1422, 1e-8, true), (0.145, 1e-4, true), (0.5, 1e-6, true), (1.0, 1e-6, true)]
+    {
+        let sketch = Sketch::on(coating).cylinder().loaded(&format!("half_width = {half_width}")).rubbing(0.2);
+        let solution = sketch.with(&format!("[solver]\ntolerance = {tolerance:e}")).solve();
+        let reason = solution.reason.unwrap_or_default();
+        if shrinks {
+            assert_eq!(solution.status, Status::AssumptionViolated, "{half_width}");
+            assert!(reason.contains("at a half-width of 0.14194: the stick zone shrinks"), "{half_width}: {reason}");
+        } else {
+            assert_eq!(solution.status, Status::Converged, "{half_width}: {reason}");
+        }
+    }
+}

@@ -234,18 +234,30 @@ impl Family {
         self.pressed.blend.widest()
     }
 
-    /// The first of the half-widths that a contact grows through beyond which the stick zone shrinks: from one member to the next by more
-    /// than rounding, between them by more than is not known of it, too.
+    /// The first half-width that a contact grows through beyond which the stick zone shrinks: from one member to the next by more than
+    /// rounding, between them, and up to the last contact, by more than is not known of it, too.
     pub(crate) fn shrinks(&self, through: Range<f64>, rounding: f64) -> Option<f64> {
-        let zones = &self.rubbed.as_ref()?.zones;
+        let rubbed = self.rubbed.as_ref()?;
+        let zones = &rubbed.zones;
         let shrinks = |wide: &Seen, narrow: &Seen| {
             through.contains(&narrow.half_width) && wide.shrinks_from(narrow).start > rounding
         };
-        let mut members = zones.windows(PARTS + 1).step_by(PARTS);
-        let at_members = members.rfind(|zones| shrinks(&zones[0], &zones[PARTS])).map(|zones| zones[PARTS].half_width);
-        let mut neighbours = zones.windows(2);
-        let between = neighbours.rfind(|zones| shrinks(&zones[0], &zones[1])).map(|zones| zones[1].half_width);
-        at_members.into_iter().chain(between).reduce(f64::min)
+        let at_members = (0..zones.len().saturating_sub(PARTS)).step_by(PARTS);
+        let at_members = at_members.rev().find(|k| shrinks(&zones[*k], &zones[k + PARTS])).map(|k| (k + PARTS, PARTS));
+        let mut between = (0..zones.len().saturating_sub(1)).rev();
+        let between = between.find(|k| shrinks(&zones[*k], &zones[k + 1])).map(|k| (k + 1, 1));
+        // The widest of those before it shrinks, and how many places its neighbours are away.
+        if let Some((top, step)) = at_members.into_iter().chain(between).max_by_key(|(top, _)| *top) {
+            let narrower = zones.get(top + step).filter(|narrower| narrower.half_width >= through.start);
+            return Some(narrower.map_or(zones[top].half_width, |narrower| {
+                rubbed.widest_zone([narrower, &zones[top], &zones[top - step]]).half_width
+            }));
+        }
+        let last = rubbed.seen(through.end.min(self.widest()));
+        let before = &zones[zones.partition_point(|seen| seen.half_width >= last.half_width)..];
+        let [top, narrower, ..] = before else { return None };
+        let widest = rubbed.widest_zone([narrower, top, &last]);
+        shrinks(&last, &widest).then_some(widest.half_width)
     }
 
     /// The stick zone of a contact of that half-width, as told between the members; `None` without friction.

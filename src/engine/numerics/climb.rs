@@ -58,6 +58,18 @@ fn vertex([left, top, right]: [(f64, f64); 3]) -> Option<(f64, f64)> {
     (bend > 0.0).then(|| (f64::midpoint(left.0, top.0) + 0.5 * rise / bend, bend))
 }
 
+/// The top of a function beside the middle of three places, or where the parabola through them turns before the last: a place, and how high it
+/// is there.
+pub(crate) fn top([left, top, right]: [(f64, f64); 3], mut height: impl FnMut(f64) -> f64) -> (f64, f64) {
+    let turn = vertex([left, top, right]).filter(|(at, _)| right.1 > top.1 && (top.0..right.0).contains(at));
+    let three = match turn {
+        Some((at, _)) => [top, (at, height(at)), right],
+        None => [left, top, right],
+    };
+    let found = climb(three, height, |height, more| more <= LEVEL * height.abs());
+    if found.1 < right.1 { right } else { found }
+}
+
 /// The highest place among three and what parabolas find that close in, as soon as it is high enough, by its height and what the next
 /// parabola would add.
 fn climb(

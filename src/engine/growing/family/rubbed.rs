@@ -8,6 +8,7 @@ use crate::engine::friction::stick_zone::StickZone;
 use crate::engine::growing::blend::Blend;
 use crate::engine::growing::sheet::{Places, Sheet};
 use crate::engine::numerics::chebyshev::largest;
+use crate::engine::numerics::climb;
 use crate::engine::numerics::lanes::{LANES, Lanes, add_rows};
 use slipzone_api::Station;
 use std::ops::Range;
@@ -23,6 +24,8 @@ pub(super) struct Rubbed {
     slower: f64,
     /// Stick zones of contacts, the widest contact first: of the members, and of some between them.
     pub(super) zones: Vec<Seen>,
+    /// How unsure those between are, relative, times the half-width.
+    unsure: f64,
     /// How much of each function of the half-width there is in it, and in the slope of the friction coefficient over it.
     of_lambda: Vec<f64>,
     of_slope: Vec<f64>,
@@ -56,6 +59,17 @@ impl Rubbed {
     /// its stick zone, on which resolutions agree long before they do on the shear.
     pub(super) fn apart_from(&self, member: &Member, half_width: f64) -> f64 {
         self.slower * (self.lambda_at(half_width) - member.root.lambda).abs() / felt(member.root.lambda)
+    }
+
+    /// The stick zone under a half-width between the members, as it is told.
+    pub(super) fn seen(&self, half_width: f64) -> Seen {
+        Seen::told(half_width, self.lambda_at(half_width), self.unsure)
+    }
+
+    /// The widest stick zone about those of three contacts, the widest contact last.
+    pub(super) fn widest_zone(&self, three: [&Seen; 3]) -> Seen {
+        let three = three.map(|seen| (seen.half_width, seen.zone));
+        self.seen(climb::top(three, |half_width| self.seen(half_width).zone).0)
     }
 
     /// Whether a half-width is between its members.
@@ -217,8 +231,10 @@ impl Members {
         let of_zone = blend.last(&of_lambda, 1) / felt(largest(&of_lambda));
         let of_lack = blend.last(&lack, width) / largest(&lack).max(least);
         let told = Told::new(blend.functions(), of_lack.max(of_zone), coarse);
+        let unsure = UNSURE * told.left() * blend.widest();
         Rubbed {
-            zones: zones(&blend, &self.lambda, &of_lambda, UNSURE * told.left() * blend.widest()),
+            zones: zones(&blend, &self.lambda, &of_lambda, unsure),
+            unsure,
             told,
             of_lambda,
             slope_left: if are_alike(&self.slope) {
@@ -264,6 +280,10 @@ pub(super) struct Seen {
 }
 
 impl Seen {
+    fn told(half_width: f64, lambda: f64, unsure: f64) -> Self {
+        Self { half_width, zone: StickZone::from_log(lambda, half_width).half_width, unsure }
+    }
+
     /// By how much it is smaller than that of a narrower contact, relative: the least that is sure, and what is said.
     pub(super) fn shrinks_from(&self, narrow: &Self) -> Range<f64> {
         let said = 1.0 - self.zone / narrow.zone;
@@ -273,18 +293,13 @@ impl Seen {
 
 /// Stick zones at the members, the widest first, and as told at the ends of the parts between, where they are so `unsure`.
 fn zones(blend: &Blend, lambda: &[f64], of_lambda: &[f64], unsure: f64) -> Vec<Seen> {
-    let seen = |b: f64, lambda: f64, unsure: f64| Seen {
-        half_width: b,
-        zone: StickZone::from_log(lambda, b).half_width,
-        unsure,
-    };
     let half_widths = blend.half_widths();
     let mut zones = Vec::with_capacity(PARTS * half_widths.len());
     for (k, (b, lambda)) in half_widths.iter().zip(lambda).enumerate() {
-        zones.push(seen(*b, *lambda, 0.0));
+        zones.push(Seen::told(*b, *lambda, 0.0));
         let Some(next) = half_widths.get(k + 1) else { break };
         let between = (1..PARTS).map(|part| b + (next - b) * part as f64 / PARTS as f64);
-        zones.extend(between.map(|b| seen(b, blend.sum(b, of_lambda), unsure)));
+        zones.extend(between.map(|b| Seen::told(b, blend.sum(b, of_lambda), unsure)));
     }
     zones
 }
