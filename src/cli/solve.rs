@@ -80,16 +80,17 @@ fn possible(option: &str, scene: &Scene) -> Result<(), Failure> {
         let hint = format!("in [output] of the scene, add {missing} to `quantities`, or leave that key out");
         return Err(Failure::Usage(message, Some(hint)));
     }
-    match &scene.output.x {
-        Some(x) if option == SVG && x.iter().all(|point| point.total_cmp(&x[0]).is_eq()) => {
-            let hint = "in [output] of the scene, list more points in `x`, or write `points = 201` in its place".into();
-            Err(Failure::Usage(
-                "--svg draws no curve through one point, and the scene asks for no more".into(),
-                Some(hint),
-            ))
+    let (through, hint) = match &scene.output.x {
+        _ if option != SVG => return Ok(()),
+        Some(x) if x.iter().all(|point| point.total_cmp(&x[0]).is_eq()) => {
+            ("one point", "list more points in `x`, or write `points = 201` in its place")
         }
-        _ => Ok(()),
-    }
+        // Pressures there are unbounded, or nothing.
+        None if scene.output.points == 2 => ("the contact's two ends", "write `points = 201`, or leave it out"),
+        _ => return Ok(()),
+    };
+    let message = format!("--svg draws no curve through {through}, and the scene asks for no more");
+    Err(Failure::Usage(message, Some(format!("in [output] of the scene, {hint}"))))
 }
 
 /// A curve is asked for that the scene does not have.

@@ -87,9 +87,14 @@ fn solve(study: &Study, journal: &mut Journal, folder: &Path) -> Result<(), Fail
         }
         finished.fetch_add(1, Ordering::Relaxed);
         bar.inc(1);
-        if !record.is_converged() && named < NAMED {
+        if !record.is_converged() && named <= NAMED {
+            let line = if named < NAMED {
+                report::record_line(&record)
+            } else {
+                "scenes that fail from now on are not named here".into()
+            };
             named += 1;
-            bar.suspend(|| print::note(&report::record_line(&record)));
+            bar.suspend(|| print::note(&line));
         }
         ControlFlow::Continue(())
     });

@@ -87,5 +87,6 @@ pub fn record_line(record: &Record) -> String {
     let status = serde_json::to_value(record.status).ok();
     let status = status.as_ref().and_then(Value::as_str).unwrap_or_default();
     let reason = record.reason.as_deref().unwrap_or("no reason is known");
-    format!("scene {} ({}): {status}: {}", record.index, values.join(", "), reason.replace('\n', " "))
+    let values = if values.is_empty() { String::new() } else { format!(" ({})", values.join(", ")) };
+    format!("scene {}{values}: {status}: {}", record.index, reason.replace('\n', " "))
 }

@@ -170,6 +170,7 @@ fn meaning(document: &Document, path: &[&str], key: &str) -> String {
         ([], "punch") => format!("[punch] with `type`, {}", names(Family::Punch)),
         ([], "load") => LOAD.into(),
         ([], "scene") => "`scene`: the name of a scene file, or a table [scene]".into(),
+        ([.., "base"], "shear") => "`shear`: its shear modulus (stress), or `young` in its place".into(),
         (_, "poisson") => "`poisson`: Poisson's ratio, a number above -1 and up to 0.5".into(),
         (_, "grading") => format!("`grading`: a table with `type`, {}", names(Family::Grading)),
         ([.., "layers", _], "thickness") => "`thickness`: that of the sublayer (length)".into(),

@@ -352,6 +352,7 @@ fn files_that_the_scene_leaves_nothing_to_write_in() {
     let cases = [
         ("svg_of_one_point", "--svg", "x = [0.3]"),
         ("svg_of_one_point_twice", "--svg", "x = [0.3, 0.3]"),
+        ("svg_of_two_ends", "--svg", "points = 2"),
         ("svg_of_numbers", "--svg", "quantities = [\"edge\"]"),
         ("svg_of_profile", "--svg", "quantities = [\"profile\", \"load\"]"),
         ("csv_of_numbers", "--csv", "quantities = [\"edge\", \"load\"]"),
