@@ -30,7 +30,13 @@ impl FlexibilityProfile {
     pub fn new(response: &dyn LayerResponse) -> Result<Self, Refusal> {
         /// Wave numbers: smooth curves, some milliseconds of work.
         const SAMPLES: u32 = 160;
-        let (longest, shortest) = (0.01_f64, 60.0_f64);
+        /// The shortest, at the least, and where what is below a break is felt by `exp(-2 s d)`; the shortest at the most.
+        const LEAST: f64 = 60.0;
+        const FADED: f64 = 20.0;
+        const MOST: f64 = 1e6;
+        let first_break = response.depth().filter(|_| response.breaks());
+        let shortest = first_break.map_or(LEAST, |depth| (FADED / depth).clamp(LEAST, MOST));
+        let longest = 0.01_f64;
         let wave_numbers: Vec<f64> =
             (0..=SAMPLES).map(|i| longest * (shortest / longest).powf(f64::from(i) / f64::from(SAMPLES))).collect();
         let mut flexibilities = vec![SurfaceFlexibility::default(); wave_numbers.len()];
