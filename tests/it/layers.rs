@@ -676,3 +676,29 @@ fn a_law_that_fades_to_nothing_is_refused() {
         lines(1.0, "base = { type = \"frictionless\" }\ngrading = { type = \"linear\", surface = 1.0, base = 1e-66 }");
     assert_eq!(Sketch::on(fading).solve().status, Status::Refused);
 }
+
+/// A layer that slides on its base follows long waves of shear like `c/s`: what is left when that is taken off has its rounding, which was
+/// taken for an error that a contact feels, 2.8e-3 of a stick zone that was right, after twenty times the wave numbers.
+#[test]
+#[cfg(feature = "formula")]
+fn a_pole_at_long_waves_leaves_nothing_that_is_felt() {
+    for (thickness, tolerance) in [(1.0, 1e-8), (0.1, 1e-6)] {
+        let layer = format!(
+            "thickness = {thickness:?}\npoisson = 0.3\nbase = {{ type = \"frictionless\" }}\n\
+             grading = {{ type = \"formula\", modulus = \"1 + 3*sqrt(y/h)\" }}"
+        );
+        let solved = |friction: &str| {
+            let punch = "punch = { type = \"flat\", half_width = 1.0 }\nload = { force = 1.0 }";
+            let text = format!(
+                "format = 1\n{punch}\n{friction}\nsolver = {{ tolerance = {tolerance:e} }}\n[layer]\n{layer}\n"
+            );
+            let found = slipzone::engine::solve(&slipzone::scene::parse("slides.toml", &text).unwrap());
+            assert_eq!(found.status, Status::Converged, "{thickness}: {:?}", found.reason);
+            assert!(found.plan.flexibility_evaluations < 3000, "{}", found.plan.flexibility_evaluations);
+            found
+        };
+        let (rubbing, smooth) = (solved("friction = { type = \"goodman\", coefficient = 0.3 }"), solved(""));
+        let [rubbing, smooth] = [rubbing, smooth].map(|found| found.number("pressure.centre").unwrap());
+        assert!((rubbing / smooth - 1.0).abs() < tolerance, "{rubbing} and {smooth}");
+    }
+}

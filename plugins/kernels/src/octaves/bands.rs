@@ -135,11 +135,13 @@ impl Bands {
                 let of_nodes: [f64; NODES] = std::array::from_fn(|i| own[i]);
                 let off = self.rule.unresolved(&of_nodes, &own[NODES..]);
                 let largest = own.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-                // An error over the band makes one of the kernel that is as wide up to `t = 1/half` and falls like 1/t from there on.
+                // An error over the band makes one of the kernel that is as wide up to `t = 1/half` and falls like 1/t from there on. A pole
+                // that is taken off leaves the rounding of what it was.
                 let (felt, size) = if integrand.component == Component::Depth {
                     (2.0 * half, largest.max(middle.recip()))
                 } else {
-                    (1.0 + (1.0 + half * request.reach).ln(), largest.max(1.0))
+                    let phase = half * request.reach;
+                    (phase.min(1.0) + phase.ln_1p(), largest.max(1.0 + integrand.pole / at[NODES]))
                 };
                 is_resolved &= off * felt <= SHARE * request.accuracy || off <= NOISE * size;
                 error = error.max(off * felt);
