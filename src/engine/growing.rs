@@ -343,7 +343,8 @@ impl Growing {
 
     /// Sizes of the contact on its way to a load solved already, whose half-width is given, each with what the stack that tells them
     /// leaves out, relative; `None` where it is no single stack. Stick zones are solved for where they are to be `sure`: told between
-    /// the flat punches, narrow ones are as good as wide ones ask for. Where one is not found near there, infinitely much is left out.
+    /// the flat punches, narrow ones are as good as wide ones ask for. Where one is not found near there, or the pressure pulls, infinitely
+    /// much is left out.
     pub(crate) fn on_the_way(
         &mut self,
         layer: &mut PreparedLayer,
@@ -357,10 +358,14 @@ impl Growing {
         if problem.friction.is_some() && family.shrinks(problem.face()..half_width, STEADY).is_some() {
             return None;
         }
+        let may_pull = !(stack.rises(problem, half_width) && family.presses());
         let mut point = |load: &LoadInLayerUnits| {
             family.within_budget().ok()?;
             let b = stack.under(problem, family, *load)?;
             let mut numbers = sizes(layer, problem, family, stack, b);
+            if may_pull && stack.pulls(problem, family, b) {
+                return Some((numbers, f64::INFINITY));
+            }
             let missed = stack.excess(problem, family, *load, b).abs();
             let lost = stack.lost(problem, b) + family.left().force + missed;
             if problem.friction.is_none() {

@@ -233,3 +233,23 @@ fn stick_ratios_on_the_way_are_those_of_flat_punches() {
         }
     }
 }
+
+/// Under a hard coating on a soft base a punch lifts off in the middle of its way: solved for itself such a load was contradicted, on a curve it
+/// was converged.
+#[test]
+fn a_punch_that_lifts_off_on_the_way_is_told() {
+    let scene = |load: &str| {
+        let text = format!(
+            "format = 1\nload = {{ {load} }}\npunch = {{ type = \"rounded-wedge\", slope = 0.05, radius = 2.0 }}\n\
+             [layer]\nthickness = 0.1\npoisson = 0.3\nbase = {{ type = \"half-plane\", shear = 50.0, poisson = 0.3 }}\n\
+             grading = {{ type = \"homogeneous\", modulus = 1000.0 }}\n[solver]\ntolerance = 1e-4\n"
+        );
+        slipzone::engine::solve(&slipzone::scene::parse("lift.toml", &text).expect("a scene"))
+    };
+    let curve = scene("path = { half_width = [0.1, 0.3, 2.5] }").path.expect("a curve");
+    assert_eq!(curve.status, Status::AssumptionViolated, "{:?}", curve.note);
+    assert!(curve.note.as_ref().is_some_and(|note| note.contains("lifts off")), "{:?}", curve.note);
+    assert_eq!(scene("half_width = 0.3").status, Status::AssumptionViolated);
+    let curve = scene("path = { half_width = [0.02, 0.1] }").path.expect("a curve");
+    assert_eq!(curve.status, Status::Converged, "{:?}", curve.note);
+}

@@ -19,6 +19,7 @@ use force::{Made, Piece};
 use nodes::{Beyond, nodes_beyond};
 use slipzone_api::double_exponential::Node;
 use slipzone_api::{Refusal, Station};
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 /// Times that the first piece may be cut.
@@ -46,6 +47,8 @@ const LONGEST_PIECE: f64 = 2.5;
 const BESIDE: f64 = 1e-3;
 /// As many slices as most points have.
 const USUAL_SLICES: usize = 128;
+/// Places at which a pressure is looked at, denser at the edge.
+const PULLING: u8 = 24;
 /// Half-widths at which the force is looked at.
 const RISING: usize = 32;
 /// The way in `ln b'` over which a depth is looked at for its first rise to a load's.
@@ -423,6 +426,12 @@ impl Stack {
         }
         let x = apart(x, b);
         family.stacked_pressure(&self.slices(problem, &self.crowded_ways, x, (x.max(self.breaks[0]), b)), x)
+    }
+
+    /// Whether the pressure of a contact pulls somewhere, as far as a few places tell.
+    pub(crate) fn pulls(&self, problem: &Problem, family: &mut Family, b: f64) -> bool {
+        let mut places = (0..PULLING).map(|i| b * (FRAC_PI_2 * f64::from(i) / f64::from(PULLING)).sin());
+        places.any(|x| self.pressure(problem, family, b, x) < 0.0)
     }
 
     /// Half-width at which the stick zone ended at a point; that of the face where it was never so narrow.
