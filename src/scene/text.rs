@@ -5,11 +5,14 @@ use super::SceneError;
 /// The largest scene that is read, in bytes.
 pub const LARGEST: usize = MEGABYTES * 1024 * 1024;
 const MEGABYTES: usize = 16;
+/// The byte-order mark of UTF-8.
+const MARK: &[u8] = &[0xEF, 0xBB, 0xBF];
 
 /// The text of a scene file, `name` being what errors call it.
 ///
 /// # Errors
-/// When the bytes are no text (binary, UTF-16, a byte-order mark, NUL), none at all, or more than [`LARGEST`].
+/// When the bytes are no text (binary, UTF-16, NUL), none at all, or more than [`LARGEST`]. A byte-order mark of UTF-8, which some editors
+/// write, is left out.
 pub fn text(name: &str, bytes: Vec<u8>) -> Result<String, SceneError> {
     text_of("scene", name, bytes)
 }
@@ -18,7 +21,7 @@ pub fn text(name: &str, bytes: Vec<u8>) -> Result<String, SceneError> {
 ///
 /// # Errors
 /// As [`text()`].
-pub fn text_of(what: &str, name: &str, bytes: Vec<u8>) -> Result<String, SceneError> {
+pub fn text_of(what: &str, name: &str, mut bytes: Vec<u8>) -> Result<String, SceneError> {
     if bytes.len() > LARGEST {
         return Err(too_large(what, name));
     }
@@ -26,16 +29,14 @@ pub fn text_of(what: &str, name: &str, bytes: Vec<u8>) -> Result<String, SceneEr
         let error = SceneError::whole(name, "the file is empty").found("0 bytes");
         return Err(error.expected(format!("a {what} in TOML")));
     }
-    let mark = |kind: &str| {
-        Err(SceneError::whole(name, "the file starts with a byte-order mark")
-            .found(format!("the mark of {kind}"))
-            .expected("UTF-8 without a mark")
-            .hint("save the file as \"UTF-8\" (not \"UTF-8 with BOM\" or \"Unicode\")"))
-    };
-    match bytes.as_slice() {
-        [0xEF, 0xBB, 0xBF, ..] => return mark("UTF-8"),
-        [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] => return mark("UTF-16"),
-        _ => {}
+    if let [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] = bytes.as_slice() {
+        return Err(SceneError::whole(name, "the file starts with a byte-order mark of UTF-16")
+            .found("UTF-16")
+            .expected("UTF-8")
+            .hint("save the file as \"UTF-8\" (not \"Unicode\")"));
+    }
+    if bytes.starts_with(MARK) {
+        bytes.drain(..MARK.len());
     }
     let not_text = |bytes: &[u8], at: usize, found: String| {
         let before = String::from_utf8_lossy(&bytes[..at]);

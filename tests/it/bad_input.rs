@@ -63,11 +63,11 @@ fn check_and_explain_refuse_as_solve_does() {
 #[test]
 fn files_that_are_no_text() {
     let cases: [(&str, Vec<u8>); 7] = [
+        ("utf_8_mark_within", [GOOD.as_bytes(), b"\xef\xbb\xbf", GOOD.as_bytes()].concat()),
         ("empty", vec![]),
         ("binary", b"\x7fELF\x02\x01\x01\x00\xff\xfe".to_vec()),
         ("latin_1", b"format = 1\ntitle = \"\xb5m\"\n".to_vec()),
         ("nul", GOOD.replace("5.0", "5\0.0").into_bytes()),
-        ("utf_8_mark", [b"\xef\xbb\xbf", GOOD.as_bytes()].concat()),
         ("utf_16", [0xff, 0xfe].into_iter().chain(GOOD.bytes().flat_map(|byte| [byte, 0])).collect()),
         ("cut_character", b"title = \"\xe2\x82".to_vec()),
     ];
@@ -81,6 +81,13 @@ fn files_that_are_no_text() {
         let from_stdin = solve(folder.path(), "-", Some(&bytes));
         assert_eq!(told(&from_stdin), told(&from_file).replace("scene.toml", "<stdin>"), "{name}");
     }
+}
+
+/// Some editors write it; places in the text are counted without.
+#[test]
+fn a_byte_order_mark_of_utf_8_is_left_out() {
+    let read = slipzone::scene::text("scene.toml", [b"\xef\xbb\xbf", GOOD.as_bytes()].concat());
+    assert_eq!(read.expect("text"), GOOD);
 }
 
 #[test]
