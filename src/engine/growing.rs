@@ -358,7 +358,7 @@ impl Growing {
         if problem.friction.is_some() && family.shrinks(problem.face()..half_width, STEADY).is_some() {
             return None;
         }
-        let may_pull = !(stack.rises(problem, half_width) && family.presses());
+        let may_pull = !stack.presses(problem, family, half_width);
         let mut point = |load: &LoadInLayerUnits| {
             family.within_budget().ok()?;
             let b = stack.under(problem, family, *load)?;
@@ -411,7 +411,7 @@ impl Growing {
     /// Whether the pressure pulls nowhere, because none of the slices does that it is a stack of.
     pub(crate) fn presses(&mut self, problem: &Problem) -> bool {
         let (true, Some(family), Some(stack)) = (self.is_kinked, &mut self.family, &self.stack) else { return false };
-        stack.rises(problem, self.half_width) && family.presses()
+        stack.presses(problem, family, self.half_width)
     }
 
     /// Work in its systems so far.

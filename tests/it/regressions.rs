@@ -18,6 +18,17 @@ fn within_three_estimates(found: &Solution, exact: &Solution, paths: &[&str]) {
     }
 }
 
+/// A stack of homogeneous plies: thickness, Poisson's ratio and modulus of each.
+fn plies(each: &[(f64, f64, f64)]) -> String {
+    let ply = |(thickness, poisson, modulus): &(f64, f64, f64)| {
+        format!(
+            "{{ thickness = {thickness}, poisson = {poisson}, grading = {{ type = \"homogeneous\", modulus = {modulus} }} }}"
+        )
+    };
+    let each: Vec<_> = each.iter().map(ply).collect();
+    format!("grading = {{ type = \"stack\", layers = [{}] }}", each.join(", "))
+}
+
 /// A scene of its `layer`, `punch` and further tables.
 fn written(layer: &str, punch: &str, load: &str, rest: &str) -> Solution {
     let text = format!(

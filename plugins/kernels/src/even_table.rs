@@ -65,11 +65,19 @@ pub(crate) fn chebyshev(values: &[f64]) -> Vec<f64> {
 
 /// `sum_k series[k] T_k(y)`.
 pub(crate) fn clenshaw(series: &[f64], y: f64) -> f64 {
-    let (mut older, mut newer) = (0.0, 0.0);
+    let [sum] = clenshaw_in_lanes(series, [y]);
+    sum
+}
+
+/// The same at some places, side by side.
+#[inline(always)]
+pub(crate) fn clenshaw_in_lanes<const N: usize>(series: &[f64], y: [f64; N]) -> [f64; N] {
+    let (mut older, mut newer) = ([0.0; N], [0.0; N]);
     for c in series[1..].iter().rev() {
-        (older, newer) = (newer, 2.0 * y * newer - older + c);
+        let next = std::array::from_fn(|i| 2.0 * y[i] * newer[i] - older[i] + c);
+        (older, newer) = (newer, next);
     }
-    y * newer - older + series[0]
+    std::array::from_fn(|i| y[i] * newer[i] - older[i] + series[0])
 }
 
 #[cfg(test)]

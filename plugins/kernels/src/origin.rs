@@ -1,6 +1,6 @@
 //! The kernels next to the origin, of laws that begin with a broken power of the depth.
 
-use crate::even_table::{chebyshev, clenshaw};
+use crate::even_table::{chebyshev, clenshaw, clenshaw_in_lanes};
 use crate::integrand::Integrand;
 use crate::piece::Variable;
 use num_complex::Complex64;
@@ -172,15 +172,4 @@ impl Origin {
         let beside = if series.analytic == 0.0 { [0.0; LANES] } else { t.map(|t| series.analytic * self.beside.at(t)) };
         std::array::from_fn(|i| (z[i] * told[i] + beside[i]) / t[i])
     }
-}
-
-/// [`clenshaw`] at some places, side by side.
-#[inline(always)]
-fn clenshaw_in_lanes(series: &[f64], y: [f64; LANES]) -> [f64; LANES] {
-    let (mut older, mut newer) = ([0.0; LANES], [0.0; LANES]);
-    for c in series[1..].iter().rev() {
-        let next = std::array::from_fn(|i| 2.0 * y[i] * newer[i] - older[i] + c);
-        (older, newer) = (newer, next);
-    }
-    std::array::from_fn(|i| y[i] * newer[i] - older[i] + series[0])
 }

@@ -242,12 +242,12 @@ impl Family {
         let shrinks = |wide: &Seen, narrow: &Seen| {
             through.contains(&narrow.half_width) && wide.shrinks_from(narrow).start > rounding
         };
-        let at_members = (0..zones.len().saturating_sub(PARTS)).step_by(PARTS);
-        let at_members = at_members.rev().find(|k| shrinks(&zones[*k], &zones[k + PARTS])).map(|k| (k + PARTS, PARTS));
-        let mut between = (0..zones.len().saturating_sub(1)).rev();
-        let between = between.find(|k| shrinks(&zones[*k], &zones[k + 1])).map(|k| (k + 1, 1));
-        // The widest of those before it shrinks, and how many places its neighbours are away.
-        if let Some((top, step)) = at_members.into_iter().chain(between).max_by_key(|(top, _)| *top) {
+        let first = |step: usize| {
+            let mut wide = (0..zones.len().saturating_sub(step)).step_by(step).rev();
+            wide.find(|k| shrinks(&zones[*k], &zones[k + step])).map(|k| (k + step, step))
+        };
+        // The last before it shrinks, and how many places its neighbours are away: members, or what is between.
+        if let Some((top, step)) = [PARTS, 1].into_iter().filter_map(first).max_by_key(|(top, _)| *top) {
             let narrower = zones.get(top + step).filter(|narrower| narrower.half_width >= through.start);
             return Some(narrower.map_or(zones[top].half_width, |narrower| {
                 rubbed.widest_zone([narrower, &zones[top], &zones[top - step]]).half_width

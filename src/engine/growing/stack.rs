@@ -69,6 +69,8 @@ pub(crate) struct Stack {
     grid: Arc<Vec<Node>>,
     /// The same for what the middle feels of a piece that begins there.
     grid_of_middle: Arc<Vec<Node>>,
+    /// Up to which part of such a piece a tip presses in one place.
+    tip: f64,
     /// For integrals over the half-width: of the shear, and of a pressure, beside which there may be a kink.
     ways: Ways,
     crowded_ways: Ways,
@@ -144,6 +146,7 @@ impl Stack {
             breaks,
             grid: ways::grid(nodes),
             grid_of_middle: ways::grid(MORE_IN_MIDDLE * nodes),
+            tip: nodes::tip(problem),
             ways: Ways::gathered(nodes),
             crowded_ways: Ways::crowded(nodes),
             lost: 0.0,
@@ -300,11 +303,11 @@ impl Stack {
         self.pieces.iter().find(|piece| b <= piece.to).unwrap_or(last)
     }
 
-    /// Whether the force grows all the way to a half-width, as far as a few of them tell.
-    pub(crate) fn rises(&self, problem: &Problem, b: f64) -> bool {
+    /// Whether no contact up to a half-width pulls anywhere, as far as a few places tell, because the force grows all the way and no slice pulls.
+    pub(crate) fn presses(&self, problem: &Problem, family: &mut Family, b: f64) -> bool {
         let face = self.breaks[0];
         let forces = (1..=RISING).map(|i| self.force(problem, face + (b - face) * i as f64 / RISING as f64));
-        forces.is_sorted()
+        forces.is_sorted() && family.presses()
     }
 
     /// Depth of the punch at a half-width, by reciprocity: `P D + int p_flat g dx`.

@@ -1,6 +1,6 @@
 //! Stick zones, how sure they are, and friction that cannot be told.
 
-use super::{within_three_estimates, written};
+use super::{plies, within_three_estimates, written};
 use crate::sketch::Sketch;
 use slipzone::engine::{Slip, Solution, Status, solve};
 
@@ -410,14 +410,9 @@ fn a_contact_that_grew_from_a_face_slides_as_that_did() {
 /// that was looked at: full stick was lost between coefficients of 2 and 20.
 #[test]
 fn full_stick_is_found_beside_a_root_that_slides_the_wrong_way() {
-    let ply = |thickness: f64, poisson: f64, modulus: f64| {
-        format!(
-            "{{ thickness = {thickness}, poisson = {poisson}, grading = {{ type = \"homogeneous\", modulus = {modulus} }} }}"
-        )
-    };
-    let plies = [ply(0.687, 0.49, 1.82), ply(0.657, 0.5, 0.243)].join(", ");
+    let plies = plies(&[(0.687, 0.49, 1.82), (0.657, 0.5, 0.243)]);
     let base = "base = { type = \"half-plane\", shear = 0.0603, poisson = 0.1 }";
-    let layer = format!("poisson = 0.49, {base}, grading = {{ type = \"stack\", layers = [{plies}] }}");
+    let layer = format!("poisson = 0.49, {base}, {plies}");
     for eta in [3.0, 5.0, 20.0] {
         let friction = format!("[friction]\ntype = \"goodman\"\ncoefficient = {eta:?}\n[solver]\ntolerance = 1e-4");
         let found = written(&layer, "type = \"cylinder\", radius = 10.0", "half_width = 1.0", &friction);

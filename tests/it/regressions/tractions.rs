@@ -1,6 +1,6 @@
 //! Pressure and shear between the points where they were solved.
 
-use super::written;
+use super::{plies, written};
 use crate::sketch::{Sketch, pressure_apart, shear_apart};
 use slipzone::engine::{Solution, Status, solve};
 
@@ -358,15 +358,8 @@ fn the_shear_beside_a_narrow_slip_zone_takes_few_unknowns() {
 /// so that its pressure was off by up to 35 estimates.
 #[test]
 fn the_middle_of_a_stack_is_as_good_as_it_says() {
-    let ply = |thickness: f64, poisson: f64, modulus: f64| {
-        format!(
-            "{{ thickness = {thickness}, poisson = {poisson}, grading = {{ type = \"homogeneous\", modulus = {modulus} }} }}"
-        )
-    };
-    let plies = [ply(0.643, 0.5, 16.4), ply(0.746, 0.0, 1.11), ply(0.864, -0.3, 31.3)].join(", ");
-    let layer = format!(
-        "poisson = 0.5, base = {{ type = \"frictionless\" }}, grading = {{ type = \"stack\", layers = [{plies}] }}"
-    );
+    let plies = plies(&[(0.643, 0.5, 16.4), (0.746, 0.0, 1.11), (0.864, -0.3, 31.3)]);
+    let layer = format!("poisson = 0.5, base = {{ type = \"frictionless\" }}, {plies}");
     centre_claimed(&layer, (3.3, 1e-10), &[1e-4, 1e-6, 1e-8]);
 }
 

@@ -189,7 +189,9 @@ impl Family {
         let face = self.pressed.blend.narrowest();
         if face > 0.0 && is_one_of_several(&outcome) {
             self.contact.branch = self.branch_of(layer, task, face)?;
-            outcome = self.contact.solve(layer, task, None)?;
+            if self.contact.branch < 0.0 {
+                outcome = self.contact.solve(layer, task, None)?;
+            }
         }
         let found = outcome.rubbing.expect("a stick zone, or why there is none");
         let root = if found.verdict == Verdict::Sticks { self.contact.stuck(layer, task)? } else { found.reported() };

@@ -50,8 +50,7 @@ impl Stack {
                 return;
             };
             // `dP/b'` of all that is nearer to the tip, in one place.
-            let of_law = problem.layer.law.broken_power().map_or(1.0, |power| FELT.powf(power.recip()).max(LEAST_TIP));
-            start = TIP[1].min(of_law) * upper;
+            start = self.tip * upper;
             each(Beyond { member: start, gap: start, from_lower: start, weight: start / power });
         }
         // In proportion.
@@ -98,6 +97,12 @@ pub(super) fn nodes_beyond(
 /// `sinh(2 t)` of `sinh(t)`.
 fn twice(root: f64) -> f64 {
     2.0 * root * (1.0 + root * root).sqrt()
+}
+
+/// The part of the first piece within which the slope's power is taken to hold, and no power with which the law begins is felt.
+pub(super) fn tip(problem: &Problem) -> f64 {
+    let of_law = problem.layer.law.broken_power().map(|power| FELT.powf(power.recip()).max(LEAST_TIP));
+    of_law.into_iter().fold(TIP[1], f64::min)
 }
 
 /// The power of `x` that the slope of a shape begins with, where it is so low that a grid in `b'` is too coarse for the tip. A corner
