@@ -1,11 +1,14 @@
 //! The kernels next to the origin, of laws that begin with a broken power of the depth.
 
+mod told;
+
 use crate::even_table::{chebyshev, clenshaw, clenshaw_in_lanes};
 use crate::integrand::Integrand;
 use crate::piece::Variable;
 use num_complex::Complex64;
 use slipzone_api::Component;
 use std::f64::consts::PI;
+use told::Told;
 
 /// Powers of `z` that are told.
 const POWERS: usize = 12;
@@ -104,36 +107,26 @@ impl Origin {
         let of_distance: Vec<f64> = at.iter().map(|(t, z)| beside.at(*t) / z).collect();
         let distance = chebyshev(&of_distance[..POWERS]);
         for (values, integrand) in values.iter().zip(integrands) {
-            let coefficients = chebyshev(&values[..POWERS]);
-            let mut series = Series { integrand: integrand.clone(), coefficients, analytic: 0.0 };
-            let is_depth = series.is_of_depth();
-            let left = |of: &[f64], values: &[f64], i: usize| values[i] - clenshaw(of, places[i]);
-            if !is_depth && !integrand.component.is_odd() {
-                let off = |i: &usize| left(&distance, &of_distance, *i);
-                let most = (POWERS..at.len()).max_by(|a, b| off(a).abs().total_cmp(&off(b).abs()))?;
-                if off(&most).abs() > f64::EPSILON.sqrt() * of_distance[0].abs() {
-                    series.analytic = left(&series.coefficients, values, most) / off(&most);
-                    for (c, of) in series.coefficients.iter_mut().zip(&distance) {
-                        *c -= series.analytic * of;
-                    }
-                }
-            }
+            let is_depth = integrand.component == Component::Depth;
+            let beside_it = !is_depth && !integrand.component.is_odd();
+            let all = chebyshev(&values[..POWERS]);
+            let told = Told::by(&all, beside_it.then_some(&distance), origin.place(0.0));
+            let Told { coefficients, analytic, off_at_origin } = told;
+            let series = Series { integrand: integrand.clone(), coefficients, analytic };
             let missed = |i: usize| {
                 let (t, z) = at[i];
                 let told = clenshaw(&series.coefficients, places[i]) + series.analytic * beside.at(t) / z;
                 (told - values[i]).abs() * if is_depth { 1.0 } else { z }
             };
             let here = (POWERS..at.len()).map(missed).fold(0.0, f64::max);
-            // A term less, at the origin: felt no farther than to where it was found.
-            let mut last = vec![0.0; POWERS];
-            last[POWERS - 1] = series.coefficients[POWERS - 1];
-            let last = clenshaw(&last, origin.place(0.0));
-            let there = last.abs() * if is_depth { beginning } else { first };
-
+            // Felt no farther than to where it was found.
+            let there = off_at_origin * if is_depth { beginning } else { first };
+            // What an even kernel makes of a density there is in proportion to it, however near that is.
+            let of_all = if beside_it { there / power } else { 0.0 };
             if !(here <= SHARE.mul_add(accuracy, 10.0 * NOISE) && there < 1e-4) {
                 return None;
             }
-            origin.error = origin.error.max(here);
+            origin.error = origin.error.max(here).max(of_all);
             origin.series.push(series);
         }
         Some(origin)

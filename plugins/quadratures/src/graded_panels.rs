@@ -36,7 +36,8 @@ use slipzone_api::{Quadrature, Refusal, Rule, Span, root};
 ///
 /// Where kernels begin with a power `p < 1` of the distance (over the distance) a density is a series in that power of its distance to the
 /// end. The panels are then equal ones of `u`, `theta = u^root`, in a root for which `2 root p` is whole, or nearly so; densities that vanish
-/// at the end are `F = u^(root - 1)` times the polynomial.
+/// at the end are `F = u^(root - 1)` times the polynomial. Beside a slip zone, however narrow, there are logarithms of its width too: the
+/// first of the panels of a continued density is cut geometrically.
 ///
 /// Convergence is exponential also where densities contain `gap log gap` or, beyond the end of a stick zone, the
 /// branch point of the pressure: `P` panels resolve it from a distance of about `16^(2 - P)` of the half-width.

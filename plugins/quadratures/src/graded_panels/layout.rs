@@ -107,7 +107,7 @@ const KEPT: usize = 1 << 23;
 
 impl Layout {
     fn new((degree, panels): (usize, usize), root: u32, basis: Basis) -> Self {
-        let mesh = Mesh::new(degree, panels, root);
+        let mesh = Mesh::new(degree, panels, root, basis.edge == Edge::Continued);
         let gauss = Gauss::new(gauss_points(degree, root));
         // Between the nodes: the zeros of the Chebyshev polynomial whose extrema the nodes are.
         let middle = |panel: usize, i: usize| {

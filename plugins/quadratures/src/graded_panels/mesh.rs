@@ -39,7 +39,8 @@ pub(super) struct Place {
 }
 
 impl Mesh {
-    pub(super) fn new(degree: usize, panels: usize, root: u32) -> Self {
+    /// Where the equal panels of a root are cut, half of them come of the first.
+    pub(super) fn new(degree: usize, panels: usize, root: u32, is_cut: bool) -> Self {
         let middle = to_root(0.5 * PI, root);
         let breaks: Vec<f64> = if root == 1 {
             let graded = std::iter::successors(Some(middle * OUTERMOST), |end| Some(end * RATIO));
@@ -48,7 +49,11 @@ impl Mesh {
             breaks.reverse();
             breaks
         } else {
-            (0..=panels).map(|k| middle * k as f64 / panels as f64).collect()
+            let cuts = if is_cut { panels / 2 } else { 0 };
+            let equal = panels - cuts;
+            let mut breaks: Vec<f64> = (0..=equal).map(|k| middle * k as f64 / equal as f64).collect();
+            (0..cuts).for_each(|_| breaks.insert(1, RATIO * breaks[1]));
+            breaks
         };
         // 1 - cos(a) = 2 sin^2(a/2) keeps the distance to the lower end.
         let offset = |i: usize| 2.0 * (0.5 * PI * i as f64 / degree as f64).sin().powi(2);
@@ -179,7 +184,7 @@ mod tests {
 
     #[test]
     fn polynomials_come_back_and_small_values_keep_their_digits() {
-        let mesh = Mesh::new(7, 12, 1);
+        let mesh = Mesh::new(7, 12, 1, true);
         let mut basis = Vec::new();
         let polynomial = |angle: f64| angle * (1.0 - 0.3 * angle.powi(6));
         for angle in [1e-12, 3e-8, 1e-4, 0.2, 0.4, 1.5, 0.5 * PI] {

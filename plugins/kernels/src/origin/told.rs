@@ -1,0 +1,66 @@
+//! How many terms of a series are told by its coefficients, and what is beside them.
+
+/// Fewest terms that may do, and how many are left over for what is beside them.
+const FEWEST: usize = 4;
+const LEFT: usize = 2;
+
+/// A Chebyshev series that is to be true at the origin, beyond the places where it was found.
+pub(super) struct Told {
+    pub(super) coefficients: Vec<f64>,
+    /// Of what is beside it.
+    pub(super) analytic: f64,
+    /// What its last terms are at the origin.
+    pub(super) off_at_origin: f64,
+}
+
+impl Told {
+    /// So many terms that the last of them are least at the `origin`: fewer miss what is there, and more are noise, which grows towards it.
+    ///
+    /// `beside` are the coefficients of what no series tells. The coefficients left over meet it: next to the places of a whole
+    /// interpolant it would differ from that by less than the noise.
+    pub(super) fn by(all: &[f64], beside: Option<&[f64]>, origin: f64) -> Self {
+        let polynomials: Vec<f64> =
+            std::iter::successors(Some((1.0, origin)), |(one, next)| Some((*next, 2.0 * origin * next - one)))
+                .map(|(one, _)| one)
+                .take(all.len())
+                .collect();
+        let told = |terms: usize| {
+            let analytic = beside.map_or(0.0, |beside| met(&all[terms..], &beside[terms..]));
+            let coefficient = |k: usize| all[k] - beside.map_or(0.0, |beside| analytic * beside[k]);
+            let coefficients: Vec<f64> = (0..terms).map(coefficient).collect();
+            let last = (terms - 2..terms).map(|k| (coefficients[k] * polynomials[k]).abs());
+            Self { off_at_origin: last.fold(0.0, f64::max), coefficients, analytic }
+        };
+        let all = (FEWEST..=all.len() - LEFT).map(told);
+        all.min_by(|one, other| one.off_at_origin.total_cmp(&other.off_at_origin)).expect("a few")
+    }
+}
+
+/// How much of something there is, by least squares.
+fn met(all: &[f64], of: &[f64]) -> f64 {
+    let (sum, square) = all.iter().zip(of).fold((0.0, 0.0), |(sum, square), (c, of)| (sum + c * of, square + of * of));
+    if square > 0.0 { sum / square } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::even_table::{chebyshev, clenshaw};
+    use std::f64::consts::PI;
+
+    /// Found from 0.1 to 1, with noise in the last digits.
+    #[test]
+    fn a_series_and_what_is_beside_it_are_true_at_the_origin() {
+        const NODES: usize = 12;
+        let place = |z: f64| (z - 0.55) / 0.45;
+        let at = |i: usize| 0.55 + 0.45 * (PI * (2 * i + 1) as f64 / (2 * NODES) as f64).cos();
+        let (series, beside) = (|z: f64| 1.0 / (5.0 - z), |z: f64| z.powi(3) * z.ln());
+        let noise = |i: usize| 1e-13 * ((7 * i % 5) as f64 - 2.0);
+        let values: Vec<f64> = (0..NODES).map(|i| series(at(i)) + 3e-4 * beside(at(i)) + noise(i)).collect();
+        let of_beside = chebyshev(&(0..NODES).map(|i| beside(at(i))).collect::<Vec<_>>());
+        let told = Told::by(&chebyshev(&values), Some(&of_beside), place(0.0));
+        let off = (clenshaw(&told.coefficients, place(0.0)) - series(0.0)).abs();
+        assert!(off < 3e-10 && off < told.off_at_origin, "off by {off:e}, said {:e}", told.off_at_origin);
+        assert!((told.analytic / 3e-4 - 1.0).abs() < 1e-2, "{:e}", told.analytic);
+    }
+}
