@@ -72,7 +72,7 @@ impl Solved<'_> {
         };
         let slip = self.stage.signed_friction().filter(|_| {
             // Or nothing slips, or nothing was found.
-            !matches!(rubbing.verdict, Verdict::NoShear | Verdict::Sticks | Verdict::NotScanned)
+            !rubbing.is_full && !matches!(rubbing.verdict, Verdict::NoShear | Verdict::NotScanned)
         });
         Some(StickReport {
             half_width: number(Quantity::StickHalfWidth, length),

@@ -165,7 +165,7 @@ impl Growing {
                 None => return Ok(None),
                 solved => solved,
             },
-            _ => family.rubbing_between(size.half_width),
+            _ => family.rubbing_between(problem, size.half_width),
         };
         let (numbers, pressure) = self.sized(layer, problem, normal, size);
         // A stacked pressure is as good as the flat punches known.
@@ -375,9 +375,11 @@ impl Growing {
                 family.take_pressure(b);
                 family.rubbing(layer, task, b).ok()?
             } else {
-                family.rubbing_between(b)
+                family.rubbing_between(problem, b)
             };
-            let Some(rubbing) = told else { return Some((numbers, f64::INFINITY)) };
+            let Some(rubbing) = told.filter(|told| told.failure().is_none()) else {
+                return Some((numbers, f64::INFINITY));
+            };
             let zone = rubbing.reported_zone();
             numbers.set(Quantity::StickHalfWidth, zone.half_width);
             numbers.set(Quantity::StickRatio, zone.ratio());

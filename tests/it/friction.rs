@@ -367,7 +367,23 @@ fn where_everything_sticks_at_first_nothing_turns() {
     let solution = wide(0.7);
     assert_eq!(solution.status, Status::AssumptionViolated);
     let reason = solution.reason.expect("why");
-    assert!(reason.contains("all of the surface sticks, but not always"), "{reason}");
+    assert!(reason.contains("all of the surface stuck until then, and no longer does"), "{reason}");
+}
+
+/// Its face was not looked at, only flat punches narrower than it: up to half a percent beyond the onset all was said to stick, to 130 digits.
+#[test]
+fn a_face_that_no_longer_sticks_is_seen_beyond_all_members() {
+    let cylinder = |b: f64| {
+        let scene = Sketch::flat(5.0, 1.0, 0.5).rubbing(0.1).cylinder().loaded(&format!("half_width = {b:?}"));
+        scene.solve()
+    };
+    assert_eq!(cylinder(0.7933).status, Status::Converged);
+    // Flat punches slip from 0.79337 on.
+    for b in [0.7934, 0.7945, 0.7957] {
+        let solution = cylinder(b);
+        assert_eq!((solution.status, solution.stick.unwrap().slip), (Status::AssumptionViolated, None), "{b}");
+        assert!(solution.reason.as_ref().is_some_and(|why| why.contains("a half-width of 0.7933")), "{b}");
+    }
 }
 
 /// A stick zone that is all of the contact is as uncertain as that.

@@ -18,6 +18,7 @@ use crate::engine::friction::stick_search::{FrictionCurve, Root};
 use crate::engine::friction::stick_zone::StickZone;
 use crate::engine::numerics::dense::Dense;
 use crate::engine::numerics::lanes::Lanes;
+use crate::engine::numerics::root::between;
 use crate::engine::outcome::{Left, Task};
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::pressure::half_plane_depth::HalfPlaneDepth;
@@ -142,6 +143,12 @@ pub(crate) fn during(problem: &Problem, half_width: f64, what: &str) -> String {
     format!("while the contact grew, at a half-width of {}: {what}", short(half_width * problem.length))
 }
 
+/// What is said of a contact whose stick zone begins as all of it.
+const STUCK_BEFORE: &str = "all of the surface stuck until then, and no longer does; a stick zone that is all of the contact at first, and a \
+                            part of it later, is not built";
+/// And where it is the other way about.
+const STUCK_AFTER: &str = "all of the surface sticks from then on, and did not before; a stick zone that becomes all of the contact is not built";
+
 /// Why a family ends before its widest member.
 #[derive(Clone, Debug)]
 pub(crate) enum Unfit {
@@ -261,13 +268,28 @@ impl Family {
     }
 
     /// The stick zone of a contact of that half-width, as told between the members; `None` without friction.
-    pub(crate) fn rubbing_between(&self, b: f64) -> Option<Rubbing> {
+    pub(crate) fn rubbing_between(&self, problem: &Problem, b: f64) -> Option<Rubbing> {
         let root = self.root_at(b)?;
-        Some(if root.lambda > FrictionCurve::WIDEST {
-            Rubbing::sticking(b, self.is_checked())
-        } else {
-            Rubbing::expected(root, b, self.is_checked())
+        if root.lambda <= FrictionCurve::WIDEST {
+            return Some(Rubbing::expected(root, b, self.is_checked()));
+        }
+        let stuck = Rubbing::sticking(b, self.is_checked());
+        Some(match self.comes_off(b) {
+            None => stuck,
+            Some(at) => stuck.failing(during(problem, at, STUCK_BEFORE)),
         })
+    }
+
+    /// The half-width from which on a contact that grows to another no longer sticks as a whole, though all members do.
+    fn comes_off(&self, b: f64) -> Option<f64> {
+        let (rubbed, friction) = (self.rubbed.as_ref()?, self.friction?);
+        // How wide a zone is that all is in tells by how much friction is more than it takes, of either sign.
+        let spare = |b: f64| {
+            let root = rubbed.root_at(b, 0.0);
+            2.0 * friction - (root.lambda - FrictionCurve::WIDEST) * root.slope
+        };
+        let b = b.min(self.widest());
+        (spare(b) < 0.0).then(|| between((rubbed.blend.narrowest(), b), f64::EPSILON * b, spare).unwrap_or(b))
     }
 
     /// What its series leave.

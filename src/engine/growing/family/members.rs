@@ -3,7 +3,7 @@
 use super::depths::Depths;
 use super::pressed::Pressed;
 use super::rubbed::{Member, Members, Rubbed, Seen};
-use super::{CHECKED, Family, Room, Unfit, during, member};
+use super::{CHECKED, Family, Room, STUCK_AFTER, STUCK_BEFORE, Unfit, during, member};
 use crate::engine::accuracy::error_estimate::apart;
 use crate::engine::accuracy::quantity::ShearTrace;
 use crate::engine::contact::Contact;
@@ -118,11 +118,7 @@ impl Family {
         let half_widths = blend.half_widths();
         // What sticks as a whole slips in no direction.
         let can_stick = flat.elastic.beta() < FrictionCurve::FLAT * PI;
-        let sticks_at_times = |members: &Members| {
-            let b = members.sticks_at_times(half_widths).filter(|_| can_stick)?;
-            let sticks = "all of the surface sticks, but not always".into();
-            Some(Unfit::Friction(b, Box::new(Rubbing::sticking(b, false).failing(sticks))))
-        };
+        let sticks_at_times = |members: &Members| members.sticks_at_times(half_widths).filter(|_| can_stick);
         let coarse_zones = coarse.and_then(|coarse| coarse.rubbed.as_ref());
         let mut wrong = Wrong::default();
         for (k, b) in half_widths.iter().copied().enumerate() {
@@ -144,19 +140,37 @@ impl Family {
             let root = member.root;
             wrong.add_apart(coarse_zones, &member, b);
             if !members.add(member) {
-                if let Some(why) = sticks_at_times(&members) {
-                    return Err(why);
+                if let Some(ends) = sticks_at_times(&members) {
+                    return Err(self.sticks_between(layer, task, ends)?);
                 }
                 let turned = "the direction of slip turns while the contact grows".into();
                 return Err(Unfit::Friction(b, Box::new(Rubbing::expected(root, b, false).failing(turned))));
             }
         }
-        if let Some(why) = sticks_at_times(&members) {
-            return Err(why);
+        if let Some(ends) = sticks_at_times(&members) {
+            return Err(self.sticks_between(layer, Task { problem: &flat, ..task }, ends)?);
         }
         let told = coarse_zones.map(|coarse| (coarse.told, wrong.over(blend.widest())));
         self.rubbed = Some(members.blended(blend, self.end_of_shear, told));
         Ok(self.look_closer(layer, task)?)
+    }
+
+    /// What is said of contacts that stick as a whole at one of two half-widths, and not at the other: where that ends, or begins.
+    fn sticks_between(
+        &mut self,
+        layer: &mut PreparedLayer,
+        task: Task,
+        (mut sticks, mut slips): (f64, f64),
+    ) -> Result<Unfit, Refusal> {
+        /// Said to five digits.
+        const SURE: f64 = 1e-6;
+        let what = if sticks < slips { STUCK_BEFORE } else { STUCK_AFTER };
+        while (sticks - slips).abs() > SURE * sticks {
+            let b = f64::midpoint(sticks, slips);
+            self.take_pressure(b);
+            *(if self.contact.stuck(layer, task)?.is_some() { &mut sticks } else { &mut slips }) = b;
+        }
+        Ok(Unfit::Friction(sticks, Box::new(Rubbing::sticking(sticks, false).failing(what.into()))))
     }
 
     /// Solves for the stick zones between the members that are told to shrink, but by less than is sure: narrow ones are told no better
@@ -384,7 +398,7 @@ impl Family {
         let checked = self.is_checked();
         let Some(guess) = self.root_at(b) else { return Ok(None) };
         if guess.lambda > FrictionCurve::WIDEST {
-            return Ok(self.rubbing_between(b));
+            return Ok(self.rubbing_between(task.problem, b));
         }
         let flat = member(task.problem, b, true);
         let root = self.contact.follow(layer, Task { problem: &flat, ..task }, b, guess, REFINED * task.tolerance)?;

@@ -189,11 +189,12 @@ impl Members {
         Some(Root { lambda, branch: self.branch, slope: *self.slope.last()?, doubt: f64::INFINITY })
     }
 
-    /// The first of the half-widths at which everything sticks, where it does not at all of them.
-    pub(super) fn sticks_at_times(&self, half_widths: &[f64]) -> Option<f64> {
-        let sticks = |lambda: &f64| *lambda > FrictionCurve::WIDEST;
-        let first = self.lambda.iter().position(sticks)?;
-        (!self.lambda.iter().all(sticks)).then(|| half_widths[first])
+    /// Two half-widths side by side, everything sticking at the first and not at the second; `None` where it does at all, or at none.
+    pub(super) fn sticks_at_times(&self, half_widths: &[f64]) -> Option<(f64, f64)> {
+        let sticks = |lambda: f64| lambda > FrictionCurve::WIDEST;
+        let change = self.lambda.windows(2).position(|pair| sticks(pair[0]) != sticks(pair[1]))?;
+        let (wide, narrow) = (half_widths[change], half_widths[change + 1]);
+        Some(if sticks(self.lambda[change]) { (wide, narrow) } else { (narrow, wide) })
     }
 
     /// Adds a member; returns false where it slips another way than those before.
