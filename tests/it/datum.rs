@@ -195,3 +195,18 @@ fn a_punch_that_sinks_less_than_its_datum_at_first_is_pressed_in_later() {
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
     assert!((solution.load.half_width.expect("a contact") / 0.88 - 1.0).abs() < 1e-6, "{:?}", solution.load);
 }
+
+/// Just below the most that it sinks the depth hardly grows with the half-width: what the kernels are off by moved the contact by ten times
+/// what was claimed.
+#[test]
+fn next_to_the_deepest_a_contact_is_as_sure_as_the_depth_lets_it_be() {
+    let text = "layer = { thickness = 1.0, poisson = 0.48, datum = 0.3, base = { type = \"half-plane\", shear = 8e4, poisson = 0.3 }, \
+        grading = { type = \"exponential\", surface = 3e4, base = 6e4 } }\n\
+        punch = { type = \"cylinder\", radius = 100.0 }\nload = { indentation = 0.00098979 }\n";
+    let solution = solved(text);
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+    // At a tolerance of 1e-11.
+    let apart = (solution.load.force.expect("a force") / 5171.795_916_757 - 1.0).abs();
+    let claimed = solution.error.each["load.force"];
+    assert!(apart < 3.0 * claimed, "{apart:e}, {claimed:e} claimed");
+}

@@ -333,11 +333,10 @@ impl Stack {
 
     /// Half-width of the contact under a load; `None` where no member bears it.
     pub(crate) fn under(&mut self, problem: &Problem, family: &mut Family, load: LoadInLayerUnits) -> Option<f64> {
-        let shrinks = match load {
-            LoadInLayerUnits::HalfWidth(half_width) => return Some(half_width),
-            LoadInLayerUnits::Force(_) => problem.is_on_soft_base() || problem.has_soft_sublayer(),
-            LoadInLayerUnits::Indentation(_) => !problem.layer.is_grounded() || problem.has_soft_sublayer(),
-        };
+        if let LoadInLayerUnits::HalfWidth(half_width) = load {
+            return Some(half_width);
+        }
+        let shrinks = may_shrink(problem, load);
         self.first(shrinks, |stack, b| stack.excess(problem, family, load, b))
     }
 
@@ -353,7 +352,9 @@ impl Stack {
     /// A half-width that bears the load, with what it misses of that: the force grows from a face like a power of what is beyond it, of which the
     /// half-width holds few digits, a millionth where that is 1e-10 of it.
     pub(crate) fn size(&mut self, problem: &Problem, family: &mut Family, half_width: f64) -> Size {
-        Size::exactly(half_width).missing(self.excess(problem, family, problem.load, half_width).abs())
+        let size = Size::exactly(half_width).missing(self.excess(problem, family, problem.load, half_width).abs());
+        let may_shrink = may_shrink(problem, problem.load);
+        if may_shrink { size.growing(self.growth(problem, family, half_width)) } else { size }
     }
 
     /// The narrowest half-width at which something grows through zero, where it may shrink again: a stiff surface bends, and a
@@ -375,13 +376,17 @@ impl Stack {
 
     /// A size to start from, where the stack finds the load at that half-width: with how the load grows there.
     pub(crate) fn size_about(&mut self, problem: &Problem, family: &mut Family, half_width: f64) -> Size {
+        Size::about(half_width, self.growth(problem, family, half_width))
+    }
+
+    /// How the load grows with the half-width, both over what they are.
+    fn growth(&mut self, problem: &Problem, family: &mut Family, half_width: f64) -> f64 {
         let mut borne = |b: f64| match problem.load {
             LoadInLayerUnits::HalfWidth(_) => b,
             LoadInLayerUnits::Force(_) => self.force(problem, b),
             LoadInLayerUnits::Indentation(_) => self.depth(problem, family, b),
         };
-        let slope = (borne(half_width) / borne(half_width * (1.0 - BESIDE))).ln() / -(-BESIDE).ln_1p();
-        Size::about(half_width, slope)
+        (borne(half_width) / borne(half_width * (1.0 - BESIDE))).ln() / -(-BESIDE).ln_1p()
     }
 
     /// Half-width within a range at which something grows through zero.
@@ -498,4 +503,12 @@ struct Place {
 /// A point in the middle, or far enough from it to be told apart.
 fn apart(x: f64, b: f64) -> f64 {
     if x > 0.0 { x.max(CLOSEST * b) } else { 0.0 }
+}
+/// Whether a load of that kind may shrink while the contact grows: a stiff surface bends, and a datum may sink as fast as the punch.
+fn may_shrink(problem: &Problem, load: LoadInLayerUnits) -> bool {
+    match load {
+        LoadInLayerUnits::HalfWidth(_) => false,
+        LoadInLayerUnits::Force(_) => problem.is_on_soft_base() || problem.has_soft_sublayer(),
+        LoadInLayerUnits::Indentation(_) => !problem.layer.is_grounded() || problem.has_soft_sublayer(),
+    }
 }

@@ -86,7 +86,7 @@ pub(crate) struct Bracketed {
     pub(crate) at: f64,
     /// What the function is there.
     pub(crate) value: f64,
-    /// Through the last two places tried; NaN where these are one.
+    /// Through the last two places tried that are apart by more than rounding; NaN where these are one.
     pub(crate) slope: f64,
 }
 
@@ -99,7 +99,9 @@ pub(crate) fn bracketed<E>(
     let mut last = [(lower, 0.0); 2];
     let found = solver((lower, upper), wanted).solve(|x| {
         let value = f(x)?;
-        last = [last[1], (x, value)];
+        // Nearer to each other their difference is rounding.
+        let before = if (x - last[1].0).abs() < f64::EPSILON.sqrt() { last[0] } else { last[1] };
+        last = [before, (x, value)];
         Ok(value)
     })?;
     let [(x0, f0), (x1, f1)] = last;

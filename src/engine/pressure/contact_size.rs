@@ -69,6 +69,17 @@ impl Size {
         Self { half_width, slope: f64::NAN, missed: 0.0, is_guess: false, is_beside_top: false }
     }
 
+    /// With how the load grows there.
+    pub(crate) fn growing(self, slope: f64) -> Self {
+        Self { slope, ..self }
+    }
+
+    /// By how many times an error of the load moves the numbers of the contact, both relative: as much as forces move where it grows like the
+    /// square of the half-width, or faster, and without bound where it is about to fall, as the depth to a shallow datum does.
+    pub(crate) fn moves(&self) -> f64 {
+        if self.slope < 1.0 { 2.0 / self.slope.max(STEEPEST) } else { 1.0 }
+    }
+
     /// The same where that misses so much of the load.
     pub(crate) fn missing(self, missed: f64) -> Self {
         Self { missed, ..self }
@@ -91,6 +102,8 @@ impl Size {
     }
 }
 
+/// A load that grows no faster with the half-width does not tell it.
+const STEEPEST: f64 = 1e-12;
 /// Slopes of a contact's load over its size, `d ln P/d ln b`, that are no jump; 2 to 3 for a cylinder.
 const SLOPES: std::ops::RangeInclusive<f64> = 0.2..=30.0;
 
@@ -204,7 +217,7 @@ impl Search<'_> {
         let Size { half_width, mut slope, is_beside_top, .. } = known;
         let mut log_b = half_width.ln();
         let mut missed = self.excess(log_b)?;
-        let allowed = MISSED * self.tolerance;
+        let allowed = MISSED * self.tolerance / known.moves();
         let enough = if known.is_guess { allowed } else { allowed.max(CONTRACTED * missed.abs()) };
         for _ in 0..STEPS {
             if missed.abs() <= enough {
@@ -248,7 +261,7 @@ impl Search<'_> {
         }
         let Crossing { log_b, slope, is_beside_top } = found.or_else(|refusal| self.walk_to_flaw(walk, refusal))?;
         let missed = self.excess(log_b)?.abs();
-        let slope = if SLOPES.contains(&slope) { slope } else { f64::NAN };
+        let slope = if bends || SLOPES.contains(&slope) { slope } else { f64::NAN };
         Ok(Size { half_width: log_b.exp(), slope, missed, is_guess: false, is_beside_top })
     }
 

@@ -188,10 +188,11 @@ pub(crate) fn with_the_rest(
     let missed = if missed > ROUNDING { missed } else { 0.0 };
     let of_kernels = layer.kernel_error(half_width).unwrap_or(0.0);
     let of_depth = layer.depth_error(half_width).unwrap_or(0.0);
-    let mut rest = of_kernels + missed + left_out + between_members(outcome);
+    let mut of_load = of_kernels + missed;
     if problem.is_pressed_by_depth() {
-        rest += of_depth;
+        of_load += of_depth;
     }
+    let rest = moves(outcome) * of_load + left_out + between_members(outcome);
     let mut errors = errors.plus(rest);
     errors.add(Quantity::Indentation, of_depth);
     let of_zone = of_kernels * (1.0 / share_in_shear(outcome) - 1.0);
@@ -227,6 +228,11 @@ pub(crate) fn share_in_middle(outcome: &Outcome) -> f64 {
     let share =
         numbers.get(Quantity::Centre).zip(numbers.get(Quantity::Mean)).map_or(1.0, |(centre, mean)| centre / mean);
     share.abs().clamp(f64::MIN_POSITIVE, 1.0)
+}
+
+/// By how many times what the load is off by moves the numbers of the contact.
+pub(crate) fn moves(outcome: &Outcome) -> f64 {
+    outcome.size.map_or(1.0, |size| size.moves())
 }
 
 /// By how much less than all of the pressure moves a stick zone, or what drives it, 1 at most: what moves the pressure moves the zone by

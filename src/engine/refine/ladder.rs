@@ -6,7 +6,7 @@ use crate::engine::growing::family::Family;
 use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::{PreparedLayer, Wanted};
 use crate::engine::problem::Problem;
-use crate::engine::refine::judged::{share_in_middle, share_in_shear};
+use crate::engine::refine::judged::{moves, share_in_middle, share_in_shear};
 use crate::engine::refine::stage::Stage;
 use crate::engine::work::Work;
 use crate::plan::Methods;
@@ -101,7 +101,7 @@ impl Ladder {
 
     /// Takes note of a pressure that is faint in the middle, or of a shear that is, either of which wants finer kernels.
     fn note(&mut self, outcome: &Outcome) {
-        let share = share_in_middle(outcome).min(share_in_shear(outcome));
+        let share = share_in_middle(outcome).min(share_in_shear(outcome)).min(moves(outcome).recip());
         if share < FAINT * self.least_share.unwrap_or(1.0) {
             self.least_share = Some(share);
         }
