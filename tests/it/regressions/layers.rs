@@ -419,3 +419,22 @@ fn a_law_that_is_not_smooth_at_the_surface_is_named() {
     assert_eq!(pinned.status, Status::NotConverged);
     assert!(pinned.reason.as_ref().is_some_and(|reason| reason.contains("`octaves`")), "{:?}", pinned.reason);
 }
+
+/// A skin whose modulus has no slope at the surface has kernels without a jump, and their logarithm, measured by that jump, was windowed to a
+/// thousandth of the skin: refused at 1e-8, as at any coarser tolerance.
+#[test]
+#[cfg(feature = "formula")]
+fn a_skin_without_a_slope_at_the_surface_is_split_as_others_are() {
+    let layer = "poisson = 0.3, thickness = 5, \
+        grading = { type = \"formula\", modulus = \"80*(1 + 1.5*exp(-(y/0.12)^2))\" }";
+    let solved = |solver: &str| {
+        written(layer, "type = \"flat\", half_width = 1", "force = 1", &format!("solver = {{ {solver} }}"))
+    };
+    let octaves =
+        solved("tolerance = 1e-9, kernel = { type = \"octaves\" }, quadrature = { type = \"graded-panels\" }");
+    for tolerance in [1e-4, 1e-8] {
+        let split = solved(&format!("tolerance = {tolerance:e}"));
+        assert_eq!(split.plan.kernel, "split");
+        within_three_estimates(&split, &octaves, &["pressure.centre", "edge.ratio", "load.indentation"]);
+    }
+}

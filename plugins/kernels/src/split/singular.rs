@@ -40,7 +40,9 @@ impl Singular {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most 16
         let digits = (-column.aim.log10()).clamp(0.0, 16.0) as usize;
         let taylor: Vec<f64> = signed_taylor(column, &column.series, DEGREE + digits).collect();
-        let allowed = MODERATE * taylor[0].abs().max(1.0);
+        // A skin whose modulus has no slope at the surface has a curvature there.
+        let size = taylor[0].abs().max(taylor[1].abs().sqrt()).max(1.0);
+        let allowed = MODERATE * size;
         let open = Self::windowed(column, &taylor, 0.0);
         // What does not grow needs no window, unless the kernel is to end as it does far away.
         let is_constant = taylor[1..].iter().all(|c| *c == 0.0);
