@@ -171,8 +171,8 @@ fn summary(study: &Study, folder: &Path, results: &[&str], failed: u64) -> Strin
     let title = study.title.as_ref().map_or(String::new(), |title| format!("{title}: "));
     let failures = match failed {
         0 => "all converged".to_owned(),
-        1 => "1 did not converge (its `reason` is in the results)".to_owned(),
-        _ => format!("{failed} did not converge (their `reason` is in the results)"),
+        1 => "1 without a converged result (its `reason` is in the results)".to_owned(),
+        _ => format!("{failed} without a converged result (their `reason` is in the results)"),
     };
     let scenes = if rows == 1 { "scene" } else { "scenes" };
     format!("{title}{rows} {scenes}, {failures}\n{}: {}\n", folder.display(), results.join(", "))

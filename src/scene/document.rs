@@ -367,10 +367,25 @@ fn first_deep_key(text: &str) -> Option<Range<usize>> {
 
 /// What to write for a text that is no value.
 fn instead(found: &str) -> Option<String> {
+    if let Some(number) = worked_out(found) {
+        return Some(format!("a number is written out: {number}"));
+    }
     let (first, rest) = found.trim().split_once(' ').unwrap_or((found.trim(), ""));
     let is_word = |text: &str| !text.is_empty() && text.chars().all(|c| c.is_alphanumeric() || "-_/^%.*".contains(c));
     if first.parse::<f64>().is_ok_and(f64::is_finite) {
         return is_word(rest).then(|| format!("the number alone, {first}; units are named in [units]"));
     }
     (is_word(first) && rest.is_empty()).then(|| format!("text stands in quotes: \"{first}\""))
+}
+
+/// The number that a percentage, a product or a quotient comes to.
+fn worked_out(text: &str) -> Option<f64> {
+    let text: String = text.split_whitespace().collect();
+    let parts = |sign: char| {
+        let (one, other) = text.split_once(sign)?;
+        Some((one.parse::<f64>().ok()?, other.parse::<f64>().ok()?))
+    };
+    let of_percent = || Some(text.strip_suffix('%')?.parse::<f64>().ok()? / 100.0);
+    let number = of_percent().or_else(|| parts('/').map(|(a, b)| a / b)).or_else(|| parts('*').map(|(a, b)| a * b));
+    number.filter(|number| number.is_finite())
 }

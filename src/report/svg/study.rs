@@ -72,7 +72,7 @@ fn put_together(study: &Study, plot: &Plot, drawing: Drawing) -> String {
     let title = plot.title.as_deref().or(study.title.as_deref()).map(names::with_symbols);
     let Drawing { panels, abreast, legend, scenes, failed, left_out } = drawing;
     let abreast = abreast.min(panels.len());
-    let failed = (failed > 0).then(|| format!("{failed} of {scenes} scenes did not converge"));
+    let failed = (failed > 0).then(|| format!("{failed} of {scenes} scenes without a converged result"));
     let left_out = left_out.map(|text| wrapped(&text, ALARM * abreast, 2)).unwrap_or_default();
     Sheet {
         title: title.unwrap_or_else(|| "Study".into()),

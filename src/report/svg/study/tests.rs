@@ -108,14 +108,14 @@ fn numbers_have_their_units_and_panels_their_names() {
 fn what_did_not_converge_is_a_gap_and_is_counted() {
     let study = study(AXES, CURVES);
     let mut all = records(&study);
-    assert!(!texts(&figure(&study, all.clone())).iter().any(|text| text.contains("did not converge")));
+    assert!(!texts(&figure(&study, all.clone())).iter().any(|text| text.contains("without a converged result")));
     // By the coefficient the scenes 1, 2, 3, 0 follow each other: one line is left of two.
     all[2]["status"] = json!("assumption-violated");
     let svg = figure(&study, all);
     assert_eq!(lengths(&svg), [2, 4, 4], "a line of two beyond the gap, beside a point and a cross");
     assert_eq!(crosses(&svg), 2, "one for the scene, one for the legend");
     assert!(texts(&svg).contains(&VIOLATED.to_owned()), "{:?}", texts(&svg));
-    assert!(texts(&svg).contains(&"1 of 12 scenes did not converge".to_owned()), "{:?}", texts(&svg));
+    assert!(texts(&svg).contains(&"1 of 12 scenes without a converged result".to_owned()), "{:?}", texts(&svg));
     let failed = records(&study).into_iter().map(|mut record| {
         record["status"] = json!("not-converged");
         record
@@ -288,7 +288,7 @@ fn a_map_marks_each_scene_and_crosses_out_what_is_missing() {
     some.remove(9);
     let svg = figure(&study, some);
     assert_eq!((missing(&svg), svg.matches("<circle").count()), ((2, 4), 26), "one failed, one not there");
-    assert!(texts(&svg).contains(&"1 of 27 scenes did not converge".to_owned()));
+    assert!(texts(&svg).contains(&"1 of 27 scenes without a converged result".to_owned()));
 }
 
 /// On three rows a line of equal value runs through one colour from frame to frame: those of the cells would change by a
