@@ -1,6 +1,7 @@
 //! `slipzone check`: is this a scene?
 
 use super::{Failure, Outcome, input, print};
+use slipzone::api::rounded;
 use slipzone::scene::Scene;
 use slipzone::{engine, report};
 use std::path::Path;
@@ -18,7 +19,7 @@ pub(super) fn run(path: &Path) -> Result<Outcome, Failure> {
 fn summary(scene: &Scene) -> String {
     let title = scene.title.as_ref().map_or(String::new(), |title| format!("{title}: "));
     let path = scene.path.as_ref().map_or(String::new(), |path| {
-        format!(", on a path of {} from {:?}", path.points(), path.load(0).value().get())
+        format!(", on a path of {} from {}", path.points(), rounded(path.load(0).value().get(), 8))
     });
     format!("{title}{}{path}", report::scene_line(scene))
 }

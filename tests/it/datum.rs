@@ -206,7 +206,7 @@ fn next_to_the_deepest_a_contact_is_as_sure_as_the_depth_lets_it_be() {
     let solution = solved(text);
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
     // At a tolerance of 1e-11.
-    let apart = (solution.load.force.expect("a force") / 5171.795_916_757 - 1.0).abs();
+    let apart = (solution.load.force.expect("a force") / 5_171.795_916_757 - 1.0).abs();
     let claimed = solution.error.each["load.force"];
     assert!(apart < 3.0 * claimed, "{apart:e}, {claimed:e} claimed");
 }

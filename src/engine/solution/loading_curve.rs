@@ -4,7 +4,7 @@ use crate::engine::accuracy::quantity::{Numbers, Quantity};
 use crate::engine::solution::{LoadReport, Status};
 use crate::scene::{Load, LoadPath, Scene};
 use serde::Serialize;
-use slipzone_api::Refusal;
+use slipzone_api::{Refusal, rounded};
 
 /// A contact under growing loads, the smallest first; lengths and forces in the scene's units.
 ///
@@ -111,6 +111,9 @@ fn gravity(status: Status) -> u8 {
     }
 }
 
+/// Digits of a load in words.
+const SAID: usize = 8;
+
 /// What is to be said against some of the points.
 fn note(points: &[Point], loads: &LoadPath) -> Option<String> {
     let of = |status| {
@@ -125,9 +128,10 @@ fn note(points: &[Point], loads: &LoadPath) -> Option<String> {
         let reason = point.reason.as_deref().unwrap_or("no reason was given");
         let (key, value) = (loads.kind().key(), loads.load(first).value().get());
         Some(format!(
-            "{} of {} loads {what}, the first at {key} = {value:?}: {reason}",
+            "{} of {} loads {what}, the first at {key} = {}: {reason}",
             1 + failed.count(),
-            points.len()
+            points.len(),
+            rounded(value, SAID)
         ))
     };
     let notes: Vec<String> =

@@ -18,7 +18,7 @@ fn rule(c: f64, parity: Parity, edge: Edge, nodes: usize, panels: usize) -> Box<
 
 /// Unknowns of the density whose piecewise polynomial `F` is this function of the angle.
 fn unknowns(parity: Parity, edge: Edge, nodes: usize, panels: usize, polynomial: impl Fn(f64) -> f64) -> Vec<f64> {
-    let (mesh, basis) = (Mesh::new(nodes, panels, 1), Basis { parity, edge });
+    let (mesh, basis) = (Mesh::new(nodes, panels, 1, false), Basis { parity, edge });
     let count = basis.unknowns(mesh.nodes());
     let kept = (0..mesh.nodes()).filter(|i| basis.unknown(*i).is_some_and(|j| j < count));
     kept.map(|i| polynomial(mesh.node(i))).collect()
