@@ -77,7 +77,7 @@ impl Size {
     /// By how many times an error of the load moves the numbers of the contact, both relative: as much as forces move where it grows like the
     /// square of the half-width, or faster, and without bound where it is about to fall, as the depth to a shallow datum does.
     pub(crate) fn moves(&self) -> f64 {
-        if self.slope < 1.0 { 2.0 / self.slope.max(STEEPEST) } else { 1.0 }
+        if self.slope < 1.0 { 2.0 / self.slope.max(FLATTEST) } else { 1.0 }
     }
 
     /// The same where that misses so much of the load.
@@ -103,7 +103,7 @@ impl Size {
 }
 
 /// A load that grows no faster with the half-width does not tell it.
-const STEEPEST: f64 = 1e-12;
+const FLATTEST: f64 = 1e-12;
 /// Slopes of a contact's load over its size, `d ln P/d ln b`, that are no jump; 2 to 3 for a cylinder.
 const SLOPES: std::ops::RangeInclusive<f64> = 0.2..=30.0;
 
