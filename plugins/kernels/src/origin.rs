@@ -10,7 +10,7 @@ use slipzone_api::Component;
 use std::f64::consts::PI;
 use told::Told;
 
-/// Powers of `z` that are told.
+/// Places at which a series is found; no more powers of `z` are told.
 const POWERS: usize = 12;
 /// Share of the accuracy that may be missed, there and at the origin.
 const SHARE: f64 = 0.1;
@@ -110,8 +110,8 @@ impl Origin {
             let is_depth = integrand.component == Component::Depth;
             let beside_it = !is_depth && !integrand.component.is_odd();
             let all = chebyshev(&values[..POWERS]);
-            let told = Told::by(&all, beside_it.then_some(&distance), origin.place(0.0));
-            let Told { coefficients, analytic, off_at_origin } = told;
+            let Told { coefficients, analytic, off_at_origin } =
+                Told::by(&all, beside_it.then_some(&distance), origin.place(0.0));
             let series = Series { integrand: integrand.clone(), coefficients, analytic };
             let missed = |i: usize| {
                 let (t, z) = at[i];

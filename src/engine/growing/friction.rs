@@ -24,7 +24,7 @@ impl Growing {
         let family = self.family.as_mut().expect("provided before");
         let zone = family.zone(b);
         let solved = family.rubbing(layer, task, b)?;
-        let rubbing = solved.or_else(|| family.rubbing_between(task.problem, b)).expect("a family with friction");
+        let rubbing = solved.or_else(|| family.rubbing_between(problem, b)).expect("a family with friction");
         if rubbing.failure().is_some() {
             return Ok(rubbing);
         }

@@ -350,11 +350,10 @@ impl Stack {
     }
 
     /// A half-width that bears the load, with what it misses of that: the force grows from a face like a power of what is beyond it, of which the
-    /// half-width holds few digits, a millionth where that is 1e-10 of it.
+    /// half-width holds few digits, a millionth where that is 1e-10 of it. Where the load may shrink, with how it grows there, too.
     pub(crate) fn size(&mut self, problem: &Problem, family: &mut Family, half_width: f64) -> Size {
         let size = Size::exactly(half_width).missing(self.excess(problem, family, problem.load, half_width).abs());
-        let may_shrink = may_shrink(problem, problem.load);
-        if may_shrink { size.growing(self.growth(problem, family, half_width)) } else { size }
+        if may_shrink(problem, problem.load) { size.growing(self.growth(problem, family, half_width)) } else { size }
     }
 
     /// The narrowest half-width at which something grows through zero, where it may shrink again: a stiff surface bends, and a
@@ -504,6 +503,7 @@ struct Place {
 fn apart(x: f64, b: f64) -> f64 {
     if x > 0.0 { x.max(CLOSEST * b) } else { 0.0 }
 }
+
 /// Whether a load of that kind may shrink while the contact grows: a stiff surface bends, and a datum may sink as fast as the punch.
 fn may_shrink(problem: &Problem, load: LoadInLayerUnits) -> bool {
     match load {

@@ -69,7 +69,12 @@ impl Size {
         Self { half_width, slope: f64::NAN, missed: 0.0, is_guess: false, is_beside_top: false }
     }
 
-    /// With how the load grows there.
+    /// The same where that misses so much of the load.
+    pub(crate) fn missing(self, missed: f64) -> Self {
+        Self { missed, ..self }
+    }
+
+    /// The same, and how the load grows there.
     pub(crate) fn growing(self, slope: f64) -> Self {
         Self { slope, ..self }
     }
@@ -78,11 +83,6 @@ impl Size {
     /// square of the half-width, or faster, and without bound where it is about to fall, as the depth to a shallow datum does.
     pub(crate) fn moves(&self) -> f64 {
         if self.slope < 1.0 { 2.0 / self.slope.max(FLATTEST) } else { 1.0 }
-    }
-
-    /// The same where that misses so much of the load.
-    pub(crate) fn missing(self, missed: f64) -> Self {
-        Self { missed, ..self }
     }
 
     /// A size to start from, where the load grows with that slope.

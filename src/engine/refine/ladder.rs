@@ -33,7 +33,7 @@ pub(in crate::engine) struct Ladder {
     pub(super) settled: Option<usize>,
     /// How fast it was reached, and by how wide a contact.
     pub(super) pace: Option<(f64, Pace)>,
-    /// The least pressure in the middle seen, over the mean, or [`share_in_shear`], where it is faint.
+    /// The least pressure in the middle seen, over the mean, or [`share_in_shear`], or the inverse of [`moves`], where it is faint.
     pub(super) least_share: Option<f64>,
     /// What cannot be told of friction under the present load, at any resolution.
     pub(super) given_up: Option<(f64, Rubbing)>,
@@ -99,7 +99,7 @@ impl Ladder {
         Task { problem, wanted, tolerance }
     }
 
-    /// Takes note of a pressure that is faint in the middle, or of a shear that is, either of which wants finer kernels.
+    /// Takes note of a pressure that is faint in the middle, of a shear that is, or of a load that hardly tells the contact, each of which wants finer kernels.
     fn note(&mut self, outcome: &Outcome) {
         let share = share_in_middle(outcome).min(share_in_shear(outcome)).min(moves(outcome).recip());
         if share < FAINT * self.least_share.unwrap_or(1.0) {

@@ -14,21 +14,18 @@ pub(super) struct Told {
 }
 
 impl Told {
-    /// So many terms that the last of them are least at the `origin`: fewer miss what is there, and more are noise, which grows towards it.
+    /// So many terms that the last of them are least at the `origin`, a place beyond `[-1, 1]`: fewer miss what is there, and more are noise, which grows towards it.
     ///
     /// `beside` are the coefficients of what no series tells. The coefficients left over meet it: next to the places of a whole
     /// interpolant it would differ from that by less than the noise.
     pub(super) fn by(all: &[f64], beside: Option<&[f64]>, origin: f64) -> Self {
-        let polynomials: Vec<f64> =
-            std::iter::successors(Some((1.0, origin)), |(one, next)| Some((*next, 2.0 * origin * next - one)))
-                .map(|(one, _)| one)
-                .take(all.len())
-                .collect();
+        // There `T_k` is `cosh(k growth)`, but for its sign.
+        let growth = origin.abs().acosh();
         let told = |terms: usize| {
             let analytic = beside.map_or(0.0, |beside| met(&all[terms..], &beside[terms..]));
             let coefficient = |k: usize| all[k] - beside.map_or(0.0, |beside| analytic * beside[k]);
             let coefficients: Vec<f64> = (0..terms).map(coefficient).collect();
-            let last = (terms - 2..terms).map(|k| (coefficients[k] * polynomials[k]).abs());
+            let last = (terms - 2..terms).map(|k| coefficients[k].abs() * (k as f64 * growth).cosh());
             Self { off_at_origin: last.fold(0.0, f64::max), coefficients, analytic }
         };
         let all = (FEWEST..=all.len() - LEFT).map(told);
