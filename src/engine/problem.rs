@@ -39,6 +39,8 @@ pub(crate) struct Problem {
     /// Whether a smooth shape has details that a grid over the whole contact does not resolve, and is stacked as one with kinks is;
     /// `None` where that was not asked yet.
     pub(crate) is_detailed: Option<bool>,
+    /// Whether the contact is taken to end before the first kink of the shape, which then is smooth all over it.
+    pub(crate) ends_before_kinks: bool,
     /// What is asked for.
     pub(crate) wishes: Wishes,
 }
@@ -91,6 +93,9 @@ impl Problem {
             });
         }
         let wishes = Wishes::of(scene);
+        // Friction remembers how the contact grew: its stack of flat punches is there anyway.
+        let touches_smoothly = shape.face() == 0.0 && shape.kinks().first().is_some_and(|kink| *kink > 0.0);
+        let ends_before_kinks = friction.is_none() && touches_smoothly;
         Ok(Self {
             elastic: model.elastic,
             layer: model,
@@ -101,6 +106,7 @@ impl Problem {
             friction,
             is_linear,
             is_detailed: None,
+            ends_before_kinks,
             wishes,
         })
     }
@@ -117,6 +123,7 @@ impl Problem {
             friction: self.friction,
             is_linear: false,
             is_detailed: None,
+            ends_before_kinks: false,
             wishes: self.wishes.of_member(self.wants_depth()),
         }
     }
@@ -134,7 +141,8 @@ impl Problem {
 
     /// Whether the shape is not analytic all over the contact, or must not be taken for that.
     pub(crate) fn is_kinked(&self) -> bool {
-        self.is_detailed == Some(true) || self.shape.face() > 0.0 || !self.shape.kinks().is_empty()
+        let has_kinks = self.shape.face() > 0.0 || !self.shape.kinks().is_empty();
+        self.is_detailed == Some(true) || has_kinks && !self.ends_before_kinks
     }
 
     /// Half-width of the face that touches before there is any load, in layer units.
@@ -142,9 +150,11 @@ impl Problem {
         self.shape.face() / self.length
     }
 
-    /// Where the shape ends, in layer units; infinite where it does not.
+    /// How wide a contact may be looked for: up to where the shape ends, or is taken to be smooth; in layer units.
     pub(crate) fn reach(&self) -> f64 {
-        self.shape.reach().map_or(f64::INFINITY, |reach| reach / self.length)
+        let kink = self.kinks().next().filter(|_| self.ends_before_kinks);
+        let end = self.shape.reach().map_or(f64::INFINITY, |reach| reach / self.length);
+        kink.map_or(end, |kink| kink.min(end))
     }
 
     /// Scatter of the heights that the shape was made of, in the scene's unit of length.

@@ -5,7 +5,7 @@ mod curve;
 use super::assemble::{self, Solved};
 use super::layer::Layer;
 use super::prepared_layer::PreparedLayer;
-use super::problem::Problem;
+use super::problem::{LoadInLayerUnits, Problem};
 use super::refine::{Aim, FlatPunches, Ladder};
 use super::solution::{Solution, Status};
 use super::stand_in::{self, Decision, StandIn};
@@ -190,9 +190,33 @@ impl Solver {
         Ok(())
     }
 
+    /// The contact where it ends before the first kink of the shape, and is solved as a smooth one; `None` where it does not, or is not
+    /// found so to the tolerance, and whenever it was not before.
+    fn before_kinks(&mut self, tolerance: f64) -> Option<Judged> {
+        let Self { chosen, problem, layer, ladder, .. } = self;
+        if !problem.ends_before_kinks {
+            return None;
+        }
+        let aim = Aim { problem, methods: &chosen.methods, tolerance };
+        let is_wider = matches!(problem.load, LoadInLayerUnits::HalfWidth(b) if b > problem.reach());
+        let found = if is_wider { None } else { ladder.refine(layer, aim).ok() };
+        let found = found.filter(|found| found.worst(problem) <= tolerance);
+        if found.is_none() {
+            problem.ends_before_kinks = false;
+            layer.meter().resume();
+            let work = ladder.work();
+            *ladder = Ladder::inheriting(std::mem::take(ladder).into_flat_punches());
+            ladder.take_over(work);
+        }
+        found
+    }
+
     /// What refinement finds. A smooth shape that has details is solved as one with kinks where it does not converge, and to the end
     /// as it is where it does not converge so either.
     fn refined(&mut self, tolerance: f64) -> Result<Judged, Refusal> {
+        if let Some(found) = self.before_kinks(tolerance) {
+            return Ok(found);
+        }
         let Self { chosen, problem, layer, ladder, .. } = self;
         let methods = &chosen.methods;
         let found = ladder.refine(layer, Aim { problem, methods, tolerance })?;

@@ -15,11 +15,16 @@ const BESIDE: [f64; 9] = [-4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0];
 /// What counts as zero, beside the size nearby.
 const ZERO: f64 = 1e-12;
 
+/// Values that differ by so much, beside both, are not equal by rounding.
+const APART: f64 = 1e-9;
+
 /// How near to the middle that is there, over the scale: farther out an exponential is out of all proportion.
 const NEARBY: f64 = 1e-2;
 
 /// A quantity whose zeros are singular points of the formula.
 struct Suspect {
+    /// The step that it is taken for.
+    end: usize,
     first: Range<usize>,
     /// Taken away from it.
     second: Option<Range<usize>>,
@@ -36,6 +41,26 @@ impl Suspect {
         let value = first - second - Dual::constant(self.shift);
         if self.cosine { value.cos() } else { value }
     }
+
+    /// Whether a `min` or `max` around it takes its other operand there, as `max(0, abs(x) - 1)` does at 0.
+    fn is_passed_over(&self, tape: &Tape, x: f64) -> bool {
+        let mut around = tape.steps().iter().enumerate().skip(self.end + 1);
+        around.any(|(end, step)| {
+            let sign = match step {
+                Step::Max => 1.0,
+                Step::Min => -1.0,
+                _ => return false,
+            };
+            let (first, second) = tape.operands(end);
+            let sign = match self.end {
+                place if first.contains(&place) => sign,
+                place if second.contains(&place) => -sign,
+                _ => return false,
+            };
+            let [first, second] = [first, second].map(|part| tape.part(part, x).value);
+            sign * (second - first) > APART * (first.abs() + second.abs())
+        })
+    }
 }
 
 /// See [`crate::Formula::singular_points`].
@@ -51,16 +76,20 @@ pub(crate) fn points(tape: &Tape, scale: f64, most: usize, narrow: &[(f64, f64)]
     let beside = |(x, width): &(f64, f64)| BESIDE.map(|share| x + share * width);
     samples.extend(narrow.iter().flat_map(beside).filter(|x| *x > 0.0 && x.is_finite()));
     let mut points: Vec<f64> = Vec::new();
+    let mut zeros: Vec<f64> = Vec::new();
     for suspect in &suspects {
         samples.sort_unstable_by(f64::total_cmp);
         samples.dedup();
-        points.extend(zeros(tape, suspect, scale, &samples));
-        points.sort_unstable_by(f64::total_cmp);
+        let found = zeros_of(tape, suspect, scale, &samples);
+        points.extend(found.iter().filter(|x| !suspect.is_passed_over(tape, **x)));
+        zeros.extend(found);
+        zeros.sort_unstable_by(f64::total_cmp);
         // What is taken of it comes later, and is as narrow. No more of them than are told, or a few waves too short for the samples
         // would make samples without end.
-        let between = points.windows(2).take(most).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1]), pair[1]]);
+        let between = zeros.windows(2).take(most).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1]), pair[1]]);
         samples.extend(between.filter(|x| *x > 0.0));
     }
+    points.sort_unstable_by(f64::total_cmp);
     // The same place found in two ways differs by rounding.
     points.dedup_by(|next, before| *next - *before <= 1e-14 * *next);
     points.truncate(most);
@@ -74,7 +103,7 @@ fn suspects(tape: &Tape) -> Vec<Suspect> {
         let mut watch = |first: Range<usize>, second: Option<Range<usize>>, shift: f64, cosine: bool| {
             let varies = |part: &Range<usize>| tape.steps()[part.clone()].contains(&Step::Variable);
             if varies(&first) || second.as_ref().is_some_and(varies) {
-                suspects.push(Suspect { first, second, shift, cosine });
+                suspects.push(Suspect { end, first, second, shift, cosine });
             }
         };
         match step {
@@ -108,7 +137,7 @@ fn suspects(tape: &Tape) -> Vec<Suspect> {
 }
 
 /// Zeros of a quantity among ascending samples: where it changes its sign, or touches zero, or turns around beyond it.
-fn zeros(tape: &Tape, suspect: &Suspect, scale: f64, samples: &[f64]) -> Vec<f64> {
+fn zeros_of(tape: &Tape, suspect: &Suspect, scale: f64, samples: &[f64]) -> Vec<f64> {
     let at = |x: f64| suspect.at(tape, x);
     let mut zeros = Vec::new();
     let tip = at(0.0);

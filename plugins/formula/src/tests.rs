@@ -188,6 +188,8 @@ fn singular_points_are_found() {
         ("max(0, x-0.3)", vec![0.3]),
         ("sqrt((x-0.7)^2)", vec![0.7]),
         ("max(abs(x), 2*abs(x)-1)", vec![0.0, 1.0]),
+        ("x^2 + max(0, abs(x)-0.7)^2", vec![0.7]),
+        ("min(x^2, abs(x)+2)", vec![2.0]),
         ("1/(x-0.3)", vec![0.3]),
         ("R - sqrt(R^2-x^2)", vec![10.0]),
         ("asin(x/2)", vec![2.0]),

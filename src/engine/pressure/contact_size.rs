@@ -30,6 +30,9 @@ const NEAR: f64 = -1.0;
 /// Into so many parts the step is cut in which it is met.
 const PARTS: u32 = 4;
 
+/// How far beyond the contact on a half-plane a kink is near, in `ln b`.
+const NEAR_KINK: f64 = LN_2;
+
 /// What cannot be solved counts as so low, see [`Trail::top`], and what sinks less than its datum; that of a contact this many times as
 /// wide as the layer is thick is not worth a wider one.
 const SUNK: f64 = -2.0;
@@ -248,6 +251,11 @@ impl Search<'_> {
             smallest: SMALLEST_STEP,
             bends,
         };
+        // Towards a kink that is near no walk is worth it where a contact up to there bears less.
+        let is_near = problem.ends_before_kinks && walk.limit < NEAR_KINK + first().ln();
+        if is_near && self.excess(walk.limit)? < 0.0 {
+            return Err(outgrown(problem.reach() * problem.length));
+        }
         let mut found = self.walk(walk);
         if !bends
             && problem.has_soft_sublayer()
