@@ -41,20 +41,32 @@ impl Interpolant {
 
     /// The interpolant of the values at the nodes. At a node it takes no sum: all of them may be asked for.
     pub(super) fn at(&self, x: f64, values: &[f64]) -> f64 {
+        self.magnified(x, values).0
+    }
+
+    /// The same, and how many times the errors of the values it may be off by.
+    ///
+    /// The value at the nearest node is taken out first: what the sums round is beside what the others differ from it, so that values
+    /// that are all the same come back exactly, whatever their size and however uneven the nodes.
+    #[inline(always)]
+    pub(super) fn magnified(&self, x: f64, values: &[f64]) -> (f64, f64) {
         let near = self.nodes.partition_point(|node| *node < x * (1.0 - ROUNDING));
         if self.nodes.get(near).is_some_and(|node| *node <= x * (1.0 + ROUNDING)) {
-            return values[near];
+            return (values[near], 1.0);
         }
-        let (mut above, mut below) = (0.0, 0.0);
+        let is_beyond = near == self.nodes.len() || near > 0 && x - self.nodes[near - 1] < self.nodes[near] - x;
+        let nearest = values[if is_beyond { near - 1 } else { near }];
+        let (mut above, mut below, mut size) = (0.0, 0.0, 0.0);
         for ((node, weight), value) in self.nodes.iter().zip(&self.weights).zip(values) {
             let share = weight / (x - node);
             if !share.is_finite() {
-                return *value;
+                return (*value, 1.0);
             }
-            above += share * value;
+            above += share * (value - nearest);
             below += share;
+            size += share.abs();
         }
-        above / below
+        (nearest + above / below, size / below.abs())
     }
 
     /// The Taylor series about the first node over `x/unit`: multiplied by `x`, numerator and denominator have no pole

@@ -3,7 +3,7 @@
 use super::floater_hormann::{DEGREE, Interpolant};
 use super::rows::Rows;
 use slipzone_api::{Fault, ModulusLaw, Poisson, short};
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 /// The fewest rows.
 const LEAST: usize = 4;
@@ -19,11 +19,16 @@ const STRAYS: f64 = 0.25;
 const SWINGS: f64 = 0.5;
 const LEAST_STEP: f64 = std::f64::consts::LN_2;
 
+/// A curve of a lower degree that does not swing takes the place of one that may be off by so many times what its rows are: between rows
+/// that are far closer together in one place than in another, those of higher degrees tell the rounding of the decimals.
+const MAGNIFIES: f64 = 1e3;
+
 /// By how much of itself the modulus may leave the straight line between two rows before users are told: one that grows exponentially
 /// does so where it grows by a factor of 1.9 from row to row.
 const TOLD: f64 = 0.05;
-/// Where that is looked for, over the distance of two rows: a curve that swings may cross the line half-way.
-const LOOKED: [f64; 3] = [0.25, 0.5, 0.75];
+/// How near to a row a curve is looked at, over the distance of the rows beside it: rows close together make it swing nearer to them than
+/// to those farther off.
+const BESIDE: f64 = 0.25;
 
 /// A table this many times as deep as the layer is to have as many rows within it as a table has at least.
 const FAR_DEEPER: f64 = 100.0;
@@ -36,8 +41,23 @@ pub(super) struct Profile {
     logarithms: Vec<f64>,
     /// Poisson's ratios; none where the layer has one.
     ratios: Vec<f64>,
-    /// By how much of it the modulus leaves the straight line between each row and the next, and at which depth; found when asked for.
-    departures: OnceLock<Vec<(f64, f64)>>,
+    seen: Seen,
+}
+
+/// What a curve does between its rows.
+#[derive(Debug, Default)]
+struct Seen {
+    /// By how much the logarithm of the modulus leaves those of the rows that it lies between, over the largest step between rows, at most;
+    /// after which row, and at which depth.
+    strays: f64,
+    after: usize,
+    at: f64,
+    /// How many times what the rows are off by the curve may be off by.
+    magnifies: f64,
+    /// Whether Poisson's ratio leaves its range.
+    overshoots: bool,
+    /// By how much of it the modulus leaves the straight line between each row and the next, and at which depth.
+    departures: Vec<(f64, f64)>,
 }
 
 impl Profile {
@@ -52,65 +72,75 @@ impl Profile {
         let of_degree = |degree: usize| {
             let curve = Interpolant::new(depths.clone(), degree);
             let (logarithms, ratios) = (logarithms.clone(), rows.ratios.clone());
-            let profile = Self { curve, degree, logarithms, ratios, departures: OnceLock::new() };
-            let strays = if profile.overshoot().is_some() { f64::INFINITY } else { profile.strays().0 };
-            (strays, profile)
+            Self { curve, degree, logarithms, ratios, seen: Seen::default() }.seen()
         };
         let highest = DEGREE.min(count - 1);
-        let (mut least, mut profile) = of_degree(highest);
+        let mut profile = of_degree(highest);
         for degree in (0..highest).rev() {
-            if least <= STRAYS {
+            if profile.rank() == (false, false, 0.0) {
                 break;
             }
-            let (strays, other) = of_degree(degree);
-            if strays < least {
-                (least, profile) = (strays, other);
+            let other = of_degree(degree);
+            if other.rank() < profile.rank() {
+                profile = other;
             }
         }
-        if least <= SWINGS {
-            return Ok(profile);
-        }
-        profile.swing().or_else(|| profile.overshoot()).map_or(Ok(profile), Err)
+        let swings = if profile.seen.strays > SWINGS { Some(profile.swing()) } else { profile.overshoot() };
+        swings.map_or(Ok(profile), Err)
     }
 
-    /// By how much the logarithm of the modulus leaves those of the rows that it lies between, over the largest step between rows, half-way
-    /// between two of them, at most; after which row, and at which depth.
-    fn strays(&self) -> (f64, usize, f64) {
+    /// What makes a curve worse than one of another degree, the worst first: that it swings, that it magnifies what the rows are off by, that
+    /// it strays.
+    fn rank(&self) -> (bool, bool, f64) {
+        let Seen { strays, magnifies, overshoots, .. } = self.seen;
+        (strays > SWINGS || overshoots, magnifies > MAGNIFIES, if strays > STRAYS { strays } else { 0.0 })
+    }
+
+    /// Depths after a row at which the curve is looked at: half-way to the next, a quarter of the way from each, as it may cross a line
+    /// half-way, and each time half as far from a row as long as those on its other side are as near.
+    fn looked_at(&self, row: usize) -> impl Iterator<Item = f64> {
+        let depths = self.curve.nodes();
+        let (from, to) = (depths[row], depths[row + 1]);
+        let gap = to - from;
+        let before = row.checked_sub(1).map_or(gap, |before| from - depths[before]);
+        let after = depths.get(row + 2).map_or(gap, |after| after - to);
+        let halved = move |beside: f64| {
+            let halves = std::iter::successors(Some(0.25 * gap), |half| Some(0.5 * half));
+            halves.take_while(move |half| *half >= BESIDE * beside.min(gap))
+        };
+        let beside = halved(before).map(move |half| from + half).chain(halved(after).map(move |half| to - half));
+        beside.chain([f64::midpoint(from, to)])
+    }
+
+    /// With what is seen of the curve between its rows.
+    fn seen(self) -> Self {
         let (depths, logarithms) = (self.curve.nodes(), &self.logarithms);
         let step = logarithms.windows(2).fold(LEAST_STEP, |most, ends| most.max((ends[1] - ends[0]).abs()));
-        let mut worst = (0.0, 0, depths[0]);
+        let mut seen = Seen::default();
         for (i, (ends, rows)) in depths.windows(2).zip(logarithms.windows(2)).enumerate() {
-            let depth = f64::midpoint(ends[0], ends[1]);
-            let logarithm = self.curve.at(depth, logarithms);
-            let strays = (logarithm - rows[0].max(rows[1])).max(rows[0].min(rows[1]) - logarithm) / step;
-            // What is no number strays as far as can be.
-            let strays = if strays.is_nan() { f64::INFINITY } else { strays };
-            if strays > worst.0 {
-                worst = (strays, i, depth);
+            let mut departures = Vec::new();
+            for depth in self.looked_at(i) {
+                let (logarithm, magnifies) = self.curve.magnified(depth, logarithms);
+                seen.magnifies = seen.magnifies.max(magnifies);
+                let strays = (logarithm - rows[0].max(rows[1])).max(rows[0].min(rows[1]) - logarithm) / step;
+                // What is no number strays as far as can be.
+                let strays = if strays.is_nan() { f64::INFINITY } else { strays };
+                if strays > seen.strays {
+                    (seen.strays, seen.after, seen.at) = (strays, i, depth);
+                }
+                let part = (depth - ends[0]) / (ends[1] - ends[0]);
+                let line = rows[0].exp() + part * (rows[1].exp() - rows[0].exp());
+                departures.push((logarithm.exp() / line - 1.0, depth));
             }
+            seen.departures.extend(farthest(departures.into_iter()));
         }
-        worst
-    }
-
-    /// By how much of it the modulus leaves the straight line between each row and the next, and at which depth.
-    fn departures(&self) -> &[(f64, f64)] {
-        self.departures.get_or_init(|| {
-            let gaps = self.curve.nodes().windows(2).zip(self.logarithms.windows(2));
-            let of = |(ends, rows): (&[f64], &[f64])| {
-                let departure = |part: f64| {
-                    let depth = ends[0] + part * (ends[1] - ends[0]);
-                    let line = rows[0].exp() + part * (rows[1].exp() - rows[0].exp());
-                    (self.curve.at(depth, &self.logarithms).exp() / line - 1.0, depth)
-                };
-                farthest(LOOKED.into_iter().map(departure)).unwrap_or_default()
-            };
-            gaps.map(of).collect()
-        })
+        seen.overshoots = self.overshoot().is_some();
+        Self { seen, ..self }
     }
 
     /// By how much the modulus leaves straight lines between rows above a depth, if that is to be told.
     fn departure(&self, base: f64) -> Option<String> {
-        let (departure, depth) = farthest(self.departures().iter().copied().filter(|(_, depth)| *depth <= base))?;
+        let (departure, depth) = farthest(self.seen.departures.iter().copied().filter(|(_, depth)| *depth <= base))?;
         (departure.abs() > TOLD).then(|| {
             format!(
                 "between its rows the grading is a smooth curve, which leaves straight lines from row to row by up to {:.0} %: at depth \
@@ -123,14 +153,11 @@ impl Profile {
     }
 
     /// A modulus far beyond those of the rows that it lies between: a steep step makes a smooth curve swing on both sides.
-    fn swing(&self) -> Option<Fault> {
+    fn swing(&self) -> Fault {
         let (depths, logarithms) = (self.curve.nodes(), &self.logarithms);
-        let (strays, i, depth) = self.strays();
-        if strays <= SWINGS {
-            return None;
-        }
+        let Seen { after: i, at: depth, .. } = self.seen;
         let slope = |i: &usize| ((logarithms[i + 1] - logarithms[*i]) / (depths[i + 1] - depths[*i])).abs();
-        let steepest = (0..depths.len() - 1).max_by(|one, other| slope(one).total_cmp(&slope(other)))?;
+        let steepest = (0..depths.len() - 1).max_by(|one, other| slope(one).total_cmp(&slope(other))).unwrap_or(i);
         let row = |i: usize| format!("{} at depth {}", short(logarithms[i].exp()), depths[i]);
         let fault = Fault::new(&[], "the curve through the moduli swings far beyond them")
             .found(format!(
@@ -141,12 +168,12 @@ impl Profile {
                 row(i + 1)
             ))
             .expected("rows between which a smooth curve stays near them");
-        Some(fault.hint(format!(
+        fault.hint(format!(
             "it is steepest between {} and {}: give more rows beside these, or one in place of both; a jump, and straight lines from \
              row to row, are a `stack`",
             row(steepest),
             row(steepest + 1)
-        )))
+        ))
     }
 
     /// A Poisson's ratio out of range between rows that are in range.
@@ -154,8 +181,8 @@ impl Profile {
         if self.ratios.is_empty() {
             return None;
         }
-        self.curve.nodes().windows(2).find_map(|ends| {
-            let depth = 0.5 * (ends[0] + ends[1]);
+        let mut depths = (0..self.ratios.len() - 1).flat_map(|row| self.looked_at(row));
+        depths.find_map(|depth| {
             let ratio = self.curve.at(depth, &self.ratios);
             Poisson::new(ratio).is_err().then(|| {
                 Fault::new(&[], "the curve through the Poisson's ratios leaves their range")
@@ -235,7 +262,7 @@ impl ModulusLaw for Law {
             let why = if degree + 1 == rows {
                 format!("{rows} rows allow no higher one")
             } else {
-                "curves of higher degrees swing between them".to_owned()
+                "curves of higher degrees swing between them, or would, were one off by a thousandth".to_owned()
             };
             format!("the curve through the rows of the grading is of degree {degree}, not {DEGREE}: {why}")
         });

@@ -219,7 +219,6 @@ fn rows_far_deeper_than_the_layer_are_told() {
 #[test]
 fn many_rows() {
     use std::fmt::Write;
-    let begin = std::time::Instant::now();
     let mut text = String::new();
     for i in 0..rows::MOST {
         let depth = THICKNESS * i as f64 / (rows::MOST - 1) as f64;
@@ -235,8 +234,6 @@ fn many_rows() {
     let fault = table.understood(&One(text)).unwrap_err();
     assert_eq!(fault.message, "too many rows");
     assert!(fault.hint.unwrap().contains("thin the rows out"));
-    let took = begin.elapsed();
-    assert!(took.as_secs_f64() < 5.0, "{took:?}; 0.3 s on a machine with nothing else to do");
 }
 
 /// Asked for at every row, a law of thousands of them would else cost millions of quotients.
@@ -282,4 +279,39 @@ fn a_curve_that_leaves_straight_lines_between_rows_is_told_with_place_and_size()
         remark.contains(&format!("up to {:.0} %", percent.abs())) && remark.contains("depth 10.5"),
         "{remark} {percent}"
     );
+}
+
+/// Depths as they are chosen for an indenter, 1, 2, 5 and so on, magnified what was off by up to 1e9 times: a layer whose rows were all 116
+/// was refused for its rounding, as others were in Pa and not in GPa, and a fifth digit changed what the curve did between rows.
+#[test]
+fn rows_far_closer_together_in_one_place_than_in_another_are_not_magnified() {
+    let depths = [0.0, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0].map(|depth| depth * THICKNESS);
+    let law_of = |modulus: &dyn Fn(usize) -> f64| {
+        law(&Table::points(depths.iter().enumerate().map(|(i, depth)| vec![*depth, modulus(i)]).collect()))
+    };
+    let between = || (0..1000).map(|i| f64::from(i) / 999.0);
+    for modulus in [116.0, 2.1e11] {
+        let constant = law_of(&|_| modulus);
+        assert!(between().all(|y| constant.modulus(y) == modulus.ln().exp()));
+    }
+    let plateau = |i: usize| if i < 8 { 230.0 } else { [220.0, 205.0, 180.0][i - 8] };
+    let (rows, off) = (law_of(&plateau), law_of(&|i| plateau(i) * (1.0 + [1e-5, -1e-5][i % 2])));
+    let change = between().map(|y| (off.modulus(y) / rows.modulus(y) - 1.0).abs()).fold(0.0, f64::max);
+    assert!(change < 1e-2, "{change:e}");
+    assert!(between().all(|y| (179.0..235.0).contains(&rows.modulus(y))));
+}
+
+/// The curve swings beside two rows that are close together, at a distance between theirs and that of their neighbours: looked at half-way
+/// alone, one that was 5000 times too high there was said to stray by 17 %.
+#[test]
+fn a_swing_beside_rows_close_together_is_seen() {
+    for apart in [1e-9, 1e-6, 1e-4] {
+        let mut rows: Vec<_> = (0..6).map(|i| vec![f64::from(i) * 0.4, 210.0 - 10.0 * f64::from(i)]).collect();
+        rows.insert(3, vec![0.8 + apart, 209.5]);
+        let fault = Table::points(rows.clone()).understood(&NoFiles).unwrap_err();
+        assert!(fault.message.contains("swings"), "{apart}: {fault}");
+        assert!(fault.hint.unwrap().contains(&format!("209.5 at depth {}", 0.8 + apart)), "{apart}");
+        rows[3][1] = rows[2][1];
+        Table::points(rows).understood(&NoFiles).unwrap();
+    }
 }
