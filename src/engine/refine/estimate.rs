@@ -1,7 +1,8 @@
 //! What the resolutions solved so far tell of the error.
 
 use super::FINEST;
-use super::ladder::{Aim, FAINT};
+use super::aim::Aim;
+use super::ladder::FAINT;
 use crate::engine::accuracy::error_estimate::{Fastest, ROUNDING, SLIP_ROUNDING, Seen, extrapolated};
 use crate::engine::accuracy::quantity::{Numbers, Quantity};
 use crate::engine::outcome::Outcome;

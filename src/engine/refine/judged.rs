@@ -39,8 +39,8 @@ pub(crate) const ROUNDED: f64 = 1e-9;
 /// How sure a solved contact is, and how that is known.
 pub(crate) struct Judged {
     pub(crate) outcome: Outcome,
-    /// Which stage of the ladder holds its tractions.
-    pub(crate) stage: usize,
+    /// The step of the ladder whose stage holds its tractions.
+    pub(crate) step: usize,
     /// Of the numbers that have to meet the tolerance.
     pub(crate) errors: Numbers,
     /// How uncertain the shear itself is, over its largest value, where it is asked for.
@@ -57,10 +57,10 @@ pub(crate) struct Judged {
 }
 
 impl Judged {
-    pub(crate) fn new(outcome: Outcome, stage: usize, errors: Numbers, how: How) -> Self {
+    pub(crate) fn new(outcome: Outcome, step: usize, errors: Numbers, how: How) -> Self {
         Self {
             outcome,
-            stage,
+            step,
             errors,
             of_shear: None,
             of_pressure: None,
