@@ -9,7 +9,7 @@ mod sheet;
 mod stack;
 mod strain;
 
-use super::outcome::{Left, Outcome, Task};
+use super::outcome::{Left, Lost, Outcome, Task};
 use super::prepared_layer::PreparedLayer;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::work::Work;
@@ -211,11 +211,12 @@ impl Growing {
         if let Some(rubbing) = rubbing.as_ref().filter(|_| !self.was_broken()) {
             rubbing.report(&mut numbers);
         }
-        let lost_of = |stack: &Stack| (stack.lost(problem, self.half_width), stack.lost_at_kinks());
-        let lost = self.stack.as_ref().map_or((0.0, 0.0), lost_of);
         let left = self.family.as_ref().map_or_else(Left::default, Family::left);
         let left = if self.is_kinked { left } else { Left { shear: left.shear, ..Left::default() } };
-        Outcome::new(numbers, rubbing, Some(size), pressure, lost, left)
+        let lost_of = |stack: &Stack| (stack.lost(problem, self.half_width), stack.lost_at_kinks());
+        let (stacked, at_kinks) = self.stack.as_ref().map_or((0.0, 0.0), lost_of);
+        let lost = Some(Lost { stacked, at_kinks, left });
+        Outcome { numbers, rubbing, size: Some(size), pressure, lost }
     }
 
     /// Whether it knows the flat punches that a contact of about that half-width is a stack of.
