@@ -2,9 +2,11 @@
 
 mod apart;
 mod between;
+mod beyond;
 mod fine;
 mod fold;
 mod grid;
+mod integrals;
 mod map;
 mod potential;
 mod resolution;
