@@ -23,7 +23,7 @@ pub(crate) struct Outcome {
 impl Outcome {
     /// An outcome of which only the stick zone is known.
     pub(crate) fn of_rubbing(rubbing: Rubbing) -> Self {
-        Self { rubbing: Some(rubbing), lost: Some(Lost::default()), ..Self::default() }
+        Self { rubbing: Some(rubbing), ..Self::default() }
     }
 
     /// What it tells of the next resolution.

@@ -131,7 +131,10 @@ impl Ladder {
             }
             let coarse = last.as_ref().map(|(outcome, _)| outcome);
             let least_share = self.least_share;
-            let mut outcome = match self.solve_in_room(layer, aim, step, coarse, &estimate) {
+            let solved = self
+                .solve(layer, aim, step, coarse)
+                .and_then(|outcome| self.lacks_room(layer, aim, (step, &outcome), &estimate).map_or(Ok(outcome), Err));
+            let mut outcome = match solved {
                 Ok(outcome) => outcome,
                 Err(refusal) if estimate.is_told() => {
                     stopped = Some(refusal);
@@ -174,19 +177,6 @@ impl Ladder {
             return Err(stopped.expect("every step was solved or refused"));
         };
         Ok(Climbed { outcome, step, estimate, stopped })
-    }
-
-    /// Solves at one step, and refuses what lacks room, see [`Self::lacks_room`].
-    fn solve_in_room(
-        &mut self,
-        layer: &mut PreparedLayer,
-        aim: Aim,
-        step: usize,
-        coarse: Option<&Outcome>,
-        estimate: &Estimate,
-    ) -> Result<Outcome, Refusal> {
-        let outcome = self.solve(layer, aim, step, coarse)?;
-        self.lacks_room(layer, aim, (step, &outcome), estimate).map_or(Ok(outcome), Err)
     }
 
     /// Takes note of what a step found; whether it is fine enough, or no finer one would be any better. `has_kernels` is whether those
