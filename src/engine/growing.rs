@@ -256,22 +256,19 @@ impl Growing {
         let sizes = (half_width, room * half_width);
         // Where stick zones shrink some are not the contact's own; those at a finer resolution are looked for anew.
         let coarse = coarse.filter(|coarse| coarse.shrinks(0.0..f64::INFINITY, STEADY).is_none());
-        self.family = match Family::new(layer, task, self.quadrature.as_ref(), sizes, rubs, coarse) {
-            Ok(family) => Some(family),
-            Err(Unfit::Refused(refusal)) => return Err(refusal),
+        let made = match Family::new(layer, task, self.quadrature.as_ref(), sizes, rubs, coarse) {
             Err(Unfit::Friction(at, rubbing)) => {
                 self.broken = Some((at, *rubbing));
-                None
+                // The pressure can be told all the same.
+                let dry = || Family::new(layer, task, self.quadrature.as_ref(), sizes, false, None);
+                self.is_kinked.then(dry).transpose()
             }
+            made => made.map(Some),
         };
-        if self.family.is_none() && self.is_kinked {
-            // The pressure can be told all the same.
-            self.family = match Family::new(layer, task, self.quadrature.as_ref(), sizes, false, None) {
-                Ok(family) => Some(family),
-                Err(Unfit::Refused(refusal)) => return Err(refusal),
-                Err(Unfit::Friction(..)) => unreachable!("no friction was asked for"),
-            };
-        }
+        self.family = made.map_err(|unfit| match unfit {
+            Unfit::Refused(refusal) => refusal,
+            Unfit::Friction(..) => unreachable!("no friction was asked for"),
+        })?;
         self.stacked_on(task, f64::INFINITY)
     }
 
