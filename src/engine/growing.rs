@@ -9,7 +9,7 @@ mod sheet;
 mod stack;
 mod strain;
 
-use super::outcome::{Left, Outcome, Task};
+use super::outcome::{Left, Lost, Outcome, Task};
 use super::prepared_layer::PreparedLayer;
 use super::problem::{LoadInLayerUnits, Problem};
 use super::work::Work;
@@ -211,11 +211,12 @@ impl Growing {
         if let Some(rubbing) = rubbing.as_ref().filter(|_| !self.was_broken()) {
             rubbing.report(&mut numbers);
         }
-        let lost_of = |stack: &Stack| (stack.lost(problem, self.half_width), stack.lost_at_kinks());
-        let lost = self.stack.as_ref().map_or((0.0, 0.0), lost_of);
         let left = self.family.as_ref().map_or_else(Left::default, Family::left);
         let left = if self.is_kinked { left } else { Left { shear: left.shear, ..Left::default() } };
-        Outcome::new(numbers, rubbing, Some(size), pressure, lost, left)
+        let lost_of = |stack: &Stack| (stack.lost(problem, self.half_width), stack.lost_at_kinks());
+        let (stacked, at_kinks) = self.stack.as_ref().map_or((0.0, 0.0), lost_of);
+        let lost = Some(Lost { stacked, at_kinks, left });
+        Outcome { numbers, rubbing, size: Some(size), pressure, lost }
     }
 
     /// Whether it knows the flat punches that a contact of about that half-width is a stack of.
@@ -255,22 +256,19 @@ impl Growing {
         let sizes = (half_width, room * half_width);
         // Where stick zones shrink some are not the contact's own; those at a finer resolution are looked for anew.
         let coarse = coarse.filter(|coarse| coarse.shrinks(0.0..f64::INFINITY, STEADY).is_none());
-        self.family = match Family::new(layer, task, self.quadrature.as_ref(), sizes, rubs, coarse) {
-            Ok(family) => Some(family),
-            Err(Unfit::Refused(refusal)) => return Err(refusal),
+        let made = match Family::new(layer, task, self.quadrature.as_ref(), sizes, rubs, coarse) {
             Err(Unfit::Friction(at, rubbing)) => {
                 self.broken = Some((at, *rubbing));
-                None
+                // The pressure can be told all the same.
+                let dry = || Family::new(layer, task, self.quadrature.as_ref(), sizes, false, None);
+                self.is_kinked.then(dry).transpose()
             }
+            made => made.map(Some),
         };
-        if self.family.is_none() && self.is_kinked {
-            // The pressure can be told all the same.
-            self.family = match Family::new(layer, task, self.quadrature.as_ref(), sizes, false, None) {
-                Ok(family) => Some(family),
-                Err(Unfit::Refused(refusal)) => return Err(refusal),
-                Err(Unfit::Friction(..)) => unreachable!("no friction was asked for"),
-            };
-        }
+        self.family = made.map_err(|unfit| match unfit {
+            Unfit::Refused(refusal) => refusal,
+            Unfit::Friction(..) => unreachable!("no friction was asked for"),
+        })?;
         self.stacked_on(task, f64::INFINITY)
     }
 

@@ -16,30 +16,14 @@ pub(crate) struct Outcome {
     pub(crate) size: Option<Size>,
     /// The pressure at [`Traces::AT`] over its mean.
     pub(super) pressure: [f64; Traces::AT.len()],
-    /// Of a contact that grew: what its stack loses, relative.
-    pub(crate) lost: Option<f64>,
-    /// The same of a pressure exactly at a kink of the shape.
-    pub(crate) lost_at_kinks: f64,
-    /// What series over the half-width leave of a stack.
-    pub(crate) left: Left,
+    /// Of a contact that grew: what its stack loses.
+    pub(crate) lost: Option<Lost>,
 }
 
 impl Outcome {
-    /// Of a contact that grew; the pressure is that at [`Traces::AT`], over its mean.
-    pub(crate) fn new(
-        numbers: Numbers,
-        rubbing: Option<Rubbing>,
-        size: Option<Size>,
-        pressure: [f64; Traces::AT.len()],
-        (lost, lost_at_kinks): (f64, f64),
-        left: Left,
-    ) -> Self {
-        Self { numbers, rubbing, size, pressure, lost: Some(lost), lost_at_kinks, left }
-    }
-
     /// An outcome of which only the stick zone is known.
     pub(crate) fn of_rubbing(rubbing: Rubbing) -> Self {
-        Self::new(Numbers::default(), Some(rubbing), None, [0.0; Traces::AT.len()], (0.0, 0.0), Left::default())
+        Self { rubbing: Some(rubbing), ..Self::default() }
     }
 
     /// What it tells of the next resolution.
@@ -55,6 +39,16 @@ impl Outcome {
         }
         Seen { numbers, traces }
     }
+}
+
+/// What a stack loses, relative.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Lost {
+    /// By its integrals and the series of its force.
+    pub(crate) stacked: f64,
+    /// The same of a pressure exactly at a kink of the shape.
+    pub(crate) at_kinks: f64,
+    pub(crate) left: Left,
 }
 
 /// What series over the half-width leave between the members, relative: of a force, of a pressure that is stacked of its growth, and of

@@ -1,5 +1,6 @@
 //! Refines a scene until its error estimate meets the tolerance.
 
+mod aim;
 mod estimate;
 pub(crate) mod judged;
 mod known;
@@ -7,9 +8,8 @@ mod ladder;
 pub(crate) mod stage;
 
 use super::growing::Growing;
-use super::outcome::{Outcome, Task};
+use super::outcome::Outcome;
 use super::prepared_layer::PreparedLayer;
-use super::problem::Problem;
 use crate::engine::accuracy::error_estimate::{SAFETY, Seen, extrapolated, judged_by_twin};
 use crate::engine::accuracy::quantity::{Numbers, Quantity};
 use crate::engine::friction::rubbing::Verdict;
@@ -19,24 +19,15 @@ use judged::{BETWEEN, How, Judged, SHEAR, has_details, hidden_details, meets, wi
 use slipzone_api::Refusal;
 use stage::Stage;
 
-pub(super) use ladder::{Aim, FlatPunches, Ladder};
+pub(super) use aim::Aim;
+pub(super) use ladder::{FlatPunches, Ladder};
 
 /// Most steps of refinement.
 const FINEST: usize = 13;
-/// Tolerances below which that many more of the coarsest levels are left out, which hardly a pressure converges on, or a shear, or a stack
-/// of shears. Searches begin with the coarsest of all nevertheless.
-///
-/// Sixty random flat punches with friction take 4 % less work at 1e-10 with three levels left out below 3e-11 than below 3e-10; growing
-/// contacts 2 to 6 % less at 1e-8 with two below 3e-8 than below 5e-9.
-const LEFT_OUT: &[f64] = &[1e-7, 1e-9];
-const LEFT_OUT_OF_SHEAR: &[f64] = &[1e-7, 5e-9, 3e-11];
-const LEFT_OUT_OF_STACKS: &[f64] = &[1e-7, 3e-8, 3e-10];
 /// Level from which refinement no longer helps a stick zone out of reach, or a pressure that pulls.
 const BOUND_LEVEL: usize = 4;
 /// Level at which a shape that is taken for smooth is looked at, should it not have converged before.
 const DETAIL_LEVEL: usize = 6;
-/// Extra steps of what the scene left open beside a method that it fixed: of the other method.
-const BESIDE_PINNED: u32 = 3;
 /// A pressure that is known to within this shows as well as any where friction cannot be told while a contact grows.
 const SHOWN: f64 = 1e-3;
 /// Steps that may be refused before the first that is solved.
@@ -57,9 +48,9 @@ enum Settled {
 
 /// How far the steps led.
 struct Climbed {
-    /// What the last one that could be solved found, and its stage.
+    /// What the last one that could be solved found.
     outcome: Outcome,
-    stage: usize,
+    step: usize,
     /// What all of them tell.
     estimate: Estimate,
     /// Why no other was taken, where another was to be.
@@ -69,8 +60,7 @@ struct Climbed {
 impl Ladder {
     /// Solves a problem with the methods given.
     pub(super) fn refine(&mut self, layer: &mut PreparedLayer, aim: Aim) -> Result<Judged, Refusal> {
-        let is_pinned = aim.methods.kernel.is_pinned() || aim.methods.quadrature.is_pinned();
-        let mut judged = if is_pinned { self.with_twin(layer, aim)? } else { self.refined(layer, aim)? };
+        let mut judged = if aim.is_pinned() { self.with_twin(layer, aim)? } else { self.refined(layer, aim)? };
         judged.conclude(aim.problem, layer, aim.tolerance);
         Ok(judged)
     }
@@ -78,17 +68,10 @@ impl Ladder {
     /// Solves at the resolution that the scene fixed, and at the next finer one to tell the error.
     fn with_twin(&mut self, layer: &mut PreparedLayer, aim: Aim) -> Result<Judged, Refusal> {
         layer.meter().conclude();
-        let level = |is_pinned: bool| if is_pinned { 0 } else { BESIDE_PINNED };
-        let (of_kernel, of_quadrature) =
-            (level(aim.methods.kernel.is_pinned()), level(aim.methods.quadrature.is_pinned()));
-        let mut solve = |index: usize, coarse: Option<&Outcome>| {
-            let step = u32::try_from(index).expect("two steps");
-            self.solve(layer, aim, (index, of_kernel + step, of_quadrature + step), coarse)
-        };
         // The twin first: the tables left are those of the contact reported.
-        let twin = solve(1, None)?;
-        let mut outcome = solve(0, Some(&twin))?;
-        let task = self.task(aim, of_kernel);
+        let twin = self.solve(layer, aim, 1, None)?;
+        let mut outcome = self.solve(layer, aim, 0, Some(&twin))?;
+        let task = self.task(aim, 0);
         self.stages[0].settle(layer, task, &mut outcome)?;
         let hidden = hidden_details(aim.problem, &outcome, self.stages[0].unknowns());
         let mut errors = judged_by_twin(&outcome.seen(), &twin.seen()).plus(hidden);
@@ -108,21 +91,19 @@ impl Ladder {
         if let Some(judged) = self.pressed_again(layer, aim) {
             return Ok(judged);
         }
-        let first = first_level(aim.problem, aim.tolerance);
-        let Climbed { outcome, stage, estimate, stopped } = self.climb(layer, aim, first)?;
+        let Climbed { outcome, step, estimate, stopped } = self.climb(layer, aim)?;
         let Estimate { mut history, errors, of_shear, met, .. } = estimate;
         let how = How::Sequence { count: 0, kernels_proven: false };
-        let of_pressure = self.lost_between(aim, stage);
-        let mut found = Judged { of_shear, of_pressure, stopped, ..Judged::new(outcome, stage, errors, how) };
+        let of_pressure = self.lost_between(aim, step);
+        let mut found = Judged { of_shear, of_pressure, stopped, ..Judged::new(outcome, step, errors, how) };
         if met && found.stopped.is_none() {
-            self.refine_for_the_tractions(layer, aim, first, &mut found, &mut history);
+            self.refine_for_the_tractions(layer, aim, &mut found, &mut history);
         }
         layer.meter().conclude();
-        let Judged { outcome, stage, errors, of_shear, stopped, .. } = &mut found;
+        let Judged { outcome, step, errors, of_shear, stopped, .. } = &mut found;
         if stopped.is_some() {
             // Settled by no step: the last one that could be solved is.
-            let task = self.task(aim, level(first, *stage));
-            if let Settled::Here { shear: Some(shear) } = self.settle(layer, task, (outcome, *stage), errors)? {
+            if let Settled::Here { shear: Some(shear) } = self.settle(layer, aim, (outcome, *step), errors)? {
                 *of_shear = Some(shear);
             }
         }
@@ -131,28 +112,29 @@ impl Ladder {
             outcome.numbers.iter().for_each(|(quantity, _)| errors.set(quantity, 1.0));
         }
         if aim.problem.fixed_half_width().is_none() {
-            self.remember(layer, aim.problem, (*stage, outcome), &history);
+            self.remember(layer, aim.problem, (*step, outcome), &history);
         }
         found.how = How::Sequence { count: history.len(), kernels_proven: layer.is_proven() };
         Ok(found)
     }
 
-    /// Takes finer steps, the first of that level, until the estimate meets the tolerance or none will.
-    fn climb(&mut self, layer: &mut PreparedLayer, aim: Aim, first: usize) -> Result<Climbed, Refusal> {
+    /// Takes finer steps until the estimate meets the tolerance or none will.
+    fn climb(&mut self, layer: &mut PreparedLayer, aim: Aim) -> Result<Climbed, Refusal> {
         let mut estimate = Estimate::default();
         let (mut last, mut stopped): (Option<(Outcome, usize)>, _) = (None, None);
         // What a search found on the coarsest level is followed from there to the first that matters.
-        let after_search =
-            Some(left_out(aim.problem, aim.tolerance)).filter(|level| searches(aim.problem) && *level > 1);
+        let after_search = Some(aim.left_out()).filter(|level| aim.searches() && *level > 1);
         let mut next = 0;
-        for step in 0..=FINEST - first {
+        for step in (0..).take_while(|step| aim.level(*step) <= FINEST) {
             if step < next {
                 continue;
             }
-            let level = level(first, step);
             let coarse = last.as_ref().map(|(outcome, _)| outcome);
             let least_share = self.least_share;
-            let mut outcome = match self.solve_in_room(layer, aim, (step, level), coarse, &estimate) {
+            let solved = self
+                .solve(layer, aim, step, coarse)
+                .and_then(|outcome| self.lacks_room(layer, aim, (step, &outcome), &estimate).map_or(Ok(outcome), Err));
+            let mut outcome = match solved {
                 Ok(outcome) => outcome,
                 Err(refusal) if estimate.is_told() => {
                     stopped = Some(refusal);
@@ -174,10 +156,9 @@ impl Ladder {
             }
             // Or else the next kernels are finer ones.
             let has_kernels = self.least_share == least_share;
-            let mut done = self.is_done(layer, aim, (step, first), (&outcome, has_kernels), &mut estimate);
-            if done || step + first == FINEST {
-                let task = self.task(aim, level);
-                match self.settle(layer, task, (&mut outcome, step), &estimate.errors) {
+            let mut done = self.is_done(layer, aim, step, (&outcome, has_kernels), &mut estimate);
+            if done || aim.level(step) == FINEST {
+                match self.settle(layer, aim, (&mut outcome, step), &estimate.errors) {
                     Ok(Settled::Elsewhere) => {
                         estimate = Estimate::beginning_with(&outcome);
                         done = false;
@@ -192,23 +173,10 @@ impl Ladder {
                 break;
             }
         }
-        let Some((outcome, stage)) = last else {
+        let Some((outcome, step)) = last else {
             return Err(stopped.expect("every step was solved or refused"));
         };
-        Ok(Climbed { outcome, stage, estimate, stopped })
-    }
-
-    /// Solves at one step, and refuses what lacks room, see [`Self::lacks_room`].
-    fn solve_in_room(
-        &mut self,
-        layer: &mut PreparedLayer,
-        aim: Aim,
-        (step, level): (usize, u32),
-        coarse: Option<&Outcome>,
-        estimate: &Estimate,
-    ) -> Result<Outcome, Refusal> {
-        let outcome = self.solve(layer, aim, (step, level, level), coarse)?;
-        self.lacks_room(layer, aim, (step, &outcome), estimate).map_or(Ok(outcome), Err)
+        Ok(Climbed { outcome, step, estimate, stopped })
     }
 
     /// Takes note of what a step found; whether it is fine enough, or no finer one would be any better. `has_kernels` is whether those
@@ -217,16 +185,16 @@ impl Ladder {
         &mut self,
         layer: &PreparedLayer,
         aim: Aim,
-        (step, first): (usize, usize),
+        step: usize,
         (outcome, has_kernels): (&Outcome, bool),
         estimate: &mut Estimate,
     ) -> bool {
         let unknowns = self.stages[step].unknowns();
         // A resolution so coarse may only seem not to tell of friction.
-        let is_early = step + first < BOUND_LEVEL && self.stages[step].is_broken();
+        let is_early = aim.level(step) < BOUND_LEVEL && self.stages[step].is_broken();
         let is_done = estimate.add(layer, aim, outcome, (unknowns, has_kernels)) && !is_early
-            || self.is_hopeless(layer, aim, (step, first), outcome, &estimate.errors);
-        if self.is_broken(step, first, &estimate.errors) {
+            || self.is_hopeless(layer, aim, step, outcome, &estimate.errors);
+        if self.is_broken(aim, step, &estimate.errors) {
             // The pressure does not depend on it.
             self.given_up = self.stages[step].growing.as_deref().and_then(Growing::broken).cloned();
         }
@@ -234,9 +202,9 @@ impl Ladder {
     }
 
     /// [`Stage::lost_between`], where the tractions are asked for.
-    fn lost_between(&self, aim: Aim, stage: usize) -> Option<f64> {
+    fn lost_between(&self, aim: Aim, step: usize) -> Option<f64> {
         let wishes = aim.problem.wishes;
-        self.stages[stage].lost_between(wishes.nearest).filter(|_| wishes.profile)
+        self.stages[step].lost_between(wishes.nearest).filter(|_| wishes.profile)
     }
 
     /// Takes resolutions more than the numbers need: between the nodes the pressure is known later, and the shear may want a finer one,
@@ -245,14 +213,13 @@ impl Ladder {
         &mut self,
         layer: &mut PreparedLayer,
         aim: Aim,
-        first: usize,
         found: &mut Judged,
         history: &mut ArrayVec<Seen, { FINEST + 1 }>,
     ) {
         let most = if aim.problem.is_stacked() { FOR_STACKED_SHEAR } else { FOR_THE_TRACTIONS };
         // How many of the resolutions count: those after the last one taken do not.
         let (mut counted, mut passed) = (history.len(), None);
-        for stage in (found.stage + 1..).take(most) {
+        for step in (found.step + 1..).take(most) {
             // That everything sticks, coarse resolutions cannot tell: they have no shear to compare with.
             let unknown =
                 aim.problem.wishes.profile && found.outcome.rubbing.as_ref().is_some_and(|rubbing| rubbing.is_full);
@@ -263,14 +230,12 @@ impl Ladder {
             if history.is_full() {
                 break;
             }
-            let level = level(first, stage);
-            let task = self.task(aim, level);
             let coarse = passed.as_ref().unwrap_or(&found.outcome);
-            let Ok(mut outcome) = self.solve(layer, aim, (stage, level, level), Some(coarse)) else {
+            let Ok(mut outcome) = self.solve(layer, aim, step, Some(coarse)) else {
                 break;
             };
             history.push(outcome.seen());
-            let fastest = fastest(layer, aim.problem, &outcome, self.stages[stage].unknowns());
+            let fastest = fastest(layer, aim.problem, &outcome, self.stages[step].unknowns());
             let Some(mut errors) = extrapolated(history, fastest) else { break };
             let told = errors.take(Quantity::Shear);
             let all = with_the_rest(aim.problem, layer, &outcome, aim.tolerance, errors);
@@ -280,9 +245,9 @@ impl Ladder {
                 passed = Some(outcome);
                 continue;
             }
-            let Ok(Settled::Here { shear }) = self.settle(layer, task, (&mut outcome, stage), &errors) else { break };
-            (found.outcome, found.stage, found.errors, found.of_shear) = (outcome, stage, errors, shear.or(told));
-            found.of_pressure = self.lost_between(aim, stage);
+            let Ok(Settled::Here { shear }) = self.settle(layer, aim, (&mut outcome, step), &errors) else { break };
+            (found.outcome, found.step, found.errors, found.of_shear) = (outcome, step, errors, shear.or(told));
+            found.of_pressure = self.lost_between(aim, step);
             (counted, passed) = (history.len(), None);
             // Under a flat punch its finer grids were tried already.
             let is_vain = !aim.problem.is_stacked() && shear.is_some_and(|shear| shear > VAIN * error);
@@ -297,16 +262,17 @@ impl Ladder {
     fn settle(
         &mut self,
         layer: &mut PreparedLayer,
-        task: Task,
-        (outcome, stage): (&mut Outcome, usize),
+        aim: Aim,
+        (outcome, step): (&mut Outcome, usize),
         errors: &Numbers,
     ) -> Result<Settled, Refusal> {
-        let (coarser, here) = self.stages.split_at_mut(stage);
+        let task = self.task(aim, step);
+        let (coarser, here) = self.stages.split_at_mut(step);
         let stage = &mut here[0];
         if stage.settle(layer, task, outcome)? {
             return Ok(Settled::Elsewhere);
         }
-        let wishes = task.problem.wishes;
+        let wishes = aim.problem.wishes;
         if !wishes.profile || outcome.rubbing.is_none() {
             return Ok(Settled::Here { shear: None });
         }
@@ -319,12 +285,12 @@ impl Ladder {
         Ok(Settled::Here { shear })
     }
 
-    /// Why an outcome is none: its stage lacks the room that its kernels take, and loses more by that than is left of the error told before.
+    /// Why an outcome is none: its step lacks the room that its kernels take, and loses more by that than is left of the error told before.
     fn lacks_room(
         &self,
         layer: &PreparedLayer,
         aim: Aim,
-        (stage, outcome): (usize, &Outcome),
+        (step, outcome): (usize, &Outcome),
         estimate: &Estimate,
     ) -> Option<Refusal> {
         if !estimate.is_told() {
@@ -332,12 +298,12 @@ impl Ladder {
         }
         let told = worst_judged(aim.problem, &estimate.errors).map_or(0.0, |(_, error)| error);
         let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
-        let lost = |stage: usize| self.stages[stage].contact.normal.lost_for_room(half_width, layer.length());
-        let here = lost(stage);
-        if here <= told || here <= lost(stage - 1) {
+        let lost = |step: usize| self.stages[step].contact.normal.lost_for_room(half_width, layer.length());
+        let here = lost(step);
+        if here <= told || here <= lost(step - 1) {
             return None;
         }
-        let (unknowns, short) = (self.stages[stage].unknowns(), layer.length() / half_width);
+        let (unknowns, short) = (self.stages[step].unknowns(), layer.length() / half_width);
         Some(Refusal::OutOfReach {
             method: "quadrature",
             why: format!(
@@ -352,11 +318,11 @@ impl Ladder {
         &mut self,
         layer: &PreparedLayer,
         aim: Aim,
-        (step, first): (usize, usize),
+        step: usize,
         outcome: &Outcome,
         errors: &Numbers,
     ) -> bool {
-        let level = step + first;
+        let level = aim.level(step);
         // Before the pressure is known nothing is told well enough to end with.
         let is_known = level >= BOUND_LEVEL && is_shown(errors);
         let stage = &mut self.stages[step];
@@ -368,9 +334,9 @@ impl Ladder {
 
     /// Whether friction cannot be told of a contact as it grew, at this step and at the one before. Where in its growth
     /// that is moves with the members solved: no refinement settles it.
-    fn is_broken(&self, step: usize, first: usize, errors: &Numbers) -> bool {
+    fn is_broken(&self, aim: Aim, step: usize, errors: &Numbers) -> bool {
         step > 0
-            && step + first >= BOUND_LEVEL
+            && aim.level(step) >= BOUND_LEVEL
             && self.stages[step - 1..=step].iter().all(Stage::is_broken)
             && is_shown(errors)
     }
@@ -385,31 +351,6 @@ fn is_known_between(lost: Option<f64>, tolerance: f64) -> bool {
 fn is_shown(errors: &Numbers) -> bool {
     let mut of_pressure = errors.iter().filter(|(quantity, _)| !quantity.is_of_shear()).peekable();
     of_pressure.peek().is_some() && of_pressure.all(|(_, error)| error < SHOWN)
-}
-
-/// The coarsest level worth solving.
-fn first_level(problem: &Problem, tolerance: f64) -> usize {
-    if searches(problem) { 0 } else { left_out(problem, tolerance) }
-}
-
-/// Whether a stick zone or the size of the contact has to be found.
-fn searches(problem: &Problem) -> bool {
-    problem.friction.is_some() || problem.fixed_half_width().is_none()
-}
-
-/// How many of the coarsest levels hardly anything converges on.
-fn left_out(problem: &Problem, tolerance: f64) -> usize {
-    let thresholds = match problem.friction {
-        None => LEFT_OUT,
-        Some(_) if problem.is_stacked() => LEFT_OUT_OF_STACKS,
-        Some(_) => LEFT_OUT_OF_SHEAR,
-    };
-    thresholds.iter().filter(|least| tolerance < **least).count()
-}
-
-#[allow(clippy::cast_possible_truncation)] // at most FINEST
-fn level(first: usize, step: usize) -> u32 {
-    (first + step) as u32
 }
 
 /// Whether a stick zone is only bounded, if that, and no finer step finds it.

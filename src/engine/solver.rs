@@ -355,7 +355,7 @@ impl Solver {
         let Some(judged) = &self.judged else { unreachable!("found before") };
         let tolerance = self.chosen.scene.solver.tolerance.get();
         let work = self.ladder.work();
-        let stage = self.ladder.stage(judged.stage);
+        let stage = self.ladder.stage(judged.step);
         let judgement = verdict(&self.layer, &self.problem, stage, judged, tolerance);
         let plan = Plan {
             unknowns: stage.unknowns(),

@@ -216,11 +216,11 @@ enum Listed {
 #[derive(Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 struct Until {
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     force: Option<Positive>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     half_width: Option<Positive>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     indentation: Option<Positive>,
     #[serde(default = "default_points")]
     points: usize,

@@ -144,7 +144,7 @@ impl Scene {
 #[serde(deny_unknown_fields)]
 pub struct Layer {
     /// Thickness `h`; absent on an infinite solid.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub thickness: Option<Positive>,
     /// Poisson's ratio.
     pub poisson: Poisson,
@@ -158,7 +158,7 @@ pub struct Layer {
     #[serde(default, deserialize_with = "tagged::base")]
     pub base: Base,
     /// Depth below the surface at which a vertical displacement is called 0, where the base leaves that open.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub datum: Option<Positive>,
     /// Modulus over depth: the shear modulus, or Young's where [`Self::moduli`] says so.
     pub grading: Box<dyn Grading>,
@@ -222,16 +222,13 @@ pub struct Solver {
     #[serde(default = "default_tolerance")]
     pub tolerance: Positive,
     /// How the flexibility is got.
-    #[serde(default)]
     pub flexibility: Option<Box<dyn Flexibility>>,
     /// How the kernels are got from it.
-    #[serde(default)]
     pub kernel: Option<Box<dyn KernelStrategy>>,
     /// How the integral equations are discretised.
-    #[serde(default)]
     pub quadrature: Option<Box<dyn Quadrature>>,
     /// What stands for the solid, whatever its error; the cheapest that is near enough when absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<Model>,
     /// Models that are not to be chosen.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -299,13 +296,13 @@ impl Default for Output {
 #[derive(Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct OutputTable {
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     points: Option<usize>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     x: Option<Vec<f64>>,
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     strain: bool,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     quantities: Option<Vec<Asked>>,
 }
 
@@ -331,9 +328,9 @@ impl From<Output> for OutputTable {
 #[serde(deny_unknown_fields)]
 pub struct Units {
     /// For example `mm`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub length: Option<String>,
     /// For example `MPa`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub stress: Option<String>,
 }

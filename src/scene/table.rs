@@ -10,7 +10,6 @@ use slipzone_api::{Friction, PunchProfile};
 #[serde(deny_unknown_fields)]
 pub(super) struct SceneTable {
     format: u32,
-    #[serde(default)]
     title: Option<String>,
     layer: Layer,
     punch: Box<dyn PunchProfile>,

@@ -58,13 +58,9 @@ struct FindTable {
     from: f64,
     to: f64,
     quantity: String,
-    #[serde(default)]
     target: Option<f64>,
-    #[serde(default)]
     minimum: Option<bool>,
-    #[serde(default)]
     maximum: Option<bool>,
-    #[serde(default)]
     half_plane_within: Option<f64>,
 }
 

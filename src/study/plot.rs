@@ -16,28 +16,21 @@ pub struct Plot {
     #[serde(default)]
     pub kind: PlotKind,
     /// Title above the figure; the study's unless it has one of its own.
-    #[serde(default)]
     pub title: Option<String>,
     /// A line under the title: what all curves have in common.
-    #[serde(default)]
     pub note: Option<String>,
     /// The abscissa: an axis (its field or label) or a number of the result, such as `load.force`. Of tractions it is
     /// `x/b`, and left out.
-    #[serde(default)]
     pub x: Option<String>,
     /// The ordinate: numbers of the result, side by side where there are several; of a map its second axis; of tractions
     /// `pressure`, `shear`, or both where it is left out.
-    #[serde(default)]
     pub y: Option<OneOrMore>,
     /// The number that a map shows over two axes.
-    #[serde(default)]
     pub z: Option<String>,
     /// Axes whose values have a curve each; unless some are listed, all that are neither drawn at random nor the abscissa
     /// nor the panels. (Over a number of the result a curve follows the last axis.)
-    #[serde(default)]
     pub family: Option<OneOrMore>,
     /// An axis whose values have a panel each.
-    #[serde(default)]
     pub panels: Option<String>,
     /// Steps along the abscissa.
     #[serde(default)]
@@ -46,10 +39,8 @@ pub struct Plot {
     #[serde(default)]
     pub y_scale: Scale,
     /// In place of the name of the abscissa.
-    #[serde(default)]
     pub x_label: Option<String>,
     /// In place of the name of the ordinate.
-    #[serde(default)]
     pub y_label: Option<String>,
     /// What tractions are divided by.
     #[serde(default)]

@@ -22,7 +22,6 @@ use toml::de::DeValue;
 struct StudyTable {
     #[allow(dead_code)] // checked before
     format: u32,
-    #[serde(default)]
     title: Option<String>,
     #[allow(dead_code)] // read from the document
     scene: IgnoredAny,
@@ -30,28 +29,19 @@ struct StudyTable {
     axes: Vec<AxisTable>,
     #[serde(default)]
     plots: Vec<Plot>,
-    #[serde(default)]
     find: Option<Find>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct AxisTable {
-    #[serde(default)]
     field: Option<String>,
-    #[serde(default)]
     label: Option<String>,
-    #[serde(default)]
     values: Option<IgnoredAny>,
-    #[serde(default)]
     names: Option<Vec<String>>,
-    #[serde(default)]
     linear: Option<Range>,
-    #[serde(default)]
     log: Option<Range>,
-    #[serde(default)]
     zip: Option<Vec<ColumnTable>>,
-    #[serde(default)]
     random: Option<Random>,
 }
 
@@ -60,15 +50,10 @@ struct AxisTable {
 #[serde(deny_unknown_fields)]
 struct ColumnTable {
     field: String,
-    #[serde(default)]
     label: Option<String>,
-    #[serde(default)]
     values: Option<IgnoredAny>,
-    #[serde(default)]
     names: Option<Vec<String>>,
-    #[serde(default)]
     linear: Option<Range>,
-    #[serde(default)]
     log: Option<Range>,
 }
 
@@ -77,7 +62,6 @@ struct ColumnTable {
 struct Range {
     from: f64,
     to: f64,
-    #[serde(default)]
     count: Option<u64>,
 }
 

@@ -25,9 +25,9 @@ enum Decay {
 #[serde(deny_unknown_fields)]
 struct Written {
     surface: Positive,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     base: Option<Positive>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     gradient: Option<f64>,
 }
 

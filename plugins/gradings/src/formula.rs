@@ -15,7 +15,7 @@ pub struct Formula {
     /// Formula for the modulus.
     pub modulus: String,
     /// Formula for Poisson's ratio; left out, it is the layer's.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub poisson: Option<String>,
     /// Values of the names in both.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]

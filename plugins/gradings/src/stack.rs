@@ -25,7 +25,7 @@ pub struct Piece {
     /// Thickness in the user's unit.
     pub thickness: Positive,
     /// Poisson's ratio wherever the grading names none; left out, that of the layer.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub poisson: Option<Poisson>,
     /// The modulus over the sublayer's own depth: the surface is its top, the base its bottom.
     pub grading: Box<dyn Grading>,

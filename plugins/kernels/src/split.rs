@@ -41,7 +41,7 @@ use waves::Waves;
 #[serde(deny_unknown_fields)]
 pub struct Split {
     /// `S` times the depth that the surface feels; left out, chosen by the accuracy.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub cutoff: Option<Positive>,
     /// Terms of the series used beyond `S`, at most 40 and as many as the grading tells; left out, chosen
     /// by the accuracy.

@@ -22,7 +22,7 @@ use std::f64::consts::FRAC_PI_2;
 pub struct Truncated {
     /// `S` times the depth that the surface feels (the thickness of a homogeneous or exponential
     /// layer); left out, the solver raises it until the error estimate is met.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub cutoff: Option<Positive>,
     /// Added refinements, chosen by the solver.
     #[serde(skip)]

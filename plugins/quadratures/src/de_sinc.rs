@@ -2,9 +2,11 @@
 
 mod apart;
 mod between;
+mod beyond;
 mod fine;
 mod fold;
 mod grid;
+mod integrals;
 mod map;
 mod potential;
 mod resolution;
@@ -48,10 +50,10 @@ use slipzone_api::{Edge, Parity, Quadrature, Refusal, Rule, Span};
 #[serde(deny_unknown_fields)]
 pub struct DeSinc {
     /// Steps over half the interval; left out, the solver chooses.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     n: Option<Count<LEAST_STEPS, MOST_PINNED>>,
     /// Where the grid ends in `u`; left out, it goes with `n`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     u_max: Option<Reach>,
     /// Added refinements, chosen by the solver.
     #[serde(skip)]

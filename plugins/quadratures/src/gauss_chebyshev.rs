@@ -24,7 +24,7 @@ use std::f64::consts::PI;
 #[serde(deny_unknown_fields)]
 pub struct GaussChebyshev {
     /// Number of nodes over the whole interval, even; left out, the solver chooses.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     n: Option<EvenCount>,
     /// Added refinements, chosen by the solver.
     #[serde(skip)]

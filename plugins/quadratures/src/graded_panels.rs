@@ -46,10 +46,10 @@ use slipzone_api::{Quadrature, Refusal, Rule, Span, root};
 pub struct GradedPanels {
     /// Degree of the polynomial on each panel, which is also its number of collocation points; left out, the
     /// solver chooses.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     nodes: Option<Count<4, 32>>,
     /// Panels from the middle of the contact to its end; left out, the solver chooses.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     panels: Option<Count<2, 64>>,
     /// Added refinements, chosen by the solver.
     #[serde(skip)]

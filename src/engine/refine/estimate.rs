@@ -1,7 +1,8 @@
 //! What the resolutions solved so far tell of the error.
 
 use super::FINEST;
-use super::ladder::{Aim, FAINT};
+use super::aim::Aim;
+use super::ladder::FAINT;
 use crate::engine::accuracy::error_estimate::{Fastest, ROUNDING, SLIP_ROUNDING, Seen, extrapolated};
 use crate::engine::accuracy::quantity::{Numbers, Quantity};
 use crate::engine::outcome::Outcome;
@@ -92,7 +93,7 @@ fn is_vain(
     (told, all): (&Numbers, &Numbers),
     has_kernels: bool,
 ) -> bool {
-    let lost = outcome.lost.unwrap_or(0.0);
+    let lost = outcome.lost.map_or(0.0, |lost| lost.stacked);
     // A finer step may miss less of the load, which counts for more beside a faint pressure in the middle.
     let missed = outcome.size.map_or(0.0, |size| size.missed) / share_in_middle(outcome);
     let unmended = |(quantity, error): (Quantity, f64)| {

@@ -39,8 +39,8 @@ pub(crate) const ROUNDED: f64 = 1e-9;
 /// How sure a solved contact is, and how that is known.
 pub(crate) struct Judged {
     pub(crate) outcome: Outcome,
-    /// Which stage of the ladder holds its tractions.
-    pub(crate) stage: usize,
+    /// The step of the ladder whose stage holds its tractions.
+    pub(crate) step: usize,
     /// Of the numbers that have to meet the tolerance.
     pub(crate) errors: Numbers,
     /// How uncertain the shear itself is, over its largest value, where it is asked for.
@@ -57,10 +57,10 @@ pub(crate) struct Judged {
 }
 
 impl Judged {
-    pub(crate) fn new(outcome: Outcome, stage: usize, errors: Numbers, how: How) -> Self {
+    pub(crate) fn new(outcome: Outcome, step: usize, errors: Numbers, how: How) -> Self {
         Self {
             outcome,
-            stage,
+            step,
             errors,
             of_shear: None,
             of_pressure: None,
@@ -78,7 +78,7 @@ impl Judged {
         }
         if let Some(of_shear) = self.errors.get(Quantity::Shear) {
             // It is stacked of the pressures, too, and what it lacks of sliding is taken off one that may be off between the nodes.
-            let left = self.outcome.left;
+            let left = self.outcome.lost.unwrap_or_default().left;
             let between = self.outcome.lost.and(self.of_pressure).unwrap_or(0.0);
             let share =
                 self.outcome.rubbing.as_ref().and_then(|rubbing| rubbing.shear).map_or(0.0, |shear| shear.of_sliding());
@@ -159,7 +159,7 @@ fn doubt(problem: &Problem, errors: &Numbers) -> Option<f64> {
 
 /// What the forces of flat punches told between those solved may be off by, relative.
 fn between_members(outcome: &Outcome) -> f64 {
-    SAFETY * outcome.left.force
+    SAFETY * outcome.lost.map_or(0.0, |lost| lost.left.force)
 }
 
 /// What more flat punches, and smoother ones, mend of a number.
@@ -170,7 +170,7 @@ pub(crate) fn mended(outcome: &Outcome, quantity: Quantity) -> f64 {
 /// What the peak is off by beside that which moves all numbers of a stack: it may be near the edge, or at a kink. In the middle, which
 /// feels all flat punches alike, what they are off by in turns hardly counts.
 fn of_peak(outcome: &Outcome) -> f64 {
-    outcome.left.pressure + outcome.lost_at_kinks
+    outcome.lost.map_or(0.0, |lost| lost.left.pressure + lost.at_kinks)
 }
 
 /// Errors, and those that differences between resolutions do not see: what the kernels prove of theirs, what a contact misses of
@@ -184,7 +184,7 @@ pub(crate) fn with_the_rest(
 ) -> Numbers {
     let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
     let missed = outcome.size.map_or(0.0, |size| size.missed);
-    let left_out = outcome.lost.map_or(0.0, |lost| lost.max(STACKED * tolerance));
+    let left_out = outcome.lost.map_or(0.0, |lost| lost.stacked.max(STACKED * tolerance));
     let missed = if missed > ROUNDING { missed } else { 0.0 };
     let of_kernels = layer.kernel_error(half_width).unwrap_or(0.0);
     let of_depth = layer.depth_error(half_width).unwrap_or(0.0);

@@ -1,7 +1,8 @@
 //! What another load, or another punch on the same layer, tells of a contact that grows.
 
+use super::aim::Aim;
 use super::estimate::fastest;
-use super::ladder::{Aim, Ladder};
+use super::ladder::Ladder;
 use super::{BOUND_LEVEL, FINEST, is_known_between};
 use crate::engine::accuracy::error_estimate::{Pace, Seen, extrapolated};
 use crate::engine::accuracy::quantity::{Numbers, Quantity};
@@ -26,21 +27,21 @@ impl Ladder {
         judged: &Judged,
         loads: &[LoadInLayerUnits],
     ) -> Option<Vec<(Numbers, f64)>> {
-        let before = judged.stage.checked_sub(1).filter(|_| judged.how != How::Twin)?;
+        let before = judged.step.checked_sub(1).filter(|_| judged.how != How::Twin)?;
         let half_width = judged.outcome.numbers.get(Quantity::HalfWidth)?;
         let (_, error) = judged.errors.worst()?;
-        let mut told = |index: usize, sure: bool| {
-            let task = self.made(aim, index)?;
-            self.stages[index].growing.as_mut()?.on_the_way(layer, task, (half_width, sure), loads)
+        let mut told = |step: usize, sure: bool| {
+            let task = self.made(aim, step)?;
+            self.stages[step].growing.as_mut()?.on_the_way(layer, task, (half_width, sure), loads)
         };
         let left = |coarse: &Numbers, fine: &Numbers| error.max(LEFT * fine.change_from(coarse));
         // The flat punches may take a step more than their stack did.
         let mut coarse = told(before, false)?;
-        for index in judged.stage..=(judged.stage + MORE).min(FINEST) {
-            let fine = told(index, true)?;
+        for step in judged.step..=(judged.step + MORE).min(FINEST) {
+            let fine = told(step, true)?;
             let each = coarse.iter().zip(&fine);
             let errors: Vec<f64> = each.map(|((coarse, _), (fine, lost))| left(coarse, fine).max(*lost)).collect();
-            if index == judged.stage + MORE || errors.iter().all(|error| *error <= aim.tolerance) {
+            if step == judged.step + MORE || errors.iter().all(|error| *error <= aim.tolerance) {
                 return Some(fine.into_iter().zip(errors).map(|((numbers, _), error)| (numbers, error)).collect());
             }
             coarse = fine;
@@ -53,11 +54,11 @@ impl Ladder {
         &mut self,
         layer: &PreparedLayer,
         problem: &Problem,
-        (stage, outcome): (usize, &Outcome),
+        (step, outcome): (usize, &Outcome),
         history: &[Seen],
     ) {
-        self.settled = Some(stage);
-        let pace = Pace::seen(history, fastest(layer, problem, outcome, self.stages[stage].unknowns()));
+        self.settled = Some(step);
+        let pace = Pace::seen(history, fastest(layer, problem, outcome, self.stages[step].unknowns()));
         self.pace = outcome.numbers.get(Quantity::HalfWidth).zip(pace);
     }
 
@@ -65,36 +66,35 @@ impl Ladder {
     /// the step that was fine enough then and the one before tell how fine it is now. `None` where it wants finer steps, or is
     /// refused: whether it is, and why, is left to these.
     pub(super) fn pressed_again(&mut self, layer: &mut PreparedLayer, aim: Aim) -> Option<Judged> {
-        let (stage, (widest, pace)) = self.settled.zip(self.pace)?;
-        let coarse = self.solve_again(layer, aim, (stage.checked_sub(1)?, widest), None)?;
-        let outcome = self.solve_again(layer, aim, (stage, widest), Some(&coarse))?;
+        let (step, (widest, pace)) = self.settled.zip(self.pace)?;
+        let coarse = self.solve_again(layer, aim, (step.checked_sub(1)?, widest), None)?;
+        let outcome = self.solve_again(layer, aim, (step, widest), Some(&coarse))?;
         let errors = pace.judge(&coarse.seen(), &outcome.seen());
         let kernels_proven = layer.is_proven();
-        let mut found = Judged::new(outcome, stage, errors, How::Again { kernels_proven });
+        let mut found = Judged::new(outcome, step, errors, How::Again { kernels_proven });
         if !self.is_sure(layer, aim, &mut found) {
             if aim.problem.is_stacked() {
                 return None;
             }
             // One step more is less than all of them again.
-            let finer = self.solve_again(layer, aim, (stage + 1, widest), Some(&found.outcome))?;
+            let finer = self.solve_again(layer, aim, (step + 1, widest), Some(&found.outcome))?;
             let seen = [&coarse, &found.outcome, &finer].map(Outcome::seen);
-            let errors = extrapolated(&seen, fastest(layer, aim.problem, &finer, self.stages[stage + 1].unknowns()))?;
-            found = Judged::new(finer, stage + 1, errors, How::Sequence { count: seen.len(), kernels_proven });
+            let errors = extrapolated(&seen, fastest(layer, aim.problem, &finer, self.stages[step + 1].unknowns()))?;
+            found = Judged::new(finer, step + 1, errors, How::Sequence { count: seen.len(), kernels_proven });
             if !self.is_sure(layer, aim, &mut found) {
                 return None;
             }
         }
         layer.meter().conclude();
-        let task = self.task(aim, u32::try_from(found.stage).ok()?);
-        self.stages[found.stage].settle(layer, task, &mut found.outcome).ok()?;
+        let task = self.task(aim, found.step);
+        self.stages[found.step].settle(layer, task, &mut found.outcome).ok()?;
         Some(found)
     }
 
-    /// Makes the stages up to one whose level is its index, and tells what it needs to know.
-    fn made<'a>(&mut self, aim: Aim<'a>, index: usize) -> Option<Task<'a>> {
-        let level = u32::try_from(index).ok()?;
-        self.make(aim, (index, level)).ok()?;
-        Some(self.task(aim, level))
+    /// Makes the stages up to a step, and tells what the last needs to know.
+    fn made<'a>(&mut self, aim: Aim<'a>, step: usize) -> Option<Task<'a>> {
+        self.make(aim, step).ok()?;
+        Some(self.task(aim, step))
     }
 
     /// [`Stage::solve_again`]; `None` where the contact would be wider than that given, too: it may take finer steps.
@@ -102,19 +102,19 @@ impl Ladder {
         &mut self,
         layer: &mut PreparedLayer,
         aim: Aim,
-        (index, widest): (usize, f64),
+        (step, widest): (usize, f64),
         coarse: Option<&Outcome>,
     ) -> Option<Outcome> {
-        let task = self.made(aim, index)?;
-        let found = self.stages[index].solve_again(layer, task, widest, coarse).ok()??;
+        let task = self.made(aim, step)?;
+        let found = self.stages[step].solve_again(layer, task, widest, coarse).ok()??;
         found.numbers.get(Quantity::HalfWidth).is_some_and(|b| b <= widest).then_some(found)
     }
 
     /// Whether what was found meets the tolerance, between the nodes, too, which is noted.
     fn is_sure(&self, layer: &PreparedLayer, aim: Aim, found: &mut Judged) -> bool {
-        let Judged { outcome, stage, errors, of_pressure, .. } = found;
+        let Judged { outcome, step, errors, of_pressure, .. } = found;
         let all = with_the_rest(aim.problem, layer, outcome, aim.tolerance, *errors);
-        *of_pressure = self.lost_between(aim, *stage);
+        *of_pressure = self.lost_between(aim, *step);
         meets(aim.problem, &all, aim.tolerance) && is_known_between(*of_pressure, aim.tolerance)
     }
 
@@ -124,7 +124,7 @@ impl Ladder {
         let settled = self.settled?;
         let later = settled.checked_sub(2)?.min(BOUND_LEVEL);
         let half_width = coarsest.numbers.get(Quantity::HalfWidth)?;
-        self.make(aim, (settled, u32::try_from(settled).ok()?)).ok()?;
+        self.make(aim, settled).ok()?;
         let task = self.task(aim, 0);
         let serves = |stage: &Stage| stage.growing.as_ref().is_some_and(|growing| growing.serves(task, half_width));
         (later > 1 && self.stages[1..=settled].iter().all(serves)).then_some(later)

@@ -1,15 +1,14 @@
 //! The resolutions of a scene, and what they are solved with.
 
+use super::aim::Aim;
 use crate::engine::accuracy::error_estimate::Pace;
 use crate::engine::friction::rubbing::Rubbing;
 use crate::engine::growing::family::Family;
 use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::{PreparedLayer, Wanted};
-use crate::engine::problem::Problem;
 use crate::engine::refine::judged::{moves, share_in_middle, share_in_shear};
 use crate::engine::refine::stage::Stage;
 use crate::engine::work::Work;
-use crate::plan::Methods;
 use slipzone_api::Refusal;
 use std::ops::Add;
 
@@ -50,14 +49,6 @@ pub(in crate::engine) struct FlatPunches {
     pace: Option<(f64, Pace)>,
 }
 
-/// What is to be solved, how, and how well.
-#[derive(Clone, Copy)]
-pub(in crate::engine) struct Aim<'a> {
-    pub(in crate::engine) problem: &'a Problem,
-    pub(in crate::engine) methods: &'a Methods,
-    pub(in crate::engine) tolerance: f64,
-}
-
 impl Ladder {
     /// A ladder for another punch on a layer whose flat punches are known.
     pub(in crate::engine) fn inheriting(FlatPunches { families, settled, pace }: FlatPunches) -> Self {
@@ -71,9 +62,9 @@ impl Ladder {
         FlatPunches { families, settled: self.settled, pace: self.pace }
     }
 
-    /// The stage that a solved contact lives in.
-    pub(in crate::engine) fn stage(&mut self, index: usize) -> &mut Stage {
-        &mut self.stages[index]
+    /// What was solved at a step.
+    pub(in crate::engine) fn stage(&mut self, step: usize) -> &mut Stage {
+        &mut self.stages[step]
     }
 
     /// Work in its systems so far, and in those of ladders that it takes the place of.
@@ -86,9 +77,10 @@ impl Ladder {
         self.before = all - (self.work() - self.before);
     }
 
-    /// What a stage needs to know.
-    pub(super) fn task<'a>(&self, aim: Aim<'a>, level: u32) -> Task<'a> {
+    /// What the stage of a step needs to know.
+    pub(super) fn task<'a>(&self, aim: Aim<'a>, step: usize) -> Task<'a> {
         let Aim { problem, tolerance, .. } = aim;
+        let [level, _] = aim.levels(step);
         let accuracy = KERNEL_SHARE * tolerance;
         let wanted = Wanted {
             frictional: problem.friction.is_some(),
@@ -107,17 +99,17 @@ impl Ladder {
         }
     }
 
-    /// Solves on one stage, made when first asked for.
+    /// Solves at a step, whose stage is made when first asked for.
     pub(super) fn solve(
         &mut self,
         layer: &mut PreparedLayer,
         aim: Aim,
-        (index, kernel_level, quadrature_level): (usize, u32, u32),
+        step: usize,
         coarse: Option<&Outcome>,
     ) -> Result<Outcome, Refusal> {
-        self.make(aim, (index, quadrature_level))?;
-        let task = self.task(aim, kernel_level);
-        let (before, here) = self.stages.split_at_mut(index);
+        self.make(aim, step)?;
+        let task = self.task(aim, step);
+        let (before, here) = self.stages.split_at_mut(step);
         let family = before.iter().rev().find_map(|stage| stage.growing.as_ref()?.family.as_ref());
         if let Some(growing) = &mut here[0].growing {
             growing.give_up(self.given_up.as_ref());
@@ -127,16 +119,15 @@ impl Ladder {
         Ok(outcome)
     }
 
-    /// Makes the stages up to one of that level.
-    pub(super) fn make(&mut self, aim: Aim, (index, quadrature_level): (usize, u32)) -> Result<(), Refusal> {
+    /// Makes the stages up to a step.
+    pub(super) fn make(&mut self, aim: Aim, step: usize) -> Result<(), Refusal> {
         if self.stages.is_empty() {
             // Stages are large, and to move them costs more than the room.
-            self.stages.reserve(USUAL_STEPS.max(index + 1));
+            self.stages.reserve(USUAL_STEPS.max(step + 1));
         }
-        while self.stages.len() <= index {
-            let missing = u32::try_from(index - self.stages.len()).expect("a few steps");
-            let quadrature = aim.methods.quadrature.refined(quadrature_level - missing);
-            let mut stage = Stage::new(aim.problem, quadrature)?;
+        while self.stages.len() <= step {
+            let [_, level] = aim.levels(self.stages.len());
+            let mut stage = Stage::new(aim.problem, aim.methods.quadrature.refined(level))?;
             if let (Some(growing), Some(family)) = (&mut stage.growing, self.inherited.get_mut(self.stages.len())) {
                 growing.inherit(family.take());
             }

@@ -85,7 +85,7 @@ impl Solver {
         if problem.is_linear || !problem.is_stacked() && loads.len() <= FEW {
             return None;
         }
-        let (status, reason) = verdict(layer, problem, ladder.stage(judged.stage), judged, tolerance);
+        let (status, reason) = verdict(layer, problem, ladder.stage(judged.step), judged, tolerance);
         if status == Status::AssumptionViolated {
             return None;
         }
@@ -104,7 +104,7 @@ impl Solver {
     pub(super) fn point(&mut self) -> Point {
         let Some(judged) = &self.judged else { unreachable!("found before") };
         let tolerance = self.chosen.scene.solver.tolerance.get();
-        let judgement = verdict(&self.layer, &self.problem, self.ladder.stage(judged.stage), judged, tolerance);
+        let judgement = verdict(&self.layer, &self.problem, self.ladder.stage(judged.step), judged, tolerance);
         let error = Point::error(&judged.errors);
         assemble::point(self.chosen.scene.load, &self.problem, &judged.outcome.numbers, error, judgement)
     }

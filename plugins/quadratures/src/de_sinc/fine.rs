@@ -2,15 +2,15 @@
 
 use super::apart::{Apart, descending};
 use super::between::Between;
+use super::beyond::Beyond;
 use super::grid::Grid;
+use super::integrals::{AT_HALVES, AT_WHOLES, integrals};
 use super::map::Place;
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Edge;
 use slipzone_api::elementary::{EULER_GAMMA, LANES, ln};
-use spec_math::cephes64::sici;
-use std::f64::consts::{FRAC_2_PI, PI};
+use std::f64::consts::PI;
 use std::ops::Range;
-use std::sync::{Mutex, PoisonError};
 
 /// Distances and product weights from each staggered point, and from the end as one more row, to each fine
 /// node `u_k = k step/factor >= 0` and to its mirror image. With a whole number and a half of fine steps
@@ -246,46 +246,6 @@ impl Fine {
     }
 }
 
-/// The last fine node, and the places beyond it for which it stands.
-struct Beyond {
-    /// What the node weighs by itself.
-    weight: f64,
-    places: Vec<(Place, f64)>,
-    fine_step: f64,
-}
-
-impl Beyond {
-    /// What the places weigh.
-    fn weights(&self) -> impl Iterator<Item = f64> {
-        self.places.iter().map(|(place, share)| self.fine_step * place.slope * share)
-    }
-
-    /// [`Fine::finite_end`].
-    fn finite_end(&self, grid: &Grid, between: &Between) -> [f64; 2] {
-        let nodes_beyond = grid.beyond(1);
-        let between = between.sums_from_last(grid, nodes_beyond.iter().map(|(u, _)| u));
-        let own = self.weight + between[0];
-        let (mut factors, mut all) = ([0.0, own], own);
-        let mut add = |weight: f64, (u, share): &(Place, f64)| {
-            factors.iter_mut().zip(grid.finite_beyond(u)).for_each(|(sum, factor)| *sum += weight * factor);
-            all += weight * share;
-        };
-        self.places.iter().for_each(|place| add(self.fine_step * place.0.slope, place));
-        nodes_beyond.iter().zip(&between[1..]).for_each(|(place, weight)| add(*weight, place));
-        factors.map(|factor| factor / all)
-    }
-
-    /// The mean, by weight, of what is given at the node and at the places.
-    fn mean(&self, at_node: f64, at_places: &[f64]) -> f64 {
-        let (mut sum, mut all) = (self.weight * at_node, self.weight);
-        for (weight, at) in self.weights().zip(at_places) {
-            sum += weight * at;
-            all += weight;
-        }
-        sum / all
-    }
-}
-
 /// What [`Fine`] holds of the staggered points.
 struct Distances<'a> {
     apart: Apart,
@@ -370,23 +330,4 @@ impl WithSimd for Gather<'_> {
             }
         }
     }
-}
-
-/// `(2/pi) Si(pi d)` and `Ci(pi d)` at distances so far apart by 1: the same for all grids.
-type Integrals = Mutex<Vec<(f64, f64)>>;
-
-/// At `d = 1/2, 3/2, ...` and at `d = 1, 2, ...`.
-static AT_HALVES: Integrals = Mutex::new(Vec::new());
-static AT_WHOLES: Integrals = Mutex::new(Vec::new());
-
-/// The first `count` of those known, which begin at `d = first`; as many are made known.
-fn integrals(known: &Integrals, first: f64, count: usize) -> (Vec<f64>, Vec<f64>) {
-    let mut known = known.lock().unwrap_or_else(PoisonError::into_inner);
-    let next = |m: usize| {
-        let (si, ci) = sici(PI * (m as f64 + first));
-        (FRAC_2_PI * si, ci)
-    };
-    let missing = known.len()..count;
-    known.extend(missing.map(next));
-    known[..count].iter().copied().unzip()
 }
