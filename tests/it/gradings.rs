@@ -137,7 +137,7 @@ fn a_curve_of_lower_degree_is_named_among_the_assumptions() {
     };
     let of_crowded = said("thickness = 10.0", CROWDED);
     assert_eq!(of_crowded.len(), 1);
-    assert!(of_crowded[0].ends_with("not 4: curves of higher degrees swing between them"), "{of_crowded:?}");
+    assert!(of_crowded[0].contains("not 4: curves of higher degrees swing between them"), "{of_crowded:?}");
     assert!(said("thickness = 5.0", EVEN).is_empty());
     let stacked = STACK.replacen("thickness = 1.0,", "thickness = 1.0, poisson = 0.2,", 1);
     for stack in [STACK, &stacked] {

@@ -109,7 +109,7 @@ impl Profile {
             halves.take_while(move |half| *half >= BESIDE * beside.min(gap))
         };
         let beside = halved(before).map(move |half| from + half).chain(halved(after).map(move |half| to - half));
-        beside.chain([f64::midpoint(from, to)])
+        [f64::midpoint(from, to)].into_iter().chain(beside)
     }
 
     /// With what is seen of the curve between its rows.
