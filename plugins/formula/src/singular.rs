@@ -141,9 +141,11 @@ fn zeros_of(tape: &Tape, suspect: &Suspect, scale: f64, samples: &[f64]) -> Vec<
     let at = |x: f64| suspect.at(tape, x);
     let mut zeros = Vec::new();
     let tip = at(0.0);
+    let nearby = at(NEARBY * scale).value.abs();
     // Written so that what is no number counts.
-    let is_apart = tip.value.abs() > ZERO * at(NEARBY * scale).value.abs();
-    if !is_apart {
+    let is_apart = tip.value.abs() > ZERO * nearby;
+    let is_level = tip.value == 0.0 && nearby == 0.0;
+    if !(is_apart || is_level) {
         zeros.push(0.0);
     }
     let (mut before, mut then) = (0.0, tip);

@@ -123,6 +123,8 @@ struct Folded {
     range: f64,
     /// What rounding makes of the heights.
     rounding: f64,
+    /// The last decimal to which all heights are given, in units of their range; 0 where they have more than are told apart.
+    decimal: f64,
 }
 
 impl Folded {
@@ -165,10 +167,12 @@ impl Folded {
                 .expected("heights that grow with |x|")
                 .hint("a flat punch is `type = \"flat\"`"));
         }
+        let decimal = last_decimal(&points, range) / range;
         for point in &mut points {
             *point = Point { x: point.x / last.x, height: (point.height - first.height) / range, left: point.left };
         }
-        Ok(Self { points, distances, reach: last.x, range, rounding: 4.0 * f64::EPSILON * (1.0 + highest / range) })
+        let rounding = 4.0 * f64::EPSILON * (1.0 + highest / range);
+        Ok(Self { points, distances, reach: last.x, range, rounding, decimal })
     }
 
     /// That no convex curve through them rises.
@@ -189,6 +193,21 @@ impl Folded {
     }
 }
 
+/// The power of ten of which all heights are whole multiples; 0 where none is that is worth asking for.
+fn last_decimal(points: &[Point], range: f64) -> f64 {
+    /// How far below the range it is looked for, and by how much a multiple may be off.
+    const DIGITS: i32 = 9;
+    const WHOLE: f64 = 1e-5;
+    #[allow(clippy::cast_possible_truncation)] // a power of ten within the range of numbers
+    let first = range.log10().floor() as i32;
+    let decimals = (0..=DIGITS).map(|digit| 10_f64.powi(first - digit));
+    let is_told = |decimal: &f64| {
+        let multiples = points.iter().map(|point| point.height / decimal);
+        multiples.into_iter().all(|multiple| (multiple - multiple.round()).abs() < WHOLE)
+    };
+    decimals.into_iter().find(is_told).unwrap_or(0.0)
+}
+
 impl Profile {
     /// Fits points with ascending `x`, given in those units.
     ///
@@ -196,7 +215,7 @@ impl Profile {
     /// When they are too few, too far from the middle, or do not rise from there.
     pub(super) fn fit(rows: Rows, x_unit: f64, height_unit: f64) -> Result<Self, Fault> {
         let folded = Folded::new(rows, x_unit, height_unit)?;
-        let Folded { points, distances, reach, range, rounding } = &folded;
+        let Folded { points, distances, reach, range, rounding, decimal } = &folded;
         let (spline, left_over) = best(points, *distances, *rounding);
         let pieces = spline.pieces();
         if pieces.last().is_none_or(|piece| piece.slope(1.0) <= LEVEL) {
@@ -204,7 +223,7 @@ impl Profile {
         }
         let fitted = |x: f64| at(&pieces, x).height(x);
         let residuals: Vec<f64> = points.iter().map(|point| point.height - fitted(point.x)).collect();
-        let flaws = scatter::flaws(points, &residuals, fitted, *rounding);
+        let flaws = scatter::flaws(points, &residuals, (*rounding, *decimal));
         let (reach, rise) = (reach * x_unit, range * height_unit);
         let noise = (left_over / points.len() as f64).sqrt() * rise;
         let sags = deepest(points, fitted).map(|Sag { from, at, depth }| Sag {

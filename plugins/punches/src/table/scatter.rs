@@ -13,11 +13,16 @@ const BLOCKS: usize = 64;
 /// How many times its scatter something must be off to be no accident.
 const CERTAIN: f64 = 8.0;
 
-/// All flaws found, at most one of each kind; `residuals` are heights less `fitted` ones.
-pub(super) fn flaws(points: &[Point], residuals: &[f64], fitted: impl Fn(f64) -> f64, rounding: f64) -> Vec<Flaw> {
+/// By how much more than that of a parabola a line between neighbours may be off.
+const ROOM: f64 = 4.0;
+
+/// All flaws found, at most one of each kind; `residuals` are heights less those of the fit, which are rounded to so much, and to the last
+/// decimal given: neighbours that are rounded alike do not scatter, and their means are off by half of it.
+pub(super) fn flaws(points: &[Point], residuals: &[f64], (rounding, decimal): (f64, f64)) -> Vec<Flaw> {
     let noise = noise(points, residuals) + rounding;
-    let bent = bent(points, residuals, fitted, noise).map(|x| Flaw { what: "the punch is not convex".into(), x });
-    let uneven = uneven(points, residuals, noise).map(|x| Flaw { what: "the punch is not symmetric".into(), x });
+    let bent = bent(points, noise, decimal).map(|x| Flaw { what: "the punch is not convex".into(), x });
+    let uneven =
+        uneven(points, residuals, noise, decimal).map(|x| Flaw { what: "the punch is not symmetric".into(), x });
     bent.into_iter().chain(uneven).collect()
 }
 
@@ -38,14 +43,14 @@ fn noise(points: &[Point], residuals: &[f64]) -> f64 {
     of_fit.min(of_neighbours).sqrt()
 }
 
-/// Where block means stand above the straight line between others by more than chance, most of all.
-fn bent(points: &[Point], residuals: &[f64], fitted: impl Fn(f64) -> f64, noise: f64) -> Option<f64> {
+/// Where block means stand above the straight line between others by more than chance, most of all. Those of a convex shape never do,
+/// wherever the points are: the line is above each point between, and a mean above the shape at the mean `x`.
+fn bent(points: &[Point], noise: f64, decimal: f64) -> Option<f64> {
     let blocks: Vec<(f64, f64, f64)> = blocks(points.len(), BLOCKS)
         .map(|block| {
             let count = block.len() as f64;
-            let x = points[block.clone()].iter().map(|point| point.x).sum::<f64>() / count;
-            let off = residuals[block].iter().sum::<f64>() / count;
-            (x, fitted(x) + off, count)
+            let mean = |of: fn(&Point) -> f64| points[block.clone()].iter().map(of).sum::<f64>() / count;
+            (mean(|point| point.x), mean(|point| point.height), count)
         })
         .collect();
     // With their mirror images, so that heights that first fall stand out too.
@@ -55,7 +60,7 @@ fn bent(points: &[Point], residuals: &[f64], fitted: impl Fn(f64) -> f64, noise:
         let after = hull.partition_point(|(vertex, _)| *vertex < x).clamp(1, hull.len() - 1);
         let ((x0, h0), (x1, h1)) = (hull[after - 1], hull[after]);
         let line = h0 + (h1 - h0) * ((x - x0) / (x1 - x0));
-        (x, (height - line) * count.sqrt())
+        (x, (height - line - decimal) * count.sqrt())
     };
     let worst = blocks.iter().map(excess).max_by(|one, other| one.1.total_cmp(&other.1));
     worst.filter(|(_, excess)| *excess > CERTAIN * noise).map(|(x, _)| x)
@@ -75,21 +80,53 @@ fn hull(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
     hull
 }
 
-/// Where left and right differ by more than chance, first.
-fn uneven(points: &[Point], residuals: &[f64], noise: f64) -> Option<f64> {
-    blocks(points.len(), BLOCKS.min(points.len() / 4)).find_map(|block| {
-        // Sum and number on either side.
-        let mut sides = [(0.0, 0.0); 2];
-        for index in block.clone() {
-            let side = &mut sides[usize::from(points[index].left)];
-            *side = (side.0 + residuals[index], side.1 + 1.0);
-        }
-        let [(right, rights), (left, lefts)] = sides;
-        let is_uneven = rights > 0.0
-            && lefts > 0.0
-            && (right / rights - left / lefts).abs() > CERTAIN * noise * (1.0 / rights + 1.0 / lefts).sqrt();
-        is_uneven.then(|| points[usize::midpoint(block.start, block.end)].x)
+/// Where left and right differ by more than chance, first: by what each point on the left is off the straight line between its neighbours
+/// on the right, of which one is its mirror image as a rule. What the fit misses is the same on both sides, and bends that line.
+fn uneven(points: &[Point], residuals: &[f64], noise: f64, decimal: f64) -> Option<f64> {
+    let side = |left: bool| {
+        let side = points.iter().zip(residuals).filter(move |(point, _)| point.left == left);
+        side.map(|(point, residual)| (point.x, *residual)).collect::<Vec<_>>()
+    };
+    let (right, left) = (side(false), side(true));
+    let differences: Vec<Difference> = left.iter().filter_map(|point| Difference::of(*point, &right)).collect();
+    if differences.is_empty() {
+        return None;
+    }
+    blocks(differences.len(), BLOCKS.min(points.len() / 4)).find_map(|block| {
+        let differences = &differences[block];
+        let count = differences.len() as f64;
+        let mean = |of: fn(&Difference) -> f64| differences.iter().map(of).sum::<f64>().abs() / count;
+        let allowed = CERTAIN * noise * (2.0 / count).sqrt() + mean(|difference| difference.bend) + decimal;
+        let is_uneven = mean(|difference| difference.off) > allowed;
+        is_uneven.then(|| differences[differences.len() / 2].x)
     })
+}
+
+/// How far a point is off the straight line between two on the other side, and how far that line bends there.
+struct Difference {
+    x: f64,
+    off: f64,
+    bend: f64,
+}
+
+impl Difference {
+    /// `None` beyond the last of the others.
+    fn of((x, residual): (f64, f64), others: &[(f64, f64)]) -> Option<Self> {
+        let after = others.partition_point(|(other, _)| *other < x);
+        let (to, last) = *others.get(after)?;
+        if to.to_bits() == x.to_bits() {
+            return Some(Self { x, off: residual - last, bend: 0.0 });
+        }
+        let (from, first) = *others.get(after.checked_sub(1)?)?;
+        let line = first + (last - first) * (x - from) / (to - from);
+        // As a parabola through both and the next on either side would, with room for what bends more and more towards a tip.
+        let bends = |index: usize| match others.get(index..index + 3) {
+            Some(&[(x0, r0), (x1, r1), (x2, r2)]) => ((r2 - r1) / (x2 - x1) - (r1 - r0) / (x1 - x0)) / (x2 - x0),
+            _ => 0.0,
+        };
+        let both = after.checked_sub(2).map_or(0.0, bends) + bends(after - 1);
+        Some(Self { x, off: residual - line, bend: ROOM * both * (x - from) * (to - x) })
+    }
 }
 
 /// So many runs of nearly the same length, no more than there are points.

@@ -324,3 +324,43 @@ fn few_rows_under_a_contact_are_told() {
     let told = sparse.remarks(2.0);
     assert!(told[0].contains("up to 25 % of its height") && told[0].ends_with("x = 1.4"), "{told:?}");
 }
+
+/// Exact heights, and those of a drawing: what the fit misses of them was taken for a flaw, as blocks of neighbours had other points on the
+/// left than on the right, and bend by themselves.
+#[test]
+fn clean_tables_of_convex_symmetric_shapes_have_no_flaw() {
+    let shapes: [fn(f64) -> f64; 6] = [
+        |x| 0.1 * x.abs(),
+        |x| 0.02 * x.powi(4),
+        |x| 0.05 * (x.abs() - 0.5).max(0.0).powi(2),
+        |x| if x.abs() < 0.5 { 0.05 * x * x } else { 0.05 * (x.abs() - 0.25) },
+        |x| 0.1 * x.abs().powf(1.5),
+        |x| 0.05 * ((2.0 * x).cosh() - 1.0),
+    ];
+    for (i, shape) in shapes.into_iter().enumerate() {
+        for count in [9, 25, 101, 401] {
+            let on_both_sides = |place: &dyn Fn(f64) -> f64| -> Vec<f64> {
+                (0..count).map(|i| place(2.0 * f64::from(i) / f64::from(count - 1) - 1.0)).collect()
+            };
+            let shifted = 1.4 / f64::from(count);
+            for places in [
+                on_both_sides(&|u| 2.0 * u),
+                on_both_sides(&|u| 1.0 + u),
+                on_both_sides(&|u| 2.0 * u.powi(3)),
+                on_both_sides(&|u| 2.0 * u + shifted),
+            ] {
+                for decimals in [15, 8, 6, 5, 4, 3] {
+                    let unit = 10_f64.powi(decimals);
+                    let rows: Vec<_> = places.iter().map(|x| [*x, (shape(*x) * unit).round() / unit]).collect();
+                    let Ok(profile) = Table::points(rows).understood(&slipzone_api::NoFiles) else { continue };
+                    assert_eq!(profile.flaw(1.5), None, "shape {i}, {count} rows, {decimals} decimals: {places:?}");
+                }
+            }
+        }
+    }
+    // What is off by more than the last decimal is seen through it.
+    for off in [|x: f64| (x - 0.01).powi(2), |x: f64| 1.0 - x.cos()] {
+        let rows = sampled(-3.0, 3.0, 300, |x| (off(x) * 1e3).round() / 1e3);
+        assert!(of_points(rows).flaw(3.0).is_some());
+    }
+}
