@@ -106,7 +106,8 @@ impl KernelStrategy for Split {
             let rounded = draft.rounding > 0.5 * request.accuracy;
             let is_covered = draft.error.is_finite();
             // The grading has structure closer to the surface than it seemed.
-            if is_covered && draft.beyond > 0.5 * request.accuracy {
+            let is_deep = is_covered && draft.beyond > 0.5 * request.accuracy;
+            if is_deep {
                 depth *= NEARER;
             }
             let noise = draft.rounding;
@@ -134,7 +135,7 @@ impl KernelStrategy for Split {
                 may_be_rough = false;
                 continue;
             }
-            if rounded || accuracy > request.accuracy || self.is_pinned() {
+            if rounded && !is_deep || accuracy > request.accuracy || self.is_pinned() {
                 break;
             }
             (attempts, accuracy) = (attempts - 1, accuracy * ATTEMPTS.1);

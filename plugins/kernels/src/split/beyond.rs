@@ -11,6 +11,8 @@ use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Cut {
     pub(super) cutoff: f64,
+    /// Where it would be for the depth alone, whatever the series asks for.
+    pub(super) nearest: f64,
     pub(super) terms: usize,
 }
 
@@ -50,7 +52,7 @@ impl Cut {
             phase = (1.0 / (SHARE * aim * depth)).ln().max(1.0) + 2.0 * (1.0 + phase).ln();
         }
         let nearest = 0.5 * phase.max(4.0) / depth;
-        let mut cut = Self { cutoff: nearest, terms: 0 };
+        let mut cut = Self { cutoff: nearest, nearest, terms: 0 };
         loop {
             let (terms, left) = shortest(tail, cut.cutoff, SHARE * aim);
             cut.terms = terms;

@@ -61,7 +61,9 @@ impl Felt {
             if left > SHARE.0 * accuracy {
                 return Ok(felt);
             }
-            (felt.depth, felt.left, before) = ((part * thickness / BEYOND).max(nearest), left, here);
+            // The one whose cut is no nearer than that, whether or not a series of more terms is enough before.
+            let depth = cut.nearest * thickness / s;
+            (felt.depth, felt.left, before) = (depth.max(nearest), left, here);
             part *= NEARER;
         }
         let (rest, _) = cut.rest(columns, response, thickness)?;
