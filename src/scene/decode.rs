@@ -141,6 +141,18 @@ fn unknown_name(document: &Document, mut path: Vec<&str>, name: &str, known: &[&
         (["friction", "type"], "coulomb") => {
             error.hint("Coulomb friction is solved for in Goodman's approximation: `goodman`")
         }
+        ([parents @ .., "type"], word) => {
+            let of_plugin = || family(parents).and_then(|family| slipzone_api::known_elsewhere(family, word));
+            let meant = match (parents, word) {
+                (["layer", "base"], "bonded" | "fixed" | "clamped") => Some("rigid"),
+                (["layer", "base"], "substrate" | "elastic" | "half-space" | "halfspace") => Some("half-plane"),
+                _ => of_plugin(),
+            };
+            match meant {
+                Some(meant) => error.hint(format!("it is called `{meant}` here")),
+                None => error,
+            }
+        }
         _ => error,
     }
 }

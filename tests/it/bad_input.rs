@@ -388,3 +388,20 @@ fn a_series_of_more_terms_than_are_used() {
     let error = read(41).unwrap_err();
     assert_eq!((error.line, error.expected.as_deref()), (20, Some("an integer from 1 to 40")), "{error}");
 }
+
+/// Who writes the word for it that they know is told the name here; no word is another's name, or means two of a family.
+#[test]
+fn a_plugin_is_found_by_the_words_for_it_elsewhere() {
+    use slipzone::api::{find, known_elsewhere, plugins};
+    for info in plugins() {
+        for word in info.also {
+            assert_eq!(known_elsewhere(info.family, &word.to_uppercase().replace('-', "_")), Some(info.name), "{word}");
+            assert!(find(info.family, word).is_none(), "{word} is a name");
+        }
+    }
+    for (known, word, name) in [("flat", "Hertz", "cylinder"), ("exponential", "uniform", "homogeneous")] {
+        let scene = GOOD.replacen(&format!("\"{known}\""), &format!("\"{word}\""), 1);
+        let error = slipzone::scene::parse("scene.toml", &scene).unwrap_err();
+        assert_eq!(error.hint, Some(format!("it is called `{name}` here")), "{error}");
+    }
+}

@@ -50,7 +50,7 @@ pub use number::{Finite, MODERATE, NotAllowed, Poisson, Positive, exactly, round
 pub use punch::{FlatFace, Flaw, PunchProfile, PunchShape};
 pub use quadrature::{Densities, Edge, Parity, Quadrature, Rule, Span, Station};
 pub use refusal::Refusal;
-pub use registry::{Family, Parameter, PluginInfo, find, plugins};
+pub use registry::{Family, Parameter, PluginInfo, find, known_elsewhere, plugins};
 pub use room::lend;
 pub use shelf::Shelf;
 pub use values::{Kind, Values};

@@ -72,6 +72,8 @@ pub struct PluginInfo {
     pub name: &'static str,
     /// What it is, in one line.
     pub summary: &'static str,
+    /// Words for it elsewhere, of which a scene that has one is told its name: lower case, `-` between words.
+    pub also: &'static [&'static str],
     /// A table body (TOML, `type` included) that parses.
     pub example: &'static str,
     /// Keys besides `type`.
@@ -95,21 +97,32 @@ pub fn find(family: Family, name: &str) -> Option<&'static PluginInfo> {
     plugins().into_iter().find(|info| info.family == family && info.name == name)
 }
 
+/// The name of the plugin of a family that goes by a word elsewhere; case and `_` for `-` not counted.
+pub fn known_elsewhere(family: Family, word: &str) -> Option<&'static str> {
+    let word = word.to_lowercase().replace('_', "-");
+    let is_meant = |info: &&PluginInfo| info.family == family && info.also.contains(&word.as_str());
+    plugins().into_iter().find(is_meant).map(|info| info.name)
+}
+
 /// Records a plugin: put it beside the `#[typetag::serde]` implementation.
 ///
 /// A key is its name, its meaning and unit, whether it is required, samples, and what it may hold: a variant of
-/// [`Values`], which may be left out; `in_place_of "..."` behind that names a key for which it may stand.
+/// [`Values`], which may be left out; `in_place_of "..."` behind that names a key for which it may stand. `also`, which may be left out,
+/// are words for the plugin elsewhere: who writes one in a scene is told its name.
 ///
 /// ```
 /// slipzone_api::register!(Punch, "needle", "a punch with no width",
+///     also: ["stylus"],
 ///     example: "type = \"needle\"\nlength = 1.0",
 ///     parameters: [("length", "length of the needle", true, [0.5, 1.0], Positive)],
 ///     source: "none");
 /// assert!(slipzone_api::find(slipzone_api::Family::Punch, "needle").is_some());
+/// assert_eq!(slipzone_api::known_elsewhere(slipzone_api::Family::Punch, "Stylus"), Some("needle"));
 /// ```
 #[macro_export]
 macro_rules! register {
     ($family:ident, $name:literal, $summary:literal,
+     $(also: [$($also:literal),* $(,)?],)?
      example: $example:literal,
      parameters: [$((
         $key:literal, $about:literal, $required:literal, [$($sample:expr),* $(,)?]
@@ -121,6 +134,7 @@ macro_rules! register {
                 family: $crate::Family::$family,
                 name: $name,
                 summary: $summary,
+                also: &[$($($also),*)?],
                 example: $example,
                 parameters: &[$($crate::Parameter {
                     name: $key, summary: $about, required: $required, samples: &[$($sample),*],

@@ -12,6 +12,7 @@ use spec_math::cephes64::erfc;
 pub struct ErrorFunction(pub Transition);
 
 slipzone_api::register!(Grading, "error-function", "two materials, their interface blurred as by diffusion",
+    also: ["erf", "diffusion"],
     example: "type = \"error-function\"\nabove = 1.0\nbelow = 4.0\ncentre = 1.0\nwidth = 0.5",
     parameters: [
         ("above", "modulus far above the interface (stress)", true, [0.5, 1.0, 100.0], Positive),

@@ -59,6 +59,7 @@ impl From<Exponential> for Written {
 }
 
 slipzone_api::register!(Grading, "exponential", "shear modulus growing or falling exponentially with depth",
+    also: ["exp"],
     example: "type = \"exponential\"\nsurface = 1.0\nbase = 8.0",
     parameters: [
         ("surface", "shear modulus at the surface (stress)", true, [0.5, 1.0, 100.0], Positive),

@@ -23,6 +23,7 @@ pub struct Formula {
 }
 
 slipzone_api::register!(Grading, "formula", "modulus by a formula in y with named parameters",
+    also: ["function", "expression", "custom"],
     example: "type = \"formula\"\nmodulus = \"m*(1 + (y/h)^2)\"\npoisson = \"0.3 - 0.1*y/h\"\nparameters = { m = 2.0 }",
     parameters: [
         ("modulus", "formula (stress) in the depth `y` and the thickness `h` (length)", true, [], Text),

@@ -19,6 +19,7 @@ pub struct PowerLaw {
 }
 
 slipzone_api::register!(Grading, "power-law", "modulus like a power of depth: surface (1 + y/length)^exponent",
+    also: ["power"],
     example: "type = \"power-law\"\nsurface = 1.0\nlength = 2.0\nexponent = 1.5",
     parameters: [
         ("surface", "modulus at the surface (stress)", true, [0.5, 1.0, 100.0], Positive),

@@ -11,6 +11,7 @@ use slipzone_api::{Grading, ModulusLaw, Refusal, Setting};
 pub struct Sigmoid(pub Transition);
 
 slipzone_api::register!(Grading, "sigmoid", "two materials, their interface blurred like a hyperbolic tangent",
+    also: ["tanh", "logistic"],
     example: "type = \"sigmoid\"\nabove = 1.0\nbelow = 4.0\ncentre = 1.0\nwidth = 0.5",
     parameters: [
         ("above", "modulus far above the interface (stress)", true, [0.5, 1.0, 100.0], Positive),

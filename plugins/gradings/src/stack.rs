@@ -32,6 +32,7 @@ pub struct Piece {
 }
 
 slipzone_api::register!(Grading, "stack", "sublayers on top of each other, each with a grading of its own",
+    also: ["layers", "layered", "multilayer", "laminate", "piecewise", "plies"],
     example: "type = \"stack\"\nlayers = [\n  { thickness = 0.5, poisson = 0.25, grading = { type = \"homogeneous\", modulus = 2.0 } },\n  \
               { thickness = 1.5, grading = { type = \"exponential\", surface = 1.0, base = 3.0 } },\n]",
     parameters: [

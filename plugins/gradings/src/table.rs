@@ -77,6 +77,7 @@ impl From<Table> for Written {
 }
 
 slipzone_api::register!(Grading, "table", "measured or computed moduli at depths, with a smooth curve through them",
+    also: ["points", "profile", "measured", "file", "csv", "data", "spline"],
     example: "type = \"table\"\npoints = [[0.0, 1.0], [1.0, 1.5], [2.0, 2.2], [3.0, 3.1], [5.0, 5.5]]",
     parameters: [
         ("points", "[[depth, modulus], ...] or [[depth, modulus, poisson], ...], from depth 0 to the base at least, at least 4 rows (depth_unit, modulus_unit, no unit); `file`, the name of a file with such rows, may stand in its place", true, [], List(&Values::List(&Values::Number, 2, 3), 4, rows::MOST)),

@@ -31,6 +31,7 @@ pub struct VolumeFraction {
 }
 
 slipzone_api::register!(Grading, "volume-fraction", "two materials mixed, the share of the second like a power of depth",
+    also: ["fgm", "functionally-graded", "mixture", "rule-of-mixtures", "mori-tanaka"],
     example: "type = \"volume-fraction\"\nsurface = { modulus = 1.0, poisson = 0.3 }\nbase = { modulus = 4.0, poisson = 0.2 }\n\
               exponent = 2.0\nrule = \"mori-tanaka\"",
     parameters: [

@@ -12,6 +12,7 @@ pub struct Flat {
 }
 
 slipzone_api::register!(Punch, "flat", "flat face, sharp corners: the contact never grows",
+    also: ["rectangle", "rectangular", "flat-ended", "block"],
     example: "type = \"flat\"\nhalf_width = 1.0",
     parameters: [("half_width", "half the punch's width (length)", true, [0.1, 1.0, 10.0], Positive)],
     source: "CC13 section 3, eqs. 45-60");

@@ -73,6 +73,7 @@ impl From<Formula> for Written {
 }
 
 slipzone_api::register!(Punch, "formula", "height or slope by a formula in x with named parameters",
+    also: ["function", "expression", "custom"],
     example: "type = \"formula\"\nheight = \"x^2/(2*R)\"\nparameters = { R = 10.0 }",
     parameters: [
         ("height", "formula in `x` (length); `slope` (no unit) may stand in its place", true, [], Text),

@@ -45,6 +45,7 @@ impl From<Exponent> for f64 {
 }
 
 slipzone_api::register!(Punch, "power", "height growing like a power of |x|: from a wedge to nearly flat",
+    also: ["power-law", "monomial"],
     example: "type = \"power\"\ncoefficient = 0.05\nexponent = 3.0",
     parameters: [
         ("coefficient", "height at |x| = 1 (length^(1 - exponent))", true, [0.01, 0.1, 1.0], Positive),

@@ -14,6 +14,7 @@ pub struct RoundedFlat {
 }
 
 slipzone_api::register!(Punch, "rounded-flat", "flat face with rounded edges: the contact begins as wide as the face",
+    also: ["flat-rounded", "flat-with-rounded-edges", "chamfered"],
     example: "type = \"rounded-flat\"\nhalf_width = 0.5\nradius = 5.0",
     parameters: [
         ("half_width", "half-width of the flat face alone (length)", true, [0.1, 0.5, 1.0], Positive),

@@ -15,6 +15,7 @@ pub struct RoundedWedge {
 }
 
 slipzone_api::register!(Punch, "rounded-wedge", "straight flanks from a rounded tip",
+    also: ["blunt-wedge", "rounded-cone", "blunted"],
     example: "type = \"rounded-wedge\"\nslope = 0.1\nradius = 5.0",
     parameters: [
         ("slope", "slope of the flanks (no unit)", true, [0.01, 0.1, 0.5], Positive),

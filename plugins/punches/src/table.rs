@@ -97,6 +97,7 @@ impl From<Table> for Written {
 }
 
 slipzone_api::register!(Punch, "table", "measured or computed heights, smoothed by the nearest convex spline",
+    also: ["points", "profile", "measured", "file", "csv", "data", "spline"],
     example: "type = \"table\"\npoints = [[0.0, 0.0], [1.0, 0.05], [2.0, 0.2], [3.0, 0.45], [4.0, 0.8]]",
     parameters: [
         ("points", "[[x, height], ...], x ascending, at least 4 rows (x_unit, height_unit); `file`, the name of a file with such rows, may stand in its place", true, [], List(&Values::List(&Values::Number, 2, 2), 4, rows::MOST)),

@@ -12,6 +12,7 @@ pub struct Wedge {
 }
 
 slipzone_api::register!(Punch, "wedge", "straight flanks from a sharp tip: the pressure is unbounded in the middle",
+    also: ["cone", "conical", "triangle", "triangular", "vee"],
     example: "type = \"wedge\"\nslope = 0.1",
     parameters: [("slope", "slope of the flanks (no unit)", true, [0.01, 0.1, 0.5], Positive)],
     source: "K. L. Johnson, Contact Mechanics (1985), section 5.2: half-plane, P = 2 b slope/A0");
