@@ -204,9 +204,7 @@ impl Solver {
         if found.is_none() {
             problem.ends_before_kinks = false;
             layer.meter().resume();
-            let work = ladder.work();
-            *ladder = Ladder::inheriting(std::mem::take(ladder).into_flat_punches());
-            ladder.take_over(work);
+            ladder.begin_again(Ladder::into_flat_punches);
         }
         found
     }
@@ -257,9 +255,7 @@ impl Solver {
         self.problem.wishes = wishes;
         let (layer, flat_punches) = prepared(self.aside.take(), &self.problem, &chosen)?;
         self.layer = layer;
-        let work = self.ladder.work();
-        self.ladder = Ladder::inheriting(flat_punches);
-        self.ladder.take_over(work);
+        self.ladder.begin_again(|_| flat_punches);
         (self.chosen, self.stand_in, self.judged) = (chosen, None, None);
         Ok(())
     }

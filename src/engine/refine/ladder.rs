@@ -62,6 +62,13 @@ impl Ladder {
         FlatPunches { families, settled: self.settled, pace: self.pace }
     }
 
+    /// Begins again with flat punches that are known, those of the ladder so far or others; the work so far counts.
+    pub(in crate::engine) fn begin_again(&mut self, known: impl FnOnce(Self) -> FlatPunches) {
+        let work = self.work();
+        *self = Self::inheriting(known(std::mem::take(self)));
+        self.take_over(work);
+    }
+
     /// What was solved at a step.
     pub(in crate::engine) fn stage(&mut self, step: usize) -> &mut Stage {
         &mut self.stages[step]

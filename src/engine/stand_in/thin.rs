@@ -85,8 +85,8 @@ pub(crate) fn may_serve(problem: &Problem, allowed: f64) -> bool {
 /// The numbers of the contact and bounds on their relative errors, in layer units, of a contact that [`obstacle`] lets pass; refuses
 /// what cannot be told.
 pub(crate) fn told(problem: &Problem, response: &dyn LayerResponse) -> Result<(Numbers, Numbers), Refusal> {
-    const NOTHING: &str =
-        "the model `thin` tells nothing of a contact narrower than four thicknesses, or of one that may break up";
+    const NOTHING: &str = "the model `thin` tells nothing of a contact narrower than four thicknesses, of one that reaches a kink of the \
+                           punch, or of one that may break up";
     let whole = |b: f64| problem.flaw(b).is_none();
     let found = solve(problem, response);
     let told = found.filter(|(numbers, _)| numbers.get(Quantity::HalfWidth).is_some_and(whole));
@@ -107,7 +107,7 @@ fn solve(problem: &Problem, response: &dyn LayerResponse) -> Option<(Numbers, Nu
         LoadInLayerUnits::Indentation(depth) => root(problem, |wide| problem.height(wide) / depth)?,
     };
     let b = wide - layer.shift;
-    if !(b >= NARROWEST && wide > 0.5 * b && wide <= problem.reach()) {
+    if !(b >= NARROWEST && wide > 0.5 * b && wide.max(b) <= problem.reach()) {
         return None;
     }
     let p = force(wide);

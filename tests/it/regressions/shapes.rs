@@ -2,7 +2,7 @@
 
 use super::{within_three_estimates, written};
 use slipzone::api::reference::power::Power;
-use slipzone::engine::{Solution, Status, solve};
+use slipzone::engine::{Solution, Solver, Status, solve};
 
 /// The peak under shapes of high powers is a narrow one near the edge: looked for in equal steps of x, it was 38 tolerances
 /// too low and claimed to be good. Where the power is no even number, the pressure is stacked by integrals that had too few
@@ -430,4 +430,26 @@ fn a_contact_that_ends_before_the_first_kink_is_solved_as_a_smooth_one() {
     let force = wide.load.force.unwrap();
     let found = solved("0.02*x^2 + max(0, 0.1*(abs(x) - 0.7))", &format!("force = {force}"));
     assert!((found.load.half_width.unwrap() - 1.0).abs() < 2e-8, "{:?}", found.load);
+}
+
+/// A first attempt before the kink must not cost what a layer knows: its flat punches go on to the stack that takes the attempt's place.
+#[test]
+#[cfg(feature = "formula")]
+fn an_attempt_before_the_first_kink_leaves_the_flat_punches_of_the_layer() {
+    let scene = |kink: f64| {
+        let text = format!(
+            "format = 1\nlayer = {{ thickness = 2.0, poisson = 0.3, grading = {{ type = \"exponential\", surface = 1.0, base = 3.0 }} }}\n\
+             punch = {{ type = \"formula\", height = \"0.02*x^2 + max(0, 0.1*(abs(x) - {kink}))\" }}\nload = {{ force = 0.2 }}"
+        );
+        slipzone::scene::parse("kink", &text).unwrap()
+    };
+    let solved = |solver: &mut Solver| {
+        let found = solver.solve();
+        assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
+        found.plan.factorisations
+    };
+    let mut first = Solver::new(&scene(0.7)).unwrap();
+    let alone = solved(&mut first);
+    let again = solved(&mut Solver::on(first.into_layer(), &scene(0.71)).unwrap());
+    assert!(3 * again < alone, "{again} of {alone}");
 }
