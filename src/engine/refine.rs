@@ -10,9 +10,11 @@ pub(crate) mod stage;
 use super::growing::Growing;
 use super::outcome::Outcome;
 use super::prepared_layer::PreparedLayer;
+use super::problem::Problem;
 use crate::engine::accuracy::error_estimate::{SAFETY, Seen, extrapolated, judged_by_twin};
 use crate::engine::accuracy::quantity::{Numbers, Quantity};
 use crate::engine::friction::rubbing::Verdict;
+use crate::engine::pressure::contact_size;
 use arrayvec::ArrayVec;
 use estimate::{Estimate, fastest};
 use judged::{BETWEEN, How, Judged, SHEAR, has_details, hidden_details, meets, with_the_rest, worst_judged};
@@ -141,7 +143,9 @@ impl Ladder {
                     break;
                 }
                 // Too coarse for a thin layer: finer steps may do.
-                Err(refusal @ (Refusal::OutOfReach { .. } | Refusal::Limit { .. })) if step < SKIPPED => {
+                Err(refusal @ (Refusal::OutOfReach { .. } | Refusal::Limit { .. }))
+                    if step < SKIPPED && !is_beyond_kink(aim.problem, &refusal) =>
+                {
                     stopped = Some(refusal);
                     continue;
                 }
@@ -324,10 +328,10 @@ impl Ladder {
     ) -> bool {
         let level = aim.level(step);
         // Before the pressure is known nothing is told well enough to end with.
-        let is_known = level >= BOUND_LEVEL && is_shown(errors);
+        let is_known = level >= BOUND_LEVEL && is_told_to(errors, SHOWN);
         let stage = &mut self.stages[step];
         is_known
-            && (is_bounded(outcome)
+            && (is_bounded(outcome) && is_told_to(errors, aim.tolerance)
                 || stage.tension(layer, aim.problem, outcome).is_some_and(|(_, pull)| pull < -SHOWN))
             || level == DETAIL_LEVEL && has_details(aim.problem, outcome, aim.tolerance)
     }
@@ -338,8 +342,13 @@ impl Ladder {
         step > 0
             && aim.level(step) >= BOUND_LEVEL
             && self.stages[step - 1..=step].iter().all(Stage::is_broken)
-            && is_shown(errors)
+            && is_told_to(errors, SHOWN)
     }
+}
+
+/// Whether a load was refused because its contact goes beyond the first kink, where it is to end before: the coarsest step tells that.
+fn is_beyond_kink(problem: &Problem, refusal: &Refusal) -> bool {
+    problem.ends_before_kinks && contact_size::is_outgrown(refusal)
 }
 
 /// Whether a pressure is known between its nodes, as far as anything tells.
@@ -347,10 +356,10 @@ fn is_known_between(lost: Option<f64>, tolerance: f64) -> bool {
     lost.is_none_or(|lost| lost <= BETWEEN * tolerance)
 }
 
-/// Whether a pressure is known well enough to be shown.
-fn is_shown(errors: &Numbers) -> bool {
+/// Whether all that is told of a pressure is told to such an error.
+fn is_told_to(errors: &Numbers, known: f64) -> bool {
     let mut of_pressure = errors.iter().filter(|(quantity, _)| !quantity.is_of_shear()).peekable();
-    of_pressure.peek().is_some() && of_pressure.all(|(_, error)| error < SHOWN)
+    of_pressure.peek().is_some() && of_pressure.all(|(_, error)| error <= known)
 }
 
 /// Whether a stick zone is only bounded, if that, and no finer step finds it.

@@ -29,6 +29,8 @@ pub(crate) enum Verdict {
     Holds,
     /// Roots, but each fails a condition: what the one reported fails, and where.
     Fails(String),
+    /// It may hold: what keeps that from being told.
+    Untold(String),
     /// No root; the stick zone is narrower than what was looked for.
     TooNarrow,
     /// No root; the slip zone is narrower than any that is looked for: everything sticks. The shear is that of the widest zone looked for.
@@ -75,14 +77,19 @@ impl Rubbing {
         self.reported().map(|root| root.lambda)
     }
 
-    /// The condition that it fails.
+    /// The condition that it fails, or why nothing can be told of it.
     pub(crate) fn failure(&self) -> Option<&str> {
-        if let Verdict::Fails(what) = &self.verdict { Some(what) } else { None }
+        if let Verdict::Fails(what) | Verdict::Untold(what) = &self.verdict { Some(what) } else { None }
     }
 
     /// The same, found to fail a condition.
     pub(crate) fn failing(self, what: String) -> Self {
         Self { verdict: Verdict::Fails(what), ..self }
+    }
+
+    /// The same, of which nothing can be told.
+    pub(crate) fn untold(self, why: String) -> Self {
+        Self { verdict: Verdict::Untold(why), ..self }
     }
 
     /// The same with what tells its shear from that of other resolutions, see [`Traces`].

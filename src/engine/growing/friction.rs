@@ -66,15 +66,15 @@ impl Growing {
     /// What could not be told of friction when the contact had grown to a half-width, in words, unless it is so now.
     fn told_of_broken(&self, problem: &Problem, at: f64, rubbing: &Rubbing) -> Rubbing {
         let rubbing = Rubbing { is_full: rubbing.is_full && !self.was_broken(), ..rubbing.clone() };
-        let what = match &rubbing.verdict {
-            Verdict::Fails(what) => what.as_str(),
-            _ if at >= self.half_width || self.has_no_shear() => return rubbing,
-            Verdict::TooNarrow => "the stick zone is narrower than any looked for",
-            Verdict::NoShear => "no shear arises, but later",
-            _ => "no stick zone belongs to this friction coefficient",
-        };
-        let what = during(problem, at, what);
-        rubbing.failing(what)
+        let during = |what: &str| during(problem, at, what);
+        match &rubbing.verdict {
+            Verdict::Fails(what) => rubbing.clone().failing(during(what)),
+            Verdict::Untold(why) => rubbing.clone().untold(during(why)),
+            _ if at >= self.half_width || self.has_no_shear() => rubbing,
+            Verdict::TooNarrow => rubbing.untold(during("the stick zone is narrower than any looked for")),
+            Verdict::NoShear => rubbing.failing(during("no shear arises, but later")),
+            _ => rubbing.failing(during("no stick zone belongs to this friction coefficient")),
+        }
     }
 
     /// Checks the conditions of friction where no coarser resolution has.

@@ -50,6 +50,8 @@ const STEPS: usize = 5;
 const POSITION: f64 = 0.01;
 /// An excess this small is one of rounding, of the kernel tables included.
 const ROUNDING: f64 = 1e-11;
+/// What to do about a contact that outgrows its punch.
+const FURTHER_OUT: &str = "take a smaller load, or give the shape further out";
 
 /// How wide the contact is, and how its size grows: what the next resolution starts from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -398,8 +400,13 @@ pub(crate) fn outgrown(x: f64) -> Refusal {
             "under this load the contact would outgrow the punch, whose shape is known up to x = {} and no further out",
             short(x)
         ),
-        remedy: "take a smaller load, or give the shape further out",
+        remedy: FURTHER_OUT,
     }
+}
+
+/// Whether that is why a load was refused.
+pub(crate) fn is_outgrown(refusal: &Refusal) -> bool {
+    matches!(refusal, Refusal::OutOfReach { remedy: FURTHER_OUT, .. })
 }
 
 /// The load asks for more of the shape than is sound.
