@@ -276,7 +276,7 @@ impl Family {
         let stuck = Rubbing::sticking(b, self.is_checked());
         Some(match self.comes_off(b) {
             None => stuck,
-            Some(at) => stuck.untold(during(problem, at, STUCK_BEFORE)),
+            Some(at) => stuck.failing(during(problem, at, STUCK_BEFORE)),
         })
     }
 

@@ -56,9 +56,10 @@ impl Ladder {
         Self { inherited: families, settled, pace, ..Self::default() }
     }
 
-    /// The flat punches that it leaves behind.
+    /// The flat punches that it leaves behind, those of resolutions that it did not get to among them.
     pub(in crate::engine) fn into_flat_punches(self) -> FlatPunches {
-        let families = self.stages.into_iter().map(|stage| stage.growing?.family).collect();
+        let beyond = self.inherited.into_iter().skip(self.stages.len());
+        let families = self.stages.into_iter().map(|stage| stage.growing?.family).chain(beyond).collect();
         FlatPunches { families, settled: self.settled, pace: self.pace }
     }
 

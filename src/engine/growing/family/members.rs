@@ -170,7 +170,7 @@ impl Family {
             self.take_pressure(b);
             *(if self.contact.stuck(layer, task)?.is_some() { &mut sticks } else { &mut slips }) = b;
         }
-        Ok(Unfit::Friction(sticks, Box::new(Rubbing::sticking(sticks, false).untold(what.into()))))
+        Ok(Unfit::Friction(sticks, Box::new(Rubbing::sticking(sticks, false).failing(what.into()))))
     }
 
     /// Solves for the stick zones between the members that are told to shrink, but by less than is sure: narrow ones are told no better
