@@ -68,22 +68,21 @@ impl Contact {
         })
     }
 
-    /// Solves; `coarse` is what a coarser resolution found.
+    /// Solves, from what a coarser resolution found of its size and its stick zone.
     pub(crate) fn solve(
         &mut self,
         layer: &mut PreparedLayer,
         task: Task,
-        coarse: Option<&Outcome>,
+        known_size: Option<Size>,
+        known: Option<&Rubbing>,
     ) -> Result<Outcome, Refusal> {
         let problem = task.problem;
         let size = if let Some(half_width) = problem.fixed_half_width() {
             self.press(layer, task, half_width)?;
             None
         } else {
-            let known = coarse.and_then(|coarse| coarse.size);
-            Some(self.press_smooth(layer, task, known)?)
+            Some(self.press_smooth(layer, task, known_size)?)
         };
-        let known = coarse.and_then(|coarse| coarse.rubbing.as_ref());
         let rubbing = match problem.friction {
             Some(_) if problem.is_linear => Some(self.rub_linearly(layer, task, known)?),
             Some(_) => Some(self.rub(layer, task, known)?),

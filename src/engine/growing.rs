@@ -93,17 +93,16 @@ impl Growing {
         self.family = family;
     }
 
-    /// Solves; `coarse` is what a coarser resolution found, and the family it found it with.
+    /// Solves, from the size that a coarser resolution found and the family that it found it with.
     pub(crate) fn solve(
         &mut self,
         layer: &mut PreparedLayer,
         task: Task,
         normal: &mut Normal,
-        coarse: Option<&Outcome>,
+        known: Option<Size>,
         coarse_family: Option<&Family>,
     ) -> Result<Outcome, Refusal> {
         let problem = task.problem;
-        let known = coarse.and_then(|coarse| coarse.size);
         let size = if self.is_kinked {
             guessed(layer, task, normal, known)?
         } else {

@@ -21,11 +21,6 @@ pub(crate) struct Outcome {
 }
 
 impl Outcome {
-    /// An outcome of which only the stick zone is known.
-    pub(crate) fn of_rubbing(rubbing: Rubbing) -> Self {
-        Self { rubbing: Some(rubbing), ..Self::default() }
-    }
-
     /// What it tells of the next resolution.
     pub(crate) fn seen(&self) -> Seen {
         let shear = self.rubbing.as_ref().and_then(|rubbing| rubbing.shear);

@@ -50,16 +50,66 @@ pub fn too_many(most: usize) -> Wrong {
     Wrong { column: None, message: "too many rows".into(), found, expected }
 }
 
+/// Where the rows of a table come from.
+#[derive(Clone, Debug)]
+pub enum Source<R> {
+    /// The file of that name.
+    File(String),
+    /// The scene itself.
+    Points(Vec<R>),
+}
+
+impl<R: AsRef<[f64]>> Source<R> {
+    /// What a scene has under `file` and `points`, rows of `names`.
+    ///
+    /// # Errors
+    /// In words, if it has both or neither.
+    pub fn of_keys(file: Option<String>, points: Option<Vec<R>>, names: &str) -> Result<Self, String> {
+        match (file, points) {
+            (Some(file), None) => Ok(Self::File(file)),
+            (None, Some(points)) => Ok(Self::Points(points)),
+            (Some(_), Some(_)) => Err("expected one of `file` and `points`, found both".into()),
+            (None, None) => Err(format!("expected `file` or `points` (rows of {names}), found neither")),
+        }
+    }
+
+    /// What it is under `file` and `points`.
+    pub fn into_keys(self) -> (Option<String>, Option<Vec<R>>) {
+        match self {
+            Self::File(file) => (Some(file), None),
+            Self::Points(points) => (None, Some(points)),
+        }
+    }
+
+    /// Hands on the rows, each to `take`.
+    ///
+    /// # Errors
+    /// What `take` says, with the place in `points`; those of [`of_file`].
+    pub fn rows(
+        &self,
+        files: &dyn Files,
+        columns: &Columns,
+        take: impl FnMut(&[f64]) -> Result<(), Wrong>,
+    ) -> Result<(), Fault> {
+        match self {
+            Self::File(name) => of_file(name, files, columns, take),
+            Self::Points(points) => of_points(points, take),
+        }
+    }
+
+    /// A fault of all rows, with its place.
+    pub fn fault(&self, fault: Fault) -> Fault {
+        match self {
+            Self::File(name) => Fault { path: vec!["file".into()], ..fault }.at(whole(name)),
+            Self::Points(_) => Fault { path: vec!["points".into()], ..fault },
+        }
+    }
+}
+
 /// Hands on rows that the scene itself has under `points`, each to `take`.
-///
-/// # Errors
-/// What `take` says, with the place in `points`.
-pub fn of_points<'p>(
-    points: impl IntoIterator<Item = &'p [f64]>,
-    mut take: impl FnMut(&[f64]) -> Result<(), Wrong>,
-) -> Result<(), Fault> {
-    for (index, point) in points.into_iter().enumerate() {
-        take(point).map_err(|wrong| {
+fn of_points(points: &[impl AsRef<[f64]>], mut take: impl FnMut(&[f64]) -> Result<(), Wrong>) -> Result<(), Fault> {
+    for (index, point) in points.iter().enumerate() {
+        take(point.as_ref()).map_err(|wrong| {
             let index = index.to_string();
             let column = wrong.column.map(|column| column.to_string());
             let path: Vec<_> = ["points", &index].into_iter().chain(column.as_deref()).collect();
@@ -126,7 +176,7 @@ pub fn of_file(
 const MOST_COLUMNS: usize = 4;
 
 /// The place that is a file as a whole.
-pub fn whole(name: &str) -> Place {
+fn whole(name: &str) -> Place {
     Place::File { name: name.into(), line: 0, text: String::new(), span: 0..0 }
 }
 

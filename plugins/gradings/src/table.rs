@@ -7,6 +7,7 @@ mod rows;
 use crate::thickness;
 use profile::Profile;
 use serde::{Deserialize, Serialize};
+use slipzone_api::rows::Source;
 use slipzone_api::{Fault, Files, Grading, ModulusLaw, NoFiles, Positive, Refusal, Setting, Values};
 use std::sync::Arc;
 
@@ -20,18 +21,11 @@ use std::sync::Arc;
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(try_from = "Written", into = "Written")]
 pub struct Table {
-    source: Source,
+    source: Source<Vec<f64>>,
     depth_unit: Positive,
     modulus_unit: Positive,
     /// What was made of the rows, once they are there.
     profile: Option<Arc<Profile>>,
-}
-
-/// Where the rows come from.
-#[derive(Clone, Debug)]
-enum Source {
-    File(String),
-    Points(Vec<Vec<f64>>),
 }
 
 /// The keys of the table in a scene.
@@ -56,22 +50,14 @@ impl TryFrom<Written> for Table {
     type Error = String;
 
     fn try_from(Written { file, points, depth_unit, modulus_unit }: Written) -> Result<Self, String> {
-        let source = match (file, points) {
-            (Some(file), None) => Source::File(file),
-            (None, Some(points)) => Source::Points(points),
-            (Some(_), Some(_)) => return Err("expected one of `file` and `points`, found both".into()),
-            (None, None) => return Err("expected `file` or `points` (rows of depth and modulus), found neither".into()),
-        };
+        let source = Source::of_keys(file, points, "depth and modulus")?;
         Ok(Self { source, depth_unit, modulus_unit, profile: None })
     }
 }
 
 impl From<Table> for Written {
     fn from(Table { source, depth_unit, modulus_unit, .. }: Table) -> Self {
-        let (file, points) = match source {
-            Source::File(file) => (Some(file), None),
-            Source::Points(points) => (None, Some(points)),
-        };
+        let (file, points) = source.into_keys();
         Self { file, points, depth_unit, modulus_unit }
     }
 }
@@ -95,17 +81,8 @@ impl Table {
 
     /// The rows understood, with curves through them.
     fn understood(&self, files: &dyn Files) -> Result<Profile, Fault> {
-        let (rows, key, place) = match &self.source {
-            Source::Points(points) => (rows::of_points(points)?, "points", None),
-            Source::File(name) => (rows::of_file(name, files)?, "file", Some(slipzone_api::rows::whole(name))),
-        };
-        Profile::new(&rows, self.depth_unit.get(), self.modulus_unit.get()).map_err(|mut fault| {
-            fault.path = vec![key.into()];
-            match place {
-                Some(place) => fault.at(place),
-                None => fault,
-            }
-        })
+        let profile = Profile::new(&rows::of(&self.source, files)?, self.depth_unit.get(), self.modulus_unit.get());
+        profile.map_err(|fault| self.source.fault(fault))
     }
 }
 

@@ -8,6 +8,7 @@ mod tests;
 
 use fit::Profile;
 use serde::{Deserialize, Serialize};
+use slipzone_api::rows::Source;
 use slipzone_api::{Fault, Files, Positive, PunchProfile, PunchShape, Refusal, Values};
 
 /// Heights at points `x`, smoothed by the convex spline that comes closest to them.
@@ -20,18 +21,11 @@ use slipzone_api::{Fault, Files, Positive, PunchProfile, PunchShape, Refusal, Va
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(try_from = "Written", into = "Written")]
 pub struct Table {
-    source: Source,
+    source: Source<[f64; 2]>,
     x_unit: Positive,
     height_unit: Positive,
     /// What was made of the points, once they are there.
     profile: Option<Profile>,
-}
-
-/// Where the points come from.
-#[derive(Clone, Debug)]
-enum Source {
-    File(String),
-    Points(Vec<[f64; 2]>),
 }
 
 /// The keys of the table in a scene.
@@ -76,22 +70,16 @@ impl TryFrom<Written> for Table {
     type Error = String;
 
     fn try_from(Written { file, points, x_unit, height_unit }: Written) -> Result<Self, String> {
-        let source = match (file, points) {
-            (Some(file), None) => Source::File(file),
-            (None, Some(points)) => Source::Points(points.into_iter().map(Into::into).collect()),
-            (Some(_), Some(_)) => return Err("expected one of `file` and `points`, found both".into()),
-            (None, None) => return Err("expected `file` or `points` (rows of x and height), found neither".into()),
-        };
+        let points = points.map(|points| points.into_iter().map(Into::into).collect());
+        let source = Source::of_keys(file, points, "x and height")?;
         Ok(Self { source, x_unit, height_unit, profile: None })
     }
 }
 
 impl From<Table> for Written {
     fn from(table: Table) -> Self {
-        let (file, points) = match table.source {
-            Source::File(file) => (Some(file), None),
-            Source::Points(points) => (None, Some(points.into_iter().map(Row).collect())),
-        };
+        let (file, points) = table.source.into_keys();
+        let points = points.map(|points| points.into_iter().map(Row).collect());
         Self { file, points, x_unit: table.x_unit, height_unit: table.height_unit }
     }
 }
@@ -115,14 +103,8 @@ impl Table {
 
     /// The points understood and fitted.
     fn understood(&self, files: &dyn Files) -> Result<Profile, Fault> {
-        let (rows, key) = match &self.source {
-            Source::Points(points) => (rows::of_points(points)?, "points"),
-            Source::File(name) => (rows::of_file(name, files)?, "file"),
-        };
-        Profile::fit(rows, self.x_unit.get(), self.height_unit.get()).map_err(|fault| match &self.source {
-            Source::Points(_) => Fault { path: vec![key.into()], ..fault },
-            Source::File(name) => Fault { path: vec![key.into()], ..fault }.at(slipzone_api::rows::whole(name)),
-        })
+        let profile = Profile::fit(rows::of(&self.source, files)?, self.x_unit.get(), self.height_unit.get());
+        profile.map_err(|fault| self.source.fault(fault))
     }
 }
 

@@ -89,7 +89,9 @@ pub(crate) fn extrapolated(history: &[Seen], fastest: Fastest) -> Option<Numbers
         return told_by_two(coarse, fine, fastest);
     }
     let [early, late] = Differences::last_two(history)?;
-    let Pace { of_pressure, of_shear, .. } = Pace::of(&early, &late, fastest);
+    let pace = Pace::of(&early, &late, fastest);
+    let share = if late.is_stacked { STACKED_SHARE } else { SHARES[1] };
+    let least_of_shear = share * late.of_shear.max(late.of_pressure);
     let mut errors = Numbers::default();
     let part = |quantity: Quantity| history.last().and_then(|seen| seen.numbers.get(quantity)).unwrap_or(1.0);
     let is_crowded = !late.is_stacked && part(Quantity::OneMinusRatio) < CROWDED;
@@ -100,12 +102,7 @@ pub(crate) fn extrapolated(history: &[Seen], fastest: Fastest) -> Option<Numbers
             errors.set(quantity, of_traces((d1, d2), FASTEST_TRACED));
             continue;
         }
-        let (of_all, least) = if quantity.is_of_shear() {
-            let share = if late.is_stacked { STACKED_SHARE } else { SHARES[1] };
-            (of_shear, share * late.of_shear.max(late.of_pressure))
-        } else {
-            (of_pressure, SHARES[0] * late.of_pressure)
-        };
+        let (of_all, least, floor) = pace.of_quantity(quantity, &late, least_of_shear);
         let rate = of_all.max(relative(d2, d1).min(SLOWER));
         // Two differences may both be small by chance.
         let d2 = d2.max(least);
@@ -115,8 +112,7 @@ pub(crate) fn extrapolated(history: &[Seen], fastest: Fastest) -> Option<Numbers
             last if is_narrow && matches!(quantity, Quantity::StickRatio | Quantity::StickHalfWidth) => last,
             last => left(last, rate),
         };
-        let least = if quantity.is_of_shear() { SLIP_ROUNDING } else { ROUNDING };
-        errors.set(quantity, (SAFETY * remains).max(least));
+        errors.set(quantity, (SAFETY * remains).max(floor));
     }
     Some(errors)
 }
@@ -162,6 +158,15 @@ impl Pace {
         Self { of_pressure, of_shear, shear_apart: late.of_shear, traces_apart, least: ANOTHER_LOAD }
     }
 
+    /// At which rate a number shrinks; what its last difference, and its error estimate, are not believed to be below.
+    fn of_quantity(&self, quantity: Quantity, late: &Differences, least_of_shear: f64) -> (f64, f64, f64) {
+        if quantity.is_of_shear() {
+            (self.of_shear, least_of_shear, SLIP_ROUNDING)
+        } else {
+            (self.of_pressure, SHARES[0] * late.of_pressure, ROUNDING)
+        }
+    }
+
     /// That of another punch on the same flat punches.
     pub(crate) fn of_another_punch(self) -> Self {
         Self { least: ANOTHER_PUNCH, ..self }
@@ -184,11 +189,7 @@ impl Pace {
             errors.set(Quantity::Shear, (SAFETY * remains).max(SLIP_ROUNDING));
         }
         for (quantity, difference) in late.numbers.iter() {
-            let (rate, least, floor) = if quantity.is_of_shear() {
-                (self.of_shear, STACKED_SHARE * apart, SLIP_ROUNDING)
-            } else {
-                (self.of_pressure, SHARES[0] * late.of_pressure, ROUNDING)
-            };
+            let (rate, least, floor) = self.of_quantity(quantity, &late, STACKED_SHARE * apart);
             // Its own difference may be small by chance.
             let remains = left(difference, rate.max(self.least)).max(left(least, rate));
             errors.set(quantity, (SAFETY * remains).max(floor));

@@ -26,7 +26,7 @@ use crate::engine::problem::Problem;
 use crate::engine::work::Work;
 use crate::engine::work::budget::Meter;
 use depths::Depths;
-use pressed::{Pressed, Table};
+use pressed::Pressed;
 use rubbed::{Moves, PARTS, Rubbed, Seen};
 use slipzone_api::double_exponential::Node;
 use slipzone_api::{Component, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station, root, short};
@@ -83,8 +83,6 @@ pub(crate) struct Family {
     pressed: Pressed,
     /// The pressures times `sqrt(1 - (x/b')^2)` at any place; made when first asked for.
     pressure_at: Option<Sheet>,
-    /// `W` at the nodes of a grid over half of the contact; made when first asked for.
-    tilt_over: Option<(Arc<Vec<Node>>, Table)>,
     on_half_plane: HalfPlaneDepth,
     /// Where a datum is what depths are counted from.
     depths: Option<Depths>,
@@ -197,7 +195,6 @@ impl Family {
             kernel_lengths,
             pressed: Pressed::new(blend(task.problem, ends, pressed, OF_PRESSURE)?),
             pressure_at: None,
-            tilt_over: None,
             on_half_plane: HalfPlaneDepth::new(task.problem.layer.datum, task.problem.elastic.beta()),
             depths: None,
             end_of_shear: END,
@@ -234,7 +231,7 @@ impl Family {
             && (self.is_deep || !task.problem.wants_depth())
             && self.accuracy <= task.wanted.accuracy
             && self.pressed.blend.narrowest() <= task.problem.face()
-            && (self.pressed.blend.widest() / 4.0..=self.pressed.blend.widest()).contains(&half_width)
+            && (self.widest() / 4.0..=self.widest()).contains(&half_width)
     }
 
     pub(crate) fn widest(&self) -> f64 {
@@ -387,35 +384,21 @@ impl Family {
     /// `W` of a member at points within it.
     pub(crate) fn tilt_into(&mut self, b: f64, at: &[Station], out: &mut [f64]) {
         self.count(self.pressed.tilt.width, at.len());
-        self.pressed.blend.functions_at(b, &mut self.room.functions);
-        self.pressed.tilt.blend_into(&self.room.functions, &mut self.room.density);
+        let unknowns = self.pressed.tilt(b, &mut self.room);
         self.rule.stretch(b);
-        self.rule.values_into(&self.room.density, at, out);
+        self.rule.values_into(unknowns, at, out);
     }
 
     /// `W` of a member at the nodes of a grid over its right half.
     pub(crate) fn tilt_over(&mut self, b: f64, grid: &Arc<Vec<Node>>, out: &mut Vec<f64>) {
-        if !self.tilt_over.as_ref().is_some_and(|(known, _)| Arc::ptr_eq(known, grid)) {
-            let at: Vec<Station> = grid.iter().map(|node| Station { x: node.from_lower, gap: node.to_upper }).collect();
-            let mut numbers = vec![0.0; self.pressed.blend.functions() * at.len()];
-            self.rule.stretch(1.0);
-            let rows =
-                self.pressed.tilt.numbers.chunks_exact(self.pressed.tilt.width).zip(numbers.chunks_exact_mut(at.len()));
-            rows.for_each(|(row, out)| self.rule.values_into(row, &at, out));
-            self.tilt_over = Some((Arc::clone(grid), Table { width: at.len(), numbers }));
-        }
-        let (_, table) = self.tilt_over.as_ref().expect("made before");
-        self.meter.count_multiplications(table.numbers.len());
-        self.pressed.blend.functions_at(b, &mut self.room.functions);
-        table.blend_into(&self.room.functions, out);
+        self.meter.count_multiplications(self.pressed.blend.functions() * grid.len());
+        self.pressed.tilt_over(b, grid, &mut *self.rule, &mut self.room.functions, out);
     }
 
     /// Pressure of a member at points within it.
     pub(crate) fn pressure_into(&mut self, b: f64, at: &[Station], out: &mut [f64]) {
         self.count(self.pressed.pressure.width, at.len());
-        self.pressed.blend.functions_at(b, &mut self.room.functions);
-        self.pressed.pressure.blend_into(&self.room.functions, &mut self.room.density);
-        self.contact.normal.values_of(b, &self.room.density, at, out);
+        self.contact.normal.values_of(b, self.pressed.pressure(b, &mut self.room), at, out);
         for p in out {
             *p /= b;
         }

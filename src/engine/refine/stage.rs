@@ -41,9 +41,10 @@ impl Stage {
         coarse: Option<&Outcome>,
         family: Option<&Family>,
     ) -> Result<Outcome, Refusal> {
+        let size = coarse.and_then(|coarse| coarse.size);
         match stacking(&mut self.growing) {
-            Some(growing) => growing.solve(layer, task, &mut self.contact.normal, coarse, family),
-            None => self.contact.solve(layer, task, coarse),
+            Some(growing) => growing.solve(layer, task, &mut self.contact.normal, size, family),
+            None => self.contact.solve(layer, task, size, coarse.and_then(|coarse| coarse.rubbing.as_ref())),
         }
     }
 

@@ -1,6 +1,6 @@
 //! A map of the atlas: a panel of cells for each method.
 
-use super::canvas::{INK, LETTERS};
+use super::canvas::{INK, LETTERS, filled, lettered, stroked};
 use super::panel::{Ground, Panel};
 use super::scale::Scale;
 use super::sheet::Sheet as Page;
@@ -8,7 +8,7 @@ use crate::chart::atlas::{Axis, Cell, Sheet};
 use crate::report::number::typeset;
 use kuva::render::color::Color;
 use kuva::render::layout::ComputedLayout;
-use kuva::render::render::{PathData, Primitive, Scene, TextAnchor};
+use kuva::render::render::{Primitive, Scene, TextAnchor};
 
 /// Viridis in nine steps of one and a half digits: readable in grey, and for eyes that do not tell red from green.
 const STEPS: [&str; 9] =
@@ -113,11 +113,7 @@ impl Ground for Cells {
             let (x1, x2) = (across(column - 0.5), across(column + 0.5));
             let (y1, y2) = (up(row + 0.5), up(row - 0.5));
             let (width, height) = (x2 - x1 - 0.6, y2 - y1 - 0.6);
-            let rect = |fill: &str| {
-                let (fill, stroke, opacity) = (Color::from(fill), None, None);
-                Primitive::Rect { x: x1, y: y1, width, height, fill, stroke, stroke_width: None, opacity }
-            };
-            scene.add(rect(fill(cell)));
+            scene.add(filled((x1, y1), (width, height), fill(cell), None));
             if cell.wrong {
                 scene.add(stripes(x1, y1, width, height));
             } else if cell.ended == crate::chart::Ended::Flagged {
@@ -138,14 +134,7 @@ fn stripes(x: f64, y: f64, width: f64, height: f64) -> Primitive {
         let at = |(down, along): (f64, f64)| format!("{:.2} {:.2}", x + along * width, y + down * height);
         format!("M{}L{}", at(from), at(to))
     });
-    Primitive::Path(Box::new(PathData {
-        d: lines.concat(),
-        fill: None,
-        stroke: Color::from(WRONG),
-        stroke_width: 2.4,
-        opacity: None,
-        stroke_dasharray: None,
-    }))
+    stroked(lines.concat(), WRONG, 2.4)
 }
 
 /// The colours with their digits.
@@ -153,25 +142,13 @@ fn bar(scene: &mut Scene, left: f64, top: f64, height: f64) {
     let part = height / STEPS.len() as f64;
     for (index, color) in STEPS.into_iter().enumerate() {
         let y = top + height - part * (index + 1) as f64;
-        let (fill, stroke, opacity) = (Color::from(color), None, None);
-        scene.add(Primitive::Rect { x: left, y, width: 14.0, height: part, fill, stroke, stroke_width: None, opacity });
+        scene.add(filled((left, y), (14.0, part), color, None));
         let content = format!("{}", STEP * index as f64);
-        let (size, color) = (LETTERS - 2, Some(Color::from(INK)));
-        let (anchor, y) = (TextAnchor::Start, y + part + 0.33 * f64::from(LETTERS));
-        scene.add(Primitive::Text { x: left + 19.0, y, content, size, anchor, rotate: None, bold: false, color });
+        let at = (left + 19.0, y + part + 0.33 * f64::from(LETTERS));
+        scene.add(lettered(at, content, LETTERS - 2, TextAnchor::Start, None));
     }
-    let (size, color) = (LETTERS - 1, Some(Color::from(INK)));
-    let (content, anchor, rotate) = ("digits".into(), TextAnchor::Middle, Some(-90.0));
-    scene.add(Primitive::Text {
-        x: left + 60.0,
-        y: top + height / 2.0,
-        content,
-        size,
-        anchor,
-        rotate,
-        bold: false,
-        color,
-    });
+    let at = (left + 60.0, top + height / 2.0);
+    scene.add(lettered(at, "digits".into(), LETTERS - 1, TextAnchor::Middle, Some(-90.0)));
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use kuva::plot::{LinePlot, LineStyle};
 use kuva::render::color::Color;
 use kuva::render::layout::{ComputedLayout, Layout};
 use kuva::render::plots::Plot;
-use kuva::render::render::{Primitive, Scene, TextAnchor};
+use kuva::render::render::{PathData, Primitive, Scene, TextAnchor};
 
 /// Canvas in px; the letters are legible when it is printed 85 mm wide, the column of a journal.
 pub(super) const SIZE: (f64, f64) = (620.0, 500.0);
@@ -75,6 +75,34 @@ pub(super) fn write(scene: &mut Scene, x: f64, y: f64, content: String, color: &
     let size = if bold { LETTERS - 2 } else { LETTERS };
     let (anchor, color) = (TextAnchor::Middle, Some(Color::from(color)));
     scene.add(Primitive::Text { x, y, content, size, anchor, rotate: None, bold, color });
+}
+
+/// Text in ink at a place on the canvas, turned by so many degrees.
+pub(super) fn lettered(
+    (x, y): (f64, f64),
+    content: String,
+    size: u32,
+    anchor: TextAnchor,
+    rotate: Option<f64>,
+) -> Primitive {
+    Primitive::Text { x, y, content, size, anchor, rotate, bold: false, color: Some(Color::from(INK)) }
+}
+
+/// A rectangle without an outline, from its upper left corner.
+pub(super) fn filled((x, y): (f64, f64), (width, height): (f64, f64), color: &str, opacity: Option<f64>) -> Primitive {
+    Primitive::Rect { x, y, width, height, fill: Color::from(color), stroke: None, stroke_width: None, opacity }
+}
+
+/// A solid line along a path of SVG.
+pub(super) fn stroked(d: String, color: &str, width: f64) -> Primitive {
+    Primitive::Path(Box::new(PathData {
+        d,
+        fill: None,
+        stroke: Color::from(color),
+        stroke_width: width,
+        opacity: None,
+        stroke_dasharray: None,
+    }))
 }
 
 /// The frame once more: the shading has covered the inner half of its lines.

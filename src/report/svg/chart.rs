@@ -1,7 +1,7 @@
 //! Work-precision charts of one scene: a row for each number measured, its error over time, over counted work, and over the
 //! tolerance that was asked for.
 
-use super::canvas::{ALARM, INK, LETTERS};
+use super::canvas::{ALARM, INK, LETTERS, filled};
 use super::legend::Entry;
 use super::panel::{Curve, Ground, Panel};
 use super::scale::Scale;
@@ -191,8 +191,7 @@ impl Ground for Strips {
         let (left, width) = (computed.margin_left, computed.plot_width());
         let shade = |from: f64, to: f64, color: &str| {
             let (top, bottom) = (computed.map_y(to), computed.map_y(from));
-            let (fill, stroke, opacity) = (Color::from(color), None, Some(0.5));
-            Primitive::Rect { x: left, y: top, width, height: bottom - top, fill, stroke, stroke_width: None, opacity }
+            filled((left, top), (width, bottom - top), color, Some(0.5))
         };
         if let Some(band) = self.band.filter(|band| *band > y.least) {
             scene.add(shade(y.least, band.min(self.from), "#cfcfcf"));

@@ -1,6 +1,6 @@
 //! The legend of a figure, in rows under its panels or under one of them.
 
-use super::canvas::{INK, LETTERS, literal};
+use super::canvas::{LETTERS, lettered, literal};
 use super::style::Style;
 use kuva::render::color::Color;
 use kuva::render::layout::ComputedLayout;
@@ -96,17 +96,9 @@ impl<'e> Legend<'e> {
                 if entry.is_marked {
                     figure.add(entry.style.mark(x + SAMPLE / 2.0, y));
                 }
-                figure.add(Primitive::Text {
-                    x: x + SAMPLE + GAP,
-                    // Half the height of small letters below the middle.
-                    y: y + 0.33 * f64::from(LETTERS),
-                    content: literal(&entry.name),
-                    size: LETTERS,
-                    anchor: TextAnchor::Start,
-                    rotate: None,
-                    bold: false,
-                    color: Some(Color::from(INK)),
-                });
+                // Half the height of small letters below the middle.
+                let at = (x + SAMPLE + GAP, y + 0.33 * f64::from(LETTERS));
+                figure.add(lettered(at, literal(&entry.name), LETTERS, TextAnchor::Start, None));
                 x += self.column.unwrap_or_else(|| entry.width()) + BETWEEN;
             }
         }

@@ -219,6 +219,11 @@ impl Scale {
     }
 }
 
+/// The least of some numbers and the largest; `None` without any.
+pub(super) fn ends(numbers: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+    numbers.map(|number| (number, number)).reduce(|(least, most), (number, _)| (least.min(number), most.max(number)))
+}
+
 /// Numbers of any sign with as many decimals as the distance of the ticks has.
 fn signed(step: f64) -> TickFormat {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and few")]

@@ -1,5 +1,6 @@
 //! How the members of a family are told apart: by colour, by dashes, and by the shape of their marks.
 
+use super::canvas::stroked;
 use kuva::render::color::Color;
 use kuva::render::render::{PathData, Primitive};
 
@@ -79,14 +80,8 @@ impl Style {
         if self.mark == CROSS {
             let place = |(dx, dy): (f64, f64)| format!("{:.2} {:.2}", x + MARK * dx, y + MARK * dy);
             let stroke = |from, to| format!("M{}L{}", place(from), place(to));
-            return Primitive::Path(Box::new(PathData {
-                d: stroke((-1.0, -1.0), (1.0, 1.0)) + &stroke((-1.0, 1.0), (1.0, -1.0)),
-                fill: None,
-                stroke: Color::from(self.color),
-                stroke_width: 1.7,
-                opacity: None,
-                stroke_dasharray: None,
-            }));
+            let both = stroke((-1.0, -1.0), (1.0, 1.0)) + &stroke((-1.0, 1.0), (1.0, -1.0));
+            return stroked(both, self.color, 1.7);
         }
         let corners: &[(f64, f64)] = match self.mark % 5 {
             0 => {

@@ -56,15 +56,6 @@ pub fn frictionless(elastic: Elastic, w: f64) -> SurfaceFlexibility {
     }
 }
 
-/// `lim s F/(A0 w)` as `w = s h -> 0`, for any grading bonded to a rigid base and one Poisson's ratio.
-///
-/// A long wave squeezes and shears each depth for itself: `Fvv(0) = int (kappa - 1)/((kappa + 1) mu) dy`
-/// and `Fuu(0) = int dy/mu`, and they do not couple. `mean_softness` is `(1/h) int_0^h mu1/mu dy`.
-pub fn long_wave_slope(elastic: Elastic, mean_softness: f64) -> SurfaceFlexibility {
-    let uu = mean_softness / elastic.a0();
-    SurfaceFlexibility { vv: elastic.beta() * uu, uu, uv: 0.0 }
-}
-
 /// `2 exp(-x) (sinh x - x)` for `x >= 0`, without cancellation and without overflow.
 fn scaled_sinh_less_argument(x: f64) -> f64 {
     if x > 2.0 {
@@ -166,6 +157,15 @@ mod tests {
                 assert!(distance(frictionless(elastic, w), half_plane) < 1e-15, "frictionless, nu = {nu}, w = {w}");
             }
         }
+    }
+
+    /// `lim s F/(A0 w)` as `w = s h -> 0`, for any grading bonded to a rigid base and one Poisson's ratio.
+    ///
+    /// A long wave squeezes and shears each depth for itself: `Fvv(0) = int (kappa - 1)/((kappa + 1) mu) dy`
+    /// and `Fuu(0) = int dy/mu`, and they do not couple. `mean_softness` is `(1/h) int_0^h mu1/mu dy`.
+    fn long_wave_slope(elastic: Elastic, mean_softness: f64) -> SurfaceFlexibility {
+        let uu = mean_softness / elastic.a0();
+        SurfaceFlexibility { vv: elastic.beta() * uu, uu, uv: 0.0 }
     }
 
     #[test]

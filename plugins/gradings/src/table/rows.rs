@@ -1,6 +1,6 @@
 //! The rows of a grading's table, each number checked.
 
-use slipzone_api::rows::{self, Columns, Wrong};
+use slipzone_api::rows::{self, Columns, Source, Wrong};
 use slipzone_api::{Fault, Files, MODERATE, Poisson};
 
 /// The most rows that are taken: each value of the modulus takes time in proportion.
@@ -14,19 +14,12 @@ pub(super) struct Rows {
     pub(super) ratios: Vec<f64>,
 }
 
-/// Rows from the scene itself.
-pub(super) fn of_points(points: &[Vec<f64>]) -> Result<Rows, Fault> {
-    let mut rows = Rows::default();
-    rows::of_points(points.iter().map(Vec::as_slice), |row| rows.push(row)).map_err(thin_out)?;
-    Ok(rows)
-}
-
-/// Rows from a file.
-pub(super) fn of_file(name: &str, files: &dyn Files) -> Result<Rows, Fault> {
+/// Rows from the scene itself, or from a file.
+pub(super) fn of(source: &Source<Vec<f64>>, files: &dyn Files) -> Result<Rows, Fault> {
     let mut rows = Rows::default();
     let columns =
         Columns { count: 2..=3, number: "two or three", names: "depth, modulus and, if it varies, Poisson's ratio" };
-    rows::of_file(name, files, &columns, |row| rows.push(row)).map_err(thin_out)?;
+    source.rows(files, &columns, |row| rows.push(row)).map_err(thin_out)?;
     Ok(rows)
 }
 

@@ -1,6 +1,6 @@
 //! The rows of a punch's table, each number checked.
 
-use slipzone_api::rows::{self, Columns, Wrong};
+use slipzone_api::rows::{self, Columns, Source, Wrong};
 use slipzone_api::{Fault, Files, MODERATE};
 
 /// The most rows that are taken.
@@ -9,18 +9,11 @@ pub(super) const MOST: usize = 1_000_000;
 /// Points with ascending `x`.
 pub(super) type Rows = Vec<[f64; 2]>;
 
-/// Rows from the scene itself.
-pub(super) fn of_points(points: &[[f64; 2]]) -> Result<Rows, Fault> {
-    let mut rows = Vec::with_capacity(points.len());
-    rows::of_points(points.iter().map(|point| &point[..]), |row| push(&mut rows, row))?;
-    Ok(rows)
-}
-
-/// Rows from a file.
-pub(super) fn of_file(name: &str, files: &dyn Files) -> Result<Rows, Fault> {
+/// Rows from the scene itself, or from a file.
+pub(super) fn of(source: &Source<[f64; 2]>, files: &dyn Files) -> Result<Rows, Fault> {
     let mut rows = Vec::new();
     let columns = Columns { count: 2..=2, number: "two", names: "x and height" };
-    rows::of_file(name, files, &columns, |row| push(&mut rows, row))?;
+    source.rows(files, &columns, |row| push(&mut rows, row))?;
     Ok(rows)
 }
 

@@ -4,7 +4,7 @@ use super::apart::{Apart, descending};
 use super::between::Between;
 use super::beyond::Beyond;
 use super::grid::Grid;
-use super::integrals::{AT_HALVES, AT_WHOLES, integrals};
+use super::integrals::{at_halves, at_wholes};
 use super::map::Place;
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::Edge;
@@ -84,11 +84,11 @@ impl Fine {
         let places_beyond = grid.beyond(factor);
         // Half-integers up to d = n factor - factor/2 + n factor, and beyond for what fills up or lies beyond.
         let halves = 2 * n * factor + LANES.max(places_beyond.len());
-        let (sign_ascending, cosine_ascending) = integrals(&AT_HALVES, 0.5, halves);
+        let (sign_ascending, cosine_ascending) = at_halves(halves);
         let farthest = n * factor - factor / 2;
         let sign_descending = descending(&sign_ascending, farthest, -1.0);
         let cosine_descending = descending(&cosine_ascending, farthest, 1.0);
-        let (centre_sign, centre_cosine) = integrals(&AT_WHOLES, 1.0, last + LANES.max(places_beyond.len()));
+        let (centre_sign, centre_cosine) = at_wholes(last + LANES.max(places_beyond.len()));
         // At `d = 0` the limit of `log|x'(0) d step| - Ci(pi d)`.
         let at_middle = (places[0].slope * fine_step / PI).ln() - EULER_GAMMA;
         let others = places[1..].iter().zip(&centre_cosine).map(|(place, cosine)| place.x.ln() - cosine);

@@ -1,9 +1,8 @@
 //! The members of a family, solved one by one.
 
 use super::depths::Depths;
-use super::pressed::Pressed;
 use super::rubbed::{Member, Members, Rubbed, Seen};
-use super::{CHECKED, Family, Room, STUCK_AFTER, STUCK_BEFORE, Unfit, during, member};
+use super::{CHECKED, Family, STUCK_AFTER, STUCK_BEFORE, Unfit, during, member};
 use crate::engine::accuracy::error_estimate::apart;
 use crate::engine::accuracy::quantity::ShearTrace;
 use crate::engine::contact::Contact;
@@ -80,13 +79,10 @@ impl Family {
     /// By how much pressure and `W` of the member solved last differ at the edge, relative, from what a coarser resolution tells of
     /// them: resolutions agree there long before they do elsewhere.
     fn apart_at_edge(&mut self, coarse: &Family, b: f64) -> f64 {
-        let Room { functions, density, .. } = &mut self.room;
-        let Pressed { blend, pressure, tilt, .. } = &coarse.pressed;
-        blend.functions_at(b, functions);
-        pressure.blend_into(functions, density);
-        let told = coarse.contact.normal.edge_factor_of(density);
-        tilt.blend_into(functions, density);
-        let told = [told, coarse.edge_factor_of_tilt(density)];
+        let told = [
+            coarse.contact.normal.edge_factor_of(coarse.pressed.pressure(b, &mut self.room)),
+            coarse.edge_factor_of_tilt(coarse.pressed.tilt(b, &mut self.room)),
+        ];
         let normal = &self.contact.normal;
         let here = [b * normal.edge_factor_of(normal.unknowns()), self.edge_factor_of_tilt(self.system.column(0))];
         apart(&[told[0] / here[0], told[1] / here[1]], &[1.0; 2], 1.0)
@@ -197,14 +193,14 @@ impl Family {
     /// The stick zone of one member by a search of its own: the others follow. Of several it is one that slides as the contact has from the
     /// beginning: where that is a face, as that does.
     fn search(&mut self, layer: &mut PreparedLayer, task: Task, b: f64) -> Result<Root, Unfit> {
-        let mut outcome = self.contact.solve(layer, task, None)?;
+        let mut outcome = self.contact.solve(layer, task, None, None)?;
         let is_one_of_several =
             |outcome: &Outcome| outcome.rubbing.as_ref().is_some_and(|found| found.found.roots.len() > 1);
         let face = self.pressed.blend.narrowest();
         if face > 0.0 && is_one_of_several(&outcome) {
             self.contact.branch = self.branch_of(layer, task, face)?;
             if self.contact.branch < 0.0 {
-                outcome = self.contact.solve(layer, task, None)?;
+                outcome = self.contact.solve(layer, task, None, None)?;
             }
         }
         let found = outcome.rubbing.expect("a stick zone, or why there is none");
@@ -216,16 +212,15 @@ impl Family {
     fn branch_of(&mut self, layer: &mut PreparedLayer, task: Task, face: f64) -> Result<f64, Refusal> {
         let flat = member(task.problem, face, true);
         self.contact.of_slices = false;
-        let outcome = self.contact.solve(layer, Task { problem: &flat, ..task }, None);
+        let outcome = self.contact.solve(layer, Task { problem: &flat, ..task }, None, None);
         self.contact.of_slices = true;
         Ok(outcome?.rubbing.and_then(|found| found.reported()).map_or(self.contact.branch, |root| root.branch))
     }
 
     /// Gives the contact the pressure of a member, as it is told between those solved.
     pub(crate) fn take_pressure(&mut self, b: f64) {
-        self.pressed.blend.functions_at(b, &mut self.room.functions);
-        self.pressed.pressure.blend_into(&self.room.functions, &mut self.room.density);
-        self.contact.normal.take_flat(b, self.room.density.iter().map(|p| p / b));
+        let pressure = self.pressed.pressure(b, &mut self.room);
+        self.contact.normal.take_flat(b, pressure.iter().map(|p| p / b));
     }
 
     /// Keeps what the pressure of the member solved last tells.
@@ -248,11 +243,8 @@ impl Family {
         datum: f64,
     ) -> Result<Depths, Refusal> {
         let flat = member(task.problem, ends.1, false);
-        let Self { pressed: Pressed { blend, pressure, .. }, room: Room { functions, density, .. }, .. } = self;
         Depths::new(datum, ends, self.contact.normal.size(), |b| {
-            blend.functions_at(b, functions);
-            pressure.blend_into(functions, density);
-            let depth = self.contact.normal.depth_of(b, density, (layer, &flat));
+            let depth = self.contact.normal.depth_of(b, self.pressed.pressure(b, &mut self.room), (layer, &flat));
             depth.map_or(0.0, |depth| depth / (b * flat.elastic.a0()) - self.on_half_plane.at(b))
         })
     }
@@ -297,8 +289,8 @@ impl Family {
             let holds = asked && Contact::is_known(guess.lambda, lambda) && self.contact.holds(layer, task, lambda)?;
             return Ok(Ok((member, holds)));
         }
-        let start = start.map(|start| Outcome::of_rubbing(Rubbing::expected(start, b, !asked)));
-        let outcome = self.contact.solve(layer, task, start.as_ref())?;
+        let start = start.map(|start| Rubbing::expected(start, b, !asked));
+        let outcome = self.contact.solve(layer, task, None, start.as_ref())?;
         let rubbing = outcome.rubbing.expect("a stick zone, or why there is none");
         if rubbing.verdict == Verdict::Sticks
             && let Some(stuck) = self.stuck_member(layer, task, b, asked)?
@@ -371,8 +363,8 @@ impl Family {
                     None => {}
                 }
             }
-            let start = known.map(|root| Outcome::of_rubbing(Rubbing::expected(root, b, false)));
-            let mut outcome = self.contact.solve(layer, task, start.as_ref())?;
+            let start = known.map(|root| Rubbing::expected(root, b, false));
+            let mut outcome = self.contact.solve(layer, task, None, start.as_ref())?;
             self.contact.settle(layer, task, &mut outcome)?;
             let found = outcome.rubbing.as_ref().expect("a stick zone, or why there is none");
             match &found.verdict {

@@ -1,9 +1,13 @@
 //! What is told of the pressures under the flat punches of a family.
 
+use super::Room;
 use super::told::Told;
 use crate::engine::growing::blend::Blend;
 use crate::engine::numerics::chebyshev::largest;
 use crate::engine::numerics::lanes::add_rows;
+use slipzone_api::double_exponential::Node;
+use slipzone_api::{Rule, Station};
+use std::sync::Arc;
 
 /// Pressures under unit forces, as one resolution knows them.
 pub(super) struct Pressed {
@@ -17,24 +21,64 @@ pub(super) struct Pressed {
     pub(super) tilt: Table,
     /// Depth over `A0`, beyond that on a half-plane.
     pub(super) depth: Vec<f64>,
+    /// `W` at the nodes of a grid over half of the contact; made when first asked for.
+    tilt_over: Option<(Arc<Vec<Node>>, Table)>,
 }
 
 impl Pressed {
     /// None as yet.
     pub(super) fn new(blend: Blend) -> Self {
         let (pressure, tilt, depth) = (Table::default(), Table::default(), Vec::new());
-        Self { told: Told::first(blend.functions(), f64::INFINITY), blend, pressure, tilt, depth }
+        Self { told: Told::first(blend.functions(), f64::INFINITY), blend, pressure, tilt, depth, tilt_over: None }
     }
 
     /// All members were solved; `coarse` is how well a coarser resolution told them, and by how much it was wrong.
     pub(super) fn blended(&mut self, coarse: Option<(Told, f64)>) {
-        let Self { blend, told, pressure, tilt, depth } = self;
+        let Self { blend, told, pressure, tilt, depth, .. } = self;
         *depth = blend.coefficients(depth, 1);
         let last = [pressure, tilt].map(|table| {
             table.numbers = blend.coefficients(&table.numbers, table.width);
             blend.last(&table.numbers, table.width) / largest(&table.numbers)
         });
         *told = Told::new(blend.functions(), last[0].max(last[1]), coarse);
+    }
+
+    /// The pressure of a member, times its half-width, as its unknowns.
+    pub(super) fn pressure<'r>(&self, b: f64, room: &'r mut Room) -> &'r [f64] {
+        self.row(&self.pressure, b, room)
+    }
+
+    /// `W` of a member as its unknowns.
+    pub(super) fn tilt<'r>(&self, b: f64, room: &'r mut Room) -> &'r [f64] {
+        self.row(&self.tilt, b, room)
+    }
+
+    fn row<'r>(&self, table: &Table, b: f64, Room { functions, density, .. }: &'r mut Room) -> &'r [f64] {
+        self.blend.functions_at(b, functions);
+        table.blend_into(functions, density);
+        density
+    }
+
+    /// `W` of a member at the nodes of a grid over its right half; `rule` is that of its unknowns.
+    pub(super) fn tilt_over(
+        &mut self,
+        b: f64,
+        grid: &Arc<Vec<Node>>,
+        rule: &mut dyn Rule,
+        functions: &mut Vec<f64>,
+        out: &mut Vec<f64>,
+    ) {
+        let known = self.tilt_over.take().filter(|(known, _)| Arc::ptr_eq(known, grid));
+        let (_, table) = self.tilt_over.insert(known.unwrap_or_else(|| {
+            let at: Vec<Station> = grid.iter().map(|node| Station { x: node.from_lower, gap: node.to_upper }).collect();
+            let mut numbers = vec![0.0; self.blend.functions() * at.len()];
+            rule.stretch(1.0);
+            let rows = self.tilt.numbers.chunks_exact(self.tilt.width).zip(numbers.chunks_exact_mut(at.len()));
+            rows.for_each(|(row, out)| rule.values_into(row, &at, out));
+            (Arc::clone(grid), Table { width: at.len(), numbers })
+        }));
+        self.blend.functions_at(b, functions);
+        table.blend_into(functions, out);
     }
 }
 

@@ -1,13 +1,12 @@
 //! One panel of the figure of a layer: curves in a frame, thin rules, and a strip for the base.
 
-use crate::report::svg::canvas::{GRID, INK, LETTERS, THIN, framed, line, outline, thinned};
+use crate::report::svg::canvas::{GRID, INK, LETTERS, THIN, framed, lettered, line, outline, thinned};
 use crate::report::svg::legend::{Entry, LEGEND, under_frame};
 use crate::report::svg::scale::Scale;
 use kuva::render::annotations::ShadedRegion;
-use kuva::render::color::Color;
 use kuva::render::layout::{ComputedLayout, Layout};
 use kuva::render::plots::Plot;
-use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
+use kuva::render::render::{Scene, TextAnchor, render_multiple};
 
 /// Colour of the base.
 const BASE: &str = "#ececec";
@@ -92,8 +91,7 @@ impl Panel {
     /// Names of the limits, right of the frame, and of the base, upright within it.
     fn names(&self, scene: &mut Scene, computed: &ComputedLayout) {
         let mut write = |x: f64, y: f64, content: String, anchor: TextAnchor, rotate: Option<f64>| {
-            let (size, color) = (LETTERS - 1, Some(Color::from(INK)));
-            scene.add(Primitive::Text { x, y, content, size, anchor, rotate, bold: false, color });
+            scene.add(lettered((x, y), content, LETTERS - 1, anchor, rotate));
         };
         let half_a_letter = 0.33 * f64::from(LETTERS - 1);
         let frame_right = computed.width - computed.margin_right;

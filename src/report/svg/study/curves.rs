@@ -6,7 +6,7 @@ use super::{ABREAST, Drawing};
 use crate::report::svg::FigureError;
 use crate::report::svg::legend::Entry;
 use crate::report::svg::panel::{Curve, MARKED, Panel};
-use crate::report::svg::scale::Scale;
+use crate::report::svg::scale::{Scale, ends};
 use crate::report::svg::style::Style;
 use crate::study::{Scale as Steps, Source};
 use serde_json::Value;
@@ -118,7 +118,7 @@ fn hide_what_is_far(groups: &Groups, rows: &mut [Row]) -> Option<String> {
     let mut hidden = 0_u64;
     for which in 0..groups.shown.y.len() {
         let sure = rows.iter().filter(|row| !row.violated && row.x.is_some()).filter_map(|row| row.y[which]).map(along);
-        let Some((least, most)) = sure.map(|y| (y, y)).reduce(|(l, m), (y, _)| (l.min(y), m.max(y))) else { continue };
+        let Some((least, most)) = ends(sure) else { continue };
         // Of one number, or of equal ones, its own size.
         let range = if most > least { most - least } else { most.abs().max(1.0) };
         for row in rows.iter_mut().filter(|row| row.violated && row.x.is_some()) {
@@ -265,7 +265,7 @@ pub(super) fn scale(
 ) -> Option<Scale> {
     /// Part of the largest number below which the least is shown from 0.
     const SMALL: f64 = 0.4;
-    let (least, most) = values.map(|v| (v, v)).reduce(|(l, m), (v, _)| (l.min(v), m.max(v)))?;
+    let (least, most) = ends(values)?;
     if steps == Steps::Log {
         let factor = if room || least >= most { (most / least).powf(0.05).max(1.02) } else { 1.0 };
         return Some(Scale::logarithmic(least / factor, most * factor, name, unit));

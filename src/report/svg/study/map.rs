@@ -6,9 +6,9 @@ mod levels;
 use super::gather::Groups;
 use super::{ABREAST, Drawing, names};
 use crate::report::svg::FigureError;
-use crate::report::svg::canvas::{INK, LETTERS, literal};
+use crate::report::svg::canvas::{INK, LETTERS, filled, lettered, literal};
 use crate::report::svg::panel::{Ground, MARKED, Panel};
-use crate::report::svg::scale::Scale;
+use crate::report::svg::scale::{Scale, ends};
 use crate::study::{Cell, Place, Scale as Steps, Source};
 use between::Between;
 use kuva::plot::ColorMap;
@@ -57,10 +57,7 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
         Ok(())
     })?;
     let (name, unit) = names::of(z, study);
-    let all = values.iter().flatten().flatten().copied();
-    let (least, most) = all
-        .map(|v| (v, v))
-        .reduce(|(l, m), (v, _)| (l.min(v), m.max(v)))
+    let (least, most) = ends(values.iter().flatten().flatten().copied())
         .ok_or_else(|| FigureError::NothingToShow("none converged with the number asked for".into()))?;
     let scale = Scale::spanning((least, most), [false, false], &name, &unit);
     let panels = values.into_iter().enumerate().map(|(panel, values)| Panel {
@@ -157,9 +154,8 @@ impl Ground for Cells {
             let fill = value.map_or_else(|| MISSING.to_owned(), |value| COLORS.map(self.scale.place(value)));
             // A hair of overlap: viewers leave light seams between neighbours.
             let seam = if value.is_some() { 0.4 } else { 0.0 };
-            let (fill, stroke, opacity) = (Color::from(fill.as_str()), None, None);
-            let (width, height) = ((x2 - x1 + seam).min(left + width - x1), (y2 - y1 + seam).min(top + height - y1));
-            scene.add(Primitive::Rect { x: x1, y: y1, width, height, fill, stroke, stroke_width: None, opacity });
+            let size = ((x2 - x1 + seam).min(left + width - x1), (y2 - y1 + seam).min(top + height - y1));
+            scene.add(filled((x1, y1), size, &fill, None));
             if value.is_none() {
                 crosses.extend([((x1, y1), (x2, y2)), ((x1, y2), (x2, y1))]);
             }
@@ -196,27 +192,15 @@ impl Cells {
         for index in 0..PARTS {
             let place = 1.0 - (f64::from(index) + 0.5) / f64::from(PARTS);
             let overlap = if index + 1 < PARTS { 0.4 } else { 0.0 };
-            scene.add(Primitive::Rect {
-                x: left,
-                y: top + part * f64::from(index),
-                width: BAR,
-                height: part + overlap,
-                fill: Color::from(COLORS.map(place).as_str()),
-                stroke: None,
-                stroke_width: None,
-                opacity: None,
-            });
+            scene.add(filled((left, top + part * f64::from(index)), (BAR, part + overlap), &COLORS.map(place), None));
         }
-        let mut text = |x: f64, y: f64, content: String, anchor: TextAnchor, rotate: Option<f64>, size: u32| {
-            let color = Some(Color::from(INK));
-            scene.add(Primitive::Text { x, y, content, size, anchor, rotate, bold: false, color });
-        };
         for tick in self.scale.ticks_within() {
             let y = top + height * (1.0 - self.scale.place(tick));
             let content = self.scale.written(tick);
-            text(left + BAR + 6.0, y + 0.33 * f64::from(LETTERS), content, TextAnchor::Start, None, LETTERS - 1);
+            let at = (left + BAR + 6.0, y + 0.33 * f64::from(LETTERS));
+            scene.add(lettered(at, content, LETTERS - 1, TextAnchor::Start, None));
         }
-        let (x, middle) = (left + BAR + 66.0, top + height / 2.0);
-        text(x, middle, literal(&self.scale.label), TextAnchor::Middle, Some(-90.0), LETTERS);
+        let at = (left + BAR + 66.0, top + height / 2.0);
+        scene.add(lettered(at, literal(&self.scale.label), LETTERS, TextAnchor::Middle, Some(-90.0)));
     }
 }

@@ -1,11 +1,10 @@
 //! Lines of equal value on a map.
 
 use super::between::Between;
-use crate::report::svg::canvas::{INK, LETTERS};
+use crate::report::svg::canvas::{LETTERS, filled, lettered, stroked};
 use crate::report::svg::scale::Scale;
-use kuva::render::color::Color;
 use kuva::render::layout::ComputedLayout;
-use kuva::render::render::{PathData, Primitive, Scene, TextAnchor};
+use kuva::render::render::{Scene, TextAnchor};
 
 /// Both ends of a straight part of a line.
 type Part = [(f64, f64); 2];
@@ -20,14 +19,7 @@ pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, between: &Betwe
         }
         named.extend(place_of_name(&parts, computed, &named).map(|at| (at, level)));
         let part = |[(x1, y1), (x2, y2)]: &Part| format!("M{x1:.2} {y1:.2}L{x2:.2} {y2:.2}");
-        scene.add(Primitive::Path(Box::new(PathData {
-            d: parts.iter().map(part).collect(),
-            fill: None,
-            stroke: Color::from("#ffffff"),
-            stroke_width: 1.1,
-            opacity: None,
-            stroke_dasharray: None,
-        })));
+        scene.add(stroked(parts.iter().map(part).collect(), "#ffffff", 1.1));
     }
     for (at, level) in named {
         name(scene, at, scale.written(level));
@@ -86,24 +78,6 @@ fn place_of_name(parts: &[Part], computed: &ComputedLayout, taken: &[((f64, f64)
 fn name(scene: &mut Scene, (x, y): (f64, f64), content: String) {
     const SIZE: u32 = LETTERS - 2;
     let (height, width) = (f64::from(SIZE) + 2.0, 0.6 * f64::from(SIZE) * content.chars().count() as f64 + 4.0);
-    scene.add(Primitive::Rect {
-        x: x - width / 2.0,
-        y: y - height / 2.0,
-        width,
-        height,
-        fill: Color::from("#ffffff"),
-        stroke: None,
-        stroke_width: None,
-        opacity: Some(0.8),
-    });
-    scene.add(Primitive::Text {
-        x,
-        y: y + 0.35 * f64::from(SIZE),
-        content,
-        size: SIZE,
-        anchor: TextAnchor::Middle,
-        rotate: None,
-        bold: false,
-        color: Some(Color::from(INK)),
-    });
+    scene.add(filled((x - width / 2.0, y - height / 2.0), (width, height), "#ffffff", Some(0.8)));
+    scene.add(lettered((x, y + 0.35 * f64::from(SIZE)), content, SIZE, TextAnchor::Middle, None));
 }
