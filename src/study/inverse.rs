@@ -85,6 +85,11 @@ impl Point {
     fn place(&self) -> Place {
         (self.at, self.excess)
     }
+
+    /// Whether it is as wanted, as far as its own error tells.
+    fn may_be_hit(&self) -> bool {
+        self.excess.abs() <= self.error
+    }
 }
 
 /// The range as it was looked over.
@@ -206,6 +211,7 @@ impl Question<'_> {
         let is_adjacent = |pair: &&[Place]| pair[1].0 - pair[0].0 < 1.5 * step;
         let mut found = self.roots(places.windows(2).filter(is_adjacent).map(|pair| [pair[0], pair[1]]))?;
         // Steps may hit it.
+        self.is_no_plateau(points)?;
         let hit = places.windows(2).filter(|pair| pair[0].1 == 0.0 || pair[1].1 == 0.0);
         found.extend(hit.map(|pair| (pair[usize::from(pair[0].1 != 0.0)].0, by_slope([pair[0], pair[1]]))));
         if found.is_empty() {
@@ -213,6 +219,12 @@ impl Question<'_> {
             let ends = places.iter().flat_map(|place| [place.0 - step, place.0 + step].map(|end| (*place, end)));
             let ends = ends.filter(|(_, end)| (-BESIDE..=1.0 + BESIDE).contains(end));
             found = self.roots(ends.map(|(place, end)| [place, self.reached(points, place, end)]))?;
+        }
+        if found.is_empty() && matches!(self.find.wanted, Wanted::Target(_)) {
+            // Or it is a value told, but for less than its error.
+            let nearly =
+                points.windows(2).filter_map(|pair| Some((pair, pair.iter().find(|point| point.may_be_hit())?)));
+            found.extend(nearly.map(|(pair, hit)| (hit.at, by_slope([pair[0].place(), pair[1].place()]))));
         }
         found.sort_by(|one, other| one.0.total_cmp(&other.0));
         found.dedup_by(|one, other| one.0.to_bits() == other.0.to_bits());
@@ -228,6 +240,20 @@ impl Question<'_> {
             ));
         }
         Ok(found)
+    }
+
+    /// Refuses a number that is as wanted at a step, and at the next one within its error: any value between them answers.
+    fn is_no_plateau(&self, points: &[Point]) -> Result<(), String> {
+        let is_flat = |pair: &&[Point]| pair.iter().any(|p| p.excess == 0.0) && pair.iter().all(Point::may_be_hit);
+        let mut flat = points.windows(2).filter(is_flat);
+        let Some(first) = flat.next() else { return Ok(()) };
+        let [from, to] = [first[0].at, flat.next_back().unwrap_or(first)[1].at].map(|at| short(self.value(at)));
+        let Find { field, quantity, .. } = self.find;
+        let instead = if quantity == "stick.ratio" { "; ask for `stick.one_minus_ratio`" } else { "" };
+        let number = rounded(first[0].number, DIGITS);
+        Err(format!(
+            "{quantity} is {number} within its error for {field} from {from} to {to}: it tells no value{instead}"
+        ))
     }
 
     /// The roots between places at which the excess has two signs.

@@ -846,6 +846,36 @@ fn an_extreme_where_what_can_be_solved_ends_between_two_steps_is_none() {
     assert!(reason.contains("where what can be solved ends: layer.grading.base = "), "{reason}");
 }
 
+/// With much friction nearly all sticks, and the ratio of the stick zone rounds to 1 from some friction on: the steps at which it did were
+/// the answers.
+#[test]
+fn a_number_that_rounds_to_what_is_wanted_answers_nothing() {
+    let find = "field = \"friction.coefficient\"\nfrom = 0.01\nto = 10.0\nquantity = \"stick.ratio\"\ntarget = 1.0";
+    let record = found(GOOD, find);
+    assert_eq!(record["status"], "refused", "{record}");
+    let reason = record["reason"].as_str().unwrap();
+    assert!(reason.contains("is 1 within its error for friction.coefficient from "), "{reason}");
+    assert!(reason.contains("ask for `stick.one_minus_ratio`"), "{reason}");
+}
+
+/// `b^2 = 2 R (1 - nu) P/(pi mu)`: either end of the range answers, though what is computed there is off by its error.
+#[test]
+fn the_end_of_a_range_answers_to_within_its_error() {
+    let scene = "format = 1\nlayer = { poisson = 0.3, base = { type = \"infinite\" }, grading = { type = \"homogeneous\", modulus = 2.0 } }\n\
+        punch = { type = \"cylinder\", radius = 10.0 }\nload = { force = 1.0 }\n";
+    for (force, off) in [(1e-2, -1e-10), (1e-2, 1e-10), (1e2, -1e-10), (1e2, 1e-10)] {
+        let target = (20.0 * 0.7 * force / (2.0 * std::f64::consts::PI)).sqrt() * (1.0 + off);
+        let record = found(
+            scene,
+            &format!(
+                "field = \"load.force\"\nfrom = 1e-2\nto = 1e2\nquantity = \"load.half_width\"\ntarget = {target:?}"
+            ),
+        );
+        let value = record["found"]["value"].as_f64().unwrap_or_else(|| panic!("{record}"));
+        assert!((value / force - 1.0).abs() < 1e-8, "{value} for {force}");
+    }
+}
+
 #[test]
 fn what_does_not_change_is_no_answer() {
     for wish in ["minimum = true", "maximum = true", "target = 1.0"] {

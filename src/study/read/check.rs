@@ -77,8 +77,13 @@ fn check_end(
     }
     let scale = if matches!(column.values, Values::Drawn { by_factors: true, .. }) { "log" } else { "linear" };
     let (a, c) = (a.to_string(), c.to_string());
+    let of_fields = ["axes", &a, "random", "fields", &c].into_iter();
+    if wants_whole(&error) {
+        let place: Vec<&str> = of_fields.chain(["field"]).collect();
+        return Err(of_whole_numbers(document, &place, &column.field));
+    }
     let rest = if is_of_field(&error) { vec!["field"] } else { vec![scale, key] };
-    let place: Vec<&str> = ["axes", &a, "random", "fields", &c].into_iter().chain(rest).collect();
+    let place: Vec<&str> = of_fields.chain(rest).collect();
     Err(placed(document, study, &place, &error, &format!("`{}`", column.field)))
 }
 
@@ -86,6 +91,20 @@ fn check_end(
 fn is_of_field(error: &SceneError) -> bool {
     let starts = ["unknown key", "unknown section", "the scene has no place"];
     starts.iter().any(|start| error.message.starts_with(start))
+}
+
+/// Whether a field takes whole numbers only.
+fn wants_whole(error: &SceneError) -> bool {
+    error.expected.as_ref().is_some_and(|expected| expected.starts_with("an integer"))
+}
+
+/// That a field of whole numbers is none to go through a range of all numbers.
+fn of_whole_numbers(document: &Document, place: &[&str], field: &str) -> SceneError {
+    let error = document.error(document.best(place), format!("`{field}` takes whole numbers only"));
+    error
+        .found(format!("`{field}`"))
+        .expected("a field that takes any number between two")
+        .hint(format!("an axis goes through whole numbers: field = \"{field}\", values = [...]"))
 }
 
 /// The column of an axis whose field an error names.
@@ -163,6 +182,9 @@ pub(super) fn check_find(document: &Document, study: &Study, files: &dyn Files) 
         }
         let value = Replacement { path: &path, value: format!("{end:?}").into() };
         if let Err(error) = study.made(study.axes.iter().map(|axis| (axis, 0)), Some(value), files) {
+            if wants_whole(&error) {
+                return Err(of_whole_numbers(document, &["find", "field"], &find.field));
+            }
             let key = if is_of_field(&error) { "field" } else { key };
             return Err(placed(document, study, &["find", key], &error, &format!("`{}`", find.field)));
         }

@@ -48,10 +48,19 @@ pub(super) fn marks(plot: &Plot) -> Result<(), PlotFault> {
             }
         }
     }
-    if plot.kind == PlotKind::Tractions && plot.y_scale == Scale::Log {
-        let fault =
-            PlotFault::new(&["y_scale"], "tractions end at 0, for which a log axis has no place", "no `y_scale`");
-        return Err(fault.found("`log`"));
+    if plot.kind == PlotKind::Tractions {
+        let ends = ("y_scale", plot.y_scale, "tractions end at 0, for which a log axis has no place", "no `y_scale`");
+        let middle = (
+            "x_scale",
+            plot.x_scale,
+            "tractions go from the middle, for which a log axis has no place",
+            "no `x_scale`",
+        );
+        for (key, scale, message, expected) in [middle, ends] {
+            if scale == Scale::Log {
+                return Err(PlotFault::new(&[key], message, expected).found("`log`"));
+            }
+        }
     }
     if plot.kind == PlotKind::Tractions && !plot.points.is_empty() {
         return Err(PlotFault::new(&["points"], "points go with curves only", "no `points` beside tractions"));

@@ -403,6 +403,25 @@ fn beside_a_zone_too_narrow_the_rest_is_as_sure_as_asked_for() {
     }
 }
 
+/// Said to turn at the member that was looked at, by up to 25 % too early: contacts that end beyond there do not turn.
+#[test]
+fn where_slip_is_said_to_have_turned_it_has() {
+    let to = |b: f64| {
+        let sketch = Sketch::flat(0.5, 1.0, 0.499).cylinder().rubbing(0.1).loaded(&format!("half_width = {b:?}"));
+        sketch.solve()
+    };
+    assert_eq!(to(0.082).status, Status::Converged, "it has not turned by then");
+    for b in [0.1, 0.5, 1.0] {
+        let reason = to(b).reason.expect("why");
+        let told = reason
+            .split("a half-width of ")
+            .nth(1)
+            .and_then(|rest| rest.split(": the direction of slip has turned").next());
+        let place: f64 = told.and_then(|place| place.parse().ok()).unwrap_or_else(|| panic!("{reason}"));
+        assert!(place > 0.082 && place <= b, "{reason}");
+    }
+}
+
 /// A slice of a grown contact need not bear its own shear, but the face that it grew from bears that of its own. Where that slides outward
 /// the stick zone beside the edge, of inward slip, was taken for the slices', as it came first, and friction did not bear the contact's.
 #[test]

@@ -139,8 +139,12 @@ impl Family {
                 if let Some(ends) = sticks_at_times(&members) {
                     return Err(self.sticks_between(layer, task, ends)?);
                 }
-                let turned = "the direction of slip turns while the contact grows".into();
-                return Err(Unfit::Friction(b, Box::new(Rubbing::expected(root, b, false).failing(turned))));
+                // Narrower members are looked at later: it has turned on the way from this one to the one before.
+                let (by_then, turned) = (half_widths[k - 1], "the direction of slip has turned by then");
+                return Err(Unfit::Friction(
+                    by_then,
+                    Box::new(Rubbing::expected(root, by_then, false).failing(turned.into())),
+                ));
             }
         }
         if let Some(ends) = sticks_at_times(&members) {

@@ -291,6 +291,21 @@ fn a_map_marks_each_scene_and_crosses_out_what_is_missing() {
     assert!(texts(&svg).contains(&"1 of 27 scenes without a converged result".to_owned()));
 }
 
+/// A plateau at the largest value has no line around it: where it begins is where numbers round to its height.
+#[test]
+fn a_plateau_of_a_map_has_no_line() {
+    let study = study(GRID, MAP);
+    let flat = records(&study).into_iter().enumerate().map(|(index, mut record)| {
+        if index % 4 > 1 {
+            record["stick"]["ratio"] = json!(1.0);
+        }
+        record
+    });
+    let found = texts(&figure(&study, flat.collect::<Vec<_>>()));
+    let count = |level: &str| found.iter().filter(|text| *text == level).count();
+    assert_eq!((count("1.0"), count("0.8")), (1, 2), "beside the bar alone, and on a line as well: {found:?}");
+}
+
 /// On three rows a line of equal value runs through one colour from frame to frame: those of the cells would change by a
 /// step, and far more, where it leaves one for the next.
 #[test]

@@ -2,17 +2,24 @@
 
 use super::between::Between;
 use crate::report::svg::canvas::{LETTERS, filled, lettered, stroked};
-use crate::report::svg::scale::Scale;
+use crate::report::svg::scale::{Scale, ends};
 use kuva::render::layout::ComputedLayout;
 use kuva::render::render::{Scene, TextAnchor};
+
+/// Numbers as close as this, relative, may be the same.
+const ROUNDED: f64 = 1e-9;
 
 /// Both ends of a straight part of a line.
 type Part = [(f64, f64); 2];
 
 /// A line at each tick of the scale, with its number where there is room.
 pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, between: &Between, scale: &Scale) {
+    // A line around a plateau at the least or the largest value is where the numbers round to that, if anywhere.
+    let ends = ends(between.values.iter().flatten().copied());
+    let is_end = |level: f64, end: f64| (level - end).abs() <= ROUNDED * level.abs().max(end.abs());
+    let is_passed = |level: &f64| ends.is_some_and(|(least, most)| !is_end(*level, least) && !is_end(*level, most));
     let mut named = Vec::new();
-    for level in scale.ticks_within() {
+    for level in scale.ticks_within().into_iter().filter(is_passed) {
         let parts = level_line(between, level);
         if parts.is_empty() {
             continue;
