@@ -211,7 +211,7 @@ impl Question<'_> {
         let is_adjacent = |pair: &&[Place]| pair[1].0 - pair[0].0 < 1.5 * step;
         let mut found = self.roots(places.windows(2).filter(is_adjacent).map(|pair| [pair[0], pair[1]]))?;
         // Steps may hit it.
-        self.is_no_plateau(points)?;
+        self.is_no_plateau(points, |pair| pair.iter().any(|point| point.excess == 0.0))?;
         let hit = places.windows(2).filter(|pair| pair[0].1 == 0.0 || pair[1].1 == 0.0);
         found.extend(hit.map(|pair| (pair[usize::from(pair[0].1 != 0.0)].0, by_slope([pair[0], pair[1]]))));
         if found.is_empty() {
@@ -222,6 +222,7 @@ impl Question<'_> {
         }
         if found.is_empty() && matches!(self.find.wanted, Wanted::Target(_)) {
             // Or it is a value told, but for less than its error.
+            self.is_no_plateau(points, |_| true)?;
             let nearly =
                 points.windows(2).filter_map(|pair| Some((pair, pair.iter().find(|point| point.may_be_hit())?)));
             found.extend(nearly.map(|(pair, hit)| (hit.at, by_slope([pair[0].place(), pair[1].place()]))));
@@ -242,9 +243,10 @@ impl Question<'_> {
         Ok(found)
     }
 
-    /// Refuses a number that is as wanted at a step, and at the next one within its error: any value between them answers.
-    fn is_no_plateau(&self, points: &[Point]) -> Result<(), String> {
-        let is_flat = |pair: &&[Point]| pair.iter().any(|p| p.excess == 0.0) && pair.iter().all(Point::may_be_hit);
+    /// Refuses a number that is as wanted, within its error, at a step and at the next one: any value between them answers. Of pairs
+    /// of steps those count that are said to.
+    fn is_no_plateau(&self, points: &[Point], counts: impl Fn(&[Point]) -> bool) -> Result<(), String> {
+        let is_flat = |pair: &&[Point]| counts(pair) && pair.iter().all(Point::may_be_hit);
         let mut flat = points.windows(2).filter(is_flat);
         let Some(first) = flat.next() else { return Ok(()) };
         let [from, to] = [first[0].at, flat.next_back().unwrap_or(first)[1].at].map(|at| short(self.value(at)));

@@ -858,6 +858,20 @@ fn a_number_that_rounds_to_what_is_wanted_answers_nothing() {
     assert!(reason.contains("ask for `stick.one_minus_ratio`"), "{reason}");
 }
 
+/// The edge of a flat punch on a half-plane is `1/pi`: layers come to within their errors of it from one thickness on, and none is the answer.
+#[test]
+fn a_limit_that_a_number_comes_to_answers_nothing() {
+    let scene =
+        GOOD.replace("type = \"exponential\", surface = 1.0, base = 8.0", "type = \"homogeneous\", modulus = 1.0");
+    let target = std::f64::consts::FRAC_1_PI;
+    let find =
+        format!("field = \"layer.thickness\"\nfrom = 10.0\nto = 1e8\nquantity = \"edge.ratio\"\ntarget = {target:?}");
+    let record = found(&scene, &find);
+    assert_eq!(record["status"], "refused", "{record}");
+    let reason = record["reason"].as_str().unwrap();
+    assert!(reason.contains("is 0.3183099 within its error for layer.thickness from "), "{reason}");
+}
+
 /// `b^2 = 2 R (1 - nu) P/(pi mu)`: either end of the range answers, though what is computed there is off by its error.
 #[test]
 fn the_end_of_a_range_answers_to_within_its_error() {
