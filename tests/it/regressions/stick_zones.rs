@@ -390,16 +390,16 @@ fn zones_below_all_that_are_looked_for_are_said_to_be() {
     }
 }
 
-/// Refinement ended as soon as the pressure under such a zone was good to be shown, with an error of 1e-9 and more.
+/// Refinement ended as soon as the pressure under such a zone was good to be shown: the indentation was told to 2.8e-9 here.
 #[test]
 fn beside_a_zone_too_narrow_the_rest_is_as_sure_as_asked_for() {
-    let layer = "thickness = 5.0\npoisson = 0.3\ngrading = { type = \"exponential\", surface = 1.0, base = 8.0 }";
-    let sketch = Sketch::on(layer).rubbing(2e-4).loaded("force = 0.1").with("[solver]\ntolerance = 1e-10");
+    let layer = "thickness = 5.0\npoisson = 0.0\ngrading = { type = \"exponential\", surface = 1.0, base = 1e6 }";
+    let sketch = Sketch::on(layer).rubbing(1e-4).loaded("force = 0.1").with("[solver]\ntolerance = 1e-9");
     let solution = sketch.solve();
     assert_eq!(solution.status, Status::NotConverged, "{:?}", solution.reason);
     for quantity in ["load.indentation", "pressure.centre", "edge.ratio"] {
         let error = solution.error.each[quantity];
-        assert!(error <= 1e-10, "{quantity} is told to {error:e}");
+        assert!(error <= 1e-9, "{quantity} is told to {error:e}");
     }
 }
 
