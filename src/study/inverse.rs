@@ -76,9 +76,9 @@ type Place = (f64, f64);
 struct Point {
     at: f64,
     number: f64,
-    /// Of the number.
-    error: f64,
     excess: f64,
+    /// Of the excess.
+    error: f64,
 }
 
 impl Point {
@@ -195,13 +195,8 @@ impl Question<'_> {
             Wanted::HalfPlaneWithin(_) => 2.0, // relative to the half-plane's number, which has an error of its own
             _ => solution.number(&self.find.quantity).map_or(1.0, f64::abs),
         };
-        self.number_error(solution) * size
-    }
-
-    /// The relative error of the number that decides.
-    fn number_error(&self, solution: &Solution) -> f64 {
         let tolerance = solution.scene.solver.tolerance.get();
-        solution.error.each.get(self.find.quantity.as_str()).copied().unwrap_or(tolerance)
+        solution.error.each.get(self.find.quantity.as_str()).copied().unwrap_or(tolerance) * size
     }
 
     /// Where the number is as wanted, over the range taken as 0 to 1.
@@ -403,7 +398,7 @@ impl Question<'_> {
         let solution = self.solution(self.value(at), true)?;
         let number =
             solution.number(&self.find.quantity).ok_or_else(|| format!("{} is undefined", self.find.quantity))?;
-        let error = self.number_error(&solution) * number.abs();
+        let error = self.excess_error(&solution);
         let excess = match self.find.wanted {
             Wanted::Target(target) => number - target,
             Wanted::Minimum => number,

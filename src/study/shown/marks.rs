@@ -49,16 +49,11 @@ pub(super) fn marks(plot: &Plot) -> Result<(), PlotFault> {
         }
     }
     if plot.kind == PlotKind::Tractions {
-        let ends = ("y_scale", plot.y_scale, "tractions end at 0, for which a log axis has no place", "no `y_scale`");
-        let middle = (
-            "x_scale",
-            plot.x_scale,
-            "tractions go from the middle, for which a log axis has no place",
-            "no `x_scale`",
-        );
-        for (key, scale, message, expected) in [middle, ends] {
+        let (middle, ends) = ("go from the middle", "end at 0");
+        for (key, scale, what) in [("x_scale", plot.x_scale, middle), ("y_scale", plot.y_scale, ends)] {
             if scale == Scale::Log {
-                return Err(PlotFault::new(&[key], message, expected).found("`log`"));
+                let message = format!("tractions {what}, for which a log axis has no place");
+                return Err(PlotFault::new(&[key], message, format!("no `{key}`")).found("`log`"));
             }
         }
     }

@@ -15,7 +15,7 @@ use crate::engine::numerics::chebyshev::largest;
 use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
-use slipzone_api::{Component, Refusal};
+use slipzone_api::{Component, Refusal, short};
 use std::f64::consts::PI;
 
 /// A stick zone farther from the one expected is not near.
@@ -139,12 +139,9 @@ impl Family {
                 if let Some(ends) = sticks_at_times(&members) {
                     return Err(self.sticks_between(layer, task, ends)?);
                 }
-                // Narrower members are looked at later: it has turned on the way from this one to the one before.
-                let (by_then, turned) = (half_widths[k - 1], "the direction of slip has turned by then");
-                return Err(Unfit::Friction(
-                    by_then,
-                    Box::new(Rubbing::expected(root, by_then, false).failing(turned.into())),
-                ));
+                let by_then = short(half_widths[k - 1] * flat.length);
+                let turns = format!("the direction of slip turns between there and {by_then}");
+                return Err(Unfit::Friction(b, Box::new(Rubbing::expected(root, b, false).failing(turns))));
             }
         }
         if let Some(ends) = sticks_at_times(&members) {

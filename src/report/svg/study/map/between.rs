@@ -1,7 +1,7 @@
 //! What a map shows between the values: colours and lines of equal value are those of one surface through them.
 
-use kuva::render::color::Color;
-use kuva::render::render::{Primitive, Scene};
+use crate::report::svg::canvas::filled;
+use kuva::render::render::Scene;
 
 /// Numbers at places on the canvas, close enough for straight lines between them.
 pub(super) struct Between {
@@ -48,17 +48,11 @@ impl Between {
                 else {
                     continue;
                 };
-                scene.add(Primitive::Rect {
-                    x: across[0],
-                    y: up[1],
-                    // A hair of overlap: viewers leave light seams between neighbours.
-                    width: across[1] - across[0] + if column + 2 < self.columns.len() { 0.4 } else { 0.0 },
-                    height: up[0] - up[1] + if row > 0 { 0.4 } else { 0.0 },
-                    fill: Color::from(color((a + b + c + d) / 4.0).as_str()),
-                    stroke: None,
-                    stroke_width: None,
-                    opacity: None,
-                });
+                // A hair of overlap: viewers leave light seams between neighbours.
+                let seam = |is_inner: bool| if is_inner { 0.4 } else { 0.0 };
+                let width = across[1] - across[0] + seam(column + 2 < self.columns.len());
+                let height = up[0] - up[1] + seam(row > 0);
+                scene.add(filled((across[0], up[1]), (width, height), &color((a + b + c + d) / 4.0), None));
             }
         }
     }
