@@ -76,9 +76,9 @@ type Place = (f64, f64);
 struct Point {
     at: f64,
     number: f64,
-    excess: f64,
     /// Of the excess.
     error: f64,
+    excess: f64,
 }
 
 impl Point {
