@@ -6,7 +6,8 @@
 use super::Failure;
 use serde::de::IgnoredAny;
 use slipzone::api::clip;
-use slipzone::study::{Record, Study};
+use slipzone::engine::Status;
+use slipzone::study::{Record, RecordStatus, Study};
 use std::collections::{BTreeMap, HashSet};
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
@@ -63,10 +64,9 @@ struct Head {
 
 /// What is looked at in the others.
 #[derive(serde::Deserialize)]
-struct Line<'a> {
+struct Line {
     index: u64,
-    #[serde(borrow)]
-    status: &'a str,
+    status: RecordStatus,
     /// A record has these as well.
     #[allow(dead_code)]
     axes: IgnoredAny,
@@ -145,7 +145,7 @@ impl Journal {
                 if record.index >= study.rows() {
                     return Err(broken("a record of a scene that the study does not have"));
                 }
-                self.tally.add(record.index, record.status == "converged");
+                self.tally.add(record.index, record.status == RecordStatus::Solved(Status::Converged));
             }
             kept += length as u64;
         }

@@ -8,13 +8,13 @@ use crate::engine::friction::stick_zone::StickZone;
 use crate::plan::Plan;
 use crate::scene::{Load, LoadKind, Scene, Units};
 use loading_curve::Curve;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use slipzone_api::{Base, Friction, FrozenStrain, Plane};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// How a solve ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Status {
     /// Every number is within the error stated.

@@ -7,7 +7,7 @@ use crate::report::number::typeset;
 use crate::report::number::{digits, short};
 use crate::scene::{Layer, Load, Scene};
 use serde_json::Value;
-use slipzone_api::{Base, Friction, Moduli, Plane, PunchProfile, clip};
+use slipzone_api::{Base, Family, Friction, Moduli, Plane, PunchProfile, clip};
 
 /// Letters for the field's symbols, and how numbers are set.
 pub(super) struct Alphabet {
@@ -90,8 +90,9 @@ pub(super) fn layer_parts(scene: &Scene, half_width: Option<f64>, letters: &Alph
 }
 
 fn parts_but_load(scene: &Scene, half_width: Option<f64>, letters: &Alphabet) -> Vec<String> {
+    let labels = Labels::new(&scene.units);
     let mut parts = layer_parts(scene, half_width, letters);
-    parts.push(punch(&*scene.punch, letters));
+    parts.push(punch(&*scene.punch, &labels, letters));
     parts.push(match &scene.friction {
         None => "frictionless".into(),
         Some(Friction::Goodman { coefficient, .. }) => {
@@ -184,8 +185,11 @@ const LONGEST: usize = 60;
 const FEW: usize = 6;
 
 /// The punch by its `type` and those of its keys that fit into a line.
-fn punch(punch: &dyn PunchProfile, letters: &Alphabet) -> String {
-    let name = format!("{} punch", punch.typetag_name());
+fn punch(punch: &dyn PunchProfile, labels: &Labels, letters: &Alphabet) -> String {
+    let kind = punch.typetag_name();
+    let name = format!("{kind} punch");
+    let parameters = slipzone_api::find(Family::Punch, kind).map_or(&[][..], |plugin| plugin.parameters);
+    let is_length = |key: &str| parameters.iter().any(|parameter| parameter.name == key && parameter.is_length());
     let Ok(Value::Object(table)) = serde_json::to_value(punch) else { return name };
     let shown = |(key, value): (&String, &Value)| match value {
         // Named parameters go by their own names.
@@ -201,7 +205,10 @@ fn punch(punch: &dyn PunchProfile, letters: &Alphabet) -> String {
         }
         // A unit of 1 goes without saying.
         Value::Number(number) if key.ends_with("_unit") && number.as_f64() == Some(1.0) => None,
-        Value::Number(number) => Some(format!("{} = {}", key.replace('_', "-"), letters.number(number.as_f64()?))),
+        Value::Number(number) => {
+            let unit = if is_length(key) { &labels.length } else { "" };
+            Some(format!("{} = {}", key.replace('_', "-"), with_unit(&letters.number(number.as_f64()?), unit)))
+        }
         Value::String(text) if key != "type" => {
             Some(format!("{} = {}", key.replace('_', "-"), clip(&one_line(text), LONGEST)))
         }
@@ -223,7 +230,7 @@ mod tests {
         assert_eq!(
             line(&samples::flat_with_friction()),
             "h/b = 5, exponential, mu1 = 1 MPa, mu1/mu3 = 1/8, nu = 0.3, plane strain, bonded to a rigid base, \
-             flat punch (half-width = 1), eta = 0.3, P = 1 N/mm"
+             flat punch (half-width = 1 mm), eta = 0.3, P = 1 N/mm"
         );
         assert_eq!(
             line(&samples::cylinder_without_friction()),
@@ -269,7 +276,8 @@ mod tests {
                 "format = 1\npunch = {text}\nload = {{ force = 1.0 }}\n[layer]\nthickness = 1.0\npoisson = 0.3\n\
                  grading = {{ type = 'homogeneous', modulus = 1.0 }}"
             );
-            punch(&*crate::scene::parse("line", &text).unwrap_or_else(|e| panic!("{e}")).punch, &ASCII)
+            let scene = crate::scene::parse("line", &text).unwrap_or_else(|e| panic!("{e}"));
+            punch(&*scene.punch, &Labels::new(&scene.units), &ASCII)
         };
         assert_eq!(
             line("{ type = 'polynomial', coefficients = [0.05, 0.001] }"),

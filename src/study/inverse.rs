@@ -13,7 +13,7 @@ use crate::scene::{Asked, Load, Replacement, Scene};
 use basin::{
     BoxBounds, Brent, ConstraintDescription, ConstraintSet, Constraints, CostFunction, Executor, PointState, RootError,
 };
-use slipzone_api::{rounded, short};
+use slipzone_api::{Base, rounded, short};
 
 /// Steps in which a range is looked over.
 const STEPS: u32 = 24;
@@ -443,6 +443,9 @@ fn half_plane(scene: &Scene) -> Result<Scene, String> {
         return Err("an indentation is undefined on a half-plane: prescribe the force or the half-width".into());
     }
     let model = scene.layer.model().map_err(|refusal| refusal.to_string())?;
+    if matches!(scene.layer.base, Base::Infinite) && model.law.exponent() == Some(0.0) {
+        return Err("that is the homogeneous half-plane already".into());
+    }
     Ok(Scene { layer: plan::half_plane(&scene.layer, &model), ..scene.clone() })
 }
 

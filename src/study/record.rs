@@ -5,7 +5,7 @@ use super::{Cell, Study};
 use crate::engine::{EdgeReport, ErrorReport, LoadReport, PressureReport, Profile, Solution, Status, StickReport};
 use crate::scene::SceneError;
 use serde::ser::SerializeMap;
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
 use serde_json::Value;
 
 /// A scene of a study, solved: what changed in it, and the numbers of its result under the keys of a result.
@@ -57,19 +57,14 @@ pub struct Found {
 pub(crate) const ANSWER: [&str; 3] = [FOUND, "found.error", "found.is_at_end"];
 
 /// How a scene of a study ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(untagged)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum RecordStatus {
-    /// It was solved.
-    Solved(Status),
     /// Its values make no scene together.
-    #[serde(serialize_with = "invalid")]
     Invalid,
-}
-
-#[allow(clippy::trivially_copy_pass_by_ref)] // serde's signature
-fn invalid<S: Serializer>(serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str("invalid")
+    /// It was solved.
+    #[serde(untagged)]
+    Solved(Status),
 }
 
 fn as_map<S: Serializer>(axes: &[(String, Cell)], serializer: S) -> Result<S::Ok, S::Error> {

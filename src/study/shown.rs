@@ -65,7 +65,7 @@ pub(crate) struct Shown {
     /// Whether curves follow values drawn at random: then they are points.
     pub(crate) is_cloud: bool,
     /// Steps that are shown, where they are not all.
-    pub(crate) only: Vec<(usize, Vec<u64>)>,
+    pub(crate) only: Vec<(Place, Vec<u64>)>,
 }
 
 impl Study {
@@ -101,14 +101,14 @@ impl Study {
     pub(crate) fn shown_steps(&self, shown: &Shown, axis: usize, most: u64) -> Vec<u64> {
         let stride = self.shown_count(shown, axis).div_ceil(most).max(1);
         let stride = usize::try_from(stride).unwrap_or(usize::MAX);
-        match shown.only.iter().find(|only| only.0 == axis) {
+        match shown.only.iter().find(|only| only.0.axis == axis) {
             Some((_, listed)) => listed.iter().copied().step_by(stride).collect(),
             None => (0..self.axes[axis].count).step_by(stride).collect(),
         }
     }
 
     fn shown_count(&self, shown: &Shown, axis: usize) -> u64 {
-        shown.only.iter().find(|only| only.0 == axis).map_or(self.axes[axis].count, |only| only.1.len() as u64)
+        shown.only.iter().find(|only| only.0.axis == axis).map_or(self.axes[axis].count, |only| only.1.len() as u64)
     }
 
     /// What a figure takes its numbers from.

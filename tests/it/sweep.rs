@@ -259,6 +259,17 @@ fn a_figure_of_tractions_may_go() {
 }
 
 #[test]
+fn a_line_that_is_no_record_is_named() {
+    let (folder, ..) = whole(STUDY);
+    let journal = folder.path().join("out/journal.jsonl");
+    let text = fs::read_to_string(&journal).unwrap();
+    fs::write(&journal, text.replacen("\"converged\"", "\"good\"", 1)).unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(3), "{}", told(&output));
+    assert!(told(&output).contains("line 2 is no record of a sweep"), "{}", told(&output));
+}
+
+#[test]
 fn a_scene_file_that_changed_is_another_study() {
     let (folder, ..) = whole(STUDY);
     fs::write(folder.path().join("good.toml"), GOOD.replace("force = 1.0", "force = 2.0")).unwrap();

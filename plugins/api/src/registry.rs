@@ -63,6 +63,13 @@ pub struct Parameter {
     pub in_place_of: Option<&'static str>,
 }
 
+impl Parameter {
+    /// Whether its unit, in brackets at the end of the summary, is that of length.
+    pub fn is_length(&self) -> bool {
+        self.summary.ends_with("(length)")
+    }
+}
+
 /// The record beside each plugin.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PluginInfo {
@@ -145,7 +152,8 @@ macro_rules! register {
                 krate: env!("CARGO_PKG_NAME"),
             }
         }
-    };    (@values) => { $crate::Values::Unstated };
+    };
+    (@values) => { $crate::Values::Unstated };
     (@values $($values:tt)+) => { $crate::Values::$($values)+ };
     (@other) => { None };
     (@other $other:literal) => { Some($other) };

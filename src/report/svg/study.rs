@@ -12,7 +12,7 @@ use super::head::wrapped;
 use super::legend::Entry;
 use super::panel::Panel;
 use super::sheet::Sheet;
-use crate::study::{Plot, PlotKind, Study};
+use crate::study::{Place, Plot, PlotKind, Shown, Study};
 use gather::Groups;
 use serde_json::Value;
 
@@ -48,7 +48,7 @@ pub struct StudyFigure {
 
 /// A figure of a study as SVG (UTF-8), from the lines of its results in any order. Scenes that did not converge leave gaps,
 /// and a line under the title counts them; so it does with numbers that an axis in equal factors has no place for. The same
-/// results always give the same text.
+/// results always give the same text. Without a note, the values that all scenes shown are confined to stand under the title.
 ///
 /// Of the records only what is drawn is kept: of very many scenes a part, chosen by their numbers.
 pub fn study_svg(
@@ -64,11 +64,20 @@ pub fn study_svg(
         PlotKind::Map => map::draw(&groups, records),
     }?;
     let left_out = drawing.left_out.clone();
-    Ok(StudyFigure { svg: put_together(study, plot, drawing), left_out })
+    let note = plot.note.as_deref().map_or_else(|| kept(study, &shown), names::with_symbols);
+    Ok(StudyFigure { svg: put_together(study, plot, note, drawing), left_out })
+}
+
+/// The one value that each scene shown has in common where the study has several, unless a curve or a panel is called that.
+fn kept(study: &Study, shown: &Shown) -> String {
+    let is_named = |place: &Place| shown.family.iter().chain(&shown.panels).any(|named| named.axis == place.axis);
+    let values = shown.only.iter().filter(|(place, steps)| steps.len() == 1 && !is_named(place));
+    let names: Vec<String> = values.map(|(place, steps)| names::value(study, *place, steps[0], steps)).collect();
+    names.join(", ")
 }
 
 /// Title, panels in rows, and the legend under them.
-fn put_together(study: &Study, plot: &Plot, drawing: Drawing) -> String {
+fn put_together(study: &Study, plot: &Plot, note: String, drawing: Drawing) -> String {
     let title = plot.title.as_deref().or(study.title.as_deref()).map(names::with_symbols);
     let Drawing { panels, abreast, legend, scenes, failed, left_out } = drawing;
     let abreast = abreast.min(panels.len());
@@ -76,7 +85,7 @@ fn put_together(study: &Study, plot: &Plot, drawing: Drawing) -> String {
     let left_out = left_out.map(|text| wrapped(&text, ALARM * abreast, 2)).unwrap_or_default();
     Sheet {
         title: title.unwrap_or_else(|| "Study".into()),
-        notes: plot.note.iter().map(|note| names::with_symbols(note)).collect(),
+        notes: Some(note).into_iter().filter(|note| !note.is_empty()).collect(),
         alarm: failed.into_iter().chain(left_out.iter().map(|line| literal(line))).collect(),
         panels,
         abreast,

@@ -10,8 +10,8 @@ const MOST_STEPS: u64 = 1_000_000;
 
 impl Study {
     /// Steps of the axes that a figure is confined to.
-    pub(super) fn only(&self, plot: &Plot) -> Result<Vec<(usize, Vec<u64>)>, PlotFault> {
-        let mut only: Vec<(usize, Vec<u64>)> = Vec::new();
+    pub(super) fn only(&self, plot: &Plot) -> Result<Vec<(Place, Vec<u64>)>, PlotFault> {
+        let mut only: Vec<(Place, Vec<u64>)> = Vec::new();
         for (name, wanted) in &plot.only {
             let place = self.place(&["only", name], name)?;
             let wanted = wanted.as_array().map_or(std::slice::from_ref(wanted), Vec::as_slice);
@@ -21,14 +21,14 @@ impl Study {
             }
             steps.sort_unstable();
             steps.dedup();
-            if steps.is_empty() || only.iter().any(|other| other.0 == place.axis) {
+            if steps.is_empty() || only.iter().any(|other| other.0.axis == place.axis) {
                 return Err(PlotFault::new(
                     &["only", name],
                     "nothing to show",
                     "values of each axis once, at least one",
                 ));
             }
-            only.push((place.axis, steps));
+            only.push((place, steps));
         }
         Ok(only)
     }

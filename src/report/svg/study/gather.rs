@@ -108,7 +108,7 @@ impl<'a> Groups<'a> {
             return Err(FigureError::NotOfTheStudy(format!("{found}, where the study has {rows} scenes")));
         };
         let steps = self.study.steps(index);
-        if !self.shown.only.iter().all(|(axis, only)| only.contains(&steps[*axis])) {
+        if !self.shown.only.iter().all(|(place, only)| only.contains(&steps[place.axis])) {
             return Ok(None);
         }
         let among = |place: &Place, list: &[u64]| list.iter().position(|step| *step == steps[place.axis]);

@@ -243,6 +243,7 @@ fn tractions_have_a_curve_for_each_scene() {
     let svg = figure(&study, records(&study));
     assert_eq!(curves(&svg), 6, "three of the pressure, three of the shear");
     let found = texts(&svg);
+    assert!(found.contains(&"η = 0.3".to_owned()), "{found:?}");
     assert!(found.contains(&"pressure p / mean pressure".to_owned()), "{found:?}");
     let pressure = "kind = 'tractions'\ny = 'pressure'\nonly = { 'friction.coefficient' = 0.3 }\n";
     for (over, label) in [("modulus", "pressure p / surface modulus µ₁"), ("one", "pressure p (MPa)")] {
