@@ -3,6 +3,7 @@
 mod fit;
 mod rows;
 mod scatter;
+mod strays;
 #[cfg(test)]
 mod tests;
 
@@ -17,7 +18,7 @@ use slipzone_api::{Fault, Files, Positive, PunchProfile, PunchShape, Refusal, Va
 /// falls; fitted by least squares. Of 1, 2, 4, 8, 16 and 32 pieces, each with as many points as the others, it has the
 /// number with the smallest `N ln(S/N) + p ln N` (G. Schwarz, Ann. Stat. 6 (1978) 461), `S` the sum of squares left over
 /// from `N` points and `p` the number of coefficients; and a corner in the middle where that gains ten times as much as
-/// a coefficient has to. Time: linear in `N`.
+/// a coefficient has to. Rows far off all others have no part in it. Time: linear in `N`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(try_from = "Written", into = "Written")]
 pub struct Table {
@@ -103,7 +104,7 @@ impl Table {
 
     /// The points understood and fitted.
     fn understood(&self, files: &dyn Files) -> Result<Profile, Fault> {
-        let profile = Profile::fit(rows::of(&self.source, files)?, self.x_unit.get(), self.height_unit.get());
+        let profile = Profile::fit(&rows::of(&self.source, files)?, [self.x_unit.get(), self.height_unit.get()]);
         profile.map_err(|fault| self.source.fault(fault))
     }
 }

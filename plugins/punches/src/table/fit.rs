@@ -8,6 +8,7 @@
 
 use super::rows::Rows;
 use super::scatter;
+use super::strays::strays;
 use nalgebra::{DMatrix, DVector};
 use slipzone_api::{Fault, Flaw, PunchShape, short};
 
@@ -51,6 +52,8 @@ pub(super) struct Profile {
     corners: Vec<f64>,
     /// Ascending.
     flaws: Vec<Flaw>,
+    /// Where rows are that are no part of the shape; ascending.
+    strays: Vec<f64>,
     /// Each deeper than those before.
     sags: Vec<Sag>,
 }
@@ -121,6 +124,8 @@ struct Folded {
     /// The last distance from the middle, and the range of the heights, in the units of the rows.
     reach: f64,
     range: f64,
+    /// The height of the first point, in the unit of the rows: it counts as 0.
+    tip: f64,
     /// What rounding makes of the heights.
     rounding: f64,
     /// The last decimal to which all heights are given, in units of their range; 0 where they have more than are told apart.
@@ -132,10 +137,10 @@ impl Folded {
     ///
     /// # Errors
     /// When they are too few, too far from the middle, or all of one height.
-    fn new(rows: Rows, x_unit: f64, height_unit: f64) -> Result<Self, Fault> {
+    fn new(rows: &[[f64; 2]], [x_unit, height_unit]: [f64; 2]) -> Result<Self, Fault> {
         let count = rows.len();
         let mut points: Vec<Point> =
-            rows.into_iter().map(|[x, height]| Point { x: x.abs(), height, left: x < 0.0 }).collect();
+            rows.iter().map(|&[x, height]| Point { x: x.abs(), height, left: x < 0.0 }).collect();
         points.sort_by(|one, other| one.x.total_cmp(&other.x));
         let distances = 1 + points.windows(2).filter(|pair| pair[0].x < pair[1].x).count();
         let (Some(first), Some(last)) = (points.first().copied(), points.last().copied()) else {
@@ -172,11 +177,11 @@ impl Folded {
             *point = Point { x: point.x / last.x, height: (point.height - first.height) / range, left: point.left };
         }
         let rounding = 4.0 * f64::EPSILON * (1.0 + highest / range);
-        Ok(Self { points, distances, reach: last.x, range, rounding, decimal })
+        Ok(Self { points, distances, reach: last.x, tip: first.height, range, rounding, decimal })
     }
 
     /// That no convex curve through them rises.
-    fn never_rises(&self, x_unit: f64, height_unit: f64) -> Fault {
+    fn never_rises(&self, [x_unit, height_unit]: [f64; 2]) -> Fault {
         let Self { points, reach, range, .. } = self;
         let lowest =
             points.iter().fold(points[0], |lowest, next| if next.height < lowest.height { *next } else { lowest });
@@ -190,6 +195,60 @@ impl Folded {
             .found(found)
             .expected("heights that grow outwards from the middle, where the punch touches first")
             .hint("heights count away from the surface: change their sign if the rows count them the other way")
+    }
+}
+
+/// A table's points, and the curve that comes closest to them.
+pub(super) struct Fit {
+    folded: Folded,
+    /// In scaled units.
+    pieces: Vec<Piece>,
+    /// How many coefficients it has.
+    coefficients: usize,
+    /// The sum of squares that it leaves over, scaled.
+    left_over: f64,
+}
+
+impl Fit {
+    /// The fit of rows with ascending `x`, given in those units.
+    pub(super) fn new(rows: &[[f64; 2]], units: [f64; 2]) -> Result<Self, Fault> {
+        let folded = Folded::new(rows, units)?;
+        let (spline, left_over) = best(&folded.points, folded.distances, folded.rounding);
+        let pieces = spline.pieces();
+        let coefficients = 1 + usize::from(spline.corner > 0.0) + spline.bends.len();
+        Ok(Self { folded, pieces, coefficients, left_over })
+    }
+
+    /// Whether it does so outwards.
+    pub(super) fn rises(&self) -> bool {
+        self.pieces.last().is_some_and(|piece| piece.slope(1.0) > LEVEL)
+    }
+
+    /// How far a row is above it, in the unit of the rows.
+    pub(super) fn off(&self, [x, height]: [f64; 2]) -> f64 {
+        let Folded { reach, range, tip, .. } = &self.folded;
+        let x = x.abs() / reach;
+        height - (tip + range * at(&self.pieces, x).height(x))
+    }
+
+    /// The sum of squares that it leaves over, in the unit of the rows.
+    pub(super) fn left_over(&self) -> f64 {
+        self.left_over * self.folded.range * self.folded.range
+    }
+
+    /// What rounding makes of heights, and the last decimal to which they are given.
+    pub(super) fn rounding(&self) -> f64 {
+        self.folded.rounding * self.folded.range
+    }
+
+    pub(super) fn decimal(&self) -> f64 {
+        self.folded.decimal * self.folded.range
+    }
+
+    /// How many more points it has than coefficients; `None` where none.
+    pub(super) fn spare(&self) -> Option<f64> {
+        let spare = self.folded.points.len().checked_sub(self.coefficients).filter(|spare| *spare > 0)?;
+        Some(spare as f64)
     }
 }
 
@@ -213,26 +272,43 @@ impl Profile {
     ///
     /// # Errors
     /// When they are too few, too far from the middle, or do not rise from there.
-    pub(super) fn fit(rows: Rows, x_unit: f64, height_unit: f64) -> Result<Self, Fault> {
-        let folded = Folded::new(rows, x_unit, height_unit)?;
-        let Folded { points, distances, reach, range, rounding, decimal } = &folded;
-        let (spline, left_over) = best(points, *distances, *rounding);
-        let pieces = spline.pieces();
-        if pieces.last().is_none_or(|piece| piece.slope(1.0) <= LEVEL) {
-            return Err(folded.never_rises(x_unit, height_unit));
+    pub(super) fn fit(rows: &Rows, units @ [x_unit, height_unit]: [f64; 2]) -> Result<Self, Fault> {
+        let whole = Fit::new(rows, units)?;
+        let strays = strays(rows, &whole, units);
+        let fit = if strays.is_empty() {
+            whole
+        } else {
+            let kept = rows.iter().enumerate().filter(|(i, _)| !strays.contains(i));
+            Fit::new(&kept.map(|(_, row)| *row).collect::<Vec<_>>(), units)?
+        };
+        if !fit.rises() {
+            return Err(fit.folded.never_rises(units));
         }
+        let Fit { folded, pieces, left_over, .. } = fit;
+        let Folded { points, reach, range, rounding, decimal, .. } = folded;
         let fitted = |x: f64| at(&pieces, x).height(x);
         let residuals: Vec<f64> = points.iter().map(|point| point.height - fitted(point.x)).collect();
-        let flaws = scatter::flaws(points, &residuals, (*rounding, *decimal));
+        let flaws = scatter::flaws(&points, &residuals, (rounding, decimal));
         let (reach, rise) = (reach * x_unit, range * height_unit);
         let noise = (left_over / points.len() as f64).sqrt() * rise;
-        let sags = deepest(points, fitted).map(|Sag { from, at, depth }| Sag {
+        let sags = deepest(&points, fitted).map(|Sag { from, at, depth }| Sag {
             from: from * reach,
             at: at * reach,
             depth: depth * rise,
         });
-        let sags = sags.collect();
-        Ok(Self { sags, ..Self::in_units(&pieces, reach, rise, noise, flaws) })
+        let mut profile = Self { sags: sags.collect(), ..Self::in_units(&pieces, reach, rise, noise, flaws) };
+        profile.leave_out(strays.into_iter().map(|stray| rows[stray][0].abs() * x_unit));
+        Ok(profile)
+    }
+
+    /// Takes note of rows at those places that are no part of the shape.
+    fn leave_out(&mut self, strays: impl Iterator<Item = f64>) {
+        self.strays.extend(strays);
+        self.strays.sort_by(f64::total_cmp);
+        self.flaws.extend(
+            self.strays.iter().map(|x| Flaw { what: "a row of the punch's table is far off the others".into(), x: *x }),
+        );
+        self.flaws.sort_by(|one, other| one.x.total_cmp(&other.x));
     }
 
     fn in_units(pieces: &[Piece], reach: f64, rise: f64, noise: f64, mut flaws: Vec<Flaw>) -> Self {
@@ -258,7 +334,7 @@ impl Profile {
         }
         flaws.sort_by(|one, other| one.x.total_cmp(&other.x));
         let corners = if corner > 0.0 { vec![0.0] } else { Vec::new() };
-        Self { reach, pieces: scaled.collect(), noise, kinks, corners, flaws, sags: Vec::new() }
+        Self { reach, pieces: scaled.collect(), noise, kinks, corners, flaws, strays: Vec::new(), sags: Vec::new() }
     }
 }
 
@@ -521,10 +597,18 @@ impl PunchShape for Profile {
     }
 
     fn remarks(&self, half_width: f64) -> Vec<String> {
+        let strays = self.strays.first().map(|x| match self.strays.len() {
+            1 => format!("the row of the punch's table at |x| = {} is far off the others and left out", short(*x)),
+            count => {
+                format!(
+                    "{count} rows of the punch's table, the first at |x| = {}, are far off the others and left out",
+                    short(*x)
+                )
+            }
+        });
         let within = &self.sags[..self.sags.partition_point(|sag| sag.from < half_width)];
-        let Some(Sag { at, depth, .. }) = within.last() else { return Vec::new() };
-        let share = depth / self.height(half_width);
-        let told = (share > TOLD).then(|| {
+        let sag = within.last().map(|sag| (sag, sag.depth / self.height(half_width)));
+        let sparse = sag.filter(|(_, share)| *share > TOLD).map(|(Sag { at, .. }, share)| {
             let by =
                 if share < 1.0 { format!("up to {:.0} % of its height", 100.0 * share) } else { "more than its height".into() };
             format!(
@@ -533,6 +617,6 @@ impl PunchShape for Profile {
                 short(*at)
             )
         });
-        told.into_iter().collect()
+        strays.into_iter().chain(sparse).collect()
     }
 }

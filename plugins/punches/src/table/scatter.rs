@@ -11,7 +11,7 @@ use slipzone_api::Flaw;
 const BLOCKS: usize = 64;
 
 /// How many times its scatter something must be off to be no accident.
-const CERTAIN: f64 = 8.0;
+pub(super) const CERTAIN: f64 = 8.0;
 
 /// By how much more than that of a parabola a line between neighbours may be off.
 const ROOM: f64 = 4.0;
@@ -53,17 +53,23 @@ fn bent(points: &[Point], noise: f64, decimal: f64) -> Option<f64> {
             (mean(|point| point.x), mean(|point| point.height), count)
         })
         .collect();
-    // With their mirror images, so that heights that first fall stand out too.
-    let mirrored = blocks.iter().rev().filter(|(x, ..)| *x > 0.0).map(|(x, height, _)| (-x, *height));
-    let hull = hull(mirrored.chain(blocks.iter().map(|(x, height, _)| (*x, *height))));
-    let excess = |&(x, height, count): &(f64, f64, f64)| {
+    let heights: Vec<(f64, f64)> = blocks.iter().map(|(x, height, _)| (*x, *height)).collect();
+    let excess =
+        above_hull(&heights).zip(&blocks).map(|((x, above), (.., count))| (x, (above - decimal) * count.sqrt()));
+    let worst = excess.max_by(|one, other| one.1.total_cmp(&other.1));
+    worst.filter(|(_, excess)| *excess > CERTAIN * noise).map(|(x, _)| x)
+}
+
+/// How far points with ascending `x >= 0` are above the lower convex hull of them and their mirror images, which shows heights that first
+/// fall, too.
+pub(super) fn above_hull(points: &[(f64, f64)]) -> impl Iterator<Item = (f64, f64)> {
+    let mirrored = points.iter().rev().filter(|(x, _)| *x > 0.0).map(|(x, height)| (-x, *height));
+    let hull = hull(mirrored.chain(points.iter().copied()));
+    points.iter().map(move |&(x, height)| {
         let after = hull.partition_point(|(vertex, _)| *vertex < x).clamp(1, hull.len() - 1);
         let ((x0, h0), (x1, h1)) = (hull[after - 1], hull[after]);
-        let line = h0 + (h1 - h0) * ((x - x0) / (x1 - x0));
-        (x, (height - line - decimal) * count.sqrt())
-    };
-    let worst = blocks.iter().map(excess).max_by(|one, other| one.1.total_cmp(&other.1));
-    worst.filter(|(_, excess)| *excess > CERTAIN * noise).map(|(x, _)| x)
+        (x, height - (h0 + (h1 - h0) * ((x - x0) / (x1 - x0))))
+    })
 }
 
 /// The lower convex hull of points with ascending `x` (A. M. Andrew, Inf. Process. Lett. 9 (1979) 216).

@@ -158,6 +158,61 @@ fn what_is_neither_convex_nor_symmetric_is_named() {
     assert!(sparse.flaw(3.0).unwrap().what.contains("not convex"));
 }
 
+/// A lost decimal point bent the curve everywhere, and the scatter that it made hid it.
+#[test]
+fn a_row_far_off_the_others_is_left_out_and_named() {
+    for (noise, tolerated) in [(0.0, 1e-9), (1e-3, 1e-2)] {
+        for count in [9, 15, 41, 61, 66, 200, 1001] {
+            for (share, off) in [(0.7, 45.0), (0.3, -0.5), (0.7, 0.3), (0.4, 1e6), (0.0, 2.0), (0.5, -1e3)] {
+                let (mut scatter, mut places, stray) = (scatter(), 0.., (share * f64::from(count - 1)).round());
+                let rows = sampled(0.0, 4.0, count, |x| {
+                    let i: u32 = places.next().expect("endless");
+                    0.05 * x * x + noise * scatter() + if f64::from(i) == stray { off } else { 0.0 }
+                });
+                let name = format!("{noise}, {count} rows, {off} at {share}");
+                let at = 4.0 * (stray / f64::from(count - 1));
+                let Ok(profile) = Table::points(rows).understood(&slipzone_api::NoFiles) else {
+                    // Below all others.
+                    assert!(off < 0.0, "{name}");
+                    continue;
+                };
+                assert_eq!(
+                    profile.flaw(4.0).map(|flaw| (flaw.what.contains("far off"), flaw.x)),
+                    Some((true, at)),
+                    "{name}"
+                );
+                let worst = worst_slope(&profile, 4.0, |x| 0.1 * x);
+                assert!(worst < tolerated, "{name}: {worst}");
+                let remarks = profile.remarks(4.0);
+                assert!(remarks[0].starts_with("the row") && remarks[0].contains("left out"), "{name}: {remarks:?}");
+            }
+        }
+    }
+    // Several of them, one on the left.
+    let spikes = |i: u32| {
+        [(30, 0.5), (70, -0.2), (71, -0.2), (140, 1.0)].iter().find(|spike| spike.0 == i).map_or(0.0, |spike| spike.1)
+    };
+    let mut scatter = scatter();
+    let rows = sampled(-3.0, 3.0, 150, |x| 0.05 * x * x + 1e-3 * scatter());
+    let spiked = rows.iter().zip(0..).map(|(row, i)| [row[0], row[1] + spikes(i)]);
+    let profile = of_points(spiked);
+    assert!(profile.remarks(3.0)[0].starts_with("4 rows"), "{:?}", profile.remarks(3.0));
+}
+
+/// Noise has no strays, of however few rows, and whichever it is: this is how many of 3,000 tables had one.
+#[test]
+fn what_only_scatters_is_not_left_out() {
+    let mut scatter = scatter();
+    let mut strays = 0;
+    for table in 0..3000 {
+        let count = 5 + table % 60;
+        let rows = sampled(-1.0, 3.0, count, |x| 0.05 * x.abs().powf(1.5) + 0.02 * scatter());
+        let Ok(profile) = Table::points(rows).understood(&slipzone_api::NoFiles) else { continue };
+        strays += usize::from(profile.remarks(0.0).iter().any(|remark| remark.contains("far off")));
+    }
+    assert!(strays <= 3, "{strays}");
+}
+
 #[test]
 fn beyond_the_table_there_is_nothing() {
     let profile = of_points(sampled(0.0, 4.0, 50, |x| 0.05 * x * x));
