@@ -16,20 +16,20 @@ pub(super) fn run(arguments: &Chart) -> Result<Outcome, Failure> {
         if arguments.list {
             return list(maps.iter().map(|map| (map.name, map.about)));
         }
-        let folder = folder(arguments.out.as_deref(), "atlas")?;
+        let place = Place::new(arguments.out.as_deref(), "atlas", "cells.csv", maps.iter().map(|map| map.name))?;
         let bar = progress::bar(1, "cells");
         let sheets = atlas::run(&maps, effort, &|all| {
             bar.set_length(all as u64);
             bar.inc(1);
         });
         bar.finish_and_clear();
-        return finish(&folder, atlas_files(&sheets), &atlas::summary(&sheets), atlas::is_sound(&sheets));
+        return place.fill(of_atlas(&sheets), &atlas::summary(&sheets), atlas::is_sound(&sheets));
     }
     let scenes = named("scene of the charts", names, chart::ALL, |scene| scene.name)?;
     if arguments.list {
         return list(scenes.iter().map(|scene| (scene.name, scene.about)));
     }
-    let folder = folder(arguments.out.as_deref(), "chart")?;
+    let place = Place::new(arguments.out.as_deref(), "chart", "runs.csv", scenes.iter().map(|scene| scene.name))?;
     let bar = progress::bar(1, "solves");
     let charts = chart::run(&scenes, effort, &mut |progress| {
         bar.set_length(progress.all as u64);
@@ -37,7 +37,7 @@ pub(super) fn run(arguments: &Chart) -> Result<Outcome, Failure> {
         bar.set_message(format!(" ({})", progress.scene));
     });
     bar.finish_and_clear();
-    finish(&folder, chart_files(&charts), &chart::summary(&charts), chart::is_sound(&charts))
+    place.fill(of_charts(&charts), &chart::summary(&charts), chart::is_sound(&charts))
 }
 
 fn list(names: impl Iterator<Item = (&'static str, &'static str)> + Clone) -> Result<Outcome, Failure> {
@@ -47,44 +47,54 @@ fn list(names: impl Iterator<Item = (&'static str, &'static str)> + Clone) -> Re
     Ok(Outcome::Done)
 }
 
-/// Made before hours of work, so that it is known to be there.
-fn folder(out: Option<&Path>, default: &str) -> Result<PathBuf, Failure> {
-    if let Some(out) = out {
-        output::named("--out", out, "a folder called `-` is `./-`")?;
+/// Where the results go.
+struct Place {
+    folder: PathBuf,
+    /// A table, a page and a figure of each map or scene.
+    targets: Vec<Target>,
+}
+
+impl Place {
+    /// Made before hours of work, so that everything can be written after them.
+    fn new(
+        out: Option<&Path>,
+        default: &str,
+        table: &str,
+        names: impl Iterator<Item = &'static str>,
+    ) -> Result<Self, Failure> {
+        if let Some(out) = out {
+            output::named("--out", out, "a folder called `-` is `./-`")?;
+        }
+        let folder = out.map_or_else(|| PathBuf::from(default), Path::to_path_buf);
+        output::make_folder(&folder)?;
+        let figures = names.filter(|_| cfg!(feature = "plot")).map(|name| format!("{name}.svg"));
+        let files = [table, "index.html"].map(str::to_owned).into_iter().chain(figures);
+        let targets = files.map(|name| Target::new(&folder.join(name))).collect::<Result<_, _>>()?;
+        interrupt::say(|| "interrupted: nothing is written".into());
+        Ok(Self { folder, targets })
     }
-    let folder = out.map_or_else(|| PathBuf::from(default), Path::to_path_buf);
-    output::make_folder(&folder)?;
-    Target::new(&folder.join("index.html"))?;
-    interrupt::say(|| "interrupted: nothing is written".into());
-    Ok(folder)
+
+    /// Writes all files, and says what is in them.
+    fn fill(self, texts: Vec<String>, summary: &str, is_sound: bool) -> Result<Outcome, Failure> {
+        output::write(&self.targets.into_iter().zip(texts).collect::<Vec<_>>())?;
+        interrupt::be_silent();
+        print::result(&format!("{summary}{}: open index.html in a browser\n", self.folder.display()))?;
+        Ok(if is_sound { Outcome::Done } else { Outcome::ChecksFailed })
+    }
 }
 
-fn chart_files(charts: &[chart::Chart]) -> Vec<(String, String)> {
+fn of_charts(charts: &[chart::Chart]) -> Vec<String> {
     #[cfg_attr(not(feature = "plot"), allow(unused_mut))]
-    let mut files =
-        vec![("runs.csv".to_owned(), report::chart_csv(charts)), ("index.html".to_owned(), report::chart_html(charts))];
+    let mut texts = vec![report::chart_csv(charts), report::chart_html(charts)];
     #[cfg(feature = "plot")]
-    files.extend(charts.iter().map(|chart| (format!("{}.svg", chart.scene), report::chart_svg(chart))));
-    files
+    texts.extend(charts.iter().map(report::chart_svg));
+    texts
 }
 
-fn atlas_files(sheets: &[atlas::Sheet]) -> Vec<(String, String)> {
+fn of_atlas(sheets: &[atlas::Sheet]) -> Vec<String> {
     #[cfg_attr(not(feature = "plot"), allow(unused_mut))]
-    let mut files = vec![
-        ("cells.csv".to_owned(), report::atlas_csv(sheets)),
-        ("index.html".to_owned(), report::atlas_html(sheets)),
-    ];
+    let mut texts = vec![report::atlas_csv(sheets), report::atlas_html(sheets)];
     #[cfg(feature = "plot")]
-    files.extend(sheets.iter().map(|sheet| (format!("{}.svg", sheet.name), report::atlas_svg(sheet))));
-    files
-}
-
-/// Writes all files, and says what is in them.
-fn finish(folder: &Path, files: Vec<(String, String)>, summary: &str, is_sound: bool) -> Result<Outcome, Failure> {
-    let targets = files.into_iter().map(|(name, text)| Ok((Target::new(&folder.join(name))?, text)));
-    let targets = targets.collect::<Result<Vec<_>, Failure>>()?;
-    output::write(&targets)?;
-    interrupt::be_silent();
-    print::result(&format!("{summary}{}: open index.html in a browser\n", folder.display()))?;
-    Ok(if is_sound { Outcome::Done } else { Outcome::ChecksFailed })
+    texts.extend(sheets.iter().map(report::atlas_svg));
+    texts
 }

@@ -7,6 +7,7 @@ use super::output::{self, Target};
 use super::{Failure, Outcome, interrupt, print, progress};
 use slipzone::report::{self, StudyTable};
 use slipzone::study::{Study, sweep};
+use std::fs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -39,6 +40,9 @@ pub(super) fn run(arguments: &Sweep) -> Result<Outcome, Failure> {
     let figures =
         study.plots.iter().map(|plot| Target::new(&folder.join(&plot.file))).collect::<Result<Vec<_>, _>>()?;
     let mut journal = Journal::open(&folder.join(JOURNAL), &mut study, arguments.fresh)?;
+    if arguments.fresh {
+        discard(written.iter().filter(|path| !path.ends_with(JOURNAL)))?;
+    }
     solve(&study, &mut journal, &folder)?;
     write_results(&study, &journal, &table, &lines)?;
     #[cfg_attr(not(feature = "plot"), allow(unused_mut))]
@@ -48,6 +52,16 @@ pub(super) fn run(arguments: &Sweep) -> Result<Outcome, Failure> {
     let failed = journal.tally().failed;
     print::result(&summary(&study, &folder, &results, failed))?;
     Ok(if failed == 0 { Outcome::Done } else { Outcome::NotConverged })
+}
+
+/// Removes results that belong to no journal any more; links and devices stay.
+fn discard<'a>(mut results: impl Iterator<Item = &'a PathBuf>) -> Result<(), Failure> {
+    results.try_for_each(|path| match fs::symlink_metadata(path) {
+        Ok(found) if found.is_file() => {
+            fs::remove_file(path).map_err(|error| Failure::System(format!("cannot remove {}: {error}", path.display())))
+        }
+        _ => Ok(()),
+    })
 }
 
 /// Beside where it is called from, named after the study.

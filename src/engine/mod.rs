@@ -49,7 +49,6 @@ pub use work::budget::BUDGET;
 
 use crate::plan;
 use crate::scene::Scene;
-use problem::Problem;
 use rayon::prelude::*;
 use slipzone_api::Refusal;
 
@@ -79,11 +78,10 @@ pub fn refusal(scene: &Scene) -> Option<Refusal> {
     Solver::new(scene).map_or_else(Some, |solver| solver.would_refuse())
 }
 
-/// Which methods would solve a scene, and why.
+/// Which model and which methods would solve a scene, and why.
 pub fn plan(scene: &Scene) -> Plan {
-    let chosen = plan::choose(scene);
-    match Problem::new(&chosen.scene).map(|problem| solver::decided(chosen.clone(), problem)) {
-        Ok(Ok((chosen, ..))) => chosen.plan,
-        _ => chosen.plan,
+    match Solver::prepare(plan::choose(scene)) {
+        Ok(solver) => solver.planned(),
+        Err((_, chosen)) => chosen.plan,
     }
 }

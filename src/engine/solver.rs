@@ -87,6 +87,11 @@ impl Solver {
         told.err()
     }
 
+    /// How it would be solved.
+    pub(super) fn planned(&self) -> Plan {
+        self.in_closed_form().map_or_else(|| self.chosen.plan.clone(), |solution| solution.plan)
+    }
+
     /// Prepares another scene of the same layer, with all that is known of the layer already; refuses a scene
     /// of another layer, or one that asks for other methods.
     pub fn on(layer: Layer, scene: &Scene) -> Result<Self, Refusal> {

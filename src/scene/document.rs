@@ -4,6 +4,7 @@ use super::SceneError;
 use super::keys::KEYS;
 use slipzone_api::{Fault, Parameter, Place, Values, clip};
 use std::ops::Range;
+use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -113,7 +114,7 @@ impl<'a> Document<'a> {
             Place::Whole => self.error(span, fault.message),
             Place::Text(part) => self.error(self.within(&full, part).unwrap_or(span), fault.message),
             Place::File { name, line, text, span: part } => {
-                let error = SceneError::in_file(&name, line, &text, part, fault.message);
+                let error = SceneError::in_file(&self.beside(&name), line, &text, part, fault.message);
                 match &fault.hint {
                     // Of a scene without places the caller knows better.
                     _ if self.text.is_empty() => error,
@@ -131,6 +132,11 @@ impl<'a> Document<'a> {
             Some(hint) if error.hint.is_none() => error.hint(hint),
             _ => error,
         }
+    }
+
+    /// What to call a file that it names, relative to its own folder, where it is called by its own name.
+    pub(crate) fn beside(&self, file: &str) -> String {
+        Path::new(self.name).with_file_name(file).display().to_string()
     }
 
     /// Where a part of a text value stands; `None` where it is written with escapes, so that places differ.

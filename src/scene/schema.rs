@@ -11,7 +11,7 @@ use slipzone_api::{Family, Grading, MODERATE, Parameter, PluginInfo, Values, plu
 ///
 /// ```
 /// let schema = slipzone::scene::schema();
-/// assert_eq!(schema["properties"]["layer"]["properties"]["thickness"]["exclusiveMinimum"], 0.0);
+/// assert_eq!(schema["properties"]["layer"]["properties"]["thickness"]["minimum"], 1e-100);
 /// ```
 pub fn schema() -> Value {
     crate::link_plugins();
@@ -91,7 +91,8 @@ fn describe(key: &Parameter) -> Value {
     schema
 }
 
-/// The largest number that is computed with.
+/// The smallest and the largest number that is computed with.
+const SMALLEST: f64 = *MODERATE.start();
 const LARGEST: f64 = *MODERATE.end();
 
 /// The schema of what a key may hold.
@@ -99,8 +100,8 @@ fn of(values: Values) -> Value {
     match values {
         Values::Unstated => json!({}),
         Values::Number => json!({ "type": "number", "minimum": -LARGEST, "maximum": LARGEST }),
-        Values::Positive => json!({ "type": "number", "exclusiveMinimum": 0.0, "maximum": LARGEST }),
-        Values::UpTo(most) => json!({ "type": "number", "exclusiveMinimum": 0.0, "maximum": most }),
+        Values::Positive => json!({ "type": "number", "minimum": SMALLEST, "maximum": LARGEST }),
+        Values::UpTo(most) => json!({ "type": "number", "minimum": SMALLEST, "maximum": most }),
         Values::Poisson => json!({ "type": "number", "exclusiveMinimum": -1.0, "maximum": 0.5 }),
         Values::Between(least, most) => json!({ "type": "number", "minimum": least, "maximum": most }),
         Values::Whole(least, most) if least == most => json!({ "const": least }),

@@ -118,9 +118,10 @@ fn base_file(document: &Document, files: &dyn Files) -> Result<(Option<(String, 
                     "a scene file, named relative to the study's folder (from standard input: to the current one)",
                 )
             })?;
-            let text = crate::scene::text(name, bytes)?;
+            let called = document.beside(name);
+            let text = crate::scene::text(&called, bytes)?;
             let folder = Path::new(name.as_ref()).parent().unwrap_or(Path::new("")).to_path_buf();
-            Ok((Some((name.to_string(), text)), folder))
+            Ok((Some((called, text)), folder))
         }
         Some(DeValue::Table(_)) => Ok((None, PathBuf::new())),
         _ => Err(decode::wrong_type(document, &path, "the name of a scene file, or a table [scene]")),

@@ -39,6 +39,19 @@ fn a_scene_is_charted_by_every_method() {
     assert_eq!(addresses.count(), 0);
 }
 
+/// Before minutes of work, not after them.
+#[test]
+fn a_chart_that_cannot_be_written_is_not_begun() {
+    for (kind, taken) in [(&["chart", "easy"][..], "easy.svg"), (&["chart", "--atlas"][..], "cells.csv")] {
+        let folder = folder();
+        fs::create_dir(folder.path().join(taken)).unwrap();
+        let out = run(folder.path(), kind.iter().chain(&["--out", "."]));
+        assert_eq!(out.status.code(), Some(3), "{}", told(&out));
+        assert!(told(&out).contains(taken), "{}", told(&out));
+        assert_eq!(files(folder.path()).len(), 2, "nothing beside what was there");
+    }
+}
+
 #[test]
 fn the_atlas_has_a_reason_for_each_black_cell() {
     let folder = folder();

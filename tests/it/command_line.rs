@@ -89,6 +89,24 @@ fn explain_says_that_a_stiffening_half_plane_has_depths() {
     let output = feed(folder.path(), &["explain", "-"], include_bytes!("../../examples/layer_infinite.toml"));
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains("stiffens: the indentation is counted from far below"), "{text}");
+    let softening = GOOD
+        .replace("thickness = 5.0", "base = { type = \"infinite\" }")
+        .replace("surface = 1.0, base = 8.0", "surface = 1.0, gradient = -0.1");
+    let output = feed(folder.path(), &["explain", "-"], softening.as_bytes());
+    assert!(told(&output).contains("for ever and softens: it bears no load"), "{}", told(&output));
+}
+
+/// Decided where the layer is known, not where methods are chosen.
+#[test]
+fn explain_tells_the_model_that_solves() {
+    let folder = folder();
+    let thin = GOOD
+        .replace("type = \"flat\"\nhalf_width = 1.0", "type = \"cylinder\"\nradius = 1e5")
+        .replace("[friction]\ntype = \"goodman\"\ncoefficient = 0.3\n", "")
+        .replace("force = 1.0", "half_width = 1e4")
+        + "[solver]\ntolerance = 1e-2\n[output]\nquantities = [\"load\"]\n";
+    let output = feed(folder.path(), &["explain", "-"], thin.as_bytes());
+    assert!(told(&output).contains("no kernel and no system is needed"), "{}", told(&output));
 }
 
 #[cfg(feature = "plot")]
@@ -254,6 +272,10 @@ fn explain_draws_what_there_is() {
     let svg = fs::read_to_string(folder.path().join("layer.svg")).unwrap_or_else(|_| panic!("{}", told(&output)));
     assert!(svg.contains("wave number s<"), "{svg}");
     assert!(!svg.contains("depth"), "{svg}");
+    let against_datum = homogeneous.replace("poisson = 0.3", "poisson = 0.3\ndatum = 10.0");
+    let output = feed(folder.path(), &["explain", "-", "--svg", "layer.svg"], against_datum.as_bytes());
+    let svg = fs::read_to_string(folder.path().join("layer.svg")).unwrap_or_else(|_| panic!("{}", told(&output)));
+    assert!(svg.contains("wave number × depth of the datum"), "{svg}");
 }
 
 #[cfg(feature = "plot")]

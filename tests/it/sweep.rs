@@ -161,8 +161,10 @@ fn a_killed_sweep_loses_no_finished_scene() {
 #[test]
 fn an_interrupted_sweep_says_how_far_it_came() {
     let folder = folder_with(&STUDY.replace("count = 20", "count = 2000"));
+    fs::create_dir(folder.path().join("out")).unwrap();
+    fs::write(folder.path().join("out/results.csv"), "of a journal thrown away").unwrap();
     let mut child = program(folder.path())
-        .args(["sweep", "study.toml", "--out", "out"])
+        .args(["sweep", "study.toml", "--out", "out", "--fresh"])
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
@@ -727,6 +729,50 @@ fn no_axis_changes_what_a_question_looks_for() {
         );
         let error = Study::parse("study.toml", &text, &Beside).unwrap_err();
         assert!(error.message.contains("an axis sets the field") || field == "layer", "{error}");
+    }
+}
+
+/// An unknown key within a value is no wrong field; a field in a section that the scene has not is.
+#[test]
+fn what_is_wrong_with_a_value_is_marked_there() {
+    let values = "format = 1\nscene = \"good.toml\"\n[[axes]]\nfield = \"layer.grading\"\nvalues = [\n  \
+                  { type = \"homogeneous\", modulus = 1.0 },\n  { type = \"homogeneous\", moduluss = 2.0 },\n]\n";
+    let error = Study::parse("study.toml", values, &Beside).unwrap_err();
+    assert!(error.line == 7 && error.message.contains("unknown key `moduluss`"), "{error}");
+    let find = "format = 1\nscene = { format = 1, layer = { thickness = 5.0, poisson = 0.3, grading = { type = \"homogeneous\", \
+                modulus = 1.0 } }, punch = { type = \"flat\", half_width = 1.0 }, load = { force = 1.0 } }\n[find]\nfrom = 0.1\n\
+                to = 1.0\nfield = \"friction.coefficient\"\nquantity = \"stick.ratio\"\ntarget = 0.9\n";
+    let error = Study::parse("study.toml", find, &Beside).unwrap_err();
+    assert_eq!(
+        (error.line, error.hint.as_deref()),
+        (6, Some("the scene has no [friction]: give it one with all its keys")),
+        "{error}"
+    );
+}
+
+/// From the current folder the file is to be found by the name that the complaint has for it.
+#[test]
+fn files_are_called_by_where_they_are() {
+    let folder = crate::run::folder();
+    let scene = GOOD
+        .replace("type = \"flat\"\nhalf_width = 1.0", "type = \"table\"\nfile = \"data/g.csv\"")
+        .replace("force = 1.0", "half_width = 1.0");
+    fs::create_dir_all(folder.path().join("study/scenes/data")).unwrap();
+    let write = |name: &str, text: &str| fs::write(folder.path().join("study").join(name), text).unwrap();
+    write(
+        "st.toml",
+        "format = 1\nscene = \"scenes/s.toml\"\n[[axes]]\nfield = \"layer.thickness\"\nvalues = [4.0, 5.0]\n",
+    );
+    write("scenes/s.toml", &scene);
+    write("scenes/data/g.csv", "x, height\n0, 0\n1, zero\n");
+    for arguments in [&["sweep", "study/st.toml", "--out", "out"][..], &["solve", "study/scenes/s.toml"][..]] {
+        let output = run(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(2));
+        let told = told(&output);
+        assert!(
+            told.contains("--> study/scenes/data/g.csv:3:4") && told.contains("study/scenes/s.toml, line"),
+            "{told}"
+        );
     }
 }
 

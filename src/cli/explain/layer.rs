@@ -109,7 +109,11 @@ fn base(text: &mut String, scene: &Scene) -> Result {
         Base::HalfPlane { .. } => ("bonded to an elastic half-plane", true),
         Base::Infinite => ("none, the solid goes on for ever", true),
     };
+    let softens = scene.layer.law().is_ok_and(|law| law.exponent().is_some_and(|gradient| gradient < 0.0));
     match (moves, scene.layer.datum) {
+        (true, _) if scene.layer.base == Base::Infinite && softens => {
+            writeln!(text, "# base         {what} and softens: it bears no load")
+        }
         (false, _) => writeln!(text, "# base         {what}: the indentation is counted from it"),
         (true, None) if scene.layer.has_depths() => {
             writeln!(text, "# base         {what} and stiffens: the indentation is counted from far below")

@@ -135,8 +135,10 @@ fn constants(scene: &Scene, profile: &DepthProfile) -> Vec<Panel> {
 
 /// Flexibilities over the wave number.
 fn answer(scene: &Scene, profile: &FlexibilityProfile) -> Panel {
+    let is_graded = scene.layer.law().is_ok_and(|law| law.exponent() != Some(0.0));
     let name = match (scene.layer.length(), scene.layer.base) {
-        (Ok(Some(_)), Base::Infinite) => "wave number s / |γ|",
+        (Ok(Some(_)), Base::Infinite) if is_graded => "wave number s / |γ|",
+        (Ok(Some(_)), Base::Infinite) => "wave number × depth of the datum",
         (Ok(Some(_)), _) => "wave number × thickness, s h",
         _ => "wave number s",
     };

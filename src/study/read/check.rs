@@ -40,7 +40,7 @@ pub(super) fn check_values(document: &Document, study: &Study, files: &dyn Files
                 }
                 let index = step.to_string();
                 match &column.values {
-                    _ if is_of_field(&error) => place.push("field"),
+                    _ if is_of_field(&error, &column.field) => place.push("field"),
                     Values::Listed(_) => place.extend(["values", index.as_str()]),
                     _ => {
                         let key = ["linear", "log"].into_iter().find(|key| {
@@ -82,15 +82,27 @@ fn check_end(
         let place: Vec<&str> = of_fields.chain(["field"]).collect();
         return Err(of_whole_numbers(document, &place, &column.field));
     }
-    let rest = if is_of_field(&error) { vec!["field"] } else { vec![scale, key] };
+    let rest = if is_of_field(&error, &column.field) { vec!["field"] } else { vec![scale, key] };
     let place: Vec<&str> = of_fields.chain(rest).collect();
     Err(placed(document, study, &place, &error, &format!("`{}`", column.field)))
 }
 
-/// Whether it is the field that is wrong, and not its value.
-fn is_of_field(error: &SceneError) -> bool {
-    let starts = ["unknown key", "unknown section", "the scene has no place"];
-    starts.iter().any(|start| error.message.starts_with(start))
+/// Whether it is the field that is wrong, and not its value: keys may be unknown within that, too.
+fn is_of_field(error: &SceneError, field: &str) -> bool {
+    let message = &error.message;
+    let first = field.split('.').next().unwrap_or(field);
+    message.starts_with("the scene has no place")
+        || message.starts_with(&format!("unknown key `{first}`"))
+        || message.starts_with(&format!("unknown section [{first}]"))
+        || around(error, field, "unknown key").is_some()
+        || around(error, field, "missing key").is_some()
+}
+
+/// The section around a field in which other keys are missing, because the scene has none, or unknown.
+fn around<'a>(error: &SceneError, field: &'a str, what: &str) -> Option<&'a str> {
+    let mut sections = field.match_indices('.').map(|(end, _)| &field[..end]);
+    let SceneError { message, .. } = error;
+    sections.find(|section| message.starts_with(what) && message.ends_with(&format!("in [{section}]")))
 }
 
 /// Whether a field takes whole numbers only.
@@ -148,8 +160,11 @@ fn otherwise(error: &SceneError, field: &str) -> Option<String> {
     if let Some((table, "type")) = field.rsplit_once('.') {
         return Some(format!("other keys go with it: field = \"{table}\", values = [{{ type = ... }}, ...]"));
     }
+    if let Some(section) = around(error, field, "missing key") {
+        return Some(format!("the scene has no [{section}]: give it one with all its keys"));
+    }
     match Asked::named(field) {
-        _ if !is_of_field(error) => None,
+        _ if !is_of_field(error, field) => None,
         Some(_) => Some("that is of the result: [[plots]] show it, [find] looks for a value of it".into()),
         None if field.contains('.') => None,
         None => Some("a field is a path from the top of the scene, such as `friction.coefficient`".into()),
@@ -185,7 +200,7 @@ pub(super) fn check_find(document: &Document, study: &Study, files: &dyn Files) 
             if wants_whole(&error) {
                 return Err(of_whole_numbers(document, &["find", "field"], &find.field));
             }
-            let key = if is_of_field(&error) { "field" } else { key };
+            let key = if is_of_field(&error, &find.field) { "field" } else { key };
             return Err(placed(document, study, &["find", key], &error, &format!("`{}`", find.field)));
         }
     }
