@@ -85,6 +85,7 @@ fn short_numbers(line: &str) -> String {
 
 /// Constants that the theory is written in.
 fn derived(text: &mut String, scene: &Scene) -> std::fmt::Result {
+    let [length, stress] = scene.units.names();
     writeln!(text, "\n# What follows from it.")?;
     match scene.layer.model() {
         Ok(model) => {
@@ -92,13 +93,13 @@ fn derived(text: &mut String, scene: &Scene) -> std::fmt::Result {
             writeln!(text, "# kappa    = {}", exactly(elastic.kappa))?;
             writeln!(text, "# beta     = {}", exactly(elastic.beta()))?;
             writeln!(text, "# A0 mu1   = {}", exactly(elastic.a0()))?;
-            writeln!(text, "# mu1      = {}  (stress)", exactly(model.surface_shear))?;
-            writeln!(text, "# A0       = {}  (1/stress)", exactly(elastic.a0() / model.surface_shear))?;
+            writeln!(text, "# mu1      = {}  ({stress})", exactly(model.surface_shear))?;
+            writeln!(text, "# A0       = {}  (1/{stress})", exactly(elastic.a0() / model.surface_shear))?;
             match model.exponent() {
                 // In the unit of length that the model has of its own.
                 Some(gamma) if scene.layer.base == Base::Infinite => {
-                    let length = scene.layer.length().ok().flatten().unwrap_or(1.0);
-                    writeln!(text, "# gamma    = {}  (1/length)", exactly(gamma / length))?;
+                    let natural = scene.layer.length().ok().flatten().unwrap_or(1.0);
+                    writeln!(text, "# gamma    = {}  (1/{length})", exactly(gamma / natural))?;
                 }
                 Some(gamma) => writeln!(text, "# gamma h  = {}", exactly(gamma))?,
                 None => {}
@@ -116,7 +117,7 @@ fn derived(text: &mut String, scene: &Scene) -> std::fmt::Result {
     };
     match (half_width, scene.layer.thickness.map(Positive::get)) {
         (Some(b), Some(h)) => writeln!(text, "# h/b      = {}", exactly(h / b)),
-        (Some(b), None) => writeln!(text, "# b        = {}  (length)", exactly(b)),
+        (Some(b), None) => writeln!(text, "# b        = {}  ({length})", exactly(b)),
         (None, _) => writeln!(text, "# b          grows with the load"),
     }
 }

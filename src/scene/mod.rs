@@ -334,3 +334,10 @@ pub struct Units {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stress: Option<String>,
 }
+
+impl Units {
+    /// The unit of lengths and that of stresses, or these words where they have no label.
+    pub fn names(&self) -> [&str; 2] {
+        [self.length.as_deref().unwrap_or("length"), self.stress.as_deref().unwrap_or("stress")]
+    }
+}

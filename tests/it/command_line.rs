@@ -94,6 +94,11 @@ fn explain_says_that_a_stiffening_half_plane_has_depths() {
         .replace("surface = 1.0, base = 8.0", "surface = 1.0, gradient = -0.1");
     let output = feed(folder.path(), &["explain", "-"], softening.as_bytes());
     assert!(told(&output).contains("for ever and softens: it bears no load"), "{}", told(&output));
+    let named = softening + "[units]\nlength = \"um\"\nstress = \"GPa\"\n";
+    let named = told(&feed(folder.path(), &["explain", "-"], named.as_bytes()));
+    for unit in ["gamma    = -0.1  (1/um)", "A0       = 0.7  (1/GPa)", "b        = 1  (um)"] {
+        assert!(named.contains(unit), "{unit} in {named}");
+    }
 }
 
 /// Decided where the layer is known, not where methods are chosen.

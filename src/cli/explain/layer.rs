@@ -13,6 +13,7 @@ const TERMS: usize = 32;
 const SAME: f64 = 1e-12;
 
 pub(super) fn write(text: &mut String, scene: &Scene, known: &Known) -> Result {
+    let [unit_of_length, _] = scene.units.names();
     writeln!(text, "\n# The layer.")?;
     match &known.depths {
         Ok(Some(profile)) => constants(text, scene, profile)?,
@@ -27,7 +28,7 @@ pub(super) fn write(text: &mut String, scene: &Scene, known: &Known) -> Result {
         Ok(response) => match response.depth() {
             Some(depth) => {
                 let (deep, unit) = match scene.layer.length() {
-                    Ok(Some(length)) => (depth * length, "length"),
+                    Ok(Some(length)) => (depth * length, unit_of_length),
                     _ => (depth, "natural length"),
                 };
                 let deep = exactly(deep);
@@ -54,6 +55,7 @@ fn constants(text: &mut String, scene: &Scene, profile: &DepthProfile) -> Result
         1 => writeln!(text, "# made of      {stretches}")?,
         several => writeln!(text, "# made of      {several} sublayers, {stretches}")?,
     }
+    let [_, stress] = scene.units.names();
     let kind = match scene.layer.moduli {
         Moduli::Shear => "shear modulus",
         Moduli::Young => "Young's modulus",
@@ -63,12 +65,12 @@ fn constants(text: &mut String, scene: &Scene, profile: &DepthProfile) -> Result
     if most - least > SAME * most {
         writeln!(
             text,
-            "# modulus      {} to {}  ({kind}, stress){shown}",
+            "# modulus      {} to {}  ({kind}, {stress}){shown}",
             free_of_roundings(least),
             free_of_roundings(most)
         )?;
     } else {
-        writeln!(text, "# modulus      {} everywhere  ({kind}, stress)", free_of_roundings(least))?;
+        writeln!(text, "# modulus      {} everywhere  ({kind}, {stress})", free_of_roundings(least))?;
     }
     let (least, most) = profile.poisson_range();
     if most - least > SAME {
@@ -119,9 +121,10 @@ fn base(text: &mut String, scene: &Scene) -> Result {
             writeln!(text, "# base         {what} and stiffens: the indentation is counted from far below")
         }
         (true, Some(datum)) => {
+            let [length, _] = scene.units.names();
             writeln!(
                 text,
-                "# base         {what}: the indentation is counted from depth {}  (length)",
+                "# base         {what}: the indentation is counted from depth {}  ({length})",
                 exactly(datum.get())
             )
         }
