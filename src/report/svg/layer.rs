@@ -1,11 +1,12 @@
 //! A layer before anything is solved: elastic constants over depth, and how its surface answers.
 
-mod panel;
+mod landmarks;
 
 use super::FigureError;
 use super::canvas::{SIZE, place};
 use super::head::{Head, titled};
 use super::legend::Entry;
+use super::panel::{Curve, Panel};
 use super::scale::Scale;
 use crate::engine::{DepthProfile, FlexibilityProfile};
 use crate::report::labels::Labels;
@@ -13,7 +14,7 @@ use crate::report::scene_line::{GREEK, layer_parts};
 use crate::scene::Scene;
 use kuva::backend::svg::SvgBackend;
 use kuva::render::render::Scene as Canvas;
-use panel::Panel;
+use landmarks::{Landmarks, Strip};
 use slipzone_api::{Base, Moduli};
 
 const MODULUS: Entry = Entry::line("modulus", "#1f4e8c", 2.4, "none");
@@ -55,12 +56,13 @@ pub fn layer_svg(
     let parts = layer_parts(scene, None, &GREEK);
     let head = Head::new(&titled(scene.title.as_deref(), "Layer"), &parts, &[], columns.len());
     let mut figure = Canvas::new(SIZE.0 * columns.len() as f64, head.height + HEIGHT);
-    for (index, panel) in columns.iter().enumerate() {
-        let margin = panel.iter().map(Panel::margin).fold(0.0, f64::max);
-        for panel in panel {
-            let name = format!("frame{index}{}", if panel.place.1 > 0.0 { "below" } else { "" });
-            let at = (SIZE.0 * index as f64 + panel.place.0, head.height + panel.place.1);
+    for (index, panels) in columns.iter().enumerate() {
+        let margin = panels.iter().map(Panel::margin).fold(0.0, f64::max);
+        let (mut name, mut at) = (format!("frame{index}"), (SIZE.0 * index as f64, head.height));
+        for panel in panels {
             place(&mut figure, panel.draw(margin), &name, at);
+            at.1 += panel.height;
+            name += "below";
         }
     }
     figure.elements.extend(head.lines);
@@ -86,27 +88,23 @@ fn constants(scene: &Scene, profile: &DepthProfile) -> Vec<Panel> {
     let depth = |y: f64| y / x.unit;
     let end = depth(bottom);
     x.most = if base.is_some() { end * (1.0 + BASE) } else { end };
-    let curve = |values: &[f64], unit: f64, below: Option<f64>| -> Vec<(f64, f64)> {
+    let over_depth = |values: &[f64], unit: f64, below: Option<f64>| -> Vec<(f64, f64)> {
         let inside = profile.depth.iter().zip(values).map(|(y, value)| (y / x.unit, value / unit));
         let below = below.into_iter().flat_map(|value| [end, x.most].map(|y| (y, value / unit)));
         inside.chain(below).collect()
     };
     let within =
         |(least, most): (f64, f64), other: Option<f64>| other.map_or((least, most), |v| (least.min(v), most.max(v)));
-    let panel = |y: Scale, entry: Entry, points: Vec<(f64, f64)>| Panel {
-        x: x.clone(),
-        y,
-        curves: vec![(entry, points)],
-        interfaces: profile
-            .interfaces
-            .iter()
-            .map(|y| depth(*y))
-            .filter(|_| profile.interfaces.len() <= MOST_INTERFACES)
-            .collect(),
-        limits: Vec::new(),
-        base: base.map(|name| (end, name)),
-        place: (0.0, 0.0),
-        size: (SIZE.0, HEIGHT),
+    let interfaces = profile.interfaces.iter().filter(|_| profile.interfaces.len() <= MOST_INTERFACES);
+    let interfaces: Vec<f64> = interfaces.map(|y| depth(*y)).collect();
+    let panel = |y: Scale, entry: Entry, points: Vec<(f64, f64)>| {
+        // Where the line of a half-plane's modulus does not cross it.
+        let line = points.last().filter(|point| point.0 > end);
+        let at_top = line.is_some_and(|point| y.place(point.1) < 0.5);
+        let base = base.map(|name| Strip { from: end, name, at_top });
+        let ground = Box::new(Landmarks { interfaces: interfaces.clone(), limits: Vec::new(), base });
+        let curves = vec![curve(&entry, points, &y)];
+        Panel { ground, height: HEIGHT, legend: Some(Vec::new()), ..Panel::new(x.clone(), y, curves) }
     };
     let mut panels = Vec::new();
     let (least, most) = within(profile.modulus_range(), substrate.map(|base| base.0));
@@ -116,7 +114,7 @@ fn constants(scene: &Scene, profile: &DepthProfile) -> Vec<Panel> {
         Scale::up_to(most, name, &labels.stress)
     };
     if let Some(y) = y {
-        let points = curve(&profile.modulus, y.unit, substrate.map(|base| base.0));
+        let points = over_depth(&profile.modulus, y.unit, substrate.map(|base| base.0));
         panels.push(panel(y, MODULUS, points));
     }
     let (least, most) = within(profile.poisson_range(), substrate.map(|base| base.1));
@@ -124,11 +122,11 @@ fn constants(scene: &Scene, profile: &DepthProfile) -> Vec<Panel> {
         && let Some(y) = Scale::around(least, most, "Poisson's ratio ν", 3.0)
     {
         for upper in &mut panels {
-            upper.size.1 = HEIGHT - LOWER;
+            (upper.height, upper.legend) = (HEIGHT - LOWER, None);
             upper.x.label = String::new();
         }
-        let points = curve(&profile.poisson, 1.0, substrate.map(|base| base.1));
-        panels.push(Panel { place: (0.0, HEIGHT - LOWER), size: (SIZE.0, LOWER), ..panel(y, POISSON, points) });
+        let points = over_depth(&profile.poisson, 1.0, substrate.map(|base| base.1));
+        panels.push(Panel { height: LOWER, ..panel(y, POISSON, points) });
     }
     panels
 }
@@ -142,10 +140,10 @@ fn answer(scene: &Scene, profile: &FlexibilityProfile) -> Panel {
     };
     let waves = &profile.wave_numbers;
     let (longest, shortest) = (waves.first().copied().unwrap_or(0.1), waves.last().copied().unwrap_or(10.0));
-    let curve = |entry: fn(&slipzone_api::SurfaceFlexibility) -> f64| -> Vec<(f64, f64)> {
+    let over_waves = |entry: fn(&slipzone_api::SurfaceFlexibility) -> f64| -> Vec<(f64, f64)> {
         waves.iter().copied().zip(profile.flexibilities.iter().map(entry)).collect()
     };
-    let (normal, shear, coupling) = (curve(|f| f.vv), curve(|f| f.uu), curve(|f| -f.uv));
+    let (normal, shear, coupling) = (over_waves(|f| f.vv), over_waves(|f| f.uu), over_waves(|f| -f.uv));
     let all = || [&normal, &shear, &coupling].into_iter().flatten().map(|point| point.1);
     let (least, most) = (all().fold(0.0, f64::min), all().fold(1.0, f64::max));
     let called = "scaled flexibility of the surface";
@@ -167,16 +165,18 @@ fn answer(scene: &Scene, profile: &FlexibilityProfile) -> Panel {
     let apart = (y.place(1.0) - y.place(profile.beta)).abs() > 0.04;
     let names = if apart { ["1", "β"] } else { ["1, β", ""] };
     let limits = [(1.0, names[0].to_owned()), (profile.beta, names[1].to_owned())];
-    Panel {
-        x: Scale::logarithmic(longest, shortest, name, ""),
-        limits: limits.into_iter().filter(|limit| y.holds(limit.0)).collect(),
-        y,
-        curves: vec![(NORMAL, normal), (SHEAR, shear), (entry, coupling)],
-        interfaces: Vec::new(),
-        base: None,
-        place: (0.0, 0.0),
-        size: (SIZE.0, HEIGHT),
-    }
+    let limits = limits.into_iter().filter(|limit| y.holds(limit.0)).collect();
+    let ground = Box::new(Landmarks { interfaces: Vec::new(), limits, base: None });
+    let curves = [(&NORMAL, normal), (&SHEAR, shear), (&entry, coupling)];
+    let curves = curves.map(|(entry, points)| curve(entry, points, &y)).into();
+    let legend = Some(vec![NORMAL, SHEAR, entry]);
+    Panel { ground, height: HEIGHT, legend, ..Panel::new(Scale::logarithmic(longest, shortest, name, ""), y, curves) }
+}
+
+/// What of the points has a place on the axis: on a logarithmic one only what is positive.
+fn curve(entry: &Entry, points: Vec<(f64, f64)>, y: &Scale) -> Curve {
+    let stretches = vec![points.into_iter().filter(|point| !y.is_logarithmic() || point.1 > 0.0).collect()];
+    Curve { style: entry.style, stretches, marks: Vec::new() }
 }
 
 /// What is left out at the bottom of a logarithmic axis, over its largest number.

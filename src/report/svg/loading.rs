@@ -64,7 +64,7 @@ fn traces(solution: &Solution, curve: &Curve) -> [(Vec<Trace>, &'static str); 2]
 fn panel(traces: &[Trace], name: &str, force: &Scale, labels: &Labels) -> Option<Panel> {
     let x = Scale::up_to(traces.iter().map(Trace::widest).reduce(f64::max)?, name, &labels.length)?;
     let curves = traces.iter().map(|trace| trace.curve(x.unit, force.unit)).collect();
-    Some(Panel { name: String::new(), x, y: force.clone(), curves, ground: None })
+    Some(Panel::new(x, force.clone(), curves))
 }
 
 #[cfg(test)]

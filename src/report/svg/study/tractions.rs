@@ -84,7 +84,7 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
                 marks: Vec::new(),
             };
             let curves = plot.lines.iter().enumerate().map(level).chain(drawn).collect();
-            panels.push(Panel { name: groups.panel_name(panel), x: x.clone(), y: y.clone(), curves, ground: None });
+            panels.push(Panel { name: groups.panel_name(panel), ..Panel::new(x.clone(), y.clone(), curves) });
         }
     }
     let few = profiles.iter().any(|profile| profile.few && !profile.violated);
