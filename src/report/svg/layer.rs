@@ -3,17 +3,15 @@
 mod landmarks;
 
 use super::FigureError;
-use super::canvas::{SIZE, place};
-use super::head::{Head, titled};
+use super::head::titled;
 use super::legend::Entry;
 use super::panel::{Curve, Panel};
 use super::scale::Scale;
+use super::sheet::Sheet;
 use crate::engine::{DepthProfile, FlexibilityProfile};
 use crate::report::labels::Labels;
 use crate::report::scene_line::{GREEK, layer_parts};
 use crate::scene::Scene;
-use kuva::backend::svg::SvgBackend;
-use kuva::render::render::Scene as Canvas;
 use landmarks::{Landmarks, Strip};
 use slipzone_api::{Base, Moduli};
 
@@ -46,34 +44,27 @@ pub fn layer_svg(
     depths: Option<&DepthProfile>,
     flexibility: Option<&FlexibilityProfile>,
 ) -> Result<String, FigureError> {
-    let mut columns: Vec<Vec<Panel>> = Vec::new();
-    columns.extend(depths.map(|depths| constants(scene, depths)));
-    columns.extend(flexibility.map(|flexibility| vec![answer(scene, flexibility)]));
-    columns.retain(|column| !column.is_empty());
-    if columns.is_empty() {
+    let depths = depths.and_then(|depths| constants(scene, depths));
+    let panels: Vec<Panel> = depths.into_iter().chain(flexibility.map(|of_waves| answer(scene, of_waves))).collect();
+    if panels.is_empty() {
         return Err(FigureError::NoLayer);
     }
-    let parts = layer_parts(scene, None, &GREEK);
-    let head = Head::new(&titled(scene.title.as_deref(), "Layer"), &parts, &[], columns.len());
-    let mut figure = Canvas::new(SIZE.0 * columns.len() as f64, head.height + HEIGHT);
-    for (index, panels) in columns.iter().enumerate() {
-        let margin = panels.iter().map(Panel::margin).fold(0.0, f64::max);
-        let (mut name, mut at) = (format!("frame{index}"), (SIZE.0 * index as f64, head.height));
-        for panel in panels {
-            place(&mut figure, panel.draw(margin), &name, at);
-            at.1 += panel.height;
-            name += "below";
-        }
+    Ok(Sheet {
+        title: titled(scene.title.as_deref(), "Layer"),
+        notes: layer_parts(scene, None, &GREEK),
+        alarm: Vec::new(),
+        abreast: panels.len(),
+        panels,
+        legend: Vec::new(),
     }
-    figure.elements.extend(head.lines);
-    Ok(SvgBackend::new().with_pretty(true).render_scene(&figure))
+    .draw())
 }
 
 /// Modulus over depth, and Poisson's ratio below it where it varies.
-fn constants(scene: &Scene, profile: &DepthProfile) -> Vec<Panel> {
+fn constants(scene: &Scene, profile: &DepthProfile) -> Option<Panel> {
     let labels = Labels::new(&scene.units);
-    let (Some(&bottom), layer) = (profile.depth.last(), &scene.layer) else { return Vec::new() };
-    let Some(mut x) = Scale::up_to(bottom, "depth y", &labels.length) else { return Vec::new() };
+    let (bottom, layer) = (*profile.depth.last()?, &scene.layer);
+    let mut x = Scale::up_to(bottom, "depth y", &labels.length)?;
     let base = match layer.base {
         Base::Rigid => Some("rigid base"),
         Base::Frictionless => Some("rigid, no friction"),
@@ -106,29 +97,27 @@ fn constants(scene: &Scene, profile: &DepthProfile) -> Vec<Panel> {
         let curves = vec![curve(&entry, points, &y)];
         Panel { ground, height: HEIGHT, legend: Some(Vec::new()), ..Panel::new(x.clone(), y, curves) }
     };
-    let mut panels = Vec::new();
     let (least, most) = within(profile.modulus_range(), substrate.map(|base| base.0));
     let y = if most > WIDE * least {
         Some(Scale::logarithmic(least / 1.5, most * 1.5, name, &labels.stress))
     } else {
         Scale::up_to(most, name, &labels.stress)
     };
-    if let Some(y) = y {
+    let modulus = y.map(|y| {
         let points = over_depth(&profile.modulus, y.unit, substrate.map(|base| base.0));
-        panels.push(panel(y, MODULUS, points));
-    }
+        panel(y, MODULUS, points)
+    });
     let (least, most) = within(profile.poisson_range(), substrate.map(|base| base.1));
-    if most - least > SAME
-        && let Some(y) = Scale::around(least, most, "Poisson's ratio ν", 3.0)
-    {
-        for upper in &mut panels {
-            (upper.height, upper.legend) = (HEIGHT - LOWER, None);
+    let y = Scale::around(least, most, "Poisson's ratio ν", 3.0).filter(|_| most - least > SAME);
+    let poisson = y.map(|y| panel(y, POISSON, over_depth(&profile.poisson, 1.0, substrate.map(|base| base.1))));
+    match (modulus, poisson) {
+        (Some(mut upper), Some(lower)) => {
             upper.x.label = String::new();
+            let lower = Some(Box::new(Panel { height: LOWER, ..lower }));
+            Some(Panel { height: HEIGHT - LOWER, lower, legend: None, ..upper })
         }
-        let points = over_depth(&profile.poisson, 1.0, substrate.map(|base| base.1));
-        panels.push(Panel { height: LOWER, ..panel(y, POISSON, points) });
+        (modulus, poisson) => modulus.or(poisson),
     }
-    panels
 }
 
 /// Flexibilities over the wave number.

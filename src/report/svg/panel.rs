@@ -9,7 +9,7 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Scene, render_multiple};
 
 /// Height of most panels, px; all are as wide as the figure of the tractions.
-pub(super) const PANEL: f64 = 400.0;
+const PANEL: f64 = 400.0;
 /// Points up to which each is marked: a curve through few says where they are.
 pub(super) const MARKED: usize = 24;
 
@@ -24,6 +24,8 @@ pub(super) struct Panel {
     pub(super) ground: Box<dyn Ground>,
     /// Height, px.
     pub(super) height: f64,
+    /// One that stands under it.
+    pub(super) lower: Option<Box<Panel>>,
     /// Of its own under the frame; without entries room for one, so that the frame ends with those beside it.
     pub(super) legend: Option<Vec<Entry>>,
 }
@@ -59,7 +61,12 @@ pub(super) trait Ground {
 impl Panel {
     /// Curves on a grid, without a name.
     pub(super) fn new(x: Scale, y: Scale, curves: Vec<Curve>) -> Self {
-        Self { name: String::new(), x, y, curves, ground: Box::new(Plain), height: PANEL, legend: None }
+        Self { name: String::new(), x, y, curves, ground: Box::new(Plain), height: PANEL, lower: None, legend: None }
+    }
+
+    /// This one and those under it.
+    pub(super) fn column(&self) -> impl Iterator<Item = &Self> {
+        std::iter::successors(Some(self), |panel| panel.lower.as_deref())
     }
 
     fn plain_layout(&self) -> Layout {
