@@ -174,6 +174,7 @@ const SMALLEST: f64 = 1e-7;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::svg::texts;
     use slipzone_api::SurfaceFlexibility;
 
     /// A layer on a base, whose constants and flexibilities the tests make by hand.
@@ -214,15 +215,10 @@ mod tests {
         FlexibilityProfile { flexibilities: wave_numbers.iter().map(|s| one(*s)).collect(), wave_numbers, beta: 0.3 }
     }
 
-    /// All text of a figure; fails on what is no XML.
-    fn texts(svg: &str) -> Vec<String> {
-        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
-        let document = roxmltree::Document::parse(svg).expect("well-formed XML");
-        document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).map(Into::into).collect()
-    }
-
     fn figure(layer: &str, depths: Option<&DepthProfile>, flexibility: Option<&FlexibilityProfile>) -> String {
-        layer_svg(&scene(layer), depths, flexibility).expect("a figure")
+        let svg = layer_svg(&scene(layer), depths, flexibility).expect("a figure");
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+        svg
     }
 
     /// How often a text stands in a figure.

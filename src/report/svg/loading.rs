@@ -72,12 +72,7 @@ mod tests {
     use super::*;
     use crate::engine::Status;
     use crate::report::samples;
-
-    /// All text of a figure; fails on what is no XML.
-    fn texts(svg: &str) -> Vec<String> {
-        let document = roxmltree::Document::parse(svg).expect("well-formed XML");
-        document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).map(Into::into).collect()
-    }
+    use crate::report::svg::texts;
 
     /// The column of a curve that has it.
     fn column(column: &mut Option<Vec<Option<f64>>>) -> &mut Vec<Option<f64>> {

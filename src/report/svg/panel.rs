@@ -24,7 +24,7 @@ pub(super) struct Panel {
     pub(super) ground: Box<dyn Ground>,
     /// Height, px.
     pub(super) height: f64,
-    /// One that stands under it.
+    /// One that stands right under it.
     pub(super) lower: Option<Box<Panel>>,
     /// Of its own under the frame; without entries room for one, so that the frame ends with those beside it.
     pub(super) legend: Option<Vec<Entry>>,
@@ -75,7 +75,7 @@ impl Panel {
         y.beside(x.below(layout.with_y_label_wrap(40)))
     }
 
-    /// Room that the numbers beside the frame take, px: panels one over the other share the larger.
+    /// Room that the numbers beside the frame take, px: the panels of a figure share the largest.
     pub(super) fn margin(&self) -> f64 {
         self.y.margin(&self.plain_layout())
     }

@@ -212,7 +212,7 @@ fn thinned_marks(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
 }
 
 /// Lines across the figure.
-fn levels(groups: &Groups, x: &Scale, y: &Scale) -> Vec<Curve> {
+pub(super) fn levels(groups: &Groups, x: &Scale, y: &Scale) -> Vec<Curve> {
     let level = |(index, line): (usize, &crate::study::Line)| Curve {
         style: Style::level(index),
         stretches: vec![vec![(x.least, line.y / y.unit), (x.most, line.y / y.unit)]],
