@@ -191,9 +191,14 @@ impl Growing {
         (numbers, pressure)
     }
 
+    /// Mean pressure.
+    fn mean(&self) -> f64 {
+        self.force / (2.0 * self.half_width)
+    }
+
     /// The pressure at [`Traces::AT`] over its mean.
     fn pressure_traced(&mut self, problem: &Problem, normal: &Normal) -> [f64; Traces::AT.len()] {
-        let mean = self.force / (2.0 * self.half_width);
+        let mean = self.mean();
         let mut pressure = [0.0; Traces::AT.len()];
         self.pressure_into(problem, normal, &Traces::stations(self.half_width), &mut pressure);
         pressure.map(|p| p / mean)

@@ -66,3 +66,10 @@ fn with_numbers(solution: &Solution) -> Result<(), FigureError> {
     }
     first_not_finite(solution).map_or(Ok(()), |found| Err(FigureError::NotFinite(found)))
 }
+
+/// All text of a figure; fails on what is no XML.
+#[cfg(test)]
+fn texts(svg: &str) -> Vec<String> {
+    let document = roxmltree::Document::parse(svg).expect("well-formed XML");
+    document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).map(Into::into).collect()
+}

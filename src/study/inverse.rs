@@ -3,6 +3,8 @@
 //! The range is looked over in steps first, so that every crossing wider than a step is seen; then the crossing is closed in
 //! upon between two steps, always bracketed (Alefeld, Potra, Shi, ACM TOMS algorithm 748), a least value by Brent's method.
 
+mod reasons;
+
 use super::Study;
 use super::find::{Find, Wanted};
 use super::record::{Found, Record};
@@ -13,7 +15,7 @@ use crate::scene::{Asked, Load, Replacement, Scene};
 use basin::{
     BoxBounds, Brent, ConstraintDescription, ConstraintSet, Constraints, CostFunction, Executor, PointState, RootError,
 };
-use slipzone_api::{Base, rounded, short};
+use slipzone_api::Base;
 
 /// Steps in which a range is looked over.
 const STEPS: u32 = 24;
@@ -25,8 +27,6 @@ const BESIDE: f64 = 1e-3;
 const JUMP: f64 = 0.01;
 /// Part of the way between two places to within which a root is told at least, for a jump to show.
 const NEAR: f64 = JUMP * JUMP;
-/// Digits of a number in a reason.
-const DIGITS: usize = 7;
 /// Iterations of a search that has a bracket.
 const MOST: u64 = 100;
 
@@ -153,40 +153,9 @@ impl Question<'_> {
         let least = points.iter().fold(f64::INFINITY, |least, point| least.min(point.number + point.error));
         // How far a half-plane is off may well be nothing anywhere: that is told as such.
         if most <= least && !matches!(self.find.wanted, Wanted::HalfPlaneWithin(_)) {
-            let Find { field, quantity, from, to, .. } = self.find;
-            let untold = self.untold(&gaps);
-            return Err(format!(
-                "{quantity} does not depend on {field}: from {from:?} to {to:?} it changes by less than its error{untold}"
-            ));
+            return Err(self.constant() + &self.untold(&gaps));
         }
         Ok(Seen { points, gaps })
-    }
-
-    /// What a reason adds where a part of the range could not be told.
-    fn untold(&self, gaps: &[(f64, String)]) -> String {
-        let (Some((first, why)), Some((last, why_last))) = (gaps.first(), gaps.last()) else { return String::new() };
-        let field = &self.find.field;
-        let steps = f64::from(STEPS);
-        let is_one_stretch = (last - first) * steps < gaps.len() as f64 - 0.5;
-        let value = |at: f64| short(self.value(at));
-        match (*first <= 0.0, *last >= 1.0) {
-            (false, true) if is_one_stretch => {
-                format!("; from {field} = {} on it could not be told: {why}", value(*first))
-            }
-            (true, false) if is_one_stretch => {
-                format!("; up to {field} = {} it could not be told: {why_last}", value(*last))
-            }
-            _ => {
-                let (count, all) = (gaps.len(), STEPS + 1);
-                let first = value(*first);
-                format!("; at {count} of {all} values it could not be told, the first of them {field} = {first}: {why}")
-            }
-        }
-    }
-
-    /// A reason with the value of the field that it is about.
-    fn placed(&self, at: f64, why: &str) -> String {
-        format!("{} = {:?}: {why}", self.find.field, self.value(at))
     }
 
     /// The error of the excess.
@@ -230,10 +199,7 @@ impl Question<'_> {
         if matches!(self.find.wanted, Wanted::HalfPlaneWithin(_))
             && points.last().is_none_or(|p| p.excess > 0.0 || p.at < 1.0)
         {
-            let Find { field, quantity, to, .. } = self.find;
-            return Err(format!(
-                "{quantity} is not within what is wanted at the end of the range, {field} = {to:?}, or cannot be told there"
-            ));
+            return Err(self.outside_at_end());
         }
         Ok(found)
     }
@@ -244,13 +210,7 @@ impl Question<'_> {
         let is_flat = |pair: &&[Point]| counts(pair) && pair.iter().all(Point::may_be_hit);
         let mut flat = points.windows(2).filter(is_flat);
         let Some(first) = flat.next() else { return Ok(()) };
-        let [from, to] = [first[0].at, flat.next_back().unwrap_or(first)[1].at].map(|at| short(self.value(at)));
-        let Find { field, quantity, .. } = self.find;
-        let instead = if quantity == "stick.ratio" { "; ask for `stick.one_minus_ratio`" } else { "" };
-        let number = rounded(first[0].number, DIGITS);
-        Err(format!(
-            "{quantity} is {number} within its error for {field} from {from} to {to}: it tells no value{instead}"
-        ))
+        Err(self.plateau(first[0].number, first[0].at, flat.next_back().unwrap_or(first)[1].at))
     }
 
     /// The roots between places at which the excess has two signs.
@@ -270,38 +230,11 @@ impl Question<'_> {
             if left.abs() > JUMP * (other.1 - one.1).abs()
                 && left.abs() > self.excess_error(&self.solution(value, true)?)
             {
-                let Find { field, quantity, .. } = self.find;
-                return Err(format!("{quantity} jumps over what is wanted at {field} = {}", short(value)));
+                return Err(self.jump(value));
             }
             Ok((at, by_slope(pair)))
         };
         pairs.filter(crosses).map(closed_in).collect()
-    }
-
-    /// That the number is nowhere as wanted, in words.
-    fn missed(&self, points: &[Point]) -> String {
-        let Find { field, quantity, from, to, .. } = self.find;
-        let range = format!("for {field} from {from:?} to {to:?}");
-        let ends = |number: fn(&Point) -> f64| {
-            let numbers = || points.iter().map(number);
-            (numbers().fold(f64::INFINITY, f64::min), numbers().fold(f64::NEG_INFINITY, f64::max))
-        };
-        match self.find.wanted {
-            Wanted::HalfPlaneWithin(share) => {
-                let (least, most) = ends(|point| point.excess);
-                let side = if most < 0.0 { "never further" } else { "never nearer" };
-                let off = if most < 0.0 { share + most } else { share + least };
-                format!("{quantity} is {side} than {off:.3e} from that of the half-plane {range}; wanted is {share:?}")
-            }
-            Wanted::Target(target) => {
-                let (least, most) = ends(|point| point.number);
-                let (least, most, count) = (rounded(least, DIGITS), rounded(most, DIGITS), points.len());
-                format!(
-                    "{quantity} stays between {least} and {most} at the {count} values tried {range}; wanted is {target:?}"
-                )
-            }
-            Wanted::Minimum | Wanted::Maximum => unreachable!("no crossing is looked for"),
-        }
     }
 
     /// Where the number is least, over the range taken as 0 to 1.
@@ -324,7 +257,7 @@ impl Question<'_> {
         // A value that falls to the very end of what can be solved has its least there, where Brent's method does not look.
         let inside = (*found.param(), found.cost());
         let (at, excess) = seen.chain(ends).chain([inside]).min_by(lower_of).unwrap_or(inside);
-        self.is_surrounded(at, excess)?;
+        self.is_surrounded(points, (at, excess))?;
         // Between the steps may be some that could not be solved.
         let slope = |one: &Point, other: &Point| (other.excess - one.excess) / (other.at - one.at);
         let half = 0.5 * (around[2].at - around[0].at);
@@ -349,23 +282,20 @@ impl Question<'_> {
         told
     }
 
-    /// Refuses a least value beside which nothing can be solved: the number may go on falling there.
-    fn is_surrounded(&self, at: f64, excess: f64) -> Result<(), String> {
-        for beside in [at - BESIDE, at + BESIDE] {
-            let beside = beside.clamp(0.0, 1.0);
-            let Err(why) = self.excess(beside) else { continue };
-            let Find { field, quantity, wanted, .. } = self.find;
-            let (extreme, number) = match wanted {
-                Wanted::Maximum => ("largest", -excess),
-                _ => ("least", excess),
-            };
-            let value = short(self.value(at));
-            return Err(format!(
-                "{quantity} is {extreme}, {number:.6e}, at {field} = {value}, where what can be solved ends: {}",
-                self.placed(beside, &why)
-            ));
+    /// Refuses a least value beside which nothing can be solved, as the number may go on falling there, and one that is the same beside:
+    /// it is rounded, to nothing or to a whole.
+    fn is_surrounded(&self, points: &[Point], (at, excess): Place) -> Result<(), String> {
+        let [lower, upper] = [(at - BESIDE).max(0.0), (at + BESIDE).min(1.0)];
+        let beside =
+            |beside| self.excess(beside).map_err(|why| self.at_end_of_solved(at, excess) + &self.placed(beside, &why));
+        let beside = [(lower, beside(lower)?), (upper, beside(upper)?)];
+        let is_same = |there: &Place| there.1.to_bits() == excess.to_bits();
+        if !beside.iter().any(|there| there.0 != at && is_same(there)) {
+            return Ok(());
         }
-        Ok(())
+        let same = points.iter().map(Point::place).chain(beside).filter(is_same).map(|there| there.0);
+        let (from, to) = same.fold((at, at), |(from, to), at| (at.min(from), at.max(to)));
+        Err(self.plateau(self.number_of(excess), from, to))
     }
 
     fn by_factors(&self) -> bool {

@@ -916,6 +916,21 @@ fn a_number_that_rounds_to_what_is_wanted_answers_nothing() {
 }
 
 /// The edge of a flat punch on a half-plane is `1/pi`: layers come to within their errors of it from one thickness on, and none is the answer.
+/// Least and largest values that are the same over a stretch were answered with some value in it and an error of nothing.
+#[test]
+fn a_least_number_that_rounds_answers_nothing() {
+    for (quantity, wanted, number) in [("stick.one_minus_ratio", "minimum", "0"), ("stick.ratio", "maximum", "1")] {
+        let find = format!(
+            "field = \"friction.coefficient\"\nfrom = 0.01\nto = 1000\nquantity = \"{quantity}\"\n{wanted} = true"
+        );
+        let record = found(GOOD, &find);
+        assert_eq!(record["status"], "refused", "{record}");
+        let reason = record["reason"].as_str().unwrap();
+        assert!(reason.starts_with(&format!("{quantity} is {number} within its error")), "{reason}");
+        assert!(reason.contains(" to 1000: it tells no value"), "{reason}");
+    }
+}
+
 #[test]
 fn a_limit_that_a_number_comes_to_answers_nothing() {
     let scene =

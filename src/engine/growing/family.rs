@@ -11,7 +11,7 @@ mod stacked;
 mod told;
 
 use super::blend::{Blend, Term};
-use super::sheet::{END, Sheet};
+use super::sheet::END;
 use crate::engine::contact::Contact;
 use crate::engine::friction::rubbing::Rubbing;
 use crate::engine::friction::stick_search::{FrictionCurve, Root};
@@ -81,8 +81,6 @@ pub(crate) struct Family {
     /// Kernel lengths in its widest half-width.
     kernel_lengths: f64,
     pressed: Pressed,
-    /// The pressures times `sqrt(1 - (x/b')^2)` at any place; made when first asked for.
-    pressure_at: Option<Sheet>,
     on_half_plane: HalfPlaneDepth,
     /// Where a datum is what depths are counted from.
     depths: Option<Depths>,
@@ -194,7 +192,6 @@ impl Family {
             accuracy: task.wanted.accuracy,
             kernel_lengths,
             pressed: Pressed::new(blend(task.problem, ends, pressed, OF_PRESSURE)?),
-            pressure_at: None,
             on_half_plane: HalfPlaneDepth::new(task.problem.layer.datum, task.problem.elastic.beta()),
             depths: None,
             end_of_shear: END,

@@ -34,7 +34,7 @@ impl Growing {
         }
         // The pressure has a trace of its own.
         let (friction, sliding) = (family.signed_friction(), family.lacking_to());
-        let mean = self.force / (2.0 * b);
+        let mean = self.mean();
         let lack = TRACED.map(|part| self.lack(problem, b, part * zone.half_width) / mean);
         let inner = ShearTrace::NEAR_MIDDLE.map(|part| self.lack(problem, b, part * zone.half_width) / mean);
         let own = |part: f64| Station { x: part * zone.half_width, gap: (1.0 - part) * zone.half_width };
@@ -58,7 +58,7 @@ impl Growing {
     ) -> [f64; N] {
         let mut pressure = [0.0; N];
         self.pressure_into(problem, normal, &at, &mut pressure);
-        let mean = self.force / (2.0 * self.half_width);
+        let mean = self.mean();
         let sliding = self.family.as_ref().filter(|_| self.broken.is_none()).map_or(0.0, Family::lacking_to);
         std::array::from_fn(|i| sliding * pressure[i] / mean - lack[i])
     }

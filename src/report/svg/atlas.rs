@@ -8,6 +8,7 @@ use crate::chart::atlas::{Axis, Cell, Sheet};
 use crate::report::number::typeset;
 use kuva::render::color::Color;
 use kuva::render::layout::ComputedLayout;
+use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 
 /// Viridis in nine steps of one and a half digits: readable in grey, and for eyes that do not tell red from green.
@@ -25,10 +26,8 @@ pub fn atlas_svg(sheet: &Sheet) -> String {
     let (x, y) = (scale(sheet.x, 7), scale(sheet.y, 30));
     let panel = |mapped: &crate::chart::atlas::Mapped| Panel {
         name: mapped.method.clone(),
-        x: x.clone(),
-        y: y.clone(),
-        curves: Vec::new(),
-        ground: Some(Box::new(Cells { columns: sheet.x.values.len(), cells: mapped.cells.clone() })),
+        ground: Box::new(Cells { columns: sheet.x.values.len(), cells: mapped.cells.clone() }),
+        ..Panel::new(x.clone(), y.clone(), Vec::new())
     };
     let wrong = |is_default: bool| {
         sheet
@@ -99,15 +98,14 @@ impl Ground for Cells {
         96.0
     }
 
-    fn covers(&self) -> bool {
-        true
+    /// None to be seen.
+    fn rules(&self, _: &Scale, _: &Scale) -> Vec<Plot> {
+        Vec::new()
     }
 
     fn draw(&self, scene: &mut Scene, computed: &ComputedLayout, x: &Scale, y: &Scale) {
-        let (left, top) = (computed.margin_left, computed.margin_top);
-        let (frame_width, frame_height) = (computed.plot_width(), computed.plot_height());
-        let across = |edge: f64| left + frame_width * x.place(edge);
-        let up = |edge: f64| top + frame_height * (1.0 - y.place(edge));
+        let across = |edge: f64| x.across(computed, edge);
+        let up = |edge: f64| y.up(computed, edge);
         for (index, cell) in self.cells.iter().enumerate() {
             let (column, row) = ((index % self.columns) as f64, (index / self.columns) as f64);
             let (x1, x2) = (across(column - 0.5), across(column + 0.5));
@@ -122,7 +120,7 @@ impl Ground for Cells {
                 scene.add(Primitive::Circle { cx, cy, r: 2.2, fill, fill_opacity: None, stroke, stroke_width });
             }
         }
-        bar(scene, left + frame_width + 14.0, top, frame_height);
+        bar(scene, computed);
     }
 }
 
@@ -138,7 +136,9 @@ fn stripes(x: f64, y: f64, width: f64, height: f64) -> Primitive {
 }
 
 /// The colours with their digits.
-fn bar(scene: &mut Scene, left: f64, top: f64, height: f64) {
+fn bar(scene: &mut Scene, computed: &ComputedLayout) {
+    let left = computed.margin_left + computed.plot_width() + 14.0;
+    let (top, height) = (computed.margin_top, computed.plot_height());
     let part = height / STEPS.len() as f64;
     for (index, color) in STEPS.into_iter().enumerate() {
         let y = top + height - part * (index + 1) as f64;

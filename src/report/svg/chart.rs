@@ -145,7 +145,7 @@ fn panel(chart: &Chart, methods: &[String], runs: &[&Run], measured: Measured, o
         lines: FAILURES.map(|(name, ended, at)| (name, at / y.unit, counts(chart, methods, ended))).into(),
         wrong,
     };
-    Panel { name: measured.name().into(), x, y, curves, ground: Some(Box::new(ground)) }
+    Panel { name: measured.name().into(), ground: Box::new(ground), ..Panel::new(x, y, curves) }
 }
 
 /// How many runs of each method ended like that.
@@ -179,14 +179,6 @@ struct Strips {
 }
 
 impl Ground for Strips {
-    fn room(&self) -> f64 {
-        0.0
-    }
-
-    fn covers(&self) -> bool {
-        false
-    }
-
     fn draw(&self, scene: &mut Scene, computed: &ComputedLayout, _: &Scale, y: &Scale) {
         let (left, width) = (computed.margin_left, computed.plot_width());
         let shade = |from: f64, to: f64, color: &str| {

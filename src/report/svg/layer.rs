@@ -1,19 +1,18 @@
 //! A layer before anything is solved: elastic constants over depth, and how its surface answers.
 
-mod panel;
+mod landmarks;
 
 use super::FigureError;
-use super::canvas::{SIZE, place};
-use super::head::{Head, titled};
+use super::head::titled;
 use super::legend::Entry;
+use super::panel::{Curve, Panel};
 use super::scale::Scale;
+use super::sheet::Sheet;
 use crate::engine::{DepthProfile, FlexibilityProfile};
 use crate::report::labels::Labels;
 use crate::report::scene_line::{GREEK, layer_parts};
 use crate::scene::Scene;
-use kuva::backend::svg::SvgBackend;
-use kuva::render::render::Scene as Canvas;
-use panel::Panel;
+use landmarks::{Landmarks, Strip};
 use slipzone_api::{Base, Moduli};
 
 const MODULUS: Entry = Entry::line("modulus", "#1f4e8c", 2.4, "none");
@@ -45,33 +44,27 @@ pub fn layer_svg(
     depths: Option<&DepthProfile>,
     flexibility: Option<&FlexibilityProfile>,
 ) -> Result<String, FigureError> {
-    let mut columns: Vec<Vec<Panel>> = Vec::new();
-    columns.extend(depths.map(|depths| constants(scene, depths)));
-    columns.extend(flexibility.map(|flexibility| vec![answer(scene, flexibility)]));
-    columns.retain(|column| !column.is_empty());
-    if columns.is_empty() {
+    let depths = depths.and_then(|depths| constants(scene, depths));
+    let panels: Vec<Panel> = depths.into_iter().chain(flexibility.map(|of_waves| answer(scene, of_waves))).collect();
+    if panels.is_empty() {
         return Err(FigureError::NoLayer);
     }
-    let parts = layer_parts(scene, None, &GREEK);
-    let head = Head::new(&titled(scene.title.as_deref(), "Layer"), &parts, &[], columns.len());
-    let mut figure = Canvas::new(SIZE.0 * columns.len() as f64, head.height + HEIGHT);
-    for (index, panel) in columns.iter().enumerate() {
-        let margin = panel.iter().map(Panel::margin).fold(0.0, f64::max);
-        for panel in panel {
-            let name = format!("frame{index}{}", if panel.place.1 > 0.0 { "below" } else { "" });
-            let at = (SIZE.0 * index as f64 + panel.place.0, head.height + panel.place.1);
-            place(&mut figure, panel.draw(margin), &name, at);
-        }
+    Ok(Sheet {
+        title: titled(scene.title.as_deref(), "Layer"),
+        notes: layer_parts(scene, None, &GREEK),
+        alarm: Vec::new(),
+        abreast: panels.len(),
+        panels,
+        legend: Vec::new(),
     }
-    figure.elements.extend(head.lines);
-    Ok(SvgBackend::new().with_pretty(true).render_scene(&figure))
+    .draw())
 }
 
 /// Modulus over depth, and Poisson's ratio below it where it varies.
-fn constants(scene: &Scene, profile: &DepthProfile) -> Vec<Panel> {
+fn constants(scene: &Scene, profile: &DepthProfile) -> Option<Panel> {
     let labels = Labels::new(&scene.units);
-    let (Some(&bottom), layer) = (profile.depth.last(), &scene.layer) else { return Vec::new() };
-    let Some(mut x) = Scale::up_to(bottom, "depth y", &labels.length) else { return Vec::new() };
+    let (bottom, layer) = (*profile.depth.last()?, &scene.layer);
+    let mut x = Scale::up_to(bottom, "depth y", &labels.length)?;
     let base = match layer.base {
         Base::Rigid => Some("rigid base"),
         Base::Frictionless => Some("rigid, no friction"),
@@ -86,51 +79,45 @@ fn constants(scene: &Scene, profile: &DepthProfile) -> Vec<Panel> {
     let depth = |y: f64| y / x.unit;
     let end = depth(bottom);
     x.most = if base.is_some() { end * (1.0 + BASE) } else { end };
-    let curve = |values: &[f64], unit: f64, below: Option<f64>| -> Vec<(f64, f64)> {
+    let over_depth = |values: &[f64], unit: f64, below: Option<f64>| -> Vec<(f64, f64)> {
         let inside = profile.depth.iter().zip(values).map(|(y, value)| (y / x.unit, value / unit));
         let below = below.into_iter().flat_map(|value| [end, x.most].map(|y| (y, value / unit)));
         inside.chain(below).collect()
     };
     let within =
         |(least, most): (f64, f64), other: Option<f64>| other.map_or((least, most), |v| (least.min(v), most.max(v)));
-    let panel = |y: Scale, entry: Entry, points: Vec<(f64, f64)>| Panel {
-        x: x.clone(),
-        y,
-        curves: vec![(entry, points)],
-        interfaces: profile
-            .interfaces
-            .iter()
-            .map(|y| depth(*y))
-            .filter(|_| profile.interfaces.len() <= MOST_INTERFACES)
-            .collect(),
-        limits: Vec::new(),
-        base: base.map(|name| (end, name)),
-        place: (0.0, 0.0),
-        size: (SIZE.0, HEIGHT),
+    let interfaces = profile.interfaces.iter().filter(|_| profile.interfaces.len() <= MOST_INTERFACES);
+    let interfaces: Vec<f64> = interfaces.map(|y| depth(*y)).collect();
+    let panel = |y: Scale, entry: Entry, points: Vec<(f64, f64)>| {
+        // Where the line of a half-plane's modulus does not cross it.
+        let line = points.last().filter(|point| point.0 > end);
+        let at_top = line.is_some_and(|point| y.place(point.1) < 0.5);
+        let base = base.map(|name| Strip { from: end, name, at_top });
+        let ground = Box::new(Landmarks { interfaces: interfaces.clone(), limits: Vec::new(), base });
+        let curves = vec![curve(&entry, points, &y)];
+        Panel { ground, height: HEIGHT, legend: Some(Vec::new()), ..Panel::new(x.clone(), y, curves) }
     };
-    let mut panels = Vec::new();
     let (least, most) = within(profile.modulus_range(), substrate.map(|base| base.0));
     let y = if most > WIDE * least {
         Some(Scale::logarithmic(least / 1.5, most * 1.5, name, &labels.stress))
     } else {
         Scale::up_to(most, name, &labels.stress)
     };
-    if let Some(y) = y {
-        let points = curve(&profile.modulus, y.unit, substrate.map(|base| base.0));
-        panels.push(panel(y, MODULUS, points));
-    }
+    let modulus = y.map(|y| {
+        let points = over_depth(&profile.modulus, y.unit, substrate.map(|base| base.0));
+        panel(y, MODULUS, points)
+    });
     let (least, most) = within(profile.poisson_range(), substrate.map(|base| base.1));
-    if most - least > SAME
-        && let Some(y) = Scale::around(least, most, "Poisson's ratio ν", 3.0)
-    {
-        for upper in &mut panels {
-            upper.size.1 = HEIGHT - LOWER;
+    let y = Scale::around(least, most, "Poisson's ratio ν", 3.0).filter(|_| most - least > SAME);
+    let poisson = y.map(|y| panel(y, POISSON, over_depth(&profile.poisson, 1.0, substrate.map(|base| base.1))));
+    match (modulus, poisson) {
+        (Some(mut upper), Some(lower)) => {
             upper.x.label = String::new();
+            let lower = Some(Box::new(Panel { height: LOWER, ..lower }));
+            Some(Panel { height: HEIGHT - LOWER, lower, legend: None, ..upper })
         }
-        let points = curve(&profile.poisson, 1.0, substrate.map(|base| base.1));
-        panels.push(Panel { place: (0.0, HEIGHT - LOWER), size: (SIZE.0, LOWER), ..panel(y, POISSON, points) });
+        (modulus, poisson) => modulus.or(poisson),
     }
-    panels
 }
 
 /// Flexibilities over the wave number.
@@ -144,10 +131,10 @@ fn answer(scene: &Scene, profile: &FlexibilityProfile) -> Panel {
     };
     let waves = &profile.wave_numbers;
     let (longest, shortest) = (waves.first().copied().unwrap_or(0.1), waves.last().copied().unwrap_or(10.0));
-    let curve = |entry: fn(&slipzone_api::SurfaceFlexibility) -> f64| -> Vec<(f64, f64)> {
+    let over_waves = |entry: fn(&slipzone_api::SurfaceFlexibility) -> f64| -> Vec<(f64, f64)> {
         waves.iter().copied().zip(profile.flexibilities.iter().map(entry)).collect()
     };
-    let (normal, shear, coupling) = (curve(|f| f.vv), curve(|f| f.uu), curve(|f| -f.uv));
+    let (normal, shear, coupling) = (over_waves(|f| f.vv), over_waves(|f| f.uu), over_waves(|f| -f.uv));
     let all = || [&normal, &shear, &coupling].into_iter().flatten().map(|point| point.1);
     let (least, most) = (all().fold(0.0, f64::min), all().fold(1.0, f64::max));
     let called = "scaled flexibility of the surface";
@@ -169,16 +156,18 @@ fn answer(scene: &Scene, profile: &FlexibilityProfile) -> Panel {
     let apart = (y.place(1.0) - y.place(profile.beta)).abs() > 0.04;
     let names = if apart { ["1", "β"] } else { ["1, β", ""] };
     let limits = [(1.0, names[0].to_owned()), (profile.beta, names[1].to_owned())];
-    Panel {
-        x: Scale::logarithmic(longest, shortest, name, ""),
-        limits: limits.into_iter().filter(|limit| y.holds(limit.0)).collect(),
-        y,
-        curves: vec![(NORMAL, normal), (SHEAR, shear), (entry, coupling)],
-        interfaces: Vec::new(),
-        base: None,
-        place: (0.0, 0.0),
-        size: (SIZE.0, HEIGHT),
-    }
+    let limits = limits.into_iter().filter(|limit| y.holds(limit.0)).collect();
+    let ground = Box::new(Landmarks { interfaces: Vec::new(), limits, base: None });
+    let curves = [(&NORMAL, normal), (&SHEAR, shear), (&entry, coupling)];
+    let curves = curves.map(|(entry, points)| curve(entry, points, &y)).into();
+    let legend = Some(vec![NORMAL, SHEAR, entry]);
+    Panel { ground, height: HEIGHT, legend, ..Panel::new(Scale::logarithmic(longest, shortest, name, ""), y, curves) }
+}
+
+/// What of the points has a place on the axis: on a logarithmic one only what is positive.
+fn curve(entry: &Entry, points: Vec<(f64, f64)>, y: &Scale) -> Curve {
+    let stretches = vec![points.into_iter().filter(|point| !y.is_logarithmic() || point.1 > 0.0).collect()];
+    Curve { style: entry.style, stretches, marks: Vec::new() }
 }
 
 /// What is left out at the bottom of a logarithmic axis, over its largest number.
@@ -187,6 +176,7 @@ const SMALLEST: f64 = 1e-7;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::svg::texts;
     use slipzone_api::SurfaceFlexibility;
 
     /// A layer on a base, whose constants and flexibilities the tests make by hand.
@@ -227,15 +217,10 @@ mod tests {
         FlexibilityProfile { flexibilities: wave_numbers.iter().map(|s| one(*s)).collect(), wave_numbers, beta: 0.3 }
     }
 
-    /// All text of a figure; fails on what is no XML.
-    fn texts(svg: &str) -> Vec<String> {
-        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
-        let document = roxmltree::Document::parse(svg).expect("well-formed XML");
-        document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).map(Into::into).collect()
-    }
-
     fn figure(layer: &str, depths: Option<&DepthProfile>, flexibility: Option<&FlexibilityProfile>) -> String {
-        layer_svg(&scene(layer), depths, flexibility).expect("a figure")
+        let svg = layer_svg(&scene(layer), depths, flexibility).expect("a figure");
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+        svg
     }
 
     /// How often a text stands in a figure.

@@ -64,7 +64,7 @@ fn traces(solution: &Solution, curve: &Curve) -> [(Vec<Trace>, &'static str); 2]
 fn panel(traces: &[Trace], name: &str, force: &Scale, labels: &Labels) -> Option<Panel> {
     let x = Scale::up_to(traces.iter().map(Trace::widest).reduce(f64::max)?, name, &labels.length)?;
     let curves = traces.iter().map(|trace| trace.curve(x.unit, force.unit)).collect();
-    Some(Panel { name: String::new(), x, y: force.clone(), curves, ground: None })
+    Some(Panel::new(x, force.clone(), curves))
 }
 
 #[cfg(test)]
@@ -72,12 +72,7 @@ mod tests {
     use super::*;
     use crate::engine::Status;
     use crate::report::samples;
-
-    /// All text of a figure; fails on what is no XML.
-    fn texts(svg: &str) -> Vec<String> {
-        let document = roxmltree::Document::parse(svg).expect("well-formed XML");
-        document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).map(Into::into).collect()
-    }
+    use crate::report::svg::texts;
 
     /// The column of a curve that has it.
     fn column(column: &mut Option<Vec<Option<f64>>>) -> &mut Vec<Option<f64>> {

@@ -148,6 +148,16 @@ impl Scale {
         (value - least) / (most - least)
     }
 
+    /// Where a number, in units of the axis, stands in a frame that has this as its abscissa, px.
+    pub(super) fn across(&self, computed: &ComputedLayout, value: f64) -> f64 {
+        computed.margin_left + computed.plot_width() * self.place(value)
+    }
+
+    /// The same of a frame that has this as its ordinate.
+    pub(super) fn up(&self, computed: &ComputedLayout, value: f64) -> f64 {
+        computed.margin_top + computed.plot_height() * (1.0 - self.place(value))
+    }
+
     /// Ticks off the frame.
     pub(super) fn inner_ticks(&self) -> Vec<f64> {
         /// More than any axis has.

@@ -3,7 +3,7 @@
 use super::canvas::{SIZE, place};
 use super::head::Head;
 use super::legend::{Entry, Legend};
-use super::panel::{PANEL, Panel};
+use super::panel::Panel;
 use kuva::backend::svg::SvgBackend;
 use kuva::render::render::Scene as Canvas;
 
@@ -13,7 +13,7 @@ pub(super) struct Sheet {
     pub(super) notes: Vec<String>,
     /// What is wrong.
     pub(super) alarm: Vec<String>,
-    /// Row by row.
+    /// Row by row, all as high as those that stand beside them.
     pub(super) panels: Vec<Panel>,
     /// How many of them are side by side.
     pub(super) abreast: usize,
@@ -27,15 +27,20 @@ impl Sheet {
         let abreast = abreast.min(panels.len()).max(1);
         let head = Head::new(&title, &notes, &alarm, abreast);
         let width = SIZE.0 * abreast as f64;
-        let rows = panels.len().div_ceil(abreast);
+        let row = panels.first().map_or(0.0, |panel| panel.column().map(|panel| panel.height).sum());
         let legend = Legend::new(&legend, width);
-        let below = head.height + PANEL * rows as f64;
+        let below = head.height + row * panels.len().div_ceil(abreast) as f64;
         let mut figure = Canvas::new(width, below + legend.height);
-        // Frames over each other begin at one abscissa.
-        let margin = panels.iter().map(Panel::margin).fold(0.0, f64::max);
+        // Frames over each other begin at one abscissa, and those side by side are equally wide.
+        let margin = panels.iter().flat_map(Panel::column).map(Panel::margin).fold(0.0, f64::max);
         for (index, panel) in panels.iter().enumerate() {
-            let at = (SIZE.0 * (index % abreast) as f64, head.height + PANEL * (index / abreast) as f64);
-            place(&mut figure, panel.draw(margin), &format!("frame{index}"), at);
+            let mut name = format!("frame{index}");
+            let mut at = (SIZE.0 * (index % abreast) as f64, head.height + row * (index / abreast) as f64);
+            for panel in panel.column() {
+                place(&mut figure, panel.draw(margin), &name, at);
+                at.1 += panel.height;
+                name += "below";
+            }
         }
         figure.elements.extend(head.lines);
         legend.draw(&mut figure, width / 2.0, below);

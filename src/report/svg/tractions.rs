@@ -161,12 +161,7 @@ mod tests {
     use super::*;
     use crate::engine::Status;
     use crate::report::samples;
-
-    /// All text of a figure; fails on what is no XML.
-    fn texts(svg: &str) -> Vec<String> {
-        let document = roxmltree::Document::parse(svg).expect("well-formed XML");
-        document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).map(Into::into).collect()
-    }
+    use crate::report::svg::texts;
 
     /// Ordinates (px) of the solid, thick pressure curve from left to right, and those of the frame's top and bottom.
     fn pressure_curve(svg: &str) -> (Vec<f64>, [f64; 2]) {

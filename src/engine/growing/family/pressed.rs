@@ -3,8 +3,10 @@
 use super::Room;
 use super::told::Told;
 use crate::engine::growing::blend::Blend;
+use crate::engine::growing::sheet::{END, Places, Sheet};
 use crate::engine::numerics::chebyshev::largest;
 use crate::engine::numerics::lanes::add_rows;
+use crate::engine::pressure::normal::Normal;
 use slipzone_api::double_exponential::Node;
 use slipzone_api::{Rule, Station};
 use std::sync::Arc;
@@ -21,6 +23,8 @@ pub(super) struct Pressed {
     pub(super) tilt: Table,
     /// Depth over `A0`, beyond that on a half-plane.
     pub(super) depth: Vec<f64>,
+    /// The pressures times `sqrt(1 - (x/b)^2)` at any place; made when first asked for.
+    spread: Option<Sheet>,
     /// `W` at the nodes of a grid over half of the contact; made when first asked for.
     tilt_over: Option<(Arc<Vec<Node>>, Table)>,
 }
@@ -29,7 +33,8 @@ impl Pressed {
     /// None as yet.
     pub(super) fn new(blend: Blend) -> Self {
         let (pressure, tilt, depth) = (Table::default(), Table::default(), Vec::new());
-        Self { told: Told::first(blend.functions(), f64::INFINITY), blend, pressure, tilt, depth, tilt_over: None }
+        let told = Told::first(blend.functions(), f64::INFINITY);
+        Self { blend, told, pressure, tilt, depth, spread: None, tilt_over: None }
     }
 
     /// All members were solved; `coarse` is how well a coarser resolution told them, and by how much it was wrong.
@@ -57,6 +62,25 @@ impl Pressed {
         self.blend.functions_at(b, functions);
         table.blend_into(functions, density);
         density
+    }
+
+    /// The pressures of all half-widths times `sqrt(1 - (x/b)^2)`, with what tells them between the members; `normal` is the contact of
+    /// their unknowns.
+    pub(super) fn spread(&mut self, normal: &mut Normal) -> (&Blend, &Sheet) {
+        let Self { blend, pressure, spread, .. } = self;
+        let sheet = spread.get_or_insert_with(|| {
+            let places = Places::of(pressure.width as f64, END);
+            let stations = &places.stations;
+            let mut rows = Vec::with_capacity(blend.functions() * stations.len());
+            for row in pressure.numbers.chunks_exact(pressure.width) {
+                let first = rows.len();
+                rows.resize(first + stations.len(), 0.0);
+                normal.values_of(1.0, row, stations, &mut rows[first..]);
+                rows[first..].iter_mut().zip(stations).for_each(|(p, at)| *p *= (at.gap * (2.0 - at.gap)).sqrt());
+            }
+            Sheet::through(&places, &rows)
+        });
+        (blend, sheet)
     }
 
     /// `W` of a member at the nodes of a grid over its right half; `rule` is that of its unknowns.

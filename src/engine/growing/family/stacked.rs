@@ -2,7 +2,6 @@
 
 use super::Family;
 use crate::engine::friction::stick_zone::StickZone;
-use crate::engine::growing::sheet::{END, Places, Sheet};
 use crate::engine::numerics::lanes::{LANES, Lanes};
 use slipzone_api::Station;
 
@@ -21,9 +20,8 @@ pub(crate) struct Slice {
 impl Family {
     /// The pressure of slices at a point.
     pub(crate) fn stacked_pressure(&mut self, slices: &[Slice], x: f64) -> f64 {
-        self.spread_pressure();
-        let sheet = self.pressure_at.as_ref().expect("made before");
         self.meter.count_multiplications(slices.len() * self.pressed.pressure.numbers.len());
+        let (blend, sheet) = self.pressed.spread(&mut self.contact.normal);
         let (mut places, mut factors) = ([0.0; LANES], [0.0; LANES]);
         let mut sum = 0.0;
         for slices in slices.chunks(LANES) {
@@ -35,7 +33,7 @@ impl Family {
                 *place = sheet.place(Station { x, gap: *beyond });
                 *factor = if root > 0.0 { force / root } else { 0.0 };
             }
-            self.pressed.blend.functions_into(&half_widths(slices), &mut self.room.side_by_side);
+            blend.functions_into(&half_widths(slices), &mut self.room.side_by_side);
             let mut values = [0.0; LANES];
             sheet.values_into(&self.room.side_by_side, &places, &mut self.room.polynomials, &mut values);
             sum += values.iter().zip(&factors).map(|(value, factor)| value * factor).sum::<f64>();
@@ -45,12 +43,11 @@ impl Family {
 
     /// Whether the pressure of no member pulls anywhere, as far as a few places tell.
     pub(crate) fn presses(&mut self) -> bool {
-        self.spread_pressure();
-        let sheet = self.pressure_at.as_ref().expect("made before");
-        self.pressed.blend.half_widths().chunks(LANES).all(|members| {
+        let (blend, sheet) = self.pressed.spread(&mut self.contact.normal);
+        blend.half_widths().chunks(LANES).all(|members| {
             let mut half_widths = [members[0]; LANES];
             half_widths[..members.len()].copy_from_slice(members);
-            self.pressed.blend.functions_into(&half_widths, &mut self.room.side_by_side);
+            blend.functions_into(&half_widths, &mut self.room.side_by_side);
             (0..LOOKED_AT).all(|i| {
                 let mut values = [0.0; LANES];
                 let place = [i as f64 / LOOKED_AT as f64; LANES];
@@ -58,23 +55,6 @@ impl Family {
                 values.iter().all(|p| *p > 0.0)
             })
         })
-    }
-
-    /// Makes the pressures of all half-widths known at any place.
-    fn spread_pressure(&mut self) {
-        if self.pressure_at.is_some() {
-            return;
-        }
-        let places = Places::of(self.pressed.pressure.width as f64, END);
-        let stations = &places.stations;
-        let mut rows = Vec::with_capacity(self.pressed.blend.functions() * stations.len());
-        for row in self.pressed.pressure.numbers.chunks_exact(self.pressed.pressure.width) {
-            let first = rows.len();
-            rows.resize(first + stations.len(), 0.0);
-            self.contact.normal.values_of(1.0, row, stations, &mut rows[first..]);
-            rows[first..].iter_mut().zip(stations).for_each(|(p, at)| *p *= (at.gap * (2.0 - at.gap)).sqrt());
-        }
-        self.pressure_at = Some(Sheet::through(&places, &rows));
     }
 
     /// What the shear of slices lacks to that of full sliding, `eta p - q`, at a point.

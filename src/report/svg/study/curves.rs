@@ -79,13 +79,10 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
     let mut panels = Vec::new();
     for panel in 0..groups.panels() {
         for (which, y_scale) in y_scales.iter().enumerate() {
-            panels.push(Panel {
-                name: groups.panel_name(panel),
-                x: x_scale.clone(),
-                y: y_scale.clone(),
-                curves: curves(groups, (panel, which), &rows, (&x_scale, y_scale), few),
-                ground: None,
-            });
+            let curves = curves(groups, (panel, which), &rows, (&x_scale, y_scale), few);
+            let panel =
+                Panel { name: groups.panel_name(panel), ..Panel::new(x_scale.clone(), y_scale.clone(), curves) };
+            panels.push(panel);
         }
     }
     let abreast = if y_scales.len() > 1 { y_scales.len().min(ABREAST) } else { ABREAST };
@@ -215,7 +212,7 @@ fn thinned_marks(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
 }
 
 /// Lines across the figure.
-fn levels(groups: &Groups, x: &Scale, y: &Scale) -> Vec<Curve> {
+pub(super) fn levels(groups: &Groups, x: &Scale, y: &Scale) -> Vec<Curve> {
     let level = |(index, line): (usize, &crate::study::Line)| Curve {
         style: Style::level(index),
         stretches: vec![vec![(x.least, line.y / y.unit), (x.most, line.y / y.unit)]],

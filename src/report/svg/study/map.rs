@@ -14,6 +14,7 @@ use between::Between;
 use kuva::plot::ColorMap;
 use kuva::render::color::Color;
 use kuva::render::layout::ComputedLayout;
+use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 use serde_json::Value;
 
@@ -62,16 +63,14 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
     let scale = Scale::spanning((least, most), [false, false], &name, &unit);
     let panels = values.into_iter().enumerate().map(|(panel, values)| Panel {
         name: groups.panel_name(panel),
-        x: columns.scale.clone(),
-        y: rows.scale.clone(),
-        curves: Vec::new(),
-        ground: Some(Box::new(Cells {
+        ground: Box::new(Cells {
             middles: [columns, rows].map(|grid| grid.middles.iter().map(|middle| middle.1 / grid.scale.unit).collect()),
             columns: columns.edges.clone(),
             rows: rows.edges.clone(),
             values: values.into_iter().map(|value| value.map(|value| value / scale.unit)).collect(),
             scale: scale.clone(),
-        })),
+        }),
+        ..Panel::new(columns.scale.clone(), rows.scale.clone(), Vec::new())
     });
     Ok(Drawing { panels: panels.collect(), abreast: ABREAST, legend: Vec::new(), scenes, failed, left_out: None })
 }
@@ -136,15 +135,16 @@ impl Ground for Cells {
         120.0
     }
 
-    fn covers(&self) -> bool {
-        true
+    /// None to be seen.
+    fn rules(&self, _: &Scale, _: &Scale) -> Vec<Plot> {
+        Vec::new()
     }
 
     fn draw(&self, scene: &mut Scene, computed: &ComputedLayout, x: &Scale, y: &Scale) {
         let (left, top) = (computed.margin_left, computed.margin_top);
         let (width, height) = (computed.plot_width(), computed.plot_height());
-        let across = |edge: f64| left + width * x.place(edge);
-        let up = |edge: f64| top + height * (1.0 - y.place(edge));
+        let across = |edge: f64| x.across(computed, edge);
+        let up = |edge: f64| y.up(computed, edge);
         let count = self.columns.len() - 1;
         let mut crosses = Vec::new();
         for (index, value) in self.values.iter().enumerate() {

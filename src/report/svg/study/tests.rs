@@ -1,6 +1,7 @@
 //! The structure of the figures, on records made by hand.
 
 use super::*;
+use crate::report::svg::texts;
 use crate::study::Cell;
 use serde_json::json;
 use slipzone_api::NoFiles;
@@ -49,12 +50,6 @@ fn figure(study: &Study, records: impl IntoIterator<Item = Value>) -> String {
     let svg = figure.svg;
     assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
     svg
-}
-
-/// All text of a figure; fails on what is no XML.
-fn texts(svg: &str) -> Vec<String> {
-    let document = roxmltree::Document::parse(svg).expect("well-formed XML");
-    document.descendants().filter(|n| n.has_tag_name("text")).filter_map(|n| n.text()).map(Into::into).collect()
 }
 
 /// How many points each curve has: each path that is as wide as curves are.

@@ -78,13 +78,8 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
                 let style = if profile.violated { style.crossed().with_width(DOUBTFUL) } else { style };
                 Curve { style, stretches: vec![line(points, y)], marks: marks(profile, points, y) }
             });
-            let level = |(index, line): (usize, &crate::study::Line)| Curve {
-                style: Style::level(index),
-                stretches: vec![vec![(0.0, line.y / y.unit), (1.0, line.y / y.unit)]],
-                marks: Vec::new(),
-            };
-            let curves = plot.lines.iter().enumerate().map(level).chain(drawn).collect();
-            panels.push(Panel { name: groups.panel_name(panel), x: x.clone(), y: y.clone(), curves, ground: None });
+            let curves = curves::levels(groups, &x, y).into_iter().chain(drawn).collect();
+            panels.push(Panel { name: groups.panel_name(panel), ..Panel::new(x.clone(), y.clone(), curves) });
         }
     }
     let few = profiles.iter().any(|profile| profile.few && !profile.violated);
