@@ -290,7 +290,7 @@ impl Question<'_> {
             |beside| self.excess(beside).map_err(|why| self.at_end_of_solved(at, excess) + &self.placed(beside, &why));
         let beside = [(lower, beside(lower)?), (upper, beside(upper)?)];
         let is_same = |there: &Place| there.1.to_bits() == excess.to_bits();
-        if !beside.iter().any(|there| there.0 != at && is_same(there)) {
+        if !beside.iter().any(|there| (there.0 - at).abs() > 0.0 && is_same(there)) {
             return Ok(());
         }
         let same = points.iter().map(Point::place).chain(beside).filter(is_same).map(|there| there.0);
