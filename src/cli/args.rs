@@ -157,7 +157,7 @@ pub(super) struct Sweep {
     /// Folder of the results and of the journal; it is made if need be [default: the study's name with `.results`]
     #[arg(long, value_name = "FOLDER")]
     pub(super) out: Option<PathBuf>,
-    /// Throw the journal of an earlier run away and begin anew
+    /// Throw the journal and the results of an earlier run away and begin anew
     #[arg(long)]
     pub(super) fresh: bool,
 }

@@ -207,7 +207,8 @@ impl StandIn {
             Model::CorrectedHalfPlane => "the grading, and the base beyond the first correction, change",
             _ => "the grading changes",
         };
-        format!("{name}: {what} no number asked for by more than about {bound:.0e}")
+        let by = if bound > 0.0 { format!(" by more than about {bound:.0e}") } else { String::new() };
+        format!("{name}: {what} no number asked for{by}")
     }
 
     /// The same, of a problem whose unit of length is another.

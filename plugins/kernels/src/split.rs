@@ -59,11 +59,10 @@ slipzone_api::register!(Kernel, "split", "Fourier integral up to a wave number, 
 
 /// Reads `terms`; more than are ever asked for would not be used.
 fn terms<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<NonZeroU8>, D::Error> {
-    let terms = Option::<NonZeroU8>::deserialize(deserializer)?;
-    match terms.map(NonZeroU8::get).filter(|terms| usize::from(*terms) > MOST_TERMS) {
-        None => Ok(terms),
-        Some(terms) => Err(D::Error::custom(format!("expected an integer from 1 to {MOST_TERMS}, found {terms}"))),
-    }
+    let Some(terms) = Option::<u8>::deserialize(deserializer)? else { return Ok(None) };
+    let allowed = NonZeroU8::new(terms).filter(|terms| usize::from(terms.get()) <= MOST_TERMS);
+    let refused = || D::Error::custom(format!("expected an integer from 1 to {MOST_TERMS}, found {terms}"));
+    allowed.map(Some).ok_or_else(refused)
 }
 
 /// Terms of the series asked for at first: most often enough, and they cost as their square.
