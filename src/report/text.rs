@@ -234,7 +234,7 @@ Flat punch, layer stiffening downwards
 
 status       converged
 scene        h/b = 5, exponential, mu1 = 1 MPa, mu1/mu3 = 1/8, nu = 0.3, plane strain, bonded to a rigid base, \
-flat punch (half-width = 1), eta = 0.3, P = 1 N/mm
+flat punch (half-width = 1 mm), eta = 0.3, P = 1 N/mm
 
                                     value         unit        relative error
 contact half-width     b            1             mm          exact
