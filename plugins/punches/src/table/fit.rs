@@ -273,14 +273,7 @@ impl Profile {
     /// # Errors
     /// When they are too few, too far from the middle, or do not rise from there.
     pub(super) fn fit(rows: &Rows, units @ [x_unit, height_unit]: [f64; 2]) -> Result<Self, Fault> {
-        let whole = Fit::new(rows, units)?;
-        let strays = strays(rows, &whole, units);
-        let fit = if strays.is_empty() {
-            whole
-        } else {
-            let kept = rows.iter().enumerate().filter(|(i, _)| !strays.contains(i));
-            Fit::new(&kept.map(|(_, row)| *row).collect::<Vec<_>>(), units)?
-        };
+        let (strays, fit) = strays(rows, Fit::new(rows, units)?, units);
         if !fit.rises() {
             return Err(fit.folded.never_rises(units));
         }

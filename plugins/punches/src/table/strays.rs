@@ -17,24 +17,24 @@ const MOST: usize = 16;
 /// How much more certain one must be of a curve with few rows to spare: with one to spare, so many times more.
 const SPARSE: f64 = 5.0;
 
-/// Places among the rows of those that are off; `whole` is the fit of all.
-pub(super) fn strays(rows: &[[f64; 2]], whole: &Fit, units: [f64; 2]) -> Vec<usize> {
+/// Places among the rows of those that are off, and the fit of all others; `whole` is that of all.
+pub(super) fn strays(rows: &[[f64; 2]], whole: Fit, units: [f64; 2]) -> (Vec<usize>, Fit) {
     let most = (rows.len() / ONE_OF).clamp(1, MOST);
-    let mut out: Vec<usize> = Vec::new();
-    let mut certain = 0;
-    let mut fit: Option<Fit> = None;
+    let mut certain = (Vec::new(), whole);
+    // Those left out so far, and the fit of the rest where it does not make all of them certain.
+    let (mut out, mut tried): (Vec<usize>, Option<Fit>) = (Vec::new(), None);
     while out.len() < most {
-        let Some(worst) = worst(rows, &out, fit.as_ref().unwrap_or(whole)) else { break };
+        let Some(worst) = worst(rows, &out, tried.as_ref().unwrap_or(&certain.1)) else { break };
         out.push(worst);
         let kept: Vec<_> = (0..rows.len()).filter(|i| !out.contains(i)).map(|i| rows[i]).collect();
         let Ok(next) = Fit::new(&kept, units) else { break };
         if next.rises() && out.iter().all(|stray| is_off(rows[*stray], &kept, &next)) {
-            certain = out.len();
+            (certain, tried) = ((out.clone(), next), None);
+        } else {
+            tried = Some(next);
         }
-        fit = Some(next);
     }
-    out.truncate(certain);
-    out
+    certain
 }
 
 /// The row furthest off, if it holds much of what is left over.
