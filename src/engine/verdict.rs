@@ -42,7 +42,10 @@ fn objection(
     }
     let (worst, error) = judged.errors.worst().unwrap_or((Quantity::Force, 0.0));
     let inexact = || {
-        let why = if error < ROUNDED {
+        let force = judged.outcome.numbers.get(Quantity::Force);
+        let why = if force.is_some_and(|force| force < 0.0) {
+            "; the force found is below nothing: the punch lifts off before, and contact with gaps is not modelled"
+        } else if error < ROUNDED {
             "; double precision allows no more"
         } else if judged.outcome.size.is_some_and(|size| size.missed > 0.5 * error) {
             "; so little of the half-width lies beyond the punch's face that double precision allows no more: prescribe the half-width, whose \

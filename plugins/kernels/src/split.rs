@@ -104,8 +104,8 @@ impl KernelStrategy for Split {
             let too_rough = draft.roughened > 0.5 * request.accuracy;
             let rounded = draft.rounding > 0.5 * request.accuracy;
             let is_covered = draft.error.is_finite();
-            // The grading has structure closer to the surface than it seemed.
-            let is_deep = is_covered && draft.beyond > 0.5 * request.accuracy;
+            // The grading has structure closer to the surface than it seemed, and that shows above rounding.
+            let is_deep = is_covered && draft.beyond > 0.5 * request.accuracy.max(draft.rounding);
             if is_deep {
                 depth *= NEARER;
             }

@@ -47,7 +47,7 @@ pub(crate) fn tension(
     let pulls_into = |at: &[Station], out: &mut [f64]| {
         pressure_into(at, out);
         for p in out {
-            *p /= -mean;
+            *p /= -mean.abs();
         }
     };
     let (at, pull) = highest(inside(at, b, length), pulls, |_| -FAINT, pulls_into)?;
