@@ -114,13 +114,15 @@ fn constants(solid: Solid, modulus: Taylor, nu: &Taylor) -> (Taylor, Taylor) {
 ///
 /// The `Hk` are carried as Taylor polynomials. Each order differentiates once: `Hk` to degree `m` asks for `w` to
 /// degree `m + k - 1` and for the modulus to one more, so that `n + 1` coefficients (the leading 1 among them) give `n`
-/// terms, at about `terms^4/8` multiplications. The series is in general only asymptotic.
+/// terms, at about `terms^4/8` multiplications. The series is in general only asymptotic, and ends before a term that is too
+/// large for a number: of a steep law even the first may be.
 fn smooth(elastic: Elastic, modulus: &[f64], beta: &[f64], terms: usize) -> Vec<SurfaceFlexibility> {
     let terms = terms.min(modulus.len().saturating_sub(1));
     let gradient = logarithmic_gradient(modulus, terms);
     let coupling: Vec<f64> = beta.iter().map(|beta| -beta).collect();
     let orders = Orders::new(half_plane(elastic), &coupling, &gradient, terms);
-    (1..=terms).map(|order| orders.at_surface(order)).collect()
+    let is_number = |term: &SurfaceFlexibility| [term.vv, term.uu, term.uv].iter().all(|entry| entry.is_finite());
+    (1..=terms).map(|order| orders.at_surface(order)).take_while(is_number).collect()
 }
 
 /// Taylor coefficients of `w = mu'/mu`, `terms` of them, from `terms + 1` of `mu`: `mu' = w mu`, power by power.

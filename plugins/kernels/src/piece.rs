@@ -64,11 +64,16 @@ impl Pieces {
     pub(crate) fn take(&mut self, upper: f64, pieces: Vec<Piece>, stalled: bool) {
         self.ends.push(upper);
         for (kernel, piece) in self.kernels.iter_mut().zip(pieces) {
-            kernel.error = kernel.error.max(piece.error);
-            kernel.noise = kernel.noise.max(if stalled { piece.error } else { piece.noise });
+            kernel.error = worst(kernel.error, piece.error);
+            kernel.noise = worst(kernel.noise, if stalled { piece.error } else { piece.noise });
             kernel.rows.push(piece.rows);
         }
     }
+}
+
+/// The larger of an error so far and another. One that is no number may be any: `f64::max` would leave it out.
+pub(crate) fn worst(most: f64, error: f64) -> f64 {
+    if error.is_nan() { f64::INFINITY } else { most.max(error) }
 }
 
 /// Where a variable stands between two ends.
@@ -127,9 +132,9 @@ impl Piece {
             }
             let seen = checks.iter().fold(0.0_f64, |most, (v, t, value)| {
                 let sum = powers.iter().rev().fold(0.0, |sum, c| sum * v + c);
-                most.max((if parity[part] { sum * t } else { sum } - value[part]).abs())
+                worst(most, (if parity[part] { sum * t } else { sum } - value[part]).abs())
             });
-            piece.error += weight * (3.0 * seen.max(left_out) + dropped);
+            piece.error += weight * (3.0 * worst(seen, left_out) + dropped);
             piece.noise += weight * noise;
             piece.rows.resize(piece.rows.len().max(powers.len()), [0.0; 3]);
             for (row, c) in piece.rows.iter_mut().zip(powers) {
@@ -187,4 +192,22 @@ fn monomials(series: &[f64], odd: bool) -> [f64; MOST_NODES] {
     static ROWS: OnceLock<[[[f64; MOST_NODES]; MOST_NODES]; 2]> = OnceLock::new();
     let rows = ROWS.get_or_init(|| [[0.0, 1.0], [-1.0, 2.0]].map(in_powers));
     polynomial::sum(series, &rows[usize::from(odd)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Values that are no numbers have any error; none was told of them.
+    #[test]
+    fn a_value_that_is_no_number_is_in_error() {
+        let Variable { all, nodes, .. } = Variable::chebyshev(8, &[1.0]);
+        let sample = |value: f64| move |v: &f64| (*v, place(*v, (1.0, 2.0)), [value * v, 0.0, 0.0]);
+        for (value, is_told) in [(1.0, true), (f64::NAN, false)] {
+            let samples: Vec<Sample> = all.iter().map(sample(value)).collect();
+            let mut pieces = Pieces { ends: Vec::new(), kernels: vec![Kernel::default()] };
+            pieces.take(2.0, vec![Piece::through(samples.split_at(nodes), false, true, 1e-10)], false);
+            assert_eq!(pieces.kernels[0].error < 1e-9, is_told, "{value}: {:e}", pieces.kernels[0].error);
+        }
+    }
 }

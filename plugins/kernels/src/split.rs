@@ -12,7 +12,7 @@ mod singular;
 mod spectrum;
 mod waves;
 
-use crate::piece::{MOST_NODES, Pieces};
+use crate::piece::{MOST_NODES, Pieces, worst};
 use crate::table::Table;
 use beyond::{Beyond, Cut, MOST_TERMS};
 use column::Column;
@@ -242,11 +242,11 @@ impl Split {
         for (i, column) in columns.iter().enumerate() {
             let scale = if column.component == Component::Depth { 1.0 } else { reach };
             let of_spectrum = &spectrum.kernels[i];
-            rounding = rounding.max(scale * (rounded[i] + pieces.kernels[i].noise + of_spectrum.noise));
-            left = left.max(scale * beyond_error[i]);
-            roughened = roughened.max(scale * of_spectrum.size.roughened);
+            rounding = worst(rounding, scale * (rounded[i] + pieces.kernels[i].noise + of_spectrum.noise));
+            left = worst(left, scale * beyond_error[i]);
+            roughened = worst(roughened, scale * of_spectrum.size.roughened);
             let of_all = beyond_error[i] + of_spectrum.error + of_spectrum.size.roughened + pieces.kernels[i].error;
-            error = error.max(scale * (of_all + rounded[i]));
+            error = worst(error, scale * (of_all + rounded[i]));
         }
         Ok(Draft {
             pieces,

@@ -474,3 +474,38 @@ fn a_kink_that_a_series_of_few_terms_does_not_see_is_cut_for() {
     };
     within_three_estimates(&solved("1e-10"), &solved("1e-8"), &["load.force", "load.indentation", "pressure.centre"]);
 }
+
+/// Found by an adversary: where a modulus begins with a root the series of the flexibility has terms too large for a number; errors that
+/// were no number counted as none, and what was solved was a half-plane, nine times too stiff, told to 1e-13.
+#[test]
+fn a_series_that_is_no_number_is_no_half_plane() {
+    let root = "grading = { type = \"formula\", modulus = \"0.04+sqrt(y/h)\" }";
+    let mixture = "grading = { type = \"volume-fraction\", surface = { modulus = 0.1, poisson = 0.3 }, \
+         base = { modulus = 1.0, poisson = 0.3 }, exponent = 0.5, rule = \"mixture\" }";
+    for grading in [root, mixture] {
+        let solved = |solver: &str| {
+            let text = format!(
+                "format = 1\nlayer = {{ thickness = 1.0, poisson = 0.3, base = {{ type = \"frictionless\" }}, {grading} }}\n\
+                 punch = {{ type = \"flat\", half_width = 1.0 }}\nload = {{ force = 1.0 }}\n{solver}"
+            );
+            solve(&slipzone::scene::parse("root.toml", &text).expect("a scene"))
+        };
+        let right = solved("").edge.ratio.expect("the default serves it");
+        for solver in [
+            "quadrature = { type = \"de-sinc\" }",
+            "quadrature = { type = \"gauss-chebyshev\" }",
+            "kernel = { type = \"split\" }",
+            "kernel = { type = \"split\" }\nquadrature = { type = \"graded-panels\" }",
+        ] {
+            let found = solved(&format!("[solver]\n{solver}"));
+            println!("{grading} {solver}: {:?} {:?} {:?} for {right}", found.status, found.edge.ratio, found.reason);
+            let Some(ratio) = found.edge.ratio else { continue };
+            let error = (ratio / right - 1.0).abs();
+            assert!(
+                error < 3.0 * found.error.each["edge.ratio"].max(1e-8),
+                "{solver}: {error:e}, {:?}",
+                found.error.each
+            );
+        }
+    }
+}
