@@ -138,11 +138,11 @@ fn table(page: &mut String, rows: &[Row], each: &BTreeMap<&'static str, f64>) {
 /// A value with the digits that its relative error estimate supports, and one more.
 fn number(value: f64, estimate: Option<f64>) -> String {
     match estimate {
+        // Not even its sign is known; a bound is off by all of itself at most.
+        Some(estimate) if estimate > 1.0 => "unknown".into(),
         _ if value == 0.0 => "0".into(),
         _ if !value.is_finite() => "not finite".into(),
         Some(0.0) => short(value, DIGITS_OF_EXACT),
-        // Not even its sign is; a bound is off by all of itself at most.
-        Some(estimate) if estimate > 1.0 => "unknown".into(),
         Some(estimate) => significant(value, digits(estimate)),
         None => significant(value, DIGITS_WITHOUT_ESTIMATE),
     }
@@ -325,5 +325,6 @@ assumptions  plane strain
     #[test]
     fn a_number_that_is_all_error_is_none() {
         assert_eq!([0.3, 1.0, 3e192].map(|estimate| number(-2e187, Some(estimate))), ["-2e187", "-2e187", "unknown"]);
+        assert_eq!([0.0, 3e3].map(|estimate| number(0.0, Some(estimate))), ["0", "unknown"]);
     }
 }

@@ -12,6 +12,7 @@ use crate::engine::refine::judged::{
     ROUNDED, hidden_details, meets, mended, share_in_middle, with_the_rest, worst_judged,
 };
 use arrayvec::ArrayVec;
+use slipzone_api::Component;
 
 /// Steps in a row that have to stop shrinking.
 const STALLED: usize = 3;
@@ -26,6 +27,12 @@ const UNSEEN: f64 = 3.0;
 ///
 /// Edges of 1e-5 and 1e-7 were off by up to 32 estimates, and 58 tolerances, without.
 const NARROW_EDGE: f64 = 1e-3;
+/// Times as stiff as the surface is what lies a half-width below, under laws that begin with a broken power, from which on that power begins so near to
+/// the surface that resolutions agree by chance on what is between.
+///
+/// Of 690 numbers of flat punches on surfaces 1e3 to 1e7 times as soft 63 were off by more than three estimates, by up to 145, without; of 120 with it
+/// 3, by up to 34, all by the kernels. On those 100 times as soft none.
+const TURNS: f64 = 200.0;
 
 /// What the resolutions solved so far tell of the error.
 #[derive(Default)]
@@ -114,12 +121,16 @@ fn is_vain(
     judged.iter().any(is_beyond) && judged.iter().all(is_small)
 }
 
-/// How fast resolutions of so many unknowns may come; few stand too far apart to see the layer, or a narrow edge.
+/// How fast resolutions of so many unknowns may come; few stand too far apart to see the layer, or a narrow edge, or how the kernel of
+/// a soft surface turns into a power of the distance.
 pub(super) fn fastest(layer: &PreparedLayer, problem: &Problem, outcome: &Outcome, unknowns: usize) -> Fastest {
     let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
     // All of the contact where there is no face, none where there is nothing else.
     let edge = half_width - problem.face();
+    let has_power = layer.kernel(Component::NormalSlope).is_some_and(|(table, _)| table.nearest().is_some());
+    let below = || problem.layer.material(&*problem.layer.law, half_width.min(1.0)).shear;
     match layer.is_proven() {
+        _ if has_power && below() > TURNS => Fastest::UNSEEN,
         _ if edge > 0.0 && edge < NARROW_EDGE * half_width => Fastest::UNSEEN,
         _ if WIDE * half_width > UNSEEN * layer.length() * unknowns as f64 => Fastest::UNSEEN,
         true => Fastest::PROVEN,

@@ -92,9 +92,11 @@ impl Judged {
         for given in problem.given() {
             self.errors.set(given, 0.0);
         }
-        // A bound does not change with the resolution, or does by chance: differences say nothing of its error.
+        // A bound does not change with the resolution, or does by chance: differences say nothing of its error. Under a pressure of which
+        // nothing is known it is no bound.
         if let Some(bound) = bound_of_stick(&self.outcome, self.errors.get(Quantity::HalfWidth).unwrap_or(0.0)) {
-            bound.iter().for_each(|(quantity, error)| self.errors.set(quantity, error));
+            let unknown = doubt(problem, &self.errors).filter(|doubt| *doubt >= 1.0).unwrap_or(0.0);
+            bound.iter().for_each(|(quantity, error)| self.errors.set(quantity, error.max(unknown)));
         }
         self.errors = self.errors.telling();
         self.doubt = doubt(problem, &self.errors);

@@ -509,3 +509,21 @@ fn a_series_that_is_no_number_is_no_half_plane() {
         }
     }
 }
+
+/// Found by an adversary: on a surface that is soft down to a hundred thousandth of the thickness and stiffens with a broken power below, two
+/// resolutions agreed by chance: the edge was off by 3 tolerances and 127 estimates.
+#[test]
+fn resolutions_that_do_not_see_a_kernel_turn_are_not_believed_to_agree() {
+    let solved = |tolerance: f64| {
+        let text = format!(
+            "format = 1\n[layer]\nthickness = 1.0\npoisson = 0.3\n\
+             grading = {{ type = \"formula\", modulus = \"z+(y/h)^q*(1+y/h)\", parameters = {{ z = 2.92e-5, q = 0.87 }} }}\n\
+             [punch]\ntype = \"flat\"\nhalf_width = 0.296\n[load]\nforce = 1.0\n[solver]\ntolerance = {tolerance:e}\n"
+        );
+        solve(&slipzone::scene::parse("turn.toml", &text).expect("a scene"))
+    };
+    let exact = solved(1e-10);
+    for tolerance in [1e-7, 1e-8] {
+        within_three_estimates(&solved(tolerance), &exact, &["edge.ratio", "pressure.centre", "load.indentation"]);
+    }
+}

@@ -482,3 +482,18 @@ fn a_logarithm_among_broken_powers_is_told_at_the_origin() {
     };
     within_three_estimates(&solved(1e-8), &solved(1e-10), &["stick.one_minus_ratio", "stick.half_width"]);
 }
+
+/// Found by an adversary: under a pressure of which nothing was known, told as uncertain by 8e7 of itself, a stick zone too narrow to be found left
+/// a slip share "known" to 5e-131, where it is 0.0056.
+#[test]
+fn under_an_unknown_pressure_a_bound_of_the_stick_zone_is_none() {
+    let text = "format = 1\n[layer]\nthickness = 2.0\npoisson = 0.3\n\
+         grading = { type = \"volume-fraction\", surface = { modulus = 1.0, poisson = 0.3 }, \
+         base = { modulus = 3.0, poisson = 0.2 }, exponent = 1.6, rule = \"mixture\" }\n\
+         [punch]\ntype = \"polynomial\"\ncoefficients = [0.05, 0.02]\n[friction]\ntype = \"goodman\"\ncoefficient = 0.4\n\
+         [load]\nhalf_width = 1.0\n[solver]\ntolerance = 2e-5\nkernel = { type = \"moments\" }\n";
+    let solution = solve(&slipzone::scene::parse("moments.toml", text).expect("a scene"));
+    let error = |path: &str| solution.error.each[path];
+    assert!(error("pressure.centre") > 1.0, "the scene asks for a kernel that does not serve");
+    assert!(error("stick.one_minus_ratio") >= error("pressure.centre"), "{:?}", solution.error.each);
+}
