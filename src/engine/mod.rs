@@ -19,6 +19,7 @@
 mod accuracy;
 mod assemble;
 mod contact;
+mod foreign;
 mod friction;
 mod growing;
 mod layer;

@@ -3,8 +3,11 @@
 mod details;
 
 use crate::engine::accuracy::quantity::{Quantity, Wishes};
+use crate::engine::foreign::broken;
 use crate::scene::{Load, Scene};
-use slipzone_api::{Base, Elastic, Flaw, Friction, FrozenStrain, LayerModel, PunchShape, Refusal, short};
+use slipzone_api::{
+    Base, Elastic, Flaw, Friction, FrozenStrain, LayerModel, Poisson, PunchShape, Refusal, contract, examine, short,
+};
 use std::sync::Arc;
 
 /// A place this near to a corner, relative, is on it: rounding of the units of length.
@@ -74,8 +77,16 @@ impl Problem {
     /// Scales the scene; refuses what no method here can solve.
     pub(crate) fn new(scene: &Scene) -> Result<Self, Refusal> {
         let shape = scene.punch.shape()?;
+        contract::shape(&*shape).map_err(|fault| broken(scene.punch.typetag_name(), &fault))?;
         let layer = &scene.layer;
         let model = Arc::new(layer.model()?);
+        let stiffness = model.surface_shear;
+        if !(stiffness > 0.0
+            && stiffness < f64::INFINITY
+            && Poisson::new(model.law.poisson(0.0).unwrap_or(model.solid.poisson.get())).is_ok())
+        {
+            return Err(broken(layer.grading.typetag_name(), "no elastic solid at the surface"));
+        }
         // An infinite homogeneous solid has no length of its own.
         let length = layer.length()?.unwrap_or_else(|| shape.natural_length());
         let stress = model.surface_shear;
@@ -324,6 +335,8 @@ impl Problem {
     pub(crate) fn objection(&self, flaw: &Flaw) -> String {
         let so = if self.ends_at(flaw) {
             "no contact is as wide as that"
+        } else if examine::is_contradiction(flaw) {
+            "what is solved takes one from the height and another from the slope, and they do not belong together"
         } else {
             "the contact may break up or tilt, and what is solved is one that is symmetric about x = 0"
         };

@@ -13,10 +13,12 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub mod chebyshev;
+pub mod contract;
 pub mod details;
 pub mod double_exponential;
 mod elastic;
 pub mod elementary;
+pub mod examine;
 mod files;
 mod flexibility;
 mod friction;

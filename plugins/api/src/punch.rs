@@ -1,6 +1,6 @@
 //! The shape of the rigid punch.
 
-use crate::{Fault, Files, Refusal};
+use crate::{Fault, Files, Refusal, examine};
 use std::fmt::Debug;
 
 /// Config half of a punch: what a scene says under `[punch]`, lengths in the user's units.
@@ -23,7 +23,7 @@ dyn_clone::clone_trait_object!(PunchProfile);
 
 /// Run-time half of a punch: its height over the surface, all lengths in the user's unit.
 ///
-/// Shapes are symmetric about `x = 0`; how far they are convex is their own to say.
+/// Shapes are symmetric about `x = 0`; how far they are convex is theirs to say, or else it is looked for, see [`Self::flaw`].
 pub trait PunchShape: Debug + Send + Sync {
     /// Gap `g(x)` between the unloaded surface and the punch that touches it at the origin; `g(0) = 0`.
     /// Not a number where the shape is not defined.
@@ -55,9 +55,11 @@ pub trait PunchShape: Debug + Send + Sync {
 
     /// What keeps the contact under `|x| <= half_width` from being one interval that grew with the load, such as a face
     /// that is not convex: what it is and at which `x`. `None` where nothing does.
+    ///
+    /// By default the shape is [looked over](examine::flaw), point by point, at every contact that is told of. A shape that knows
+    /// better says so: `None` is a promise that it is convex, and that its slope is that of its height.
     fn flaw(&self, half_width: f64) -> Option<Flaw> {
-        let _ = half_width;
-        None
+        examine::flaw(self, half_width)
     }
 
     /// Places within a half-width, ascending, beside which the shape, smooth there, may vary over lengths far shorter than elsewhere.
@@ -122,5 +124,9 @@ impl PunchShape for FlatFace {
 
     fn natural_length(&self) -> f64 {
         self.half_width
+    }
+
+    fn flaw(&self, _half_width: f64) -> Option<Flaw> {
+        None
     }
 }

@@ -8,6 +8,7 @@ mod tests;
 
 pub use rules::solve;
 
+use crate::contract::ensure;
 use crate::{Family, Flexibility, Grading, KernelStrategy, PluginInfo, PunchProfile, Quadrature, plugins};
 
 /// Checks every plugin of one crate with [`check_plugin`].
@@ -148,8 +149,4 @@ impl Parsed {
         };
         Ok(Self { tag: tag.to_owned(), written, contract })
     }
-}
-
-fn ensure(holds: bool, fault: impl FnOnce() -> String) -> Result<(), String> {
-    if holds { Ok(()) } else { Err(fault()) }
 }

@@ -1,7 +1,7 @@
 //! A cylinder, as contact mechanics takes it: a parabola.
 
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Positive, PunchProfile, PunchShape, Refusal};
+use slipzone_api::{Flaw, Positive, PunchProfile, PunchShape, Refusal};
 
 /// `g(x) = x^2/(2 radius)`, good while the contact stays narrow beside the radius.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -40,6 +40,10 @@ impl PunchShape for Parabola {
 
     fn natural_length(&self) -> f64 {
         self.radius
+    }
+
+    fn flaw(&self, _half_width: f64) -> Option<Flaw> {
+        None
     }
 }
 

@@ -1,7 +1,6 @@
 //! Punches: the shape of the rigid body. One file per plugin.
 
 mod cylinder;
-mod examine;
 mod flat;
 #[cfg(feature = "formula")]
 mod formula;

@@ -1,8 +1,7 @@
 //! A polynomial in even powers of the distance from the middle.
 
-use crate::examine;
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Flaw, PunchProfile, PunchShape, Refusal, Values};
+use slipzone_api::{Flaw, PunchProfile, PunchShape, Refusal, Values, examine};
 
 /// `g(x) = c2 x^2 + c4 x^4 + c6 x^6 + ...`.
 #[derive(Clone, Debug, Serialize, Deserialize)]

@@ -1,7 +1,7 @@
 //! A tip that grows like a power of the distance from its middle.
 
 use serde::{Deserialize, Serialize};
-use slipzone_api::{NotAllowed, Positive, PunchProfile, PunchShape, Refusal};
+use slipzone_api::{Flaw, NotAllowed, Positive, PunchProfile, PunchShape, Refusal};
 
 /// `g(x) = coefficient |x|^exponent`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -82,6 +82,10 @@ impl PunchShape for Tip {
     fn natural_length(&self) -> f64 {
         let length = self.coefficient.powf(-1.0 / (self.exponent - 1.0));
         if (1e-50..=1e50).contains(&length) { length } else { 1.0 }
+    }
+
+    fn flaw(&self, _half_width: f64) -> Option<Flaw> {
+        None
     }
 
     fn kinks(&self) -> &[f64] {

@@ -1,7 +1,7 @@
 //! A flat punch whose edges are rounded off.
 
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Positive, PunchProfile, PunchShape, Refusal};
+use slipzone_api::{Flaw, Positive, PunchProfile, PunchShape, Refusal};
 
 /// `g(x) = 0` on the face `|x| <= half_width`, then `g(x) = (|x| - half_width)^2/(2 radius)`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -59,6 +59,10 @@ impl PunchShape for Edges {
 
     fn natural_length(&self) -> f64 {
         2.0 * self.half_width[0] // on the edges, where the height says something
+    }
+
+    fn flaw(&self, _half_width: f64) -> Option<Flaw> {
+        None
     }
 
     fn kinks(&self) -> &[f64] {

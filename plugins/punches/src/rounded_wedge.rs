@@ -1,7 +1,7 @@
 //! A wedge whose tip is rounded off.
 
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Positive, PunchProfile, PunchShape, Refusal};
+use slipzone_api::{Flaw, Positive, PunchProfile, PunchShape, Refusal};
 
 /// `g(x) = x^2/(2 radius)` up to `|x| = slope radius`, where the straight flanks `g(x) = slope |x| - slope^2 radius/2`
 /// continue it without a corner.
@@ -52,6 +52,10 @@ impl PunchShape for Tip {
 
     fn natural_length(&self) -> f64 {
         2.0 * self.join[0]
+    }
+
+    fn flaw(&self, _half_width: f64) -> Option<Flaw> {
+        None
     }
 
     fn kinks(&self) -> &[f64] {

@@ -1,7 +1,7 @@
 //! A wedge with a sharp tip.
 
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Positive, PunchProfile, PunchShape, Refusal};
+use slipzone_api::{Flaw, Positive, PunchProfile, PunchShape, Refusal};
 
 /// `g(x) = slope |x|`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -41,6 +41,10 @@ impl PunchShape for Flanks {
     /// A wedge has no length: it looks alike at every scale.
     fn natural_length(&self) -> f64 {
         1.0
+    }
+
+    fn flaw(&self, _half_width: f64) -> Option<Flaw> {
+        None
     }
 
     fn kinks(&self) -> &[f64] {

@@ -378,9 +378,10 @@ fn first_size(problem: &Problem, target: f64, by_force: bool) -> f64 {
     let reached = |b: f64| {
         if by_force { FRAC_PI_2 * b * problem.slope(b) / problem.elastic.a0() } else { 2.0 * problem.height(b) }
     };
-    let mut b = problem.natural_length();
-    // Further out than the face a punch that does not rise is hollow there, or has no shape. Each loop ends: b leaves the range of
-    // floating point numbers after 2100 steps at the latest.
+    // In layer units a length that is positive and finite may be neither.
+    let mut b = problem.natural_length().clamp(f64::MIN_POSITIVE, f64::MAX);
+    // Further out than the face a punch that does not rise is hollow there, or has no shape. Each loop ends, as b is positive and
+    // finite: it leaves the range of floating point numbers after 2100 steps at the latest.
     let rises = |b: f64| b <= problem.face() || reached(b) > 0.0;
     let is_beyond = |b: f64| reached(b) > target || !rises(b);
     while is_beyond(b) && b > f64::MIN_POSITIVE {

@@ -1,6 +1,6 @@
 //! What every grading and every punch promises, tried out at a few points.
 
-use super::ensure;
+use crate::contract::{self, ensure};
 use crate::{Grading, ModulusLaw, NoFiles, Poisson, Positive, PunchProfile, PunchShape, Setting, Sublayer};
 
 /// The law describes an elastic solid, and what it says beside its values agrees with them.
@@ -17,11 +17,7 @@ pub(super) fn grading(mut config: Box<dyn Grading>) -> Result<(), String> {
 pub(super) fn solid(law: &dyn ModulusLaw) -> Result<(), String> {
     modulus(law)?;
     poisson(law)?;
-    let breaks = law.breakpoints();
-    let inside = breaks.iter().all(|depth| *depth > 0.0 && *depth < 1.0);
-    ensure(inside && breaks.windows(2).all(|w| w[0] < w[1]), || {
-        format!("breakpoints {breaks:?} do not ascend within (0, 1)")
-    })?;
+    contract::parts(law)?;
     sublayers(law)
 }
 
@@ -83,14 +79,10 @@ fn slope(series: &str, name: &str, coefficients: &[f64], value: impl Fn(f64) -> 
     })
 }
 
-/// The sublayers fill the layer, keep the contract themselves, and are what the whole says at its own depths.
+/// The sublayers keep the contract themselves, and are what the whole says at its own depths.
 fn sublayers(law: &dyn ModulusLaw) -> Result<(), String> {
-    let sublayers = law.sublayers();
-    let whole: f64 = sublayers.iter().map(|sublayer| sublayer.thickness).sum();
-    let fills = sublayers.iter().all(|sublayer| sublayer.thickness > 0.0) && (whole - 1.0).abs() < 1e-12;
-    ensure(sublayers.is_empty() || fills, || format!("sublayers are {whole} of the whole thick"))?;
     let mut top = 0.0;
-    for (index, Sublayer { thickness, law: own }) in sublayers.iter().enumerate() {
+    for (index, Sublayer { thickness, law: own }) in (1..).zip(law.sublayers()) {
         solid(&**own).map_err(|fault| format!("sublayer {index}: {fault}"))?;
         for depth in [0.1, 0.5, 0.9] {
             let of_whole = (law.modulus(top + depth * thickness), law.poisson(top + depth * thickness));
@@ -117,41 +109,18 @@ pub(super) fn punch(mut config: Box<dyn PunchProfile>) -> Result<(), String> {
 }
 
 pub(super) fn shape(shape: &dyn PunchShape) -> Result<(), String> {
-    let length = shape.natural_length();
-    ensure(length > 0.0 && length < f64::INFINITY, || format!("natural_length() = {length}"))?;
-    let half_width = shape.fixed_half_width().unwrap_or(length);
-    ensure(half_width > 0.0 && half_width < f64::INFINITY, || format!("fixed_half_width() = {half_width}"))?;
+    contract::shape(shape)?;
+    let half_width = shape.fixed_half_width().unwrap_or_else(|| shape.natural_length());
     let face = shape.face();
-    ensure((0.0..f64::INFINITY).contains(&face), || format!("face() = {face}"))?;
     ensure(shape.height(face) == 0.0, || format!("face() = {face}, but height({face}) = {}", shape.height(face)))?;
     if let Some(reach) = shape.reach() {
-        ensure(reach > 0.0 && reach < f64::INFINITY, || format!("reach() = {reach}"))?;
         ensure(half_width <= reach, || format!("reach() = {reach}, but natural_length() = {half_width}"))?;
     }
-    if let Some(noise) = shape.noise() {
-        ensure((0.0..f64::INFINITY).contains(&noise), || format!("noise() = {noise}"))?;
-    }
-    kinks(shape)?;
-
     let tip = shape.height(0.0);
     ensure(tip == 0.0, || format!("height(0) = {tip}"))?;
     along(shape, half_width)?;
     let level = shape.slope(0.0);
     ensure(level == 0.0, || format!("slope(0) = {level}"))
-}
-
-/// Kinks ascend from 0, there are not too many of them to split integrals at, and corners are kinks.
-fn kinks(shape: &dyn PunchShape) -> Result<(), String> {
-    const MOST: usize = 64;
-    let (kinks, corners) = (shape.kinks(), shape.corners());
-    ensure(kinks.len() <= MOST, || format!("{} kinks", kinks.len()))?;
-    let from_zero = kinks.iter().all(|x| *x >= 0.0 && x.is_finite());
-    ensure(from_zero && kinks.windows(2).all(|w| w[0] < w[1]), || format!("kinks {kinks:?} do not ascend from 0"))?;
-    ensure(corners.is_sorted(), || format!("corners {corners:?} do not ascend"))?;
-    match corners.iter().find(|corner| !kinks.contains(corner)) {
-        Some(corner) => Err(format!("the corner {corner} is not among the kinks {kinks:?}")),
-        None => Ok(()),
-    }
 }
 
 /// What holds at every point of a contact.

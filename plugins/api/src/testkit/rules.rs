@@ -1,33 +1,23 @@
 //! What every quadrature promises of its rules.
 
-use super::ensure;
+use crate::contract::{self, ensure};
 use crate::reference::flat_punch;
 use crate::{Edge, Parity, Quadrature, Rule, Span, Station};
 
 /// Equations are as many as the unknowns want, at points that ascend; a flat punch on a half-plane is exact.
 pub(super) fn quadrature(config: &dyn Quadrature) -> Result<(), String> {
-    // How many more equations there are than unknowns.
-    let spans = [(Parity::Even, Edge::Sharp, -1), (Parity::Even, Edge::Smooth, 0), (Parity::Odd, Edge::Continued, 1)];
-    for (parity, edge, excess) in spans {
+    for (parity, edge) in [(Parity::Even, Edge::Sharp), (Parity::Even, Edge::Smooth), (Parity::Odd, Edge::Continued)] {
         let rule = config.rule(&Span::symmetric(1.0, parity, edge)).map_err(|e| format!("no rule: {e}"))?;
-        counts(&*rule, parity, excess).map_err(|fault| format!("{parity:?} {edge:?}: {fault}"))?;
+        counts(&*rule, parity, edge).map_err(|fault| format!("{parity:?} {edge:?}: {fault}"))?;
     }
     let span = Span::symmetric(HALF_WIDTH, Parity::Even, Edge::Sharp);
     flat(config.rule(&span).map_err(|e| format!("no rule: {e}"))?.as_mut())
 }
 
 /// Of a rule on `[-1, 1]`.
-fn counts(rule: &dyn Rule, parity: Parity, excess: isize) -> Result<(), String> {
+fn counts(rule: &dyn Rule, parity: Parity, edge: Edge) -> Result<(), String> {
     let (unknowns, points) = (rule.unknowns(), rule.collocation());
-    let condition = rule.edge_condition();
-    ensure(condition.is_none_or(|row| row.len() == unknowns), || "edge_condition() is no row of the unknowns".into())?;
-    let equations = points.len() + usize::from(condition.is_some());
-    ensure(unknowns.checked_add_signed(excess) == Some(equations), || {
-        format!("{equations} equations for {unknowns} unknowns, not {excess} more")
-    })?;
-    ensure(rule.row_scale().is_none_or(|scale| scale.len() == points.len()), || {
-        "row_scale() has not one factor for each point".into()
-    })?;
+    contract::rule(rule, parity, edge)?;
     // Points may be so near an end that their abscissae are equal: their gaps are not.
     let ascend = points.windows(2).all(|pair| pair[0].x <= pair[1].x && pair[0].gap > pair[1].gap);
     ensure(ascend && points.iter().all(|at| at.x >= 0.0), || format!("{points:?} do not ascend from the middle"))?;

@@ -32,6 +32,9 @@ impl PunchShape for Parabola {
     fn natural_length(&self) -> f64 {
         1.0
     }
+    fn flaw(&self, _half_width: f64) -> Option<Flaw> {
+        None
+    }
 }
 
 /// A punch plugin around [`Parabola`], faulty as its attributes and its registration make it.
@@ -429,8 +432,8 @@ fn sublayers_must_be_the_whole() {
     assert_eq!(verdict(level(Fault::None), [0.25, 0.75], Fault::None), Ok(()));
     for (verdict, words) in [
         (verdict(level(Fault::None), [0.25, 0.7], Fault::None), "0.95 of the whole"),
-        (verdict(level(Fault::None), [0.5, 0.5], Fault::Breaks), "sublayer 0: breakpoints"),
-        (verdict(level(Fault::None), [0.5, 0.5], Fault::RatioSeries), "sublayer 0: poisson_series()"),
+        (verdict(level(Fault::None), [0.5, 0.5], Fault::Breaks), "sublayer 1: breakpoints"),
+        (verdict(level(Fault::None), [0.5, 0.5], Fault::RatioSeries), "sublayer 1: poisson_series()"),
         (verdict(Ramp { growth: 0.5, fault: Fault::None }, [0.5, 0.5], Fault::None), "but the whole"),
     ] {
         let found = verdict.expect_err("this stack is broken");

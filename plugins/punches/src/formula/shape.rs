@@ -1,8 +1,7 @@
 //! The shape that a formula gives, looked over before it is used.
 
 use super::Gives;
-use crate::examine;
-use slipzone_api::{Fault, Flaw, PunchShape, details, double_exponential, short};
+use slipzone_api::{Fault, Flaw, PunchShape, details, double_exponential, examine, short};
 use slipzone_formula::Formula;
 use std::sync::{Arc, Mutex, PoisonError};
 
