@@ -131,6 +131,10 @@ fn grading(document: &Document, scene: &Scene) -> Result<(), SceneError> {
             let first = if flaw.what.starts_with("Poisson") { "poisson" } else { "modulus" };
             let (path, own) = culprit(document, depth, first);
             let path: Vec<&str> = path.iter().map(String::as_str).collect();
+            if flaw.x.is_nan() {
+                let error = document.error(document.best(&path), "the grading breaks the contract of gradings");
+                return Err(error.found(flaw.what).expected("a law that is what it tells of itself"));
+            }
             let within =
                 if path.len() > 3 { format!(", {} below its sublayer's top", short(own)) } else { String::new() };
             let error = document.error(document.best(&path), "the grading describes no elastic solid");

@@ -1,6 +1,6 @@
 //! The elastic layer as the flexibility plugins see it.
 
-use crate::{Base, Elastic, Flaw, Moduli, ModulusLaw, Plane, Poisson, Stretch, short};
+use crate::{Base, Elastic, Flaw, Moduli, ModulusLaw, Plane, Poisson, Stretch, contract, short};
 
 /// How a scene's numbers are to be read: what does not vary with depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,9 +72,14 @@ impl LayerModel {
     }
 
     /// The first depth found (in units of the thickness) at which the law gives no elastic solid: a modulus that is not
-    /// finite and positive, or a Poisson's ratio out of range.
+    /// finite and positive, or a Poisson's ratio out of range. No number is the depth where the law tells what it is not.
     pub fn flaw(&self) -> Option<Flaw> {
-        self.law.stretches().iter().find_map(flaw)
+        let broken = |what| Flaw { what, x: f64::NAN };
+        // Stretches are taken only from breakpoints that are some.
+        let parts = contract::parts(&*self.law).err().map(broken);
+        parts
+            .or_else(|| self.law.stretches().iter().find_map(flaw))
+            .or_else(|| contract::values(&*self.law).err().map(broken))
     }
 }
 
@@ -98,4 +103,87 @@ fn flaw(stretch: &Stretch) -> Option<Flaw> {
         };
         Some(Flaw { what, x: stretch.in_whole(depth) })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Sublayer;
+
+    /// `mu = 8^depth`, and what else it tells.
+    #[derive(Debug, Default)]
+    struct Told {
+        surface: Option<f64>,
+        exponent: Option<f64>,
+        /// Slope of Poisson's ratio.
+        rise: f64,
+        breaks: Vec<f64>,
+        details: Vec<f64>,
+        sublayers: Vec<Sublayer>,
+    }
+
+    impl ModulusLaw for Told {
+        fn modulus(&self, depth: f64) -> f64 {
+            8_f64.powf(depth)
+        }
+        fn poisson(&self, depth: f64) -> Option<f64> {
+            Some(0.2 + self.rise * depth)
+        }
+        fn surface_modulus(&self) -> f64 {
+            self.surface.unwrap_or(1.0)
+        }
+        fn exponent(&self) -> Option<f64> {
+            self.exponent
+        }
+        fn breakpoints(&self) -> &[f64] {
+            &self.breaks
+        }
+        fn details(&self) -> &[f64] {
+            &self.details
+        }
+        fn sublayers(&self) -> &[Sublayer] {
+            &self.sublayers
+        }
+    }
+
+    fn flaw_of(told: Told) -> Option<Flaw> {
+        let poisson = Poisson::new(0.3).unwrap();
+        let solid = Solid { plane: Plane::Strain, poisson, moduli: Moduli::Shear };
+        LayerModel::new(Box::new(told), solid, Base::Rigid).flaw()
+    }
+
+    fn stack(parts: &[f64], told: impl Fn() -> Told) -> Told {
+        let sublayer = |thickness: &f64| Sublayer { thickness: *thickness, law: Box::new(told()) };
+        Told { sublayers: parts.iter().map(sublayer).collect(), ..Told::default() }
+    }
+
+    #[test]
+    fn a_law_that_tells_what_it_is_not_has_a_flaw() {
+        let exponent = Some(8_f64.ln());
+        let fine = || Told { exponent, breaks: vec![0.3, 0.5], details: vec![0.0, 0.6], ..Told::default() };
+        assert_eq!(flaw_of(fine()), None);
+        assert_eq!(flaw_of(stack(&[0.25, 0.75], fine)), None);
+        let cases: [(Told, &str); 16] = [
+            (Told { surface: Some(2.0), ..fine() }, "surface_modulus() = 2"),
+            (Told { surface: Some(f64::NAN), ..fine() }, "surface_modulus() = NaN"),
+            (Told { surface: Some(-1.0), ..fine() }, "surface_modulus() = -1"),
+            (Told { exponent: Some(0.0), ..fine() }, "exponent() = 0"),
+            (Told { exponent: Some(8_f64.ln() * 1.0001), ..fine() }, "is off by"),
+            (Told { exponent: Some(f64::NAN), ..fine() }, "exponent() = NaN"),
+            (Told { exponent: Some(f64::INFINITY), ..fine() }, "exponent() = inf"),
+            (Told { rise: 0.2, ..fine() }, "poisson(0.5)"),
+            (Told { breaks: vec![0.5, 0.3], ..fine() }, "do not ascend within (0, 1)"),
+            (Told { breaks: vec![0.5, 0.5], ..fine() }, "do not ascend within (0, 1)"),
+            (Told { breaks: vec![f64::NAN], ..fine() }, "do not ascend within (0, 1)"),
+            (Told { breaks: vec![-1.0], ..fine() }, "do not ascend within (0, 1)"),
+            (Told { details: vec![f64::NAN], ..fine() }, "do not lie within [0, 1]"),
+            (stack(&[0.25, 0.25], fine), "sublayers are 0.5 of the whole"),
+            (stack(&[1.5, -0.5], fine), "sublayers are 1 of the whole"),
+            (stack(&[1.0], || Told { breaks: vec![2.0], ..Told::default() }), "sublayer 1: breakpoints [2.0]"),
+        ];
+        for (told, words) in cases {
+            let flaw = flaw_of(told).expect(words);
+            assert!(flaw.what.contains(words) && flaw.x.is_nan(), "{words}: {flaw:?}");
+        }
+    }
 }
