@@ -1,6 +1,7 @@
 //! A layer prepared: its flexibility, and its kernels over the lengths asked for so far.
 
 use super::problem::Problem;
+use crate::engine::foreign;
 use crate::engine::work::budget::Meter;
 use crate::engine::work::counted::Counted;
 use crate::plan::{Chosen, Methods};
@@ -116,6 +117,7 @@ impl PreparedLayer {
             let table = strategy.tabulate(response, &KernelRequest { reach, components, accuracy });
             // Who gives up does not say after how much.
             let table = table.inspect_err(|_| self.meter.count_wave_numbers(GIVEN_UP))?;
+            let table = foreign::table(strategy.typetag_name(), table)?;
             Ok(Counted { table, meter: Arc::clone(&self.meter) })
         };
         let components = &ALL[usize::from(!(self.is_grounded && wanted.deep))..if wanted.frictional { 4 } else { 2 }];

@@ -25,6 +25,7 @@ mod limits;
 mod loading_curve;
 mod marching;
 mod operator_counts;
+mod own_plugins;
 mod planned;
 mod planner;
 mod punches;

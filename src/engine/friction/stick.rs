@@ -6,12 +6,13 @@ use super::half_plane_shear::HalfPlaneShear;
 use super::slip_grid::SlipGrid;
 use super::stick_zone::StickZone;
 use crate::engine::accuracy::quantity::{ShearTrace, Traces};
+use crate::engine::foreign;
 use crate::engine::numerics::dense::Dense;
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::pressure::lookout::Lookout;
 use crate::engine::pressure::normal::Normal;
 use crate::engine::work::Work;
-use slipzone_api::{Component, Edge, Parity, Quadrature, Refusal, Rule, Span, Station, lend};
+use slipzone_api::{Component, Edge, Parity, Quadrature, Refusal, Rule, Station, lend};
 use std::cell::Cell;
 
 /// Points at which what is known of the shear is told at a time.
@@ -80,7 +81,7 @@ struct StickGrid {
 
 impl StickGrid {
     fn new(quadrature: &dyn Quadrature) -> Result<Self, Refusal> {
-        let rule = quadrature.rule(&Span::symmetric(1.0, Parity::Odd, Edge::Continued))?;
+        let rule = foreign::rule(quadrature, Parity::Odd, Edge::Continued)?;
         Ok(Self { system: Dense::new(rule.unknowns() + 1, 1), rule })
     }
 }

@@ -13,6 +13,7 @@ mod told;
 use super::blend::{Blend, Term};
 use super::sheet::END;
 use crate::engine::contact::Contact;
+use crate::engine::foreign;
 use crate::engine::friction::rubbing::Rubbing;
 use crate::engine::friction::stick_search::{FrictionCurve, Root};
 use crate::engine::friction::stick_zone::StickZone;
@@ -29,7 +30,7 @@ use depths::Depths;
 use pressed::Pressed;
 use rubbed::{Moves, PARTS, Rubbed, Seen};
 use slipzone_api::double_exponential::Node;
-use slipzone_api::{Component, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Span, Station, root, short};
+use slipzone_api::{Component, Edge, FlatFace, Parity, Quadrature, Refusal, Rule, Station, root, short};
 use std::ops::{Range, RangeInclusive};
 use std::sync::Arc;
 use told::Told;
@@ -172,7 +173,7 @@ impl Family {
         coarse: Option<&Family>,
     ) -> Result<Self, Unfit> {
         let flat = member(task.problem, widest, friction);
-        let rule = quadrature.rule(&Span::symmetric(1.0, Parity::Odd, Edge::Sharp))?;
+        let rule = foreign::rule(quadrature, Parity::Odd, Edge::Sharp)?;
         let n = rule.unknowns();
         layer.tabulate(widest, task.wanted)?;
         // A contact is never narrower than the face.

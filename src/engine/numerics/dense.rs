@@ -61,7 +61,7 @@ impl Dense {
 
     /// Fills in the matrix, row by row, and the right-hand sides, one after another; both hold what earlier systems left. Replaces
     /// as many of the right-hand sides as `fill` returns by their solutions.
-    pub(crate) fn solve(&mut self, fill: impl FnOnce(&mut [f64], &mut [f64]) -> usize) -> Result<(), Refusal> {
+    pub(crate) fn solve(&mut self, mut fill: impl FnMut(&mut [f64], &mut [f64]) -> usize) -> Result<(), Refusal> {
         let n = self.size;
         let right = if let Some(blocks) = &mut self.blocks {
             let right = fill(&mut blocks.rows, &mut self.columns);
@@ -83,6 +83,15 @@ impl Dense {
         // A singular matrix gives infinities or NaN and no error.
         if columns.iter().all(|v| v.is_finite()) {
             return Ok(());
+        }
+        // So does one that is made of them: it is gone, and filled in again to be seen.
+        let mut rows = vec![0.0; n * n];
+        let right = fill(&mut rows, &mut self.columns);
+        if !rows.iter().chain(&self.columns[..n * right]).all(|v| v.is_finite()) {
+            return Err(Refusal::Limit {
+                why: format!("the system of {n} equations holds what is no finite number"),
+                remedy: "look for it in what the plugins of the punch, the kernel and the quadrature give",
+            });
         }
         Err(Refusal::Limit {
             why: format!("the system of {n} equations is singular to working precision"),
@@ -146,8 +155,22 @@ mod tests {
             rows.fill(0.0);
             1
         });
-        assert!(singular.is_err());
+        assert!(singular.unwrap_err().to_string().contains("singular to working precision"));
         assert_eq!(system.work, Work { factorisations: 3, operations: 3 * 2 + 2 * 8 + 4 });
+    }
+
+    #[test]
+    fn what_holds_no_number_is_not_called_singular() {
+        for n in [2, FEW + 1] {
+            let solved = Dense::new(n, 1).solve(|rows, right| {
+                rows.fill(0.0);
+                rows.iter_mut().step_by(n + 1).for_each(|one| *one = 1.0);
+                right.fill(1.0);
+                rows[1] = f64::NAN;
+                1
+            });
+            assert!(solved.unwrap_err().to_string().contains("holds what is no finite number"), "{n}");
+        }
     }
 
     /// Sizes around the vectors' lengths and around [`FEW`]; entries without order, so that rows change places.

@@ -2,12 +2,13 @@
 
 use super::lookout::Lookout;
 use crate::engine::accuracy::quantity::{Numbers, Quantity, Traces};
+use crate::engine::foreign;
 use crate::engine::numerics::dense::Dense;
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::{LoadInLayerUnits, Problem};
 use crate::engine::work::Work;
 use slipzone_api::double_exponential::{self, Node};
-use slipzone_api::{Component, Edge, Parity, Quadrature, Refusal, Rule, Span, Station};
+use slipzone_api::{Component, Edge, Parity, Quadrature, Refusal, Rule, Station};
 use std::f64::consts::FRAC_2_PI;
 
 /// Nodes on either side of an integral against a datum,
@@ -37,7 +38,7 @@ pub(crate) struct Normal {
 impl Normal {
     /// Room for the pressure under a punch whose corners fix the contact (`Sharp`) or that has none (`Smooth`).
     pub(crate) fn new(quadrature: &dyn Quadrature, edge: Edge) -> Result<Self, Refusal> {
-        let rule = quadrature.rule(&Span::symmetric(1.0, Parity::Even, edge))?;
+        let rule = foreign::rule(quadrature, Parity::Even, edge)?;
         let n = rule.unknowns();
         Ok(Self {
             half_width: 1.0,

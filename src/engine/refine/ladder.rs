@@ -2,6 +2,7 @@
 
 use super::aim::Aim;
 use crate::engine::accuracy::error_estimate::Pace;
+use crate::engine::foreign::broken;
 use crate::engine::friction::rubbing::Rubbing;
 use crate::engine::growing::family::Family;
 use crate::engine::outcome::{Outcome, Task};
@@ -136,6 +137,14 @@ impl Ladder {
         while self.stages.len() <= step {
             let [_, level] = aim.levels(self.stages.len());
             let mut stage = Stage::new(aim.problem, aim.methods.quadrature.refined(level))?;
+            // Two that are the same agree, whatever the error.
+            if let Some(coarser) =
+                self.stages.last().map(Stage::unknowns).filter(|coarser| stage.unknowns() <= *coarser)
+            {
+                let fault =
+                    format!("refined({level}) has {} unknowns, the level before it {coarser}", stage.unknowns());
+                return Err(broken(aim.methods.quadrature.typetag_name(), &fault));
+            }
             if let (Some(growing), Some(family)) = (&mut stage.growing, self.inherited.get_mut(self.stages.len())) {
                 growing.inherit(family.take());
             }

@@ -27,8 +27,9 @@ impl KernelTable for Counted {
         self.table.values_into(component, distances, out);
     }
 
+    /// A bound that is none proves nothing.
     fn error(&self) -> Option<f64> {
-        self.table.error()
+        self.table.error().filter(|error| *error >= 0.0)
     }
 
     fn length(&self) -> f64 {
