@@ -32,8 +32,8 @@ pub fn flaw<S: PunchShape + ?Sized>(shape: &S, half_width: f64) -> Option<Flaw> 
     // What is known of nothing but its values may round by the largest of them, heights by more: what they say is compared with
     // the slope.
     let height = LEVEL / ROUNDING * size(shape.height(half_width));
-    let scale = Scale { height, slope: size(shape.slope(half_width)) };
-    search(scale, shape, half_width, shape.kinks()).or_else(|| contradiction(shape, half_width))
+    let known = (height, size(shape.slope(half_width)));
+    first_flaw_beside(known, shape, half_width, shape.kinks()).or_else(|| contradiction(shape, half_width))
 }
 
 /// Whether a flaw is that a shape contradicts itself, and not that it is of the wrong form.
@@ -69,11 +69,17 @@ fn contradiction<S: PunchShape + ?Sized>(shape: &S, half_width: f64) -> Option<F
 ///
 /// Looks at equally spaced points and at `also`, ascending; then closer at where something was found.
 pub fn first_flaw<S: PunchShape + ?Sized>(shape: &S, half_width: f64, also: &[f64]) -> Option<Flaw> {
-    search(Scale::default(), shape, half_width, also)
+    first_flaw_beside((0.0, 0.0), shape, half_width, also)
 }
 
-/// [`first_flaw`], where so large a height and slope are known.
-fn search<S: PunchShape + ?Sized>(mut scale: Scale, shape: &S, half_width: f64, also: &[f64]) -> Option<Flaw> {
+/// [`first_flaw`], where so large a height and slope are known, which round.
+pub fn first_flaw_beside<S: PunchShape + ?Sized>(
+    (height, slope): (f64, f64),
+    shape: &S,
+    half_width: f64,
+    also: &[f64],
+) -> Option<Flaw> {
+    let mut scale = Scale { height, slope };
     let mut points: Vec<f64> = (1..=POINTS).map(|i| f64::from(i) / f64::from(POINTS) * half_width).collect();
     points.extend(also.iter().filter(|&&x| x > 0.0 && x <= half_width));
     points.sort_unstable_by(f64::total_cmp);
@@ -91,7 +97,6 @@ fn search<S: PunchShape + ?Sized>(mut scale: Scale, shape: &S, half_width: f64, 
 }
 
 /// The largest finite height and slope seen so far.
-#[derive(Default)]
 struct Scale {
     height: f64,
     slope: f64,

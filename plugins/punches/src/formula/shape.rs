@@ -276,8 +276,11 @@ impl PunchShape for Graph {
     }
 
     fn flaw(&self, half_width: f64) -> Option<Flaw> {
+        // Terms that cancel round by their sizes: heights by that of the tip as written, slopes by that where the contact ends.
+        let steepest = Some(self.steepness(half_width).abs()).filter(|slope| slope.is_finite()).unwrap_or(0.0);
+        let known = (self.tip.abs(), steepest);
         let found = match self.gives {
-            Gives::Height => examine::first_flaw(self, half_width, &self.kinks),
+            Gives::Height => examine::first_flaw_beside(known, self, half_width, &self.kinks),
             Gives::Slope => examine::first_flaw(&Rising(self), half_width, &self.kinks),
         };
         let nearest = found.as_ref().map_or(half_width, |flaw| flaw.x);
