@@ -4,8 +4,9 @@
 //! inside would lose its key, and extra keys beside `type = "rigid"` would pass. Plugins need no such
 //! help, `typetag` streams what follows a leading `type`.
 
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
+use serde::de::value::{MapAccessDeserializer, MapDeserializer};
+use serde::de::{Deserialize, DeserializeOwned, Deserializer, Error, MapAccess, Visitor};
+use serde_json::Value;
 use slipzone_api::{Base, Friction, FrozenStrain, Moduli, Poisson, Positive};
 use std::fmt;
 
@@ -69,15 +70,14 @@ impl<'de> Visitor<'de> for BaseTable {
         f.write_str("a table such as `{ type = \"rigid\" }`")
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Base, A::Error> {
-        let tag = tag(&mut map)?;
-        let rest = MapAccessDeserializer::new(map);
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Base, A::Error> {
+        let (tag, rest) = tagged(map)?;
         match tag.as_str() {
-            "rigid" => NoKeys::deserialize(rest).map(|_| Base::Rigid),
-            "frictionless" => NoKeys::deserialize(rest).map(|_| Base::Frictionless),
-            "infinite" => NoKeys::deserialize(rest).map(|_| Base::Infinite),
+            "rigid" => rest.read().map(|NoKeys {}| Base::Rigid),
+            "frictionless" => rest.read().map(|NoKeys {}| Base::Frictionless),
+            "infinite" => rest.read().map(|NoKeys {}| Base::Infinite),
             "half-plane" => {
-                let base = HalfPlane::deserialize(rest)?;
+                let base: HalfPlane = rest.read()?;
                 Ok(Base::HalfPlane { shear: base.shear()?, poisson: base.poisson })
             }
             _ => Err(A::Error::unknown_variant(&tag, &["rigid", "frictionless", "half-plane", "infinite"])),
@@ -94,23 +94,53 @@ impl<'de> Visitor<'de> for FrictionTable {
         f.write_str("a table with `type` and `coefficient`")
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Friction, A::Error> {
-        let tag = tag(&mut map)?;
-        let rest = MapAccessDeserializer::new(map);
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Friction, A::Error> {
+        let (tag, rest) = tagged(map)?;
         match tag.as_str() {
-            "goodman" => Goodman::deserialize(rest)
-                .map(|Goodman { coefficient, strain }| Friction::Goodman { coefficient, strain }),
+            "goodman" => rest.read().map(|Goodman { coefficient, strain }| Friction::Goodman { coefficient, strain }),
             _ => Err(A::Error::unknown_variant(&tag, &["goodman"])),
         }
     }
 }
 
-/// The value of the leading `type`; [`super::decode`] moves it to the front.
-fn tag<'de, A: MapAccess<'de>>(map: &mut A) -> Result<String, A::Error> {
-    match map.next_key::<String>()?.as_deref() {
-        Some("type") => map.next_value(),
-        _ => Err(A::Error::missing_field("type")),
+/// What a table holds beside its `type`.
+enum Rest<A> {
+    /// What follows a leading `type`.
+    Unread(A),
+    /// All of it, where `type` stood further back.
+    Read(Vec<(String, Value)>),
+}
+
+impl<'de, A: MapAccess<'de>> Rest<A> {
+    fn read<T: DeserializeOwned>(self) -> Result<T, A::Error> {
+        match self {
+            Self::Unread(map) => T::deserialize(MapAccessDeserializer::new(map)),
+            Self::Read(entries) => {
+                let entries = MapDeserializer::<_, serde_json::Error>::new(entries.into_iter());
+                T::deserialize(entries).map_err(A::Error::custom)
+            }
+        }
     }
+}
+
+/// The value of `type`, and the rest. [`super::decode`] moves `type` to the front; elsewhere keys may be sorted.
+fn tagged<'de, A: MapAccess<'de>>(mut map: A) -> Result<(String, Rest<A>), A::Error> {
+    let mut before = Vec::new();
+    while let Some(key) = map.next_key::<String>()? {
+        if key != "type" {
+            before.push((key, map.next_value()?));
+            continue;
+        }
+        let tag = map.next_value()?;
+        if before.is_empty() {
+            return Ok((tag, Rest::Unread(map)));
+        }
+        while let Some(entry) = map.next_entry()? {
+            before.push(entry);
+        }
+        return Ok((tag, Rest::Read(before)));
+    }
+    Err(A::Error::missing_field("type"))
 }
 
 #[cfg(test)]
@@ -141,6 +171,20 @@ mod tests {
             let doc = Doc { base, friction };
             let text = toml::to_string(&doc).unwrap();
             assert_eq!(toml::from_str::<Doc>(&text).unwrap(), doc, "{text}");
+            let sorted = serde_json::to_value(&doc).unwrap();
+            assert_eq!(serde_json::from_value::<Doc>(sorted).unwrap(), doc, "{text}");
         }
+    }
+
+    /// What is wrong in a table is told wherever its `type` stands.
+    #[test]
+    fn a_type_further_back_lets_nothing_pass() {
+        let told = |text: &str| base(&mut serde_json::Deserializer::from_str(text)).unwrap_err().to_string();
+        let last = |keys: &str| told(&format!("{{ {keys}, \"type\": \"half-plane\" }}"));
+        assert!(last("\"poisson\": 0.3").contains("missing field `shear`"));
+        assert!(last("\"poisson\": 0.3, \"shear\": -1.0").contains("above 0"));
+        assert!(last("\"poisson\": 0.3, \"shear\": 1.0, \"shear\": 2.0").contains("duplicate field `shear`"));
+        assert!(told("{ \"shear\": 1.0, \"type\": \"rigid\" }").contains("unknown field `shear`"));
+        assert!(told("{ \"shear\": 1.0 }").contains("missing field `type`"));
     }
 }

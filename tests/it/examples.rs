@@ -38,6 +38,17 @@ fn scenes() -> Vec<(String, Scene)> {
     scenes
 }
 
+/// As those that read JSON into a tree of it have them.
+#[test]
+fn every_example_is_read_back_with_sorted_keys() {
+    for (name, scene) in scenes() {
+        let mut value = serde_json::to_value(&scene).expect("a scene is plain data");
+        value.sort_all_objects();
+        let again: Scene = serde_json::from_value(value.clone()).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(serde_json::to_value(&again).expect("plain data"), value, "{name}");
+    }
+}
+
 #[test]
 fn every_example_converges_and_draws() {
     for (name, scene) in scenes() {
