@@ -134,6 +134,16 @@ impl PreparedLayer {
         Ok(())
     }
 
+    /// How far its kernels reach.
+    pub(super) fn reach(&self) -> f64 {
+        self.tables.as_ref().map_or(0.0, |tables| tables.reach)
+    }
+
+    /// Gives up its tables.
+    pub(super) fn forget(&mut self) {
+        self.tables = None;
+    }
+
     /// What tells kernels that are as good as the present ones from others.
     pub(crate) fn fineness(&self) -> u64 {
         match &self.tables {

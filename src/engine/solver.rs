@@ -163,8 +163,21 @@ impl Solver {
         self.find_within()
     }
 
-    /// The same within what is left of a budget.
+    /// The same within what is left of a budget. Tables that grew for a load which was refused in the end are as coarse as they are far:
+    /// no other load is to be solved with them.
     fn find_within(&mut self) -> Result<(), Refusal> {
+        let reach = self.layer.reach();
+        let found = self.found_within();
+        if found.is_err() && self.layer.reach() > reach {
+            self.judged = None;
+            self.layer.forget();
+            self.ladder.begin_again(|_| FlatPunches::default());
+        }
+        found
+    }
+
+    /// The same, whatever becomes of the tables.
+    fn found_within(&mut self) -> Result<(), Refusal> {
         self.layer.meter().within()?;
         let solver = &self.chosen.scene.solver;
         if solver.model == Some(Model::Thin) {

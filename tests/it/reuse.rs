@@ -1,6 +1,6 @@
 //! What a second load on a known layer costs: no flexibility, no memory.
 
-use crate::sketch::{Sketch, pressure_apart, shear_apart};
+use crate::sketch::{Sketch, numbers, pressure_apart, shear_apart};
 use slipzone::api::{Friction, Positive};
 use slipzone::engine::{Solution, Solver, Status};
 use slipzone::scene::{Load, Scene};
@@ -214,6 +214,24 @@ fn another_load_is_as_sure_as_it_says_for_a_few_systems() {
                 is_as_sure_as_it_says(&again, &fresh.solve(), tolerance, &case);
             }
         }
+    }
+}
+
+/// Kernel tables that reached for it would spoil every load after it.
+#[test]
+fn a_load_that_is_refused_leaves_nothing_behind() {
+    let scene = growing(5.0, 0.125, GROWING[0], 1e-8, RUBBING);
+    let bits =
+        |solution: &Solution| numbers(solution).into_iter().map(|(_, number)| number.to_bits()).collect::<Vec<_>>();
+    let alone = slipzone::engine::solve(&scene);
+    for refused in [Load::Force(positive(1e80)), Load::Indentation(positive(1e8))] {
+        let mut solver = Solver::new(&scene).expect("a bonded layer");
+        solver.press(refused);
+        assert_eq!(solver.solve().status, Status::Refused, "{refused:?}");
+        solver.press(scene.load);
+        let again = solver.solve();
+        assert_eq!(again.status, Status::Converged, "{refused:?}: {:?}", again.reason);
+        assert_eq!(bits(&again), bits(&alone), "{refused:?}");
     }
 }
 
