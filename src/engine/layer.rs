@@ -4,6 +4,7 @@ use super::prepared_layer::PreparedLayer;
 use super::refine::FlatPunches;
 use crate::plan::choose;
 use crate::scene::Scene;
+use crate::scene::check::bounds;
 use slipzone_api::Refusal;
 
 /// The flexibility of one layer, the kernel tables made of it and the flat punches solved on it, to be used under another
@@ -21,6 +22,7 @@ pub struct Layer {
 impl Layer {
     /// The layer of a scene, with nothing tabulated yet.
     pub fn of(scene: &Scene) -> Result<Self, Refusal> {
+        bounds(scene)?;
         let chosen = choose(scene);
         Ok(Self::known(PreparedLayer::of(&chosen)?, &chosen.scene, FlatPunches::default()))
     }

@@ -213,12 +213,16 @@ impl Solution {
         Self { status, reason: Some(reason), ..self }
     }
 
-    /// A solution without numbers: everything that the scene alone tells, and the reason.
+    /// A solution without numbers: everything that the scene alone tells, and the reason. Of the samples that the scene lists those
+    /// that are no numbers are left out: no report could hold them.
     pub(crate) fn refused(scene: &Scene, plan: Plan, reason: String) -> Self {
+        let mut scene = scene.clone();
+        if let Some(x) = &mut scene.output.x {
+            x.retain(|x| x.is_finite());
+        }
         Self {
             format: 1,
             program: Program { name: env!("CARGO_PKG_NAME"), version: env!("CARGO_PKG_VERSION") },
-            scene: scene.clone(),
             units: scene.units.clone(),
             status: Status::Refused,
             reason: Some(reason),
@@ -230,7 +234,8 @@ impl Solution {
             plan,
             profile: Profile::default(),
             path: None,
-            assumptions: assumptions(scene),
+            assumptions: assumptions(&scene),
+            scene,
         }
     }
 }

@@ -15,6 +15,7 @@ use crate::engine::refine::judged::Judged;
 use crate::engine::stand_in::thin;
 use crate::engine::work::budget::BUDGET;
 use crate::plan::{Chosen, Plan, choose};
+use crate::scene::check::{bounded, bounds};
 use crate::scene::{Load, Model, Scene};
 use slipzone_api::{Friction, Refusal};
 
@@ -62,7 +63,7 @@ impl Solver {
 
     /// Prepares, or gives the scene back.
     pub(super) fn prepare(chosen: Chosen) -> Result<Self, (Refusal, Box<Chosen>)> {
-        let problem = match Problem::new(&chosen.scene) {
+        let problem = match bounds(&chosen.scene).and_then(|()| Problem::new(&chosen.scene)) {
             Ok(problem) => problem,
             Err(refusal) => return Err((refusal, Box::new(chosen))),
         };
@@ -95,6 +96,7 @@ impl Solver {
     /// Prepares another scene of the same layer, with all that is known of the layer already; refuses a scene
     /// of another layer, or one that asks for other methods.
     pub fn on(layer: Layer, scene: &Scene) -> Result<Self, Refusal> {
+        bounds(scene)?;
         let chosen = choose(scene);
         let problem = Problem::new(&chosen.scene)?;
         if !layer.is_of(&chosen.scene) {
@@ -178,6 +180,7 @@ impl Solver {
 
     /// The same, whatever becomes of the tables.
     fn found_within(&mut self) -> Result<(), Refusal> {
+        bounded(self.chosen.scene.load)?;
         self.layer.meter().within()?;
         let solver = &self.chosen.scene.solver;
         if solver.model == Some(Model::Thin) {
@@ -326,6 +329,7 @@ impl Solver {
     /// The contact by the model `thin`, which nothing keeps from being asked, see [`thin::obstacle`].
     fn thin(&self) -> Result<Solution, Refusal> {
         let Self { chosen, problem, layer, .. } = self;
+        bounded(chosen.scene.load)?;
         let (numbers, errors) = thin::told(problem, layer.response())?;
         let worst = errors.worst().map_or(0.0, |(_, error)| error);
         let judgement = if worst <= chosen.scene.solver.tolerance.get() {

@@ -17,6 +17,40 @@ pub(super) fn all(document: &Document, scene: &Scene) -> Result<(), SceneError> 
     CHECKS.iter().try_for_each(|check| check(document, scene))
 }
 
+/// What the engine relies on of a scene, told by a few comparisons: all that is checked of one that was parsed, and one that was made
+/// in code may not keep to.
+pub(crate) fn bounds(scene: &Scene) -> Result<(), Refusal> {
+    let Scene { format, layer, friction, load, path, solver, output, .. } = scene;
+    let is_listed = |x: &Vec<f64>| LISTED.contains(&x.len()) && x.iter().all(|x| ABSCISSAE.contains(x));
+    let are_placed = output.x.as_ref().map_or(POINTS.contains(&output.points), is_listed);
+    let rubs = |Friction::Goodman { coefficient, .. }| (*MODERATE.start()..=MOST_FRICTION).contains(&coefficient.get());
+    let lengths = layer.thickness.into_iter().chain(layer.datum).all(|length| in_scale(length.get()));
+    let is_forbidden = |model: &Model| *model == Model::Full || solver.model == Some(*model);
+    let kept = [
+        ("format", *format == 1),
+        ("solver.tolerance", TOLERANCES.contains(&solver.tolerance.get())),
+        ("solver.forbid", !solver.forbid.iter().any(is_forbidden)),
+        (if output.x.is_some() { "output.x" } else { "output.points" }, are_placed),
+        ("layer", lengths),
+        ("layer.thickness", layer.thickness.is_some() || layer.base == Base::Infinite),
+        ("friction.coefficient", friction.is_none_or(rubs)),
+        ("load.path", path.as_ref().is_none_or(|path| in_scale(path.load(0).value().get()))),
+    ];
+    let broken = kept.iter().find(|(_, is_kept)| !is_kept).map(|(key, _)| *key);
+    broken.map_or_else(|| bounded(*load), |key| Err(beyond(key)))
+}
+
+/// The same of a load alone.
+pub(crate) fn bounded(load: Load) -> Result<(), Refusal> {
+    if in_scale(load.value().get()) { Ok(()) } else { Err(beyond("load")) }
+}
+
+/// A scene that no text could describe.
+fn beyond(key: &str) -> Refusal {
+    let why = format!("`{key}` of this scene is outside of what a scene may hold");
+    Refusal::Limit { why, remedy: "`Scene::check` tells what is allowed" }
+}
+
 /// Text that goes into reports and figures.
 fn labels(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     let labels: [(&[&str], &Option<String>); 3] = [

@@ -8,7 +8,7 @@
 #![allow(clippy::result_large_err)]
 
 mod asked;
-mod check;
+pub(crate) mod check;
 mod complaint;
 pub(crate) mod decode;
 pub(crate) mod document;
@@ -92,10 +92,7 @@ pub fn parse_with(name: &str, text: &str, files: &dyn Files) -> Result<Scene, Sc
 
 /// The scene that a document describes, every check passed.
 fn checked(document: &Document, files: &dyn Files) -> Result<Scene, SceneError> {
-    decode::format(document)?;
-    load_keys::load(document)?;
-    check::points(document)?;
-    let mut scene: Scene = decode::decode(document)?;
+    let mut scene = decoded(document)?;
     scene.layer.grading.read(files).map_err(|fault| document.fault(&["layer", "grading"], fault))?;
     scene.punch.read(files).map_err(|fault| document.fault(&["punch"], fault))?;
     if scene.layer.base != Base::Infinite {
@@ -105,8 +102,18 @@ fn checked(document: &Document, files: &dyn Files) -> Result<Scene, SceneError> 
     Ok(scene)
 }
 
-/// A contact problem, each number of it checked. Lengths, stresses and forces per length in any
-/// consistent units.
+/// The scene that a document describes, its files not read yet.
+fn decoded(document: &Document) -> Result<Scene, SceneError> {
+    decode::format(document)?;
+    load_keys::load(document)?;
+    check::points(document)?;
+    decode::decode(document)
+}
+
+/// A contact problem. Lengths, stresses and forces per length in any consistent units.
+///
+/// Of one that was [parsed](parse) each number is checked; of one that was made or changed in code [`Self::check`] does that. The
+/// engine refuses what it could not compute with.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(from = "table::SceneTable")]
 pub struct Scene {
@@ -133,6 +140,32 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// The checks of [`parse`], for a scene that was made or changed in code. It takes about as long as to parse it.
+    ///
+    /// # Errors
+    /// The first thing that is wrong; its line is one of the scene written as TOML.
+    ///
+    /// ```
+    /// let mut scene = slipzone::scene::parse("demo.toml", r#"
+    ///     format = 1
+    ///     layer = { thickness = 5.0, poisson = 0.3, grading = { type = "homogeneous", modulus = 1.0 } }
+    ///     punch = { type = "flat", half_width = 1.0 }
+    ///     load = { force = 1.0 }
+    /// "#).unwrap();
+    /// assert!(scene.check().is_ok());
+    /// scene.output.points = 0;
+    /// let error = scene.check().unwrap_err();
+    /// assert_eq!(error.expected.as_deref(), Some("an integer from 2 to 1000000"));
+    /// ```
+    pub fn check(&self) -> Result<(), SceneError> {
+        const NAME: &str = "scene";
+        let text = toml::to_string(self).map_err(|error| SceneError::whole(NAME, error.to_string()))?;
+        let document = Document::parse(NAME, &text)?;
+        decoded(&document)?;
+        // What files hold is known to this one alone.
+        check::all(&document, self)
+    }
+
     /// The friction that it has to be solved with: none where nothing is asked for that depends on it.
     pub(crate) fn friction_needed(&self) -> Option<Friction> {
         self.friction.filter(|_| self.output.asks("profile") || self.output.asks_of_stick())

@@ -3,7 +3,9 @@
 // A number in a file and the number in memory are the same bits, or something is wrong.
 #![allow(clippy::float_cmp)]
 
-use slipzone::scene::{Load, LoadKind, parse};
+use slipzone::api::{Friction, Positive};
+use slipzone::engine::{Solver, Status, refusal, solve};
+use slipzone::scene::{Load, LoadKind, Model, Scene, parse};
 
 const GOOD: &str = "format = 1
 [layer]
@@ -167,4 +169,79 @@ fn one_wrong_line_anywhere() {
             }
         }
     }
+}
+
+fn positive(value: f64) -> Positive {
+    Positive::new(value).unwrap()
+}
+
+/// What no text describes, a program may put into a scene: it is refused, whoever is asked, and the reports are written.
+#[test]
+fn a_scene_that_was_changed_in_code_is_looked_at() {
+    type Change = fn(&mut Scene);
+    let cases: [(&str, Change); 13] = [
+        ("`format`", |scene| scene.format = 7),
+        ("`solver.tolerance`", |scene| scene.solver.tolerance = positive(1e300)),
+        ("`solver.tolerance`", |scene| scene.solver.tolerance = positive(1e-15)),
+        ("`solver.forbid`", |scene| scene.solver.forbid = vec![Model::Full]),
+        ("`output.points`", |scene| scene.output.points = 0),
+        ("`output.x`", |scene| scene.output.x = Some(vec![0.5, f64::NAN])),
+        ("`output.x`", |scene| scene.output.x = Some(vec![2.0])),
+        ("`output.x`", |scene| scene.output.x = Some(vec![])),
+        ("`layer`", |scene| scene.layer.thickness = Some(positive(1e300))),
+        ("`layer.thickness`", |scene| scene.layer.thickness = None),
+        ("`friction.coefficient`", |scene| scene.friction = Some(Friction::goodman(positive(1e9)))),
+        ("`load`", |scene| scene.load = Load::Force(positive(1e300))),
+        ("`load`", |scene| scene.load = Load::Indentation(positive(1e-300))),
+    ];
+    let good = parse("good", GOOD).unwrap();
+    assert_eq!(good.check(), Ok(()));
+    for (key, change) in cases {
+        let mut scene = good.clone();
+        change(&mut scene);
+        let solution = solve(&scene);
+        assert_eq!(solution.status, Status::Refused, "{key}");
+        let reason = solution.reason.clone().unwrap();
+        assert!(reason.starts_with(key) && reason.ends_with("`Scene::check` tells what is allowed"), "{key}: {reason}");
+        assert!(refusal(&scene).is_some() || key == "`load`", "{key}");
+        assert!(scene.check().is_err(), "{key}");
+        assert!(slipzone::report::json(&solution).contains("refused"), "{key}");
+        assert_eq!(slipzone::report::csv(&solution).lines().count(), 1, "{key}");
+    }
+}
+
+/// So is a load that another is followed by.
+#[test]
+fn a_load_beyond_all_numbers_is_refused() {
+    let cylinder = GOOD.replace("half_width = 1.0\ntype = \"flat\"", "radius = 1.0\ntype = \"cylinder\"");
+    // The model `thin` tells no tractions.
+    let cylinder = cylinder + "[output]\nquantities = [\"load\"]\n";
+    let mut solver = Solver::new(&parse("good", &cylinder).unwrap()).unwrap();
+    let first = solver.solve();
+    for model in [None, Some(Model::Thin)] {
+        let mut scene = parse("good", &cylinder).unwrap();
+        scene.solver.model = model;
+        let mut solver = Solver::new(&scene).unwrap();
+        for load in [Load::HalfWidth, Load::Force, Load::Indentation] {
+            solver.press(load(Positive::new(1e300).unwrap()));
+            let refused = solver.solve();
+            assert_eq!(refused.status, Status::Refused);
+            assert!(refused.reason.unwrap().starts_with("`load` "));
+        }
+    }
+    solver.press(Load::HalfWidth(Positive::new(1e300).unwrap()));
+    assert_eq!(solver.solve().status, Status::Refused);
+    solver.press(Load::Force(Positive::new(1.0).unwrap()));
+    assert_eq!(solver.solve().load.half_width, first.load.half_width);
+}
+
+/// Every example of a check that needs the whole scene is told of one in memory, too.
+#[test]
+fn a_scene_in_memory_is_checked_as_one_in_a_file() {
+    let mut scene = parse("good", GOOD).unwrap();
+    scene.title = Some("two\nlines".into());
+    assert_eq!(scene.check().unwrap_err().message, "`title` holds a control character");
+    let mut scene = parse("good", GOOD).unwrap();
+    scene.load = Load::HalfWidth(Positive::new(1.0).unwrap());
+    assert_eq!(scene.check().unwrap_err().message, "a half-width as load on a punch whose contact is fixed");
 }
