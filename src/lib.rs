@@ -37,12 +37,15 @@
 //! | check the program | [`verify::run`], [`verify::GROUPS`] |
 //! | compare methods | [`chart::run`], [`chart::atlas`] |
 //! | list what a scene can name | [`link_plugins`], then [`api::plugins`] |
+//! | offer the command line with plugins of one's own | `cli::run`, of the feature `cli` |
 //! | add a punch or a grading | [`api::PunchProfile`], [`api::Grading`], [`api::register`] |
 //!
 //! What a scene can name are plugins of five families, whose contracts are in [`api`]; the repository's `docs/`
 //! has their formulas, the theory and a worked example of a new one.
 
 pub mod chart;
+#[cfg(feature = "cli")]
+pub mod cli;
 #[cfg(any(test, doctest))]
 mod doctests;
 pub mod engine;

@@ -1,7 +1,5 @@
 //! The command line program: arguments in, exit code out.
 
-mod cli;
-
 fn main() -> std::process::ExitCode {
-    cli::run(std::env::args_os())
+    slipzone::cli::run(std::env::args_os())
 }

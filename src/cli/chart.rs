@@ -4,8 +4,8 @@ use super::args::Chart;
 use super::named::named;
 use super::output::{self, Target};
 use super::{Failure, Outcome, interrupt, print, progress};
-use slipzone::chart::{self, Effort, atlas};
-use slipzone::report;
+use crate::chart::{self, Effort, atlas};
+use crate::report;
 use std::path::{Path, PathBuf};
 
 pub(super) fn run(arguments: &Chart) -> Result<Outcome, Failure> {

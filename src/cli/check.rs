@@ -1,9 +1,9 @@
 //! `slipzone check`: is this a scene?
 
 use super::{Failure, Outcome, input, print};
-use slipzone::api::rounded;
-use slipzone::scene::Scene;
-use slipzone::{engine, report};
+use crate::api::rounded;
+use crate::scene::Scene;
+use crate::{engine, report};
 use std::path::Path;
 
 pub(super) fn run(path: &Path) -> Result<Outcome, Failure> {

@@ -6,9 +6,9 @@ use super::args::Explain;
 #[cfg(feature = "plot")]
 use super::output::{self, Target};
 use super::{Failure, Outcome, input, print};
-use slipzone::api::{Base, LayerResponse, Positive, Refusal, exactly};
-use slipzone::engine::{self, DepthProfile, Plan};
-use slipzone::scene::{Load, Scene};
+use crate::api::{Base, LayerResponse, Positive, Refusal, exactly};
+use crate::engine::{self, DepthProfile, Plan};
+use crate::scene::{Load, Scene};
 use std::fmt::Write;
 
 /// What is known of a scene's layer before anything is solved.
@@ -55,7 +55,7 @@ fn figure(scene: &Scene, known: &Known) -> Option<String> {
         print::note(&format!("the figure has no flexibility: {refusal}"));
     }
     let depths = known.depths.as_ref().ok().and_then(Option::as_ref);
-    super::solve::figure(slipzone::report::layer_svg(scene, depths, flexibility.as_ref().ok()))
+    super::solve::figure(crate::report::layer_svg(scene, depths, flexibility.as_ref().ok()))
 }
 
 /// The scene with every default filled in: a scene file again.

@@ -1,7 +1,7 @@
 //! Why a run gave no result, and how that is told.
 
+use crate::scene::SceneError;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
-use slipzone::scene::SceneError;
 use std::io::Write;
 
 /// A run that ends without a result.

@@ -4,8 +4,8 @@ use super::args::Init;
 use super::input::is_dash;
 use super::output::{self, Target};
 use super::{Failure, Outcome, plugins, print};
-use slipzone::api::{Family, Grading, Parameter, PluginInfo, Values};
-use slipzone::scene::KEYS;
+use crate::api::{Family, Grading, Parameter, PluginInfo, Values};
+use crate::scene::KEYS;
 use std::fmt::{self, Write};
 use toml::{Table, Value};
 
@@ -132,7 +132,7 @@ fn keys(text: &mut String, keys: &[Parameter], examples: &Table, left_out: &[&st
 /// The section of a plugin, filled with its own example.
 fn plugin(text: &mut String, key: &Parameter, info: &PluginInfo, place: &str) -> fmt::Result {
     let example: Table = toml::from_str(info.example).unwrap_or_default();
-    let others = slipzone::api::plugins().into_iter().filter(|other| other.family == info.family);
+    let others = crate::api::plugins().into_iter().filter(|other| other.family == info.family);
     head(text, place, key.summary)?;
     choice(text, info.name, info.summary, &others.map(|other| other.name).collect::<Vec<_>>())?;
     info.parameters.iter().try_for_each(|key| entry(text, key, example.get(key.name), false))

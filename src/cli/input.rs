@@ -1,9 +1,9 @@
 //! Reads a scene or a study from a file or from standard input.
 
 use super::Failure;
-use slipzone::api::{Files, LARGEST_FILE};
-use slipzone::scene::{self, Scene};
-use slipzone::study::Study;
+use crate::api::{Files, LARGEST_FILE};
+use crate::scene::{self, Scene};
+use crate::study::Study;
 use std::cell::RefCell;
 use std::fs::File;
 use std::io::Read;

@@ -4,10 +4,10 @@
 //! journal is opened again; all before it are kept.
 
 use super::Failure;
+use crate::api::clip;
+use crate::engine::Status;
+use crate::study::{Record, RecordStatus, Study};
 use serde::de::IgnoredAny;
-use slipzone::api::clip;
-use slipzone::engine::Status;
-use slipzone::study::{Record, RecordStatus, Study};
 use std::collections::{BTreeMap, HashSet};
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};

@@ -37,10 +37,18 @@ enum Outcome {
     ChecksFailed,
 }
 
-/// Runs one command.
-pub(crate) fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+/// Runs one command, as the program `slipzone` does: arguments in, the program's name first; exit code out (the
+/// repository's `docs/command-line.md` lists both). Plugins of the calling program's own are known like those that come with it.
+///
+/// ```no_run
+/// // A `main.rs` that adds plugins of one's own to the command line; `use my_plugins as _;` above it links their crate.
+/// fn main() -> std::process::ExitCode {
+///     slipzone::cli::run(std::env::args_os())
+/// }
+/// ```
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     interrupt::watch();
-    slipzone::link_plugins();
+    crate::link_plugins();
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(error) => {
@@ -67,7 +75,7 @@ pub(crate) fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 }
 
 fn dispatch(command: &Command) -> Result<Outcome, Failure> {
-    if slipzone::api::plugins().is_empty() {
+    if crate::api::plugins().is_empty() {
         return Err(Failure::System("this program was built without any plugin; build it again".into()));
     }
     match command {

@@ -1,7 +1,7 @@
 //! What the arguments name out of a list.
 
 use super::Failure;
-use slipzone::api::nearest;
+use crate::api::nearest;
 
 /// The members of these names, in the order of the list; all when none is named.
 pub(super) fn named<'a, T>(

@@ -2,13 +2,13 @@
 
 use super::named::unknown;
 use super::{Failure, Outcome, print};
-use slipzone::api::{Family, Kind, Parameter, PluginInfo, Values};
-use slipzone::scene::KEYS;
+use crate::api::{Family, Kind, Parameter, PluginInfo, Values};
+use crate::scene::KEYS;
 use std::fmt::{self, Write};
 
 /// Those of all names; of a family's, all in it.
 pub(super) fn run(names: &[String], json: bool) -> Result<Outcome, Failure> {
-    let mut chosen = slipzone::api::plugins();
+    let mut chosen = crate::api::plugins();
     let mut built_in = Vec::new();
     gather_built_in(KEYS, "", &mut built_in);
     let is_family = |name: &&str| {
@@ -88,9 +88,9 @@ impl BuiltIn {
 
 /// The plugin of a family with that name.
 pub(super) fn named(family: Family, name: &str) -> Result<&'static PluginInfo, Failure> {
-    let own = slipzone::api::plugins().into_iter().filter(|info| info.family == family);
+    let own = crate::api::plugins().into_iter().filter(|info| info.family == family);
     let known: Vec<_> = own.map(|info| info.name).collect();
-    slipzone::api::find(family, name).ok_or_else(|| unknown(family.name(), name, &known))
+    crate::api::find(family, name).ok_or_else(|| unknown(family.name(), name, &known))
 }
 
 /// All plugins by family, and what is built in.

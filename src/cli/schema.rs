@@ -3,6 +3,6 @@
 use super::{Failure, Outcome, print};
 
 pub(super) fn run() -> Result<Outcome, Failure> {
-    print::result(&format!("{:#}", slipzone::scene::schema()))?;
+    print::result(&format!("{:#}", crate::scene::schema()))?;
     Ok(Outcome::Done)
 }

@@ -4,11 +4,11 @@ use super::args::Solve;
 use super::input::{self, is_dash};
 use super::output::{self, Target};
 use super::{Failure, Outcome, print};
-use slipzone::engine::{self, Solution, Status};
-use slipzone::report;
+use crate::engine::{self, Solution, Status};
+use crate::report;
 #[cfg(feature = "plot")]
-use slipzone::report::FigureError;
-use slipzone::scene::Scene;
+use crate::report::FigureError;
+use crate::scene::Scene;
 
 /// A way of writing a solution to a file; `None` when there is nothing to write.
 type Writer = fn(&Solution) -> Option<String>;

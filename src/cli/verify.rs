@@ -3,7 +3,7 @@
 use super::args::Verify;
 use super::named::named;
 use super::{Failure, Outcome, print, progress};
-use slipzone::verify::{self, Check, GROUPS, Measure, Report, Value};
+use crate::verify::{self, Check, GROUPS, Measure, Report, Value};
 use std::fmt::{self, Write};
 
 pub(super) fn run(arguments: &Verify) -> Result<Outcome, Failure> {

@@ -1,9 +1,9 @@
 //! The layer in words: what it is made of, what its surface knows of it, and what its base means for the indentation.
 
 use super::Known;
-use slipzone::api::{Base, LayerModel, Moduli, ModulusLaw, exactly, rounded};
-use slipzone::engine::DepthProfile;
-use slipzone::scene::Scene;
+use crate::api::{Base, LayerModel, Moduli, ModulusLaw, exactly, rounded};
+use crate::engine::DepthProfile;
+use crate::scene::Scene;
 use std::fmt::{Result, Write};
 
 /// Terms of the surface series asked for: more than any kernel takes.

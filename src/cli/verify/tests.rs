@@ -1,6 +1,6 @@
 use super::*;
-use slipzone::engine::Program;
-use slipzone::verify::Tally;
+use crate::engine::Program;
+use crate::verify::Tally;
 
 /// A report of two checks, the second off by 0.1.
 fn one_failed() -> Report {
