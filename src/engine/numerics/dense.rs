@@ -86,6 +86,7 @@ impl Dense {
         }
         // So does one that is made of them: it is gone, and filled in again to be seen.
         let mut rows = vec![0.0; n * n];
+        self.columns.fill(0.0);
         let right = fill(&mut rows, &mut self.columns);
         if !rows.iter().chain(&self.columns[..n * right]).all(|v| v.is_finite()) {
             return Err(Refusal::Limit {
