@@ -16,10 +16,6 @@ pub(crate) fn rule(quadrature: &dyn Quadrature, parity: Parity, edge: Edge) -> R
 
 /// A kernel table that tells a length.
 pub(crate) fn table(strategy: &'static str, table: Box<dyn KernelTable>) -> Result<Box<dyn KernelTable>, Refusal> {
-    let length = table.length();
-    if length > 0.0 && length < f64::INFINITY {
-        Ok(table)
-    } else {
-        Err(broken(strategy, &format!("length() = {length}")))
-    }
+    contract::length("length", table.length()).map_err(|fault| broken(strategy, &fault))?;
+    Ok(table)
 }

@@ -134,6 +134,12 @@ impl PreparedLayer {
         Ok(())
     }
 
+    /// Whether its kernels vary with the distance itself down to the origin, as a power of it does: those that take any power know from
+    /// where on.
+    pub(crate) fn begins_with_a_power(&self) -> bool {
+        self.kernel(Component::NormalSlope).is_some_and(|(table, _)| table.nearest().is_some())
+    }
+
     /// How far its kernels reach.
     pub(super) fn reach(&self) -> f64 {
         self.tables.as_ref().map_or(0.0, |tables| tables.reach)

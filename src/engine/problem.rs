@@ -80,16 +80,13 @@ impl Problem {
         contract::shape(&*shape).map_err(|fault| broken(scene.punch.typetag_name(), &fault))?;
         let layer = &scene.layer;
         let model = Arc::new(layer.model()?);
-        let stiffness = model.surface_shear;
-        if !(stiffness > 0.0
-            && stiffness < f64::INFINITY
-            && Poisson::new(model.law.poisson(0.0).unwrap_or(model.solid.poisson.get())).is_ok())
-        {
+        let stress = model.surface_shear;
+        let nu = model.law.poisson(0.0).unwrap_or(model.solid.poisson.get());
+        if !(stress > 0.0 && stress < f64::INFINITY && Poisson::new(nu).is_ok()) {
             return Err(broken(layer.grading.typetag_name(), "no elastic solid at the surface"));
         }
         // An infinite homogeneous solid has no length of its own.
         let length = layer.length()?.unwrap_or_else(|| shape.natural_length());
-        let stress = model.surface_shear;
         let load = LoadInLayerUnits::new(scene.load, length, stress);
         let needed = scene.friction_needed();
         let friction = needed.map(coefficient);

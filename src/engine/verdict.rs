@@ -9,7 +9,6 @@ use crate::engine::friction::rubbing::{Rubbing, Verdict};
 use crate::engine::friction::stick_zone::StickZone;
 use crate::engine::refine::judged::{Judged, ROUNDED};
 use crate::engine::refine::stage::Stage;
-use slipzone_api::Component;
 
 /// A pressure less certain than this, relative, is no ground for saying that it pulls.
 const UNRESOLVED: f64 = 0.1;
@@ -51,8 +50,7 @@ fn objection(
             "; so little of the half-width lies beyond the punch's face that double precision allows no more: prescribe the half-width, whose \
              force is told better"
         } else if problem.layer.law.broken_power().is_some()
-            // Those that take any power know from where on they vary with the distance.
-            && layer.kernel(Component::NormalSlope).is_none_or(|(table, _)| table.nearest().is_none())
+            && !layer.begins_with_a_power()
             && judged.outcome.numbers.get(Quantity::HalfWidth).and_then(|b| layer.kernel_error(b))
                 > Some(0.5 * tolerance)
         {

@@ -28,7 +28,11 @@ pub fn shape(shape: &dyn PunchShape) -> Result<(), String> {
     kinks(shape)
 }
 
-fn length(name: &str, length: f64) -> Result<(), String> {
+/// What a method of that name tells is a length: positive and finite.
+///
+/// # Errors
+/// What it is instead.
+pub fn length(name: &str, length: f64) -> Result<(), String> {
     ensure(length > 0.0 && length < f64::INFINITY, || format!("{name}() = {length}"))
 }
 

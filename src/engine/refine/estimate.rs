@@ -12,7 +12,6 @@ use crate::engine::refine::judged::{
     ROUNDED, hidden_details, meets, mended, share_in_middle, with_the_rest, worst_judged,
 };
 use arrayvec::ArrayVec;
-use slipzone_api::Component;
 
 /// Steps in a row that have to stop shrinking.
 const STALLED: usize = 3;
@@ -127,10 +126,9 @@ pub(super) fn fastest(layer: &PreparedLayer, problem: &Problem, outcome: &Outcom
     let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
     // All of the contact where there is no face, none where there is nothing else.
     let edge = half_width - problem.face();
-    let has_power = layer.kernel(Component::NormalSlope).is_some_and(|(table, _)| table.nearest().is_some());
     let below = || problem.layer.material(&*problem.layer.law, half_width.min(1.0)).shear;
     match layer.is_proven() {
-        _ if has_power && below() > TURNS => Fastest::UNSEEN,
+        _ if layer.begins_with_a_power() && below() > TURNS => Fastest::UNSEEN,
         _ if edge > 0.0 && edge < NARROW_EDGE * half_width => Fastest::UNSEEN,
         _ if WIDE * half_width > UNSEEN * layer.length() * unknowns as f64 => Fastest::UNSEEN,
         true => Fastest::PROVEN,
