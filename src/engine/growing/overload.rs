@@ -11,6 +11,8 @@ use std::f64::consts::FRAC_PI_2;
 const PARTS: usize = 16;
 /// Friction that bears less than so many times the shear may bear too little nearby.
 const NEARLY: f64 = 4.0 / 3.0;
+/// Contacts looked at, at most: those of tight tolerances are many, and see no more of this than so many do.
+const MOST: usize = 40;
 /// How often the steps from a weakest place to its neighbours are halved.
 const HALVED: usize = 6;
 
@@ -55,12 +57,21 @@ fn dips(zone: &[Moment]) -> impl Iterator<Item = Moment> {
     (0..zone.len()).filter(move |i| is_dip(*i)).map(|i| zone[i])
 }
 
+/// So many of some, if there are more: the first, the last, and evenly by their place in the row those between.
+fn thinned(all: Vec<f64>, most: usize) -> Vec<f64> {
+    if all.len() <= most {
+        return all;
+    }
+    (0..most).map(|i| all[i * (all.len() - 1) / (most - 1)]).collect()
+}
+
 impl Growing {
     /// What the member fails worst of those looked at, or a contact between them near where friction bears hardly more than the shear:
     /// near the weakest moment of all that are the weakest among their neighbours in the zone, and near that of the last contact.
     pub(super) fn overload(&mut self, problem: &Problem) -> Option<String> {
         let mut half_widths = self.family.as_ref()?.half_widths_to(self.half_width);
         half_widths.retain(|b| *b > problem.face());
+        let half_widths = thinned(half_widths, MOST);
         let mut weakest: [Option<(usize, Moment)>; 2] = [None; 2];
         // The weakest moment of the members that fail, and the narrowest and the widest of these.
         let mut worst: Option<(usize, Moment)> = None;
@@ -120,5 +131,21 @@ impl Growing {
         let p = self.stack.as_ref()?.pressure(problem, family, half_width, x);
         let q = lacking_to * p - self.lack(problem, half_width, x);
         Some(Moment { half_width, place, at: x / half_width, bears: friction * p / q.abs() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_many_as_many_as_wanted_are_left_with_both_ends() {
+        let all = |count: usize| (0..count).map(|i| i as f64).collect::<Vec<_>>();
+        assert_eq!(thinned(all(40), 40), all(40));
+        for count in [41, 79, 80, 500] {
+            let few = thinned(all(count), 40);
+            assert_eq!((few.len(), few[0], few[39]), (40, 0.0, (count - 1) as f64));
+            assert!(few.windows(2).all(|pair| pair[0] < pair[1]), "{few:?}");
+        }
     }
 }
