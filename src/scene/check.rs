@@ -12,8 +12,8 @@ type Check = fn(&Document, &Scene) -> Result<(), SceneError>;
 
 /// All checks; the first that fails.
 pub(super) fn all(document: &Document, scene: &Scene) -> Result<(), SceneError> {
-    const CHECKS: [Check; 12] =
-        [labels, friction, tolerance, models, output, quantities, magnitudes, thickness, grading, datum, load, ratios];
+    const CHECKS: [Check; 11] =
+        [labels, friction, tolerance, models, output, quantities, thickness, grading, datum, load, ratios];
     CHECKS.iter().try_for_each(|check| check(document, scene))
 }
 
@@ -74,7 +74,7 @@ fn labels(document: &Document, scene: &Scene) -> Result<(), SceneError> {
 }
 
 /// Products of a few numbers must neither overflow nor vanish.
-fn magnitudes(document: &Document, _scene: &Scene) -> Result<(), SceneError> {
+pub(super) fn magnitudes(document: &Document) -> Result<(), SceneError> {
     for section in ["layer", "punch", "friction", "load", "solver"] {
         if let Some(value) = document.value(&[section]) {
             magnitude(document, &mut vec![section.into()], value.get_ref())?;

@@ -107,7 +107,10 @@ fn decoded(document: &Document) -> Result<Scene, SceneError> {
     decode::format(document)?;
     load_keys::load(document)?;
     check::points(document)?;
-    decode::decode(document)
+    let scene = decode::decode(document)?;
+    // What files hold is multiplied by units.
+    check::magnitudes(document)?;
+    Ok(scene)
 }
 
 /// A contact problem. Lengths, stresses and forces per length in any consistent units.

@@ -2,7 +2,7 @@
 
 use super::floater_hormann::{DEGREE, Interpolant};
 use super::rows::Rows;
-use slipzone_api::{Fault, ModulusLaw, Poisson, short};
+use slipzone_api::{Fault, MODERATE, ModulusLaw, Poisson, short};
 use std::sync::Arc;
 
 /// The fewest rows.
@@ -68,6 +68,12 @@ impl Profile {
             return Err(Fault::new(&[], "too few rows").found(found).expected(format!("at least {LEAST}")));
         }
         let depths: Vec<f64> = rows.depths.iter().map(|depth| depth * depth_unit).collect();
+        let are_apart = depths.windows(2).all(|pair| pair[0] < pair[1]);
+        if !are_apart || !depths[1..].iter().all(|depth| MODERATE.contains(depth)) {
+            let found = format!("depths from {:e} to {:e}", depths[1], depths[count - 1]);
+            let fault = Fault::new(&["depth_unit"], "a unit in which depths cannot be told apart").found(found);
+            return Err(fault.expected("depths between 1e-100 and 1e100"));
+        }
         let logarithms: Vec<f64> = rows.moduli.iter().map(|modulus| (modulus * modulus_unit).ln()).collect();
         let of_degree = |degree: usize| {
             let curve = Interpolant::new(depths.clone(), degree);

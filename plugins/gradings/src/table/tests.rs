@@ -315,3 +315,14 @@ fn a_swing_beside_rows_close_together_is_seen() {
         Table::points(rows).understood(&NoFiles).unwrap();
     }
 }
+
+/// Between depths that are infinite, or all the same, there is no end of places to look at: 24 GB were filled with them.
+#[test]
+fn units_beyond_those_of_numbers_are_refused() {
+    for unit in [f64::MAX, 1e-323] {
+        let mut table = Table::points(vec![vec![0.0, 1.0], vec![1.0, 2.0], vec![2.0, 3.0], vec![3.0, 5.0]]);
+        table.depth_unit = Positive::new(unit).unwrap();
+        let refusal = table.law(&Setting::thick(Positive::new(THICKNESS).unwrap())).unwrap_err();
+        assert!(refusal.to_string().contains("cannot be told apart"), "{unit:e}: {refusal}");
+    }
+}
