@@ -12,8 +12,8 @@ type Check = fn(&Document, &Scene) -> Result<(), SceneError>;
 
 /// All checks; the first that fails.
 pub(super) fn all(document: &Document, scene: &Scene) -> Result<(), SceneError> {
-    const CHECKS: [Check; 11] =
-        [labels, friction, tolerance, models, output, quantities, thickness, grading, datum, load, ratios];
+    const CHECKS: [Check; 12] =
+        [labels, friction, tolerance, models, output, quantities, magnitudes, thickness, grading, datum, load, ratios];
     CHECKS.iter().try_for_each(|check| check(document, scene))
 }
 
@@ -73,9 +73,18 @@ fn labels(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// Products of a few numbers must neither overflow nor vanish.
-pub(super) fn magnitudes(document: &Document) -> Result<(), SceneError> {
-    for section in ["layer", "punch", "friction", "load", "solver"] {
+/// Products of a few numbers must neither overflow nor vanish; those of what reads files before these are read.
+pub(super) fn magnitudes_beside_files(document: &Document) -> Result<(), SceneError> {
+    magnitudes_in(document, ["layer", "punch"])
+}
+
+/// The same of the rest.
+fn magnitudes(document: &Document, _scene: &Scene) -> Result<(), SceneError> {
+    magnitudes_in(document, ["friction", "load", "solver"])
+}
+
+fn magnitudes_in<const N: usize>(document: &Document, sections: [&str; N]) -> Result<(), SceneError> {
+    for section in sections {
         if let Some(value) = document.value(&[section]) {
             magnitude(document, &mut vec![section.into()], value.get_ref())?;
         }
@@ -106,7 +115,8 @@ fn magnitude(document: &Document, path: &mut Vec<String>, value: &DeValue) -> Re
             Ok(())
         }
         _ => match number(value) {
-            Some(number) if !in_scale(number) => {
+            // What is no finite number is told where it is read.
+            Some(number) if number.is_finite() && !in_scale(number) => {
                 let path: Vec<_> = path.iter().map(String::as_str).collect();
                 let sign = if number < 0.0 { ", or its negative" } else { "" };
                 Err(document

@@ -109,7 +109,7 @@ fn decoded(document: &Document) -> Result<Scene, SceneError> {
     check::points(document)?;
     let scene = decode::decode(document)?;
     // What files hold is multiplied by units.
-    check::magnitudes(document)?;
+    check::magnitudes_beside_files(document)?;
     Ok(scene)
 }
 
