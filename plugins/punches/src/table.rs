@@ -1,13 +1,16 @@
 //! A punch given by measured or computed heights.
 
 mod fit;
+mod folded;
+mod profile;
 mod rows;
 mod scatter;
+mod spline;
 mod strays;
 #[cfg(test)]
 mod tests;
 
-use fit::Profile;
+use profile::Profile;
 use serde::{Deserialize, Serialize};
 use slipzone_api::rows::Source;
 use slipzone_api::{Fault, Files, Positive, PunchProfile, PunchShape, Refusal, Values};

@@ -4,7 +4,7 @@
 //! and by third differences of that between neighbours, which a sparse table inflates. Means over blocks of neighbours
 //! then show what single points hide: of `n` points they scatter by `noise/sqrt(n)`.
 
-use super::fit::Point;
+use super::folded::Point;
 use slipzone_api::Flaw;
 
 /// Blocks of neighbours.
