@@ -1,5 +1,6 @@
 //! Piecewise polynomials on panels graded towards the contact's ends, every part of the kernel integrated exactly.
 
+mod basis;
 mod cauchy;
 mod layout;
 mod legendre;
@@ -9,7 +10,8 @@ mod regular;
 mod rule;
 
 use crate::count::Count;
-use layout::{Basis, Layout};
+use basis::Basis;
+use layout::Layout;
 use rule::PanelRule;
 use serde::{Deserialize, Serialize};
 use slipzone_api::{Quadrature, Refusal, Rule, Span, root};

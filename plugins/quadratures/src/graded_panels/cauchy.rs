@@ -1,6 +1,6 @@
 //! The Cauchy part in the angle.
 
-use super::layout::Basis;
+use super::basis::Basis;
 use super::legendre::{Factor, Gauss};
 use super::mesh::Mesh;
 use super::pieces::{Piece, Pieces};

@@ -1,6 +1,6 @@
 //! Where integrals over the density are summed: Gauss points on the panels.
 
-use super::layout::Basis;
+use super::basis::Basis;
 use super::legendre::Gauss;
 use super::mesh::{Mesh, Place};
 

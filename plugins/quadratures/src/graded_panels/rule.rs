@@ -1,6 +1,7 @@
 //! One density of a given parity on `[-half_width, half_width]`.
 
-use super::layout::{Basis, Layout};
+use super::basis::Basis;
+use super::layout::Layout;
 use super::mesh::Place;
 use super::regular::{self, Regular};
 use slipzone_api::{Component, Densities, Edge, KernelTable, Parity, Rule, Station};
