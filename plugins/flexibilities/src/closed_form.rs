@@ -1,11 +1,8 @@
 //! Exponential layers in closed form.
 
-mod exponents;
-pub(crate) mod minors;
-
 use crate::exponential::Exponential;
 use crate::graded_half_plane;
-use minors::Minors;
+use crate::minors::Minors;
 use serde::{Deserialize, Serialize};
 use slipzone_api::{Base, Flexibility, LayerModel, LayerResponse, Refusal};
 use std::sync::Arc;

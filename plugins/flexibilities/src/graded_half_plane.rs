@@ -1,7 +1,7 @@
 //! A solid without a base whose modulus is an exponential of the depth, or constant.
 
-use crate::closed_form::minors::Minors;
 use crate::half_plane::HalfPlane;
+use crate::minors::Minors;
 use crate::surface_tail;
 use slipzone_api::{Elastic, LayerModel, LayerResponse, Refusal, SurfaceFlexibility};
 

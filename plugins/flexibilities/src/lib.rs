@@ -11,6 +11,7 @@ mod graded_half_plane;
 mod half_plane;
 mod integration;
 mod layered;
+mod minors;
 mod panels;
 mod precision;
 mod propagator;

@@ -33,7 +33,9 @@
 //! All of it times `exp(-2a)` gives [`Minors::thick`]; at `gamma = 0` it is the homogeneous layer of the theory's
 //! section 2. Nothing is divided by `gamma`, `b` or `kappa - 1`, and what tends to zero with `s` does so by a factor.
 
-use super::exponents::{Exponents, sine_and_cosine};
+mod exponents;
+
+use exponents::{Exponents, sine_and_cosine};
 use slipzone_api::{Elastic, SurfaceFlexibility};
 
 /// Largest `max(s, |gamma|/2)` of a layer that is summed as a power series. Below, the closed form cancels: like

@@ -1,6 +1,6 @@
 //! Depth exponents, free of cancellation.
 
-/// The quantities named in `minors`.
+/// The quantities named in [`super`].
 #[derive(Debug)]
 pub(super) struct Exponents {
     pub(super) a: f64,
