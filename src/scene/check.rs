@@ -1,7 +1,7 @@
 //! What no single key can show to be wrong.
 
 use super::decode::wrong_type;
-use super::document::{Document, dotted, one_of};
+use super::document::{Document, dotted, number, one_of};
 use super::keys::{ABSCISSAE, LISTED, LONGEST_LABEL, MOST_FRICTION, POINTS, STAND_INS, TOLERANCES};
 use super::{Load, Model, Scene, SceneError};
 use slipzone_api::{Base, Friction, MODERATE, PunchShape, Refusal, short};
@@ -131,15 +131,6 @@ fn magnitude(document: &Document, path: &mut Vec<String>, value: &DeValue) -> Re
 /// Whether a number is 0 (then its type has its say) or of a size that can be computed with.
 fn in_scale(number: f64) -> bool {
     number == 0.0 || MODERATE.contains(&number.abs())
-}
-
-/// The number that a value is, if it is one.
-pub(super) fn number(value: &DeValue) -> Option<f64> {
-    match value {
-        DeValue::Float(float) => float.as_str().parse().ok(),
-        DeValue::Integer(integer) => i128::from_str_radix(integer.as_str(), integer.radix()).ok().map(|i| i as f64),
-        _ => None,
-    }
 }
 
 /// A layer has a thickness; a solid without a base has none.

@@ -3,7 +3,6 @@
 use super::SceneError;
 use super::complaint::Complaint;
 use super::document::{Document, SHOWN, dotted, is_index, one_of, written};
-use super::load_keys::LOAD;
 use super::tables::Tables;
 use serde::de::DeserializeOwned;
 use serde_path_to_error::{Path, Segment};
@@ -16,6 +15,9 @@ const LONGEST_LIST: usize = 200;
 
 /// The version of the format that this program reads.
 const FORMAT: &str = "1";
+
+/// The section that says how hard a punch is pressed, in words.
+pub(super) const LOAD: &str = "[load] with one of `force`, `half_width`, `indentation`, `path`, `until`";
 
 /// What to do about friction that is none.
 const FRICTIONLESS: &str = "a contact without friction has no [friction]";

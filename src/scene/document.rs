@@ -213,6 +213,15 @@ pub(crate) fn written(value: &DeValue) -> String {
     }
 }
 
+/// The number that a value is, if it is one.
+pub(super) fn number(value: &DeValue) -> Option<f64> {
+    match value {
+        DeValue::Float(float) => float.as_str().parse().ok(),
+        DeValue::Integer(integer) => i128::from_str_radix(integer.as_str(), integer.radix()).ok().map(|i| i as f64),
+        _ => None,
+    }
+}
+
 /// Whether a part of a path is a place in an array.
 pub(super) fn is_index(segment: &str) -> bool {
     !segment.is_empty() && segment.bytes().all(|byte| byte.is_ascii_digit())

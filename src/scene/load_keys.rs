@@ -1,16 +1,12 @@
 //! Which keys `[load]` holds, and whether the loads of a path grow: said before anything is decoded, where each
 //! number still has its place in the text.
 
-use super::check::number;
-use super::decode::wrong_type;
-use super::document::Document;
+use super::decode::{LOAD, wrong_type};
+use super::document::{Document, number};
 use super::{LoadPath, SceneError};
 use std::ops::RangeInclusive;
 use toml::Spanned;
 use toml::de::DeValue;
-
-/// The section that every scene has, in words.
-pub(super) const LOAD: &str = "[load] with one of `force`, `half_width`, `indentation`, `path`, `until`";
 
 const LOADS: [&str; 5] = ["force", "half_width", "indentation", "path", "until"];
 const QUANTITIES: [&str; 3] = ["force", "half_width", "indentation"];
