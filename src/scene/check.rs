@@ -4,7 +4,7 @@ use super::decode::wrong_type;
 use super::document::{Document, dotted, number, one_of};
 use super::keys::{ABSCISSAE, LISTED, LONGEST_LABEL, MOST_FRICTION, POINTS, STAND_INS, TOLERANCES};
 use super::{Load, Model, Scene, SceneError};
-use slipzone_api::{Base, Friction, MODERATE, PunchShape, Refusal, short};
+use slipzone_api::{Base, Friction, LawFlaw, MODERATE, PunchShape, Refusal, short};
 use toml::Spanned;
 use toml::de::DeValue;
 
@@ -161,26 +161,12 @@ fn grading(document: &Document, scene: &Scene) -> Result<(), SceneError> {
             .hint("leave out `thickness`: the stack knows its own"));
     }
     match layer.model() {
-        Ok(model) => model.flaw().map_or(Ok(()), |flaw| {
-            let depth = flaw.x * layer.length().ok().flatten().unwrap_or(1.0);
-            let first = if flaw.what.starts_with("Poisson") { "poisson" } else { "modulus" };
-            let (path, own) = culprit(document, depth, first);
-            let path: Vec<&str> = path.iter().map(String::as_str).collect();
-            if flaw.x.is_nan() {
-                let error = document.error(document.best(&path), "the grading breaks the contract of gradings");
-                return Err(error.found(flaw.what).expected("a law that is what it tells of itself"));
-            }
-            let within =
-                if path.len() > 3 { format!(", {} below its sublayer's top", short(own)) } else { String::new() };
-            let error = document.error(document.best(&path), "the grading describes no elastic solid");
-            Err(error
-                .found(format!("{} at depth {}{within}", flaw.what, short(depth)))
-                .expected("a finite modulus above 0, and a Poisson's ratio above -1 and up to 0.5, at every depth"))
-        }),
+        Ok(model) => match model.flaw() {
+            Some(flaw) => Err(no_solid(document, flaw, layer.length().ok().flatten().unwrap_or(1.0))),
+            None => Ok(()),
+        },
         Err(Refusal::Unusable { plugin, why }) => {
-            let (path, _) = culprit(document, f64::NAN, "modulus");
-            let path: Vec<&str> = path.iter().map(String::as_str).collect();
-            let error = document.error(document.best(&path), format!("the grading `{plugin}` does not fit the layer"));
+            let error = of_grading(document, format!("the grading `{plugin}` does not fit the layer"));
             let (found, hint) = why.split_once("; ").map_or((why.as_str(), None), |(found, hint)| (found, Some(hint)));
             let error = error.found(found).expected("a finite modulus above 0 at every depth down to the base");
             Err(hint.into_iter().fold(error, SceneError::hint))
@@ -190,24 +176,52 @@ fn grading(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     }
 }
 
-/// What gives the constants at a depth: a key of the grading, or of the sublayer there; and the depth in that. Of a depth
-/// that is no number, a key of the grading itself. Of its keys the `first` if it is there, or what holds all constants.
-fn culprit(document: &Document, mut depth: f64, first: &'static str) -> (Vec<String>, f64) {
+/// That a law, over a layer of that thickness, gives no elastic solid.
+fn no_solid(document: &Document, flaw: LawFlaw, thickness: f64) -> SceneError {
+    let (what, first, depth) = match flaw {
+        LawFlaw::Contract(what) => {
+            let error = of_grading(document, "the grading breaks the contract of gradings");
+            return error.found(what).expected("a law that is what it tells of itself");
+        }
+        LawFlaw::Modulus { modulus, depth } => (format!("the modulus is {}", short(modulus)), "modulus", depth),
+        LawFlaw::Poisson { ratio, depth } => (format!("Poisson's ratio is {ratio}"), "poisson", depth),
+    };
+    let depth = depth * thickness;
+    let (path, own) = culprit(document, Some(depth), first);
+    let path: Vec<&str> = path.iter().map(String::as_str).collect();
+    let within = if path.len() > 3 { format!(", {} below its sublayer's top", short(own)) } else { String::new() };
+    document
+        .error(document.best(&path), "the grading describes no elastic solid")
+        .found(format!("{what} at depth {}{within}", short(depth)))
+        .expected("a finite modulus above 0, and a Poisson's ratio above -1 and up to 0.5, at every depth")
+}
+
+/// An error of the grading as a whole.
+fn of_grading(document: &Document, message: impl Into<String>) -> SceneError {
+    let (path, _) = culprit(document, None, "modulus");
+    let path: Vec<&str> = path.iter().map(String::as_str).collect();
+    document.error(document.best(&path), message)
+}
+
+/// What gives the constants at a depth: a key of the grading, or of the sublayer there; and the depth in that. Without a
+/// depth, a key of the grading itself. Of its keys the `first` if it is there, or what holds all constants.
+fn culprit(document: &Document, depth: Option<f64>, first: &'static str) -> (Vec<String>, f64) {
+    let mut own = depth.unwrap_or_default();
     let mut path = vec!["layer".to_owned(), "grading".to_owned()];
     loop {
         let here: Vec<&str> = path.iter().map(String::as_str).collect();
-        let Some(table) = document.table(&here) else { return (path, depth) };
-        let layers = table.get("layers").and_then(|layers| layers.get_ref().as_array()).filter(|_| !depth.is_nan());
+        let Some(table) = document.table(&here) else { return (path, own) };
+        let layers = table.get("layers").and_then(|layers| layers.get_ref().as_array()).filter(|_| depth.is_some());
         let Some(layers) = layers else {
             let key = [first, "points", "file", "layers"].into_iter().find(|key| table.contains_key(*key));
             path.extend(key.map(str::to_owned));
-            return (path, depth);
+            return (path, own);
         };
         let mut index = 0;
         for layer in layers.iter().take(layers.len().saturating_sub(1)) {
             let thickness = layer.get_ref().get("thickness").and_then(|value| number(value.get_ref()));
-            let Some(thickness) = thickness.filter(|thickness| depth >= *thickness) else { break };
-            depth -= thickness;
+            let Some(thickness) = thickness.filter(|thickness| own >= *thickness) else { break };
+            own -= thickness;
             index += 1;
         }
         path.extend(["layers".to_owned(), index.to_string(), "grading".to_owned()]);

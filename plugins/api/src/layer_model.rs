@@ -1,6 +1,6 @@
 //! The elastic layer as the flexibility plugins see it.
 
-use crate::{Base, Elastic, Flaw, Moduli, ModulusLaw, Plane, Poisson, Stretch, contract, short};
+use crate::{Base, Elastic, Moduli, ModulusLaw, Plane, Poisson, Stretch, contract};
 
 /// How a scene's numbers are to be read: what does not vary with depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,37 +71,55 @@ impl LayerModel {
         self.base.is_grounded(|| self.exponent())
     }
 
-    /// The first depth found (in units of the thickness) at which the law gives no elastic solid: a modulus that is not
-    /// finite and positive, or a Poisson's ratio out of range. No number is the depth where the law tells what it is not.
-    pub fn flaw(&self) -> Option<Flaw> {
-        let broken = |what| Flaw { what, x: f64::NAN };
+    /// Why the law gives no elastic solid, if it does not.
+    pub fn flaw(&self) -> Option<LawFlaw> {
         // Stretches are taken only from breakpoints that are some.
-        let parts = contract::parts(&*self.law).err().map(broken);
+        let parts = contract::parts(&*self.law).err().map(LawFlaw::Contract);
         parts
             .or_else(|| self.law.stretches().iter().find_map(flaw))
-            .or_else(|| contract::values(&*self.law).err().map(broken))
+            .or_else(|| contract::values(&*self.law).err().map(LawFlaw::Contract))
     }
+}
+
+/// Why a law gives no elastic solid; at the first depth found, in units of the thickness.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LawFlaw {
+    /// It tells of itself what it is not, in words.
+    Contract(String),
+    /// A modulus that is not finite and positive.
+    Modulus {
+        /// The modulus, as the law has it.
+        modulus: f64,
+        /// Where it is that.
+        depth: f64,
+    },
+    /// A Poisson's ratio out of range.
+    Poisson {
+        /// The ratio.
+        ratio: f64,
+        /// Where it is that.
+        depth: f64,
+    },
 }
 
 /// Depths at which each stretch of a law is looked at.
 const LOOKS: u32 = 64;
 
 /// [`LayerModel::flaw`] of one stretch.
-fn flaw(stretch: &Stretch) -> Option<Flaw> {
+fn flaw(stretch: &Stretch) -> Option<LawFlaw> {
     let Stretch { law, from, to, .. } = *stretch;
     let within = (1..LOOKS).map(|i| from + (to - from) * f64::from(i) / f64::from(LOOKS));
     // The ends of the whole law belong to it; those of a stretch may belong to the next.
     let surface = Some(0.0).filter(|_| from == 0.0);
     let mut looks = surface.into_iter().chain(within).chain(Some(1.0).filter(|end| to >= *end));
-    looks.find_map(|depth| {
-        let modulus = law.modulus(depth);
-        let what = if modulus > 0.0 && modulus < f64::INFINITY {
-            let nu = law.poisson(depth).filter(|nu| Poisson::new(*nu).is_err())?;
-            format!("Poisson's ratio is {nu}")
+    looks.find_map(|at| {
+        let (modulus, depth) = (law.modulus(at), stretch.in_whole(at));
+        if modulus > 0.0 && modulus < f64::INFINITY {
+            let ratio = law.poisson(at).filter(|nu| Poisson::new(*nu).is_err())?;
+            Some(LawFlaw::Poisson { ratio, depth })
         } else {
-            format!("the modulus is {}", short(modulus))
-        };
-        Some(Flaw { what, x: stretch.in_whole(depth) })
+            Some(LawFlaw::Modulus { modulus, depth })
+        }
     })
 }
 
@@ -146,7 +164,7 @@ mod tests {
         }
     }
 
-    fn flaw_of(told: Told) -> Option<Flaw> {
+    fn flaw_of(told: Told) -> Option<LawFlaw> {
         let poisson = Poisson::new(0.3).unwrap();
         let solid = Solid { plane: Plane::Strain, poisson, moduli: Moduli::Shear };
         LayerModel::new(Box::new(told), solid, Base::Rigid).flaw()
@@ -183,7 +201,7 @@ mod tests {
         ];
         for (told, words) in cases {
             let flaw = flaw_of(told).expect(words);
-            assert!(flaw.what.contains(words) && flaw.x.is_nan(), "{words}: {flaw:?}");
+            assert!(matches!(&flaw, LawFlaw::Contract(what) if what.contains(words)), "{words}: {flaw:?}");
         }
     }
 }
