@@ -6,7 +6,7 @@ use crate::engine::accuracy::quantity::{Quantity, Wishes};
 use crate::engine::foreign::broken;
 use crate::scene::{Load, Scene};
 use slipzone_api::{
-    Base, Elastic, Flaw, Friction, FrozenStrain, LayerModel, Poisson, PunchShape, Refusal, contract, examine, short,
+    Base, Elastic, Flaw, Friction, FrozenStrain, LayerModel, Poisson, PunchShape, Refusal, contract, short,
 };
 use std::sync::Arc;
 
@@ -332,7 +332,7 @@ impl Problem {
     pub(crate) fn objection(&self, flaw: &Flaw) -> String {
         let so = if self.ends_at(flaw) {
             "no contact is as wide as that"
-        } else if examine::is_contradiction(flaw) {
+        } else if flaw.is_contradiction {
             "what is solved takes one from the height and another from the slope, and they do not belong together"
         } else {
             "the contact may break up or tilt, and what is solved is one that is symmetric about x = 0"

@@ -19,11 +19,6 @@ const SLACK: f64 = 0.01;
 /// What a height that is to be 0 may be, beside the largest.
 const LEVEL: f64 = 1e-6;
 
-/// In words what is wrong where a shape contradicts itself.
-const NOT_ITS_SLOPE: &str = "the punch's slope is not that of its height";
-/// See [`NOT_ITS_SLOPE`].
-const NOT_LEVEL: &str = "the punch does not touch the surface where it says it does";
-
 /// What [`PunchShape::flaw`] is where a shape has none of its own: [`first_flaw`], the kinks among the points, or else where the
 /// shape contradicts itself.
 pub fn flaw<S: PunchShape + ?Sized>(shape: &S, half_width: f64) -> Option<Flaw> {
@@ -36,11 +31,6 @@ pub fn flaw<S: PunchShape + ?Sized>(shape: &S, half_width: f64) -> Option<Flaw> 
     first_flaw_beside(known, shape, half_width, shape.kinks()).or_else(|| contradiction(shape, half_width))
 }
 
-/// Whether a flaw is that a shape contradicts itself, and not that it is of the wrong form.
-pub fn is_contradiction(flaw: &Flaw) -> bool {
-    [NOT_ITS_SLOPE, NOT_LEVEL].contains(&flaw.what.as_str())
-}
-
 /// A half-width, but for what rounding puts at the end of the shape or beyond.
 fn within<S: PunchShape + ?Sized>(shape: &S, half_width: f64) -> f64 {
     let end = shape.fixed_half_width().unwrap_or(f64::INFINITY).min(shape.reach().unwrap_or(f64::INFINITY));
@@ -49,10 +39,11 @@ fn within<S: PunchShape + ?Sized>(shape: &S, half_width: f64) -> f64 {
 
 /// Where the height of a convex shape is not 0 though it is to be, or rises by what no slope between those of both ends gives.
 fn contradiction<S: PunchShape + ?Sized>(shape: &S, half_width: f64) -> Option<Flaw> {
+    let flaw = |what, x| Flaw { is_contradiction: true, ..Flaw::new(what, x) };
     let highest = shape.height(half_width).abs();
     let is_off = |x: &f64| shape.height(*x).abs() > LEVEL * highest;
     if let Some(x) = [0.0, shape.face().min(half_width)].into_iter().find(is_off) {
-        return Some(Flaw { what: NOT_LEVEL.into(), x });
+        return Some(flaw("the punch does not touch the surface where it says it does", x));
     }
     let step = half_width / f64::from(INTERVALS);
     let slack = SLACK * step * shape.slope(half_width).abs() + ROUNDING * highest;
@@ -62,7 +53,7 @@ fn contradiction<S: PunchShape + ?Sized>(shape: &S, half_width: f64) -> Option<F
         rise < least - slack || rise > most + slack
     };
     let mut intervals = (0..INTERVALS).map(|i| (f64::from(i) * step, f64::from(i + 1) * step));
-    intervals.find(contradicts).map(|(x, _)| Flaw { what: NOT_ITS_SLOPE.into(), x })
+    intervals.find(contradicts).map(|(x, _)| flaw("the punch's slope is not that of its height", x))
 }
 
 /// The first flaw on `[0, half_width]`: no number, below the tip, or not convex.
@@ -105,23 +96,22 @@ struct Scale {
 impl Scale {
     /// The first flaw among ascending points, and the stretch in which it begins.
     fn look<S: PunchShape + ?Sized>(&mut self, shape: &S, from: f64, points: &[f64]) -> Option<(Flaw, (f64, f64))> {
-        let flaw = |what: String, x: f64| Flaw { what, x };
         let mut before = (from, from, shape.slope(from));
         for &x in points {
             let (height, slope) = (shape.height(x), shape.slope(x));
             let stretch = (before.0, x);
             if !height.is_finite() || !slope.is_finite() {
                 let word = if height.is_finite() { "slope" } else { "height" };
-                return Some((flaw(format!("the punch has no finite {word}"), x), stretch));
+                return Some((Flaw::new(format!("the punch has no finite {word}"), x), stretch));
             }
             self.height = self.height.max(height.abs());
             self.slope = self.slope.max(slope.abs());
             if height < -ROUNDING * self.height {
-                return Some((flaw("the punch leaves the surface".into(), x), stretch));
+                return Some((Flaw::new("the punch leaves the surface", x), stretch));
             }
             if slope < before.2 - ROUNDING * self.slope {
                 // What falls before this point has begun to fall at the one before, or short of it.
-                return Some((flaw("the punch is not convex".into(), before.1), (before.0, x)));
+                return Some((Flaw::new("the punch is not convex", before.1), (before.0, x)));
             }
             before = (before.1, x, slope);
         }
@@ -185,7 +175,7 @@ mod tests {
         let wavy =
             Shape { height: |x| 0.5 * x * x + 0.02 * (1.0 - (20.0 * x).cos()), slope: |x| x + 0.4 * (20.0 * x).sin() };
         let flaw = wavy.flaw(1.0).unwrap();
-        assert!(flaw.what.contains("not convex") && !is_contradiction(&flaw), "{flaw:?}");
+        assert!(flaw.what.contains("not convex") && !flaw.is_contradiction, "{flaw:?}");
         // 1 + 8 cos(20 x) = 0 first where x = 0.0848.
         assert!((flaw.x - (-0.125_f64).acos() / 20.0).abs() < 1e-4, "{flaw:?}");
     }
@@ -202,7 +192,7 @@ mod tests {
         for shape in contradictory {
             for half_width in [0.6, 1.0] {
                 let flaw = shape.flaw(half_width);
-                assert!(flaw.as_ref().is_some_and(is_contradiction), "{half_width}: {shape:?}: {flaw:?}");
+                assert!(flaw.as_ref().is_some_and(|flaw| flaw.is_contradiction), "{half_width}: {shape:?}: {flaw:?}");
             }
         }
     }

@@ -100,6 +100,15 @@ pub struct Flaw {
     pub what: String,
     /// Where it begins, in the user's unit of length.
     pub x: f64,
+    /// Whether it is that the shape contradicts itself, and not that it is of the wrong form.
+    pub is_contradiction: bool,
+}
+
+impl Flaw {
+    /// That the shape is of the wrong form.
+    pub fn new(what: impl Into<String>, x: f64) -> Self {
+        Self { what: what.into(), x, is_contradiction: false }
+    }
 }
 
 /// A flat face between sharp corners: the punch that every growing contact is a stack of, and that scenes call `flat`.

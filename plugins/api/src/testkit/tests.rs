@@ -276,7 +276,7 @@ impl PunchShape for Claims {
         self.reach
     }
     fn flaw(&self, _half_width: f64) -> Option<Flaw> {
-        self.flaw_at.map(|x| Flaw { what: "so it says".into(), x })
+        self.flaw_at.map(|x| Flaw::new("so it says", x))
     }
     fn kinks(&self) -> &[f64] {
         &self.kinks

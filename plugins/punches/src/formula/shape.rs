@@ -285,7 +285,7 @@ impl PunchShape for Graph {
         };
         let nearest = found.as_ref().map_or(half_width, |flaw| flaw.x);
         let uneven = self.asymmetry(half_width).filter(|(x, ..)| *x < nearest);
-        let uneven = uneven.map(|(x, ..)| Flaw { what: "the punch is not symmetric".into(), x });
+        let uneven = uneven.map(|(x, ..)| Flaw::new("the punch is not symmetric", x));
         uneven.or(found)
     }
 

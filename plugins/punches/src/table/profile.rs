@@ -73,9 +73,8 @@ impl Profile {
     fn leave_out(&mut self, strays: impl Iterator<Item = f64>) {
         self.strays.extend(strays);
         self.strays.sort_by(f64::total_cmp);
-        self.flaws.extend(
-            self.strays.iter().map(|x| Flaw { what: "a row of the punch's table is far off the others".into(), x: *x }),
-        );
+        self.flaws
+            .extend(self.strays.iter().map(|x| Flaw::new("a row of the punch's table is far off the others", *x)));
         self.flaws.sort_by(|one, other| one.x.total_cmp(&other.x));
     }
 
@@ -151,7 +150,7 @@ impl PunchShape for Profile {
 
     fn flaw(&self, half_width: f64) -> Option<Flaw> {
         let flaw = self.flaws.first().filter(|flaw| flaw.x <= half_width).cloned();
-        let end = (half_width > self.reach).then(|| Flaw { what: "the table ends".into(), x: self.reach });
+        let end = (half_width > self.reach).then(|| Flaw::new("the table ends", self.reach));
         flaw.or(end)
     }
 

@@ -20,9 +20,8 @@ const ROOM: f64 = 4.0;
 /// decimal given: neighbours that are rounded alike do not scatter, and their means are off by half of it.
 pub(super) fn flaws(points: &[Point], residuals: &[f64], (rounding, decimal): (f64, f64)) -> Vec<Flaw> {
     let noise = noise(points, residuals) + rounding;
-    let bent = bent(points, noise, decimal).map(|x| Flaw { what: "the punch is not convex".into(), x });
-    let uneven =
-        uneven(points, residuals, noise, decimal).map(|x| Flaw { what: "the punch is not symmetric".into(), x });
+    let bent = bent(points, noise, decimal).map(|x| Flaw::new("the punch is not convex", x));
+    let uneven = uneven(points, residuals, noise, decimal).map(|x| Flaw::new("the punch is not symmetric", x));
     bent.into_iter().chain(uneven).collect()
 }
 
