@@ -72,6 +72,22 @@ impl Within {
     }
 }
 
+/// The largest modulus; infinite where one is NaN.
+pub(super) fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
+    errors.into_iter().fold(0.0, |worst, error| {
+        let error = if error.is_nan() { f64::INFINITY } else { error.abs() };
+        worst.max(error)
+    })
+}
+
+/// The largest difference of tractions from what they should be, over the largest of these; infinite where one is missing.
+pub(super) fn off(tractions: &[Option<f64>], expected: &[f64]) -> f64 {
+    let largest = worst(expected.iter().copied());
+    worst(
+        tractions.iter().zip(expected).map(|(traction, expected)| (traction.unwrap_or(f64::NAN) - expected) / largest),
+    )
+}
+
 /// Where the checks of one case are written down.
 pub(super) struct Sheet {
     group: &'static str,

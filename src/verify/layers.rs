@@ -1,6 +1,6 @@
 //! Surface flexibilities of layers written as a scene would write them.
 
-use super::check::Within;
+use super::check::{Within, worst};
 use super::contact::Contact;
 use crate::engine::response;
 use slipzone_api::{Family, LayerResponse, SurfaceFlexibility};
@@ -43,14 +43,6 @@ pub(super) fn compliance(layer: &str) -> Result<Box<dyn LayerResponse>, String> 
 pub(crate) fn distance(found: SurfaceFlexibility, expected: SurfaceFlexibility) -> f64 {
     let SurfaceFlexibility { vv, uu, uv } = expected;
     worst([found.vv / vv - 1.0, found.uu / uu - 1.0, (found.uv - uv) / (vv * uu).sqrt()])
-}
-
-/// The largest modulus; infinite where one is NaN.
-pub(super) fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
-    errors.into_iter().fold(0.0, |worst, error| {
-        let error = if error.is_nan() { f64::INFINITY } else { error.abs() };
-        worst.max(error)
-    })
 }
 
 /// The largest difference of two flexibilities over [`WAVES`].

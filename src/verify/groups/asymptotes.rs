@@ -1,9 +1,9 @@
 //! The ends of the range: next to no friction and next to no slip, very short and very long waves.
 
 use crate::verify::Case;
-use crate::verify::check::Within;
+use crate::verify::check::{Within, worst};
 use crate::verify::contact::{BETA, Contact, HALF_PLANE, number};
-use crate::verify::layers::{compliance, worst};
+use crate::verify::layers::compliance;
 use std::f64::consts::PI;
 
 pub(super) fn cases() -> Vec<Case> {

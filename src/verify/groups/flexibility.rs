@@ -3,9 +3,9 @@
 use crate::engine::response;
 use crate::scene::parse;
 use crate::verify::Case;
-use crate::verify::check::Within;
+use crate::verify::check::{Within, worst};
 use crate::verify::contact::{A0, BETA, has, members, open};
-use crate::verify::layers::{BASES, WAVES, compliance, distance, promised, respond, worst};
+use crate::verify::layers::{BASES, WAVES, compliance, distance, promised, respond};
 use crate::verify::references::{cases as entries, list};
 use serde_json::{Value, json};
 use slipzone_api::reference::homogeneous_layer::bonded;

@@ -2,9 +2,8 @@
 
 use crate::engine::Status;
 use crate::verify::Case;
-use crate::verify::check::Within;
+use crate::verify::check::{Within, off, worst};
 use crate::verify::contact::{A0, BETA, Contact, HALF_PLANE, claimed, number};
-use crate::verify::layers::worst;
 use slipzone_api::reference::cylinder::Cylinder;
 use slipzone_api::reference::goodman_shear::Goodman;
 use slipzone_api::reference::partial_slip::{self, Stick, friction};
@@ -81,9 +80,7 @@ fn flat_shear() -> Case {
         let solution = Contact::flat(HALF_PLANE).rubbing(ETA).at(&X).to(3e-11).solve()?;
         let shear = solution.profile.shear.as_ref().ok_or("there is no shear")?;
         let exact = X.map(|x| goodman().flat(1.0, 1.0, x));
-        let largest = worst(exact);
-        let errors = shear.iter().zip(exact).map(|(q, exact)| (q.unwrap_or(f64::NAN) - exact) / largest);
-        sheet.error("flat punch: shear, worst of 6 points over the largest", worst(errors), within(), STACK);
+        sheet.error("flat punch: shear, worst of 6 points over the largest", off(shear, &exact), within(), STACK);
         Ok(())
     })
 }
@@ -100,10 +97,8 @@ fn shear(
         sheet.relative(&format!("{name}, growing: a/b"), number(&solution, "stick.ratio")?, expected, within(), SPENCE);
         let shear = solution.profile.shear.as_ref().ok_or("there is no shear")?;
         let exact = X.map(|x| goodman().grown(&rate, kinks, 1.0, x));
-        let largest = worst(exact);
-        let errors = shear.iter().zip(exact).map(|(q, exact)| (q.unwrap_or(f64::NAN) - exact) / largest);
         let name = format!("{name}, growing: shear, worst of 6 points over the largest");
-        sheet.error(&name, worst(errors), within(), STACK);
+        sheet.error(&name, off(shear, &exact), within(), STACK);
         Ok(())
     })
 }
@@ -131,13 +126,11 @@ fn frozen(eta: f64) -> Case {
         let shear = linear.profile.shear.as_ref().ok_or("there is no shear")?;
         let pressed = |half_width| Cylinder { radius: 1.0, half_width, compliance: A0 }.force_rate();
         let exact = X.map(|x| law.grown(pressed, &[], 1.0, x));
-        let largest = worst(exact);
-        let errors = shear.iter().zip(exact).map(|(q, exact)| (q.unwrap_or(f64::NAN) - exact) / largest);
         sheet.error(
             &format!(
                 "cylinder, eta = {eta}: shear where the strain is taken to be C|x|, worst of 6 points over the largest"
             ),
-            worst(errors),
+            off(shear, &exact),
             Within::new(6e-8, "six times the solver's own tolerance, 1e-8, which a shear may be off by"),
             source,
         );

@@ -1,9 +1,8 @@
 //! Contacts on a homogeneous half-plane without friction.
 
 use crate::verify::Case;
-use crate::verify::check::Within;
+use crate::verify::check::{Within, off, worst};
 use crate::verify::contact::{A0, Contact, HALF_PLANE, number};
-use crate::verify::layers::worst;
 use slipzone_api::reference::cylinder::Cylinder;
 use slipzone_api::reference::power::Power;
 use slipzone_api::reference::rounded_flat::RoundedFlat;
@@ -33,10 +32,8 @@ fn known(
         let solution = Contact::flat(HALF_PLANE).under(punch).at(&X).to(TIGHT).solve()?;
         sheet.relative(&format!("{name}: force"), number(&solution, "load.force")?, force, within(), source);
         let exact = X.map(&pressure);
-        let largest = worst(exact);
-        let errors =
-            solution.profile.pressure.iter().zip(exact).map(|(p, exact)| (p.unwrap_or(f64::NAN) - exact) / largest);
-        sheet.error(&format!("{name}: pressure, worst of 6 points over the largest"), worst(errors), within(), source);
+        let error = off(&solution.profile.pressure, &exact);
+        sheet.error(&format!("{name}: pressure, worst of 6 points over the largest"), error, within(), source);
         Ok(())
     })
 }

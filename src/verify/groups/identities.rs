@@ -2,9 +2,8 @@
 
 use crate::engine::Solution;
 use crate::verify::Case;
-use crate::verify::check::Within;
+use crate::verify::check::{Within, worst};
 use crate::verify::contact::{A0, Contact, claimed, layer, number};
-use crate::verify::layers::worst;
 use slipzone_api::double_exponential::nodes;
 use std::f64::consts::PI;
 

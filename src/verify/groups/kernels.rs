@@ -1,9 +1,9 @@
 //! The contact kernels `k(t)`.
 
 use crate::verify::Case;
-use crate::verify::check::Within;
+use crate::verify::check::{Within, worst};
 use crate::verify::contact::{Contact, layer, members, open};
-use crate::verify::layers::{compliance, worst};
+use crate::verify::layers::compliance;
 use slipzone_api::reference::homogeneous_layer::bonded;
 use slipzone_api::{Component, Elastic, Family, KernelRequest, KernelTable, LayerResponse, Plane};
 use std::f64::consts::PI;

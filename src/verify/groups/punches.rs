@@ -1,9 +1,8 @@
 //! Punches that can imitate another, on a graded layer.
 
 use crate::verify::Case;
-use crate::verify::check::Within;
+use crate::verify::check::{Within, off, worst};
 use crate::verify::contact::{Contact, has, layer, members, number, numbers};
-use crate::verify::layers::worst;
 use slipzone_api::Family;
 
 const CYLINDER: &str = "type = \"cylinder\"\nradius = 4.0";
@@ -82,13 +81,9 @@ fn pair(name: &'static str, one: &'static str, other: &'static str) -> Case {
             ("shear", one.profile.shear.as_ref(), other.profile.shear.as_ref()),
         ] {
             let (one, other) = (one.ok_or("a traction is missing")?, other.ok_or("a traction is missing")?);
-            let largest = worst(other.iter().flatten().copied());
-            let errors = one.iter().zip(other).map(|(a, b)| match (a, b) {
-                (Some(a), Some(b)) => (a - b) / largest,
-                _ => f64::NAN,
-            });
+            let other: Vec<f64> = other.iter().map(|traction| traction.unwrap_or(f64::NAN)).collect();
             let name = format!("{name}: {what}, worst of 3 points over the largest");
-            sheet.error(&name, worst(errors), within(), "the punch imitated");
+            sheet.error(&name, off(one, &other), within(), "the punch imitated");
         }
         Ok(())
     })

@@ -2,9 +2,8 @@
 
 use crate::engine::Solution;
 use crate::verify::Case;
-use crate::verify::check::{Sheet, Within};
+use crate::verify::check::{Sheet, Within, worst};
 use crate::verify::contact::{Contact, claimed, layer};
-use crate::verify::layers::worst;
 use crate::verify::references::{cases as entries, half_a_unit, list, number};
 use serde_json::Value;
 
