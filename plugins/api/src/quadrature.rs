@@ -23,6 +23,13 @@ pub enum Parity {
     Odd,
 }
 
+impl Parity {
+    /// `+1` or `-1`: the density at `-x` over that at `x`.
+    pub fn mirror(self) -> f64 {
+        if self == Self::Even { 1.0 } else { -1.0 }
+    }
+}
+
 /// What a density does at the ends of its interval.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Edge {

@@ -115,11 +115,6 @@ impl ChebyshevRule {
         Self { half_width, parity, edge, grid, stations }
     }
 
-    /// `+1` or `-1`: the value at `-t` over the value at `t`.
-    fn mirror(&self) -> f64 {
-        if self.parity == Parity::Even { 1.0 } else { -1.0 }
-    }
-
     /// `out[j] = k(x - c t_j) + mirror k(x + c t_j)` with `reduce` applied to each kernel value.
     fn folded_kernel(
         &self,
@@ -136,7 +131,7 @@ impl ChebyshevRule {
         table.parts_into(component, &scratch.distances, scratch.parts.first(2 * n));
         for j in 0..n {
             let value = |k: usize| reduce(scratch.parts.at(k), scratch.distances[k]);
-            scratch.folded[j] = value(j) + self.mirror() * value(n + j);
+            scratch.folded[j] = value(j) + self.parity.mirror() * value(n + j);
         }
     }
 
@@ -144,7 +139,7 @@ impl ChebyshevRule {
         let t = at.x / self.half_width;
         let relative_gap = at.gap / self.half_width;
         let root = (relative_gap * (2.0 - relative_gap)).sqrt();
-        let smooth = self.grid.interpolate(unknowns, self.mirror(), t);
+        let smooth = self.grid.interpolate(unknowns, self.parity.mirror(), t);
         match self.edge {
             Edge::Sharp => smooth / root,
             Edge::Smooth | Edge::Continued => smooth * root,
@@ -202,7 +197,7 @@ impl Rule for ChebyshevRule {
             for (j, entry) in row[..n].iter_mut().enumerate() {
                 // Stations ascend in x, angles in the grid.
                 let (minus, plus) = self.grid.minus_and_plus(last - i, j);
-                let cauchy = 1.0 / minus + self.mirror() / plus;
+                let cauchy = 1.0 / minus + self.parity.mirror() / plus;
                 *entry = self.grid.weight[j] / PI * (cauchy + self.half_width * scratch.folded[j]);
             }
         }
@@ -237,7 +232,7 @@ impl Rule for ChebyshevRule {
     fn resultant_into(&self, row: &mut [f64]) {
         assert_eq!(row.len(), self.unknowns(), "one entry per unknown");
         for (entry, weight) in row.iter_mut().zip(&self.grid.weight) {
-            *entry = self.half_width * weight * (1.0 + self.mirror());
+            *entry = self.half_width * weight * (1.0 + self.parity.mirror());
         }
     }
 
@@ -250,7 +245,7 @@ impl Rule for ChebyshevRule {
 
     fn edge_factor(&self, unknowns: &[f64]) -> f64 {
         match self.edge {
-            Edge::Sharp => self.half_width * self.grid.interpolate(unknowns, self.mirror(), 1.0),
+            Edge::Sharp => self.half_width * self.grid.interpolate(unknowns, self.parity.mirror(), 1.0),
             Edge::Smooth | Edge::Continued => 0.0,
         }
     }
@@ -279,7 +274,8 @@ impl Rule for ChebyshevRule {
                 Parts { sign: parts.sign - jump, log: parts.log - log, ..parts }.value(t)
             }
         };
-        let series = if jump == 0.0 && log == 0.0 { Vec::new() } else { self.grid.series(unknowns, self.mirror()) };
+        let series =
+            if jump == 0.0 && log == 0.0 { Vec::new() } else { self.grid.series(unknowns, self.parity.mirror()) };
         let mut scratch = self.scratch();
         for (out, Station { x, .. }) in out.iter_mut().zip(targets) {
             self.folded_kernel(kernel, *x, reduced, &mut scratch);

@@ -11,11 +11,6 @@ pub(super) struct Basis {
 }
 
 impl Basis {
-    /// `+1` or `-1`: the density at `-x` over that at `x`.
-    pub(super) fn mirror(self) -> f64 {
-        if self.parity == Parity::Even { 1.0 } else { -1.0 }
-    }
-
     /// `f sin(theta)/F`, `F` being the piecewise polynomial: 1 where `f = F/sin(theta)`, `sin(theta)` where `f = F`.
     pub(super) fn measure(self, angle: f64) -> f64 {
         if self.edge == Edge::Smooth { angle.sin() } else { 1.0 }

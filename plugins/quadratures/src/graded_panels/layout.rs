@@ -67,7 +67,7 @@ impl Layout {
         let mut resultant = vec![0.0; unknowns];
         for (piece, chunk) in pieces.list.iter().zip(summand.chunks_mut(gauss.z.len())) {
             for (out, w) in chunk.iter_mut().zip(&gauss.w) {
-                *out = w * piece.half_length * (1.0 + basis.mirror());
+                *out = w * piece.half_length * (1.0 + basis.parity.mirror());
             }
         }
         for (out, (measure, u)) in summand.iter_mut().zip(pieces.measure.iter().zip(&pieces.at)) {

@@ -245,7 +245,7 @@ impl Regular {
                 let piece = self.pieces[p];
                 let here = p * q..(p + 1) * q;
                 let view = views[usize::from(piece.is_image)];
-                let factor = if piece.is_image { layout.basis.mirror() } else { 1.0 };
+                let factor = if piece.is_image { layout.basis.parity.mirror() } else { 1.0 };
                 let share =
                     Share { piece, gauss: &layout.gauss, offsets: &self.offsets[here.clone()], view, half_width };
                 let weights = if piece.is_next { &self.powers.weights } else { &layout.gauss.w };

@@ -142,7 +142,7 @@ impl Rule for PanelRule {
             let polynomial = basis.factor(mesh, mesh.at(place)) * mesh.interpolate(coefficient, place, &mut scratch);
             let value =
                 if basis.edge == Edge::Smooth { polynomial } else { polynomial / sine(at.gap / self.half_width) };
-            *out = if at.x < 0.0 { basis.mirror() * value } else { value };
+            *out = if at.x < 0.0 { basis.parity.mirror() * value } else { value };
         }
     }
 

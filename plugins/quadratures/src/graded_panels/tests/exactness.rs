@@ -87,7 +87,7 @@ fn values_keep_their_digits_towards_the_end() {
             let got = value(rule.as_ref(), &unknowns, Station { x: c - gap, gap });
             assert_close(got / exact, 1.0, 1e-12, &format!("{edge:?} at gap {gap:e}"));
             let mirrored = value(rule.as_ref(), &unknowns, Station { x: gap - c, gap });
-            let sign = if parity == Parity::Odd { -1.0 } else { 1.0 };
+            let sign = parity.mirror();
             assert_close(mirrored, sign * got, 0.0, "mirror image");
         }
     }
