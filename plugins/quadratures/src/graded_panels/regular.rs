@@ -189,28 +189,12 @@ impl Regular {
         }
     }
 
-    /// `row[j]` = what the `j`-th unknown contributes to `(c/pi) int_0^(pi/2) F measure (k(x - r) + mirror k(x + r)) dtheta` at the
-    /// angle `target`.
-    pub(super) fn row_into(
-        &mut self,
-        target: f64,
-        layout: &Layout,
-        half_width: f64,
-        (table, component): (&dyn KernelTable, Component),
-        row: &mut [f64],
-    ) {
-        if let Some(power) = table.power() {
-            self.powers.set(power, &layout.gauss);
-        }
-        let views = [View::direct(target, &layout.mesh), View::mirrored(target, &layout.mesh)];
-        self.cut(target, &views, layout, half_width, table);
+    /// The points of the pieces: their offsets from the pole that sees them, and their distances from the angle `target`.
+    fn place(&mut self, target: f64, views: &[View; 2], layout: &Layout, half_width: f64) {
         let q = layout.gauss.z.len();
         let points = q * self.pieces.len();
         self.offsets.resize(points, 0.0);
         self.distances.resize(points, 0.0);
-        self.parts.resize(points);
-        self.summand.resize(q, 0.0);
-        self.product.resize(q, 0.0);
         let (sin, cos) = layout.mesh.angle(target).sin_cos();
         let places = self.offsets.chunks_exact_mut(q).zip(self.distances.chunks_exact_mut(q));
         for (piece, (offsets, distances)) in self.pieces.iter().zip(places) {
@@ -232,6 +216,29 @@ impl Regular {
                 *distance = 2.0 * half_width * half * (sign * sin * other + cos * half);
             }
         }
+    }
+
+    /// `row[j]` = what the `j`-th unknown contributes to `(c/pi) int_0^(pi/2) F measure (k(x - r) + mirror k(x + r)) dtheta` at the
+    /// angle `target`.
+    pub(super) fn row_into(
+        &mut self,
+        target: f64,
+        layout: &Layout,
+        half_width: f64,
+        (table, component): (&dyn KernelTable, Component),
+        row: &mut [f64],
+    ) {
+        if let Some(power) = table.power() {
+            self.powers.set(power, &layout.gauss);
+        }
+        let views = [View::direct(target, &layout.mesh), View::mirrored(target, &layout.mesh)];
+        self.cut(target, &views, layout, half_width, table);
+        self.place(target, &views, layout, half_width);
+        let q = layout.gauss.z.len();
+        let points = self.distances.len();
+        self.parts.resize(points);
+        self.summand.resize(q, 0.0);
+        self.product.resize(q, 0.0);
         table.parts_into(component, &self.distances, self.parts.first(points));
 
         let width = layout.mesh.degree + 1;
