@@ -25,11 +25,14 @@ pub struct Wrong {
     pub found: String,
     /// What would be right.
     pub expected: String,
+    /// What to do.
+    pub hint: Option<&'static str>,
 }
 
 impl Wrong {
     fn fault(self, path: &[&str]) -> Fault {
-        Fault::new(path, self.message).found(self.found).expected(self.expected)
+        let hint = self.hint.map(str::to_owned);
+        Fault { hint, ..Fault::new(path, self.message).found(self.found).expected(self.expected) }
     }
 }
 
@@ -41,13 +44,13 @@ pub fn ascending(name: &str, before: Option<f64>, value: f64) -> Result<(), Wron
     let Some(before) = before.filter(|before| value <= *before) else { return Ok(()) };
     let fault = if value < before { "that does not ascend" } else { "that was there before" };
     let (found, expected) = (format!("{value} after {before}"), format!("{name} above {before}"));
-    Err(Wrong { column: Some(0), message: format!("{name} {fault}"), found, expected })
+    Err(Wrong { column: Some(0), message: format!("{name} {fault}"), found, expected, hint: None })
 }
 
 /// That there are more rows than the `most` that are taken.
 pub fn too_many(most: usize) -> Wrong {
     let (found, expected) = (format!("row {}", most + 1), format!("at most {most} rows"));
-    Wrong { column: None, message: "too many rows".into(), found, expected }
+    Wrong { column: None, message: "too many rows".into(), found, expected, hint: None }
 }
 
 /// Where the rows of a table come from.

@@ -19,23 +19,15 @@ pub(super) fn of(source: &Source<Vec<f64>>, files: &dyn Files) -> Result<Rows, F
     let mut rows = Rows::default();
     let columns =
         Columns { count: 2..=3, number: "two or three", names: "depth, modulus and, if it varies, Poisson's ratio" };
-    source.rows(files, &columns, |row| rows.push(row)).map_err(thin_out)?;
+    source.rows(files, &columns, |row| rows.push(row))?;
     Ok(rows)
-}
-
-/// What to do about too many.
-fn thin_out(fault: Fault) -> Fault {
-    if fault.message == "too many rows" {
-        return fault.hint("thin the rows out: the curve between a few hundred is as good");
-    }
-    fault
 }
 
 impl Rows {
     /// Appends a row that follows those before it.
     fn push(&mut self, row: &[f64]) -> Result<(), Wrong> {
         let wrong = |column, message: &str, found: String, expected: &str| {
-            Err(Wrong { column, message: message.into(), found, expected: expected.into() })
+            Err(Wrong { column, message: message.into(), found, expected: expected.into(), hint: None })
         };
         let columns = |count: usize| if count == 1 { "1 column".into() } else { format!("{count} columns") };
         let &[depth, modulus, ref rest @ ..] = row else {
@@ -80,7 +72,8 @@ impl Rows {
             );
         }
         if self.depths.len() == MOST {
-            return Err(rows::too_many(MOST));
+            let hint = Some("thin the rows out: the curve between a few hundred is as good");
+            return Err(Wrong { hint, ..rows::too_many(MOST) });
         }
         self.depths.push(depth);
         self.moduli.push(modulus);

@@ -24,7 +24,8 @@ fn push(rows: &mut Rows, row: &[f64]) -> Result<(), Wrong> {
         if !(*value == 0.0 || MODERATE.contains(&value.abs())) {
             let message = if column == 0 { "an x that is not allowed" } else { "a height that is not allowed" };
             let expected = "0, or a number between 1e-100 and 1e100, or its negative".into();
-            return Err(Wrong { column: Some(column), message: message.into(), found: format!("`{value}`"), expected });
+            let (message, found) = (message.into(), format!("`{value}`"));
+            return Err(Wrong { column: Some(column), message, found, expected, hint: None });
         }
     }
     let before = rows.last().map(|[before, _]| *before);
