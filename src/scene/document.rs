@@ -105,8 +105,8 @@ impl<'a> Document<'a> {
         SceneError::at(self.name, self.text, span, message)
     }
 
-    /// What a plugin says against its own table, which stands at `path`, or against a file named there.
-    pub(super) fn fault(&self, path: &[&str], fault: Fault) -> SceneError {
+    /// What is said against a table, which stands at `path`, or against a file named there: a plugin's own, a figure's.
+    pub(crate) fn fault(&self, path: &[&str], fault: Fault) -> SceneError {
         let within = fault.path.iter().map(String::as_str);
         let full: Vec<&str> = path.iter().copied().chain(within).collect();
         let span = self.best(&full);

@@ -20,7 +20,7 @@ pub use plot::{Line, OneOrMore, Over, Plot, PlotKind, Points, Scale};
 pub(crate) use record::{ANSWER, at};
 pub use record::{Found, Record, RecordStatus};
 #[cfg(feature = "plot")]
-pub(crate) use shown::{FOUND, Place, Shown, Source};
+pub(crate) use shown::{FOUND, Place, Shown, Source, in_one_line};
 pub use sweep::sweep;
 
 use crate::scene::{Asked, Replacement, Scene, SceneError, Template};

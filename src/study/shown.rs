@@ -8,9 +8,11 @@ use super::axis::{Axis, Values};
 use super::plot::{OneOrMore, Over, Plot, PlotKind};
 use super::{Cell, Study};
 use crate::scene::Asked;
-pub(crate) use fault::PlotFault;
+#[cfg(feature = "plot")]
+pub(crate) use fault::in_one_line;
+use fault::{missing, wrong};
 use marks::{file_name, marks};
-use slipzone_api::nearest;
+use slipzone_api::{Fault, nearest};
 
 /// The largest of the errors, which a figure may show like the numbers.
 const ERROR: &str = "error.estimate";
@@ -70,7 +72,7 @@ pub(crate) struct Shown {
 
 impl Study {
     /// What a figure of the study shows.
-    pub(crate) fn shown(&self, plot: &Plot) -> Result<Shown, PlotFault> {
+    pub(crate) fn shown(&self, plot: &Plot) -> Result<Shown, Fault> {
         file_name(&plot.file)?;
         marks(plot)?;
         let only = self.only(plot)?;
@@ -79,11 +81,7 @@ impl Study {
         let mut shown = Shown { x, y, z, family: Vec::new(), panels, is_cloud: false, only };
         shown.family = match &plot.family {
             Some(_) if plot.kind == PlotKind::Map => {
-                return Err(PlotFault::new(
-                    &["family"],
-                    "a map has no family",
-                    "`panels`, or `only` one scene for each cell",
-                ));
+                return Err(wrong(&["family"], "a map has no family", "`panels`, or `only` one scene for each cell"));
             }
             Some(names) => {
                 let one = |(index, name): (usize, &String)| self.place(&["family", &index.to_string()], name);
@@ -112,25 +110,25 @@ impl Study {
     }
 
     /// What a figure takes its numbers from.
-    fn sources(&self, plot: &Plot) -> Result<Sources, PlotFault> {
+    fn sources(&self, plot: &Plot) -> Result<Sources, Fault> {
         let names = plot.y.as_ref().map_or(&[][..], OneOrMore::names);
         if names.len() > MOST_NUMBERS {
-            let fault = PlotFault::new(&["y"], "too many numbers in one figure", format!("at most {MOST_NUMBERS}"));
+            let fault = wrong(&["y"], "too many numbers in one figure", format!("at most {MOST_NUMBERS}"));
             return Err(fault
                 .found(format!("{} of them", names.len()))
                 .hint("give the others a [[plots]] of their own"));
         }
         if plot.kind != PlotKind::Map && plot.z.is_some() {
-            return Err(PlotFault::new(&["z"], "only a map has a `z`", "`kind = \"map\"`, or no `z`"));
+            return Err(wrong(&["z"], "only a map has a `z`", "`kind = \"map\"`, or no `z`"));
         }
         if plot.kind == PlotKind::Tractions {
             return self.tractions(plot, names);
         }
         let Some(x) = &plot.x else {
-            return Err(PlotFault::missing("x", "the abscissa: an axis, or a number of the result"));
+            return Err(missing("x", "the abscissa: an axis, or a number of the result"));
         };
         if names.is_empty() {
-            return Err(PlotFault::missing("y", "the ordinate: a number of the result, of a map an axis"));
+            return Err(missing("y", "the ordinate: a number of the result, of a map an axis"));
         }
         if plot.kind == PlotKind::Map {
             return self.map(plot, x, names);
@@ -140,9 +138,9 @@ impl Study {
     }
 
     /// [`Self::sources`] of tractions along the contact.
-    fn tractions(&self, plot: &Plot, names: &[String]) -> Result<Sources, PlotFault> {
+    fn tractions(&self, plot: &Plot, names: &[String]) -> Result<Sources, Fault> {
         if plot.x.is_some() {
-            return Err(PlotFault::new(&["x"], "tractions are drawn over x/b", "no `x`"));
+            return Err(wrong(&["x"], "tractions are drawn over x/b", "no `x`"));
         }
         let mean = (plot.over == Over::Mean).then_some("pressure.mean");
         for needed in ["profile", "load.half_width"].into_iter().chain(mean) {
@@ -150,27 +148,27 @@ impl Study {
         }
         let traction = |path: &[&str], name: &str| match TRACTIONS.into_iter().find(|known| *known == name) {
             Some(known) => Ok(Source::Number(known)),
-            None => Err(PlotFault::new(path, "not a traction", "`pressure`, `shear`").found(format!("`{name}`"))),
+            None => Err(wrong(path, "not a traction", "`pressure`, `shear`").found(format!("`{name}`"))),
         };
         let y = if names.is_empty() { TRACTIONS.map(Source::Number).into() } else { ordinates(names, traction)? };
         Ok((None, y, None))
     }
 
     /// [`Self::sources`] of a number over two axes.
-    fn map(&self, plot: &Plot, x: &str, names: &[String]) -> Result<Sources, PlotFault> {
+    fn map(&self, plot: &Plot, x: &str, names: &[String]) -> Result<Sources, Fault> {
         let [y] = names else {
-            return Err(PlotFault::new(&["y"], "a map has one second axis", "the name of one axis"));
+            return Err(wrong(&["y"], "a map has one second axis", "the name of one axis"));
         };
         let Some(z) = &plot.z else {
-            return Err(PlotFault::missing("z", "the number that the map shows, such as `stick.ratio`"));
+            return Err(missing("z", "the number that the map shows, such as `stick.ratio`"));
         };
         let (x, y) = (self.along_map("x", x)?, self.along_map("y", y)?);
         if x.axis == y.axis {
-            return Err(PlotFault::new(&["y"], "a map needs two axes", "an axis other than that of `x`"));
+            return Err(wrong(&["y"], "a map needs two axes", "an axis other than that of `x`"));
         }
         for (key, place) in [("x", x), ("y", y)] {
             if self.axes[place.axis].is_drawn() {
-                return Err(PlotFault::new(&[key], "a map is drawn over a grid", "an axis that is not `random`"));
+                return Err(wrong(&[key], "a map is drawn over a grid", "an axis that is not `random`"));
             }
         }
         Ok((Some(Source::Field(x)), vec![Source::Field(y)], Some(self.source(&["z"], z)?)))
@@ -182,7 +180,7 @@ impl Study {
     }
 
     /// A field by its path or label, or a number of the result.
-    fn source(&self, path: &[&str], name: &str) -> Result<Source, PlotFault> {
+    fn source(&self, path: &[&str], name: &str) -> Result<Source, Fault> {
         let number = self.numbers().find(|number| *number == name);
         match number {
             // A label that hides a number of the result would be taken for it.
@@ -197,13 +195,13 @@ impl Study {
     }
 
     /// What a figure needs of the results is among them, which is to be told before anything is solved.
-    fn is_asked_for(&self, path: &[&str], number: &str) -> Result<(), PlotFault> {
+    fn is_asked_for(&self, path: &[&str], number: &str) -> Result<(), Fault> {
         let quantities = ["output", "quantities"].map(str::to_owned);
         if self.asks(number) || self.columns().any(|column| column.overlaps(&quantities)) {
             return Ok(());
         }
         let message = format!("the figure needs `{number}`, which the scene does not ask for");
-        let fault = PlotFault::new(path, message, "what is among them").found("`output.quantities` without it");
+        let fault = wrong(path, message, "what is among them").found("`output.quantities` without it");
         Err(fault.hint(format!("add `{number}` to `quantities` of the scene, or leave that key out")))
     }
 
@@ -215,12 +213,12 @@ impl Study {
         named.next().map(|(place, _)| place)
     }
 
-    fn place(&self, path: &[&str], name: &str) -> Result<Place, PlotFault> {
+    fn place(&self, path: &[&str], name: &str) -> Result<Place, Fault> {
         self.field(name).ok_or_else(|| self.unknown(path, name, &[]))
     }
 
     /// A field along a side of a map.
-    fn along_map(&self, key: &str, name: &str) -> Result<Place, PlotFault> {
+    fn along_map(&self, key: &str, name: &str) -> Result<Place, Fault> {
         if self.field(name).is_some() {
             return self.numbers_along(&[key], name);
         }
@@ -234,20 +232,18 @@ impl Study {
     }
 
     /// A field whose values are numbers.
-    fn numbers_along(&self, path: &[&str], name: &str) -> Result<Place, PlotFault> {
+    fn numbers_along(&self, path: &[&str], name: &str) -> Result<Place, Fault> {
         let place = self.field(name).ok_or_else(|| self.unknown(path, name, &numbers().collect::<Vec<_>>()))?;
         let Values::Listed(listed) = &self.axes[place.axis].columns[place.column].values else { return Ok(place) };
         match listed.iter().find_map(|(_, cell)| if let Cell::Text(text) = cell { Some(text) } else { None }) {
             None => Ok(place),
-            Some(text) => {
-                Err(PlotFault::new(path, format!("the values of `{name}` are not numbers"), "an axis of numbers")
-                    .found(format!("`{text}`"))
-                    .hint("values with `names` make a family or panels"))
-            }
+            Some(text) => Err(wrong(path, format!("the values of `{name}` are not numbers"), "an axis of numbers")
+                .found(format!("`{text}`"))
+                .hint("values with `names` make a family or panels")),
         }
     }
 
-    fn unknown(&self, path: &[&str], name: &str, numbers: &[&str]) -> PlotFault {
+    fn unknown(&self, path: &[&str], name: &str, numbers: &[&str]) -> Fault {
         let labels: Vec<&str> = self.columns().map(|column| column.label.as_str()).collect();
         let fields = self.columns().map(|column| column.field.as_str());
         let known: Vec<&str> = labels.iter().copied().chain(fields).chain(numbers.iter().copied()).collect();
@@ -256,7 +252,7 @@ impl Study {
         let expected =
             if numbers.is_empty() { axes } else { format!("{axes}, or a number of the result such as `stick.ratio`") };
         let what = if numbers.is_empty() { "no such axis" } else { "no such axis and no such number of the result" };
-        let fault = PlotFault::new(path, what, expected).found(format!("`{name}`"));
+        let fault = wrong(path, what, expected).found(format!("`{name}`"));
         match nearest(name, &known) {
             Some(near) => fault.hint(format!("did you mean `{near}`?")),
             None => fault,
@@ -280,12 +276,12 @@ impl Study {
     }
 
     /// No axis is shown in two ways, and none is left that would put several scenes on one place.
-    fn each_axis_once(&self, plot: &Plot, shown: &mut Shown) -> Result<(), PlotFault> {
+    fn each_axis_once(&self, plot: &Plot, shown: &mut Shown) -> Result<(), Fault> {
         let all: Vec<usize> = shown.taken().into_iter().chain(shown.family.iter().map(|place| place.axis)).collect();
         if let Some(twice) = (1..all.len()).find(|i| all[..*i].contains(&all[*i])) {
             let name = &self.axes[all[twice]].columns[0].label;
             let key = if plot.family.is_some() { "family" } else { "panels" };
-            let fault = PlotFault::new(&[key], "an axis is shown in two ways", "each axis once");
+            let fault = wrong(&[key], "an axis is shown in two ways", "each axis once");
             return Err(fault.found(format!("`{name}`")));
         }
         let left: Vec<usize> =
@@ -301,26 +297,25 @@ impl Study {
         if left.len() > allowed {
             let names: Vec<&str> = left.iter().map(|axis| self.axes[*axis].columns[0].label.as_str()).collect();
             let ways = if plot.kind == PlotKind::Map { "`panels` or `only`" } else { "`family`, `panels` or `only`" };
-            let fault =
-                PlotFault::new(&["kind"], "several scenes for each place of the figure", format!("it in {ways}"));
+            let fault = wrong(&["kind"], "several scenes for each place of the figure", format!("it in {ways}"));
             return Err(fault.found(format!("nothing that tells values of `{}` apart", names.join("`, `"))));
         }
         Ok(())
     }
 
     /// Not more curves and panels than can be told apart.
-    fn few(&self, shown: &Shown, plot: &Plot) -> Result<(), PlotFault> {
+    fn few(&self, shown: &Shown, plot: &Plot) -> Result<(), Fault> {
         let counts = shown.family.iter().map(|place| self.shown_count(shown, place.axis));
         let curves = counts.fold(1_u64, u64::saturating_mul);
         if curves > MOST_CURVES {
             let key = if plot.family.is_some() { "family" } else { "kind" };
-            let fault = PlotFault::new(&[key], "too many curves to be told apart", format!("at most {MOST_CURVES}"));
+            let fault = wrong(&[key], "too many curves to be told apart", format!("at most {MOST_CURVES}"));
             let hint = "show some of them with `only`, or a number over two axes with `kind = \"map\"`";
             return Err(fault.found(format!("{curves} curves")).hint(hint));
         }
         let panels = shown.panels.map_or(1, |place| self.shown_count(shown, place.axis));
         if panels > MOST_PANELS {
-            let fault = PlotFault::new(&["panels"], "too many panels in one figure", format!("at most {MOST_PANELS}"));
+            let fault = wrong(&["panels"], "too many panels in one figure", format!("at most {MOST_PANELS}"));
             return Err(fault.found(format!("{panels} panels")).hint("show some of them with `only`"));
         }
         Ok(())
@@ -328,10 +323,7 @@ impl Study {
 }
 
 /// Where each ordinate is taken from.
-fn ordinates(
-    names: &[String],
-    source: impl Fn(&[&str], &str) -> Result<Source, PlotFault>,
-) -> Result<Vec<Source>, PlotFault> {
+fn ordinates(names: &[String], source: impl Fn(&[&str], &str) -> Result<Source, Fault>) -> Result<Vec<Source>, Fault> {
     names.iter().enumerate().map(|(index, name)| source(&["y", &index.to_string()], name)).collect()
 }
 

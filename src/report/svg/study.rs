@@ -12,7 +12,7 @@ use super::head::wrapped;
 use super::legend::Entry;
 use super::panel::Panel;
 use super::sheet::Sheet;
-use crate::study::{Place, Plot, PlotKind, Shown, Study};
+use crate::study::{Place, Plot, PlotKind, Shown, Study, in_one_line};
 use gather::Groups;
 use serde_json::Value;
 
@@ -56,7 +56,7 @@ pub fn study_svg(
     plot: &Plot,
     records: impl IntoIterator<Item = Value>,
 ) -> Result<StudyFigure, FigureError> {
-    let shown = study.shown(plot).map_err(|fault| FigureError::Plot(fault.in_one_line()))?;
+    let shown = study.shown(plot).map_err(|fault| FigureError::Plot(in_one_line(&fault)))?;
     let groups = Groups::new(study, plot, &shown);
     let drawing = match plot.kind {
         PlotKind::Curves => curves::draw(&groups, records),

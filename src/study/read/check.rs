@@ -5,7 +5,6 @@ use crate::scene::{Asked, Replacement, SceneError};
 use crate::study::Study;
 use crate::study::axis::{Axis, Column, Values};
 use crate::study::find::Wanted;
-use crate::study::shown::PlotFault;
 use slipzone_api::Files;
 
 /// Each value makes a scene of the base: with the other axes at their first values, as the base has them, or at their last
@@ -223,13 +222,12 @@ pub(super) fn check_find(document: &Document, study: &Study, files: &dyn Files) 
 pub(super) fn check_plots(document: &Document, study: &Study) -> Result<(), SceneError> {
     for (index, plot) in study.plots.iter().enumerate() {
         let number = index.to_string();
-        if let Err(fault) = study.shown(plot) {
-            let PlotFault { path, message, found, expected, hint } = fault;
-            let place: Vec<&str> = ["plots", &number].into_iter().chain(path.iter().map(String::as_str)).collect();
-            let mut error = document.error(document.best(&place), message).expected(expected);
-            let there = || (!path.is_empty()).then(|| document.found(&place));
-            (error.found, error.hint) = (found.or_else(there), hint);
-            return Err(error);
+        if let Err(mut fault) = study.shown(plot) {
+            if fault.found.is_none() && !fault.path.is_empty() {
+                let path = fault.path.iter().map(String::as_str);
+                fault.found = Some(document.found(&["plots", &number].into_iter().chain(path).collect::<Vec<_>>()));
+            }
+            return Err(document.fault(&["plots", &number], fault));
         }
         // Some file systems take names in capitals for the same.
         if study.plots[..index].iter().any(|other| other.file.eq_ignore_ascii_case(&plot.file)) {

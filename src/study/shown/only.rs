@@ -1,16 +1,17 @@
 //! The scenes that a figure is confined to.
 
 use super::Place;
-use super::fault::PlotFault;
+use super::fault::wrong;
 use crate::study::plot::Plot;
 use crate::study::{Cell, Study};
+use slipzone_api::Fault;
 
 /// Steps among which one with a given value is looked for.
 const MOST_STEPS: u64 = 1_000_000;
 
 impl Study {
     /// Steps of the axes that a figure is confined to.
-    pub(super) fn only(&self, plot: &Plot) -> Result<Vec<(Place, Vec<u64>)>, PlotFault> {
+    pub(super) fn only(&self, plot: &Plot) -> Result<Vec<(Place, Vec<u64>)>, Fault> {
         let mut only: Vec<(Place, Vec<u64>)> = Vec::new();
         for (name, wanted) in &plot.only {
             let place = self.place(&["only", name], name)?;
@@ -22,18 +23,14 @@ impl Study {
             steps.sort_unstable();
             steps.dedup();
             if steps.is_empty() || only.iter().any(|other| other.0.axis == place.axis) {
-                return Err(PlotFault::new(
-                    &["only", name],
-                    "nothing to show",
-                    "values of each axis once, at least one",
-                ));
+                return Err(wrong(&["only", name], "nothing to show", "values of each axis once, at least one"));
             }
             only.push((place, steps));
         }
         Ok(only)
     }
 
-    fn steps_with(&self, place: Place, name: &str, value: &toml::Value) -> Result<Vec<u64>, PlotFault> {
+    fn steps_with(&self, place: Place, name: &str, value: &toml::Value) -> Result<Vec<u64>, Fault> {
         /// Numbers written with ten digits are meant to be those of a range.
         const SAME: f64 = 1e-9;
         let (axis, column) = (&self.axes[place.axis], &self.axes[place.axis].columns[place.column]);
@@ -47,7 +44,7 @@ impl Study {
         if steps.is_empty() {
             let shown: Vec<String> = (0..axis.count.min(6)).map(|step| column.cell(step).to_string()).collect();
             let more = if axis.count > 6 { ", ..." } else { "" };
-            let fault = PlotFault::new(&["only", name], format!("no value of `{name}`"), shown.join(", ") + more);
+            let fault = wrong(&["only", name], format!("no value of `{name}`"), shown.join(", ") + more);
             return Err(fault.found(value.to_string()));
         }
         Ok(steps)
