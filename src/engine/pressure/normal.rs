@@ -15,6 +15,8 @@ use std::f64::consts::FRAC_2_PI;
 const DATUM_NODES: f64 = 24.0;
 /// and more of them for each unit of its variable: the kernel's singularities lie `pi/2` off it.
 const DATUM_NODES_PER_UNIT: f64 = 6.0;
+/// and for each unknown of the pressure.
+const DATUM_NODES_PER_UNKNOWN: f64 = 0.5;
 
 /// An edge factor that is a smaller part of the mean pressure shows only closer to the edge than a two-hundredth of the half-width.
 const FAINT_EDGE: f64 = 0.1;
@@ -362,7 +364,10 @@ fn sunk(
     let length = table.length();
     let end = (half_width / length).asinh();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most some thousand
-    let grid = double_exponential::nodes(end, (DATUM_NODES + DATUM_NODES_PER_UNIT * end) as usize);
+    let grid = double_exponential::nodes(
+        end,
+        (DATUM_NODES + DATUM_NODES_PER_UNIT * end + DATUM_NODES_PER_UNKNOWN * unknowns.len() as f64) as usize,
+    );
     let station = |node: &Node| Station {
         x: length * node.from_lower.sinh(),
         gap: 2.0 * length * (0.5 * (end + node.from_lower)).cosh() * (0.5 * node.to_upper).sinh(),
