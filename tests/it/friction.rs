@@ -256,6 +256,31 @@ fn the_worst_of_what_friction_does_not_bear_is_told() {
     );
 }
 
+/// Where the zone that holds slips outward and is narrower than any looked for, another that slips inward breaks the conditions of friction:
+/// that one was told, and the model's assumptions said to be violated.
+#[test]
+fn a_zone_too_narrow_to_be_found_is_told_and_not_another_that_does_not_hold() {
+    let flat = |eta: &str| {
+        slipzone::link_plugins();
+        let text = format!(
+            "format = 1\nlayer = {{ thickness = 0.58286, poisson = 0.2, base = {{ type = \"frictionless\" }}, \
+             grading = {{ type = \"homogeneous\", modulus = 1.0 }} }}\npunch = {{ type = \"flat\", half_width = 1.0 }}\n\
+             friction = {{ type = \"goodman\", coefficient = {eta} }}\nload = {{ force = 0.01 }}\nsolver = {{ tolerance = 1e-6 }}\n"
+        );
+        slipzone::engine::solve(&slipzone::scene::parse("flat.toml", &text).expect("a scene"))
+    };
+    let found = flat("6.2e-4");
+    assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
+    let beyond = flat("5e-4");
+    assert_eq!(beyond.status, Status::NotConverged, "{:?}", beyond.reason);
+    assert!(beyond.reason.as_ref().is_some_and(|reason| reason.contains("narrower than 5.1e-131 of the contact")));
+    for (solution, most) in [(found, 1e-120), (beyond, 1e-130)] {
+        let stick = solution.stick.expect("a stick zone");
+        assert_eq!(stick.slip, Some(Slip::Outward));
+        assert!(stick.ratio.is_some_and(|ratio| ratio < most), "{stick:?}");
+    }
+}
+
 /// Every member was looked at to say at which half-widths friction bears too little: at 1e-8 that took four budgets, and 25 s, and nothing was left
 /// for the tractions.
 #[test]

@@ -186,7 +186,8 @@ impl Contact {
         Ok(Some(rubbing))
     }
 
-    /// Looks for all stick zones, and for the first that holds where there are several; that in which all sticks comes last.
+    /// Looks for all stick zones, and for the first that holds where there are several; those in which all sticks, or that are too narrow to be
+    /// found, come last.
     fn scan(&mut self, layer: &PreparedLayer, task: Task) -> Result<Rubbing, Refusal> {
         let (b, eta) = (self.normal.half_width, task.friction());
         let samples = match self.sampled.take() {
@@ -211,12 +212,20 @@ impl Contact {
             _ => StickZone::from_log(lambda, b),
         };
         let mut rubbing = Rubbing::new(zone, verdict, found);
-        let (roots, wider) = (rubbing.found.roots.len(), rubbing.found.wider);
-        if roots + usize::from(wider) > 1
+        let (roots, wider, narrower) = (rubbing.found.roots.len(), rubbing.found.wider, rubbing.found.narrower);
+        if roots > 0
+            && roots + usize::from(wider) + usize::from(narrower.is_some()) > 1
             && let Some(what) = self.judge(layer, task, task.tolerance, &mut rubbing)?
         {
             if wider {
                 return Ok(Rubbing::sticking(b, false));
+            }
+            // What holds in one as narrow as the bound holds in those below.
+            if let Some(bound) = narrower
+                && self.holds(layer, task, bound)?
+            {
+                let found = Found { narrower, ..Found::default() };
+                return Ok(Rubbing::new(StickZone::from_log(bound, b), Verdict::TooNarrow, found));
             }
             rubbing.verdict = Verdict::Fails(what);
         }
