@@ -170,6 +170,9 @@ fn of_pressure(
     solution
 }
 
+/// A shape that is unsure by more than that, and heights that scatter by more, over its height at the contact's edge, are said to be.
+const TOLD: f64 = 0.05;
+
 /// What the numbers rest on beside what the scene alone tells.
 fn remarks(model: Model, problem: &Problem, numbers: &Numbers) -> Vec<Cow<'static, str>> {
     let stand_in = match model {
@@ -181,12 +184,20 @@ fn remarks(model: Model, problem: &Problem, numbers: &Numbers) -> Vec<Cow<'stati
         Model::Homogeneous => Some("the layer taken for one of its surface's material throughout"),
         Model::Thin => Some("the layer taken for thin: each point of it yields by what presses on it, edges shifted"),
     };
+    let half_width = numbers.get(Quantity::HalfWidth);
     let scatter = problem.noise().map(|noise| {
-        format!("the punch's heights scatter by {noise:.1e} (root mean square) around the smooth shape taken").into()
+        let share = half_width.map(|b| noise / (problem.height(b) * problem.length)).filter(|share| *share > TOLD);
+        let of_height = share
+            .map_or(String::new(), |share| format!(", {:.0} % of its height at the contact's edge,", 100.0 * share));
+        format!(
+            "the punch's heights scatter by {noise:.1e} (root mean square){of_height} around the smooth shape taken"
+        )
+        .into()
     });
     let narrowest = "of all contacts that sink as far against the datum, the narrowest: the force grew from zero";
     let mut remarks: Vec<Cow<'static, str>> = stand_in.map(Cow::Borrowed).into_iter().chain(scatter).collect();
-    let of_shape = numbers.get(Quantity::HalfWidth).map(|b| problem.remarks_on_shape(b));
+    let of_shape = half_width.map(|b| problem.remarks_on_shape(b));
+    remarks.extend(half_width.and_then(|b| problem.unsure(b, TOLD)).map(Cow::Owned));
     remarks.extend(of_shape.into_iter().flatten().map(Cow::Owned));
     remarks.extend(problem.may_sink_as_far_again().then_some(Cow::Borrowed(narrowest)));
     remarks.extend(problem.layer.law.remarks().into_iter().map(Cow::Owned));

@@ -170,6 +170,20 @@ impl Problem {
         self.shape.noise()
     }
 
+    /// That the shape under a contact of that half-width is unsure by more than a share of its height at the edge, in words.
+    pub(crate) fn unsure(&self, half_width: f64, share: f64) -> Option<String> {
+        let doubt = self.shape.doubt(half_width * self.length).filter(|doubt| *doubt > share)?;
+        let by = if doubt < 1.0 {
+            format!("up to {:.0} % of its height", 100.0 * doubt)
+        } else {
+            "more than its height".into()
+        };
+        Some(format!(
+            "the shape made of the punch's heights is unsure under the contact, by {by} at the contact's edge: give more heights \
+             there, or leave out those far beyond"
+        ))
+    }
+
     /// What is to be said of how the shape under a half-width was made of what the scene gives.
     pub(crate) fn remarks_on_shape(&self, half_width: f64) -> Vec<String> {
         self.shape.remarks(half_width * self.length)

@@ -13,6 +13,13 @@ use crate::engine::refine::stage::Stage;
 /// A pressure less certain than this, relative, is no ground for saying that it pulls.
 const UNRESOLVED: f64 = 0.1;
 
+/// A shape that is unsure by more than that, over its height at the contact's edge, is not the punch's.
+///
+/// Measured on 429 tables of 4 to 1000 rows of powers of `x` from 1.5 to 8, with scatter and without, that reach up to four half-widths: of the
+/// 92 with more all forces were off by a fifth or more; of the 286 with less than a twentieth half by less than 0.2 %, and none by
+/// more than 18 %.
+const UNSURE: f64 = 0.25;
+
 /// Status and reason of a solved contact.
 pub(super) fn verdict(
     layer: &PreparedLayer,
@@ -36,8 +43,10 @@ fn objection(
     judged: &Judged,
     tolerance: f64,
 ) -> Option<(Status, String)> {
-    if let Some(flaw) = problem.flaw(judged.outcome.numbers.get(Quantity::HalfWidth)?) {
-        return Some((Status::AssumptionViolated, problem.objection(&flaw)));
+    let half_width = judged.outcome.numbers.get(Quantity::HalfWidth)?;
+    let of_shape = problem.flaw(half_width).map(|flaw| problem.objection(&flaw));
+    if let Some(why) = of_shape.or_else(|| problem.unsure(half_width, UNSURE)) {
+        return Some((Status::AssumptionViolated, why));
     }
     let (worst, error) = judged.errors.worst().unwrap_or((Quantity::Force, 0.0));
     let inexact = || {

@@ -222,3 +222,33 @@ fn few_rows_of_a_table_under_the_contact_are_among_the_assumptions() {
     assert!(told.len() == 1 && told[0].contains("up to 17 % of its height"), "{told:?}");
     assert!(said(1.2).is_empty(), "{:?}", said(1.2));
 }
+
+/// Seven clean rows of `x^4`, four of them under the contact: the force was 1.7 times too large, and converged.
+#[test]
+fn a_curve_that_rows_beyond_the_contact_bend_is_not_believed() {
+    slipzone::link_plugins();
+    let pressed = |last: f64, count: u32| {
+        let rows = (0..count).map(|i| last * f64::from(i) / f64::from(count - 1)).map(|x| vec![x, 0.02 * x.powi(4)]);
+        let rows = serde_json::to_string(&rows.collect::<Vec<_>>()).unwrap();
+        let text = format!(
+            "format = 1\nlayer = {{ thickness = 1.0, poisson = 0.3, grading = {{ type = \"homogeneous\", modulus = 1.0 }} }}\n\
+             punch = {{ type = \"table\", points = {rows} }}\nload = {{ half_width = 1.0 }}\nsolver = {{ tolerance = 1e-6 }}\n"
+        );
+        solve(&slipzone::scene::parse("rows.toml", &text).expect("a scene"))
+    };
+    let sparse = pressed(2.0, 7);
+    assert_eq!(sparse.status, Status::AssumptionViolated);
+    let reason = sparse.reason.as_ref().expect("why");
+    assert!(
+        reason.contains("is unsure under the contact, by up to") && reason.contains("leave out those far"),
+        "{reason}"
+    );
+    let says = |solution: &Solution, what: &str| solution.assumptions.iter().any(|said| said.contains(what));
+    assert!(says(&sparse, "of its height at the contact's edge, around the smooth shape"), "{:?}", sparse.assumptions);
+    let near = pressed(1.02, 7);
+    assert_eq!(near.status, Status::Converged, "{:?}", near.reason);
+    assert!(says(&near, "is unsure under the contact"), "{:?}", near.assumptions);
+    let dense = pressed(2.0, 100);
+    assert_eq!(dense.status, Status::Converged, "{:?}", dense.reason);
+    assert!(!says(&dense, "unsure") && !says(&dense, "of its height"), "{:?}", dense.assumptions);
+}

@@ -86,6 +86,13 @@ pub trait PunchShape: Debug + Send + Sync {
         None
     }
 
+    /// By how much the shape under a contact of that half-width is unsure, at most, over its height at the contact's edge; `None` for shapes that
+    /// are what they are.
+    fn doubt(&self, half_width: f64) -> Option<f64> {
+        let _ = half_width;
+        None
+    }
+
     /// What users are to know of how the shape under a contact of that half-width was made of what they gave, in words; as a rule nothing.
     fn remarks(&self, half_width: f64) -> Vec<String> {
         let _ = half_width;

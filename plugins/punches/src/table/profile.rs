@@ -4,12 +4,15 @@ use super::fit::Fit;
 use super::folded::{Folded, Point};
 use super::rows::Rows;
 use super::scatter;
-use super::spline::{Piece, at};
+use super::spline::{Piece, at, finer};
 use super::strays::strays;
 use slipzone_api::{Fault, Flaw, PunchShape, short};
 
 /// Of slopes, what need not be told from a smooth function.
 const SMOOTH: f64 = 1e-10;
+
+/// Places under a contact at which a curve and a finer one are compared.
+const LOOKS: u32 = 16;
 
 /// By how much of the height at the contact's edge the shape may leave straight lines from row to row before users are told: a parabola
 /// does so where two rows or fewer are under half of the contact.
@@ -30,6 +33,8 @@ pub(super) struct Profile {
     strays: Vec<f64>,
     /// Each deeper than those before.
     sags: Vec<Sag>,
+    /// The curve of more pieces, which tells how sure this one is.
+    finer: Vec<Piece>,
 }
 
 /// By how much the shape lies below the straight line between two rows.
@@ -53,7 +58,7 @@ impl Profile {
             return Err(fit.folded.never_rises(units));
         }
         let Fit { folded, pieces, left_over, .. } = fit;
-        let Folded { points, reach, range, rounding, decimal, .. } = folded;
+        let Folded { points, distances, reach, range, rounding, decimal, .. } = folded;
         let fitted = |x: f64| at(&pieces, x).height(x);
         let residuals: Vec<f64> = points.iter().map(|point| point.height - fitted(point.x)).collect();
         let flaws = scatter::flaws(&points, &residuals, (rounding, decimal));
@@ -64,7 +69,8 @@ impl Profile {
             at: at * reach,
             depth: depth * rise,
         });
-        let mut profile = Self { sags: sags.collect(), ..Self::in_units(&pieces, reach, rise, noise, flaws) };
+        let finer = scaled(&finer(&points, distances, &pieces).pieces(), reach, rise);
+        let mut profile = Self { sags: sags.collect(), finer, ..Self::in_units(&pieces, reach, rise, noise, flaws) };
         profile.leave_out(strays.into_iter().map(|stray| rows[stray][0].abs() * x_unit));
         Ok(profile)
     }
@@ -88,21 +94,36 @@ impl Profile {
             has_corner || 0.5 * (piece.growth - before).abs() > SMOOTH * steepest
         });
         let kinks = jumps.map(|(_, piece)| piece.from * reach).collect();
-        let tip = pieces.first().map_or(0.0, |piece| piece.height);
-        let scaled = pieces.iter().map(|piece| Piece {
-            from: piece.from * reach,
-            height: (piece.height - tip) * rise,
-            slope: piece.slope * rise / reach,
-            bend: piece.bend * rise / reach / reach,
-            growth: piece.growth * rise / reach / reach / reach,
-        });
         for flaw in &mut flaws {
             flaw.x *= reach;
         }
         flaws.sort_by(|one, other| one.x.total_cmp(&other.x));
         let corners = if corner > 0.0 { vec![0.0] } else { Vec::new() };
-        Self { reach, pieces: scaled.collect(), noise, kinks, corners, flaws, strays: Vec::new(), sags: Vec::new() }
+        Self {
+            reach,
+            pieces: scaled(pieces, reach, rise),
+            noise,
+            kinks,
+            corners,
+            flaws,
+            strays: Vec::new(),
+            sags: Vec::new(),
+            finer: Vec::new(),
+        }
     }
+}
+
+/// Pieces in the units of the scene, their height counted from that of the tip.
+fn scaled(pieces: &[Piece], reach: f64, rise: f64) -> Vec<Piece> {
+    let tip = pieces.first().map_or(0.0, |piece| piece.height);
+    let scaled = pieces.iter().map(|piece| Piece {
+        from: piece.from * reach,
+        height: (piece.height - tip) * rise,
+        slope: piece.slope * rise / reach,
+        bend: piece.bend * rise / reach / reach,
+        growth: piece.growth * rise / reach / reach / reach,
+    });
+    scaled.collect()
 }
 
 /// Between which neighbours a convex curve lies deeper below the straight line between them than between any before, from the middle outwards.
@@ -164,6 +185,12 @@ impl PunchShape for Profile {
 
     fn noise(&self) -> Option<f64> {
         Some(self.noise)
+    }
+
+    fn doubt(&self, half_width: f64) -> Option<f64> {
+        let places = (1..=LOOKS).map(|i| half_width * f64::from(i) / f64::from(LOOKS));
+        let apart = places.map(|x| (at(&self.finer, x).height(x) - self.height(x)).abs());
+        Some(apart.fold(0.0, f64::max) / self.height(half_width))
     }
 
     fn remarks(&self, half_width: f64) -> Vec<String> {

@@ -93,6 +93,13 @@ pub(super) fn best(points: &[Point], distances: usize, rounding: f64) -> (Spline
     (spline, left_over)
 }
 
+/// The spline of twice as many pieces, or as many as the points can tell, with a corner if that one has one.
+pub(super) fn finer(points: &[Point], distances: usize, than: &[Piece]) -> Spline {
+    let knots = knots(points, (2 * than.len()).min(distances - 2));
+    let corner = than.first().is_some_and(|piece| piece.slope > 0.0);
+    solve(&reduce(points, &knots), &knots, 1, corner).0
+}
+
 /// Knots between which the points are shared out evenly, from 0 to 1.
 fn knots(points: &[Point], pieces: usize) -> Vec<f64> {
     let mut apart: Vec<f64> = points.iter().map(|point| point.x).collect();

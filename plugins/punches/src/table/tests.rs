@@ -98,6 +98,24 @@ fn noise_is_smoothed_out_and_reported() {
     }
 }
 
+/// How far a curve of more pieces lies elsewhere: far, where the rows beyond the contact decide; hardly, where noise is what is left over.
+#[test]
+fn a_curve_knows_how_sure_it_is() {
+    let of_fourth = |count: u32, last: f64| of_points(sampled(0.0, last, count, |x| 0.02 * x.powi(4)));
+    let doubt = |profile: &Profile| profile.doubt(1.0).unwrap();
+    // Of `x^4` its height at 1 is off by 29 %.
+    let sparse = of_fourth(7, 2.0);
+    assert!((sparse.height(1.0) / 0.02 - 1.0).abs() > 0.25 && doubt(&sparse) > 0.25, "{}", doubt(&sparse));
+    assert!(doubt(&of_fourth(7, 1.0)) > 0.05);
+    let dense = of_fourth(100, 2.0);
+    assert!((dense.height(1.0) / 0.02 - 1.0).abs() < 1e-3 && doubt(&dense) < 1e-3, "{}", doubt(&dense));
+    let mut scatter = scatter();
+    let noisy = of_points(sampled(-2.0, 2.0, 2001, |x| 0.02 * x * x + 1e-3 * scatter()));
+    assert!(doubt(&noisy) < 0.05, "{}", doubt(&noisy));
+    // Few rows that a parabola goes through are no reason to doubt it.
+    assert!(doubt(&of_points(sampled(0.0, 2.0, 5, |x| 0.02 * x * x))) < 1e-10);
+}
+
 #[test]
 fn a_wedge_keeps_its_corner() {
     let profile = of_points(sampled(0.0, 4.0, 50, |x| 0.1 * x));
