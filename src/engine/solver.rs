@@ -14,7 +14,7 @@ use crate::engine::accuracy::quantity::Quantity;
 use crate::engine::refine::judged::Judged;
 use crate::engine::stand_in::thin;
 use crate::engine::work::budget::BUDGET;
-use crate::plan::{Chosen, Plan, choose};
+use crate::plan::{Chosen, Plan, choose, instead};
 use crate::scene::check::{bounded, bounds};
 use crate::scene::{Load, Model, Scene};
 use slipzone_api::{Friction, Refusal};
@@ -162,7 +162,10 @@ impl Solver {
     /// the [budget](super::BUDGET).
     pub fn find(&mut self) -> Result<(), Refusal> {
         self.layer.meter().begin(self.budget);
-        self.find_within()
+        let found = self.find_within();
+        let Some(other) = found.as_ref().err().and_then(|refusal| instead(&self.chosen, refusal)) else { return found };
+        self.go_on_with(other)?;
+        self.find()
     }
 
     /// The same within what is left of a budget. Tables that grew for a load which was refused in the end are as coarse as they are far:
@@ -271,10 +274,16 @@ impl Solver {
     fn solve_in_full(&mut self) -> Result<(), Refusal> {
         let mut chosen = choose(&self.chosen.before_model());
         chosen.plan.reasons.insert(0, "full: the error of a cheaper model was found to exceed the tolerance".into());
+        self.go_on_with(chosen)
+    }
+
+    /// Goes on with other methods, or another solid, for the same scene.
+    fn go_on_with(&mut self, chosen: Chosen) -> Result<(), Refusal> {
         let wishes = self.problem.wishes;
         self.problem = Problem::new(&chosen.scene)?;
         self.problem.wishes = wishes;
-        let (layer, flat_punches) = prepared(self.aside.take(), &self.problem, &chosen)?;
+        let known = self.aside.take().filter(|layer| layer.is_of(&chosen.scene));
+        let (layer, flat_punches) = prepared(known, &self.problem, &chosen)?;
         self.layer = layer;
         self.ladder.begin_again(|_| flat_punches);
         (self.chosen, self.stand_in, self.judged) = (chosen, None, None);

@@ -383,3 +383,41 @@ fn a_thin_model_has_no_curve() {
     assert!(solver.find().is_err());
     assert_eq!(solver.solve().plan.model, Model::Thin);
 }
+
+/// A modulus like a root down to 1e-5 of the thickness is too rough for `split`, which said so and what to ask for instead.
+#[test]
+fn kernels_too_rough_for_split_are_told_by_octaves() {
+    let scene = |gradings: &str, punch: &str, solver: &str| {
+        let text = format!(
+            "format = 1\nlayer = {{ thickness = 1.0, poisson = 0.3, grading = {gradings} }}\npunch = {punch}\n\
+             solver = {{ tolerance = 1e-5{solver} }}\n"
+        );
+        parsed(&text)
+    };
+    let flat = "{ type = \"flat\", half_width = 1.0 }\nload = { force = 1.0 }";
+    let cylinder = "{ type = \"cylinder\", radius = 10.0 }\nload = { path = { half_width = [0.1, 1.0] } }";
+    for grading in [
+        "{ type = \"power-law\", surface = 1.0, length = 1e-5, exponent = 0.5 }",
+        "{ type = \"formula\", modulus = \"0.04 + sqrt(y/h + 1e-5)\" }",
+    ] {
+        for punch in [flat, cylinder] {
+            let open = solve(&scene(grading, punch, ""));
+            assert_eq!(open.status, Status::Converged, "{:?}", open.reason);
+            assert_eq!((open.plan.kernel, open.plan.quadrature), ("octaves", "graded-panels"));
+            let why = |reason: &std::borrow::Cow<str>| reason.contains("too rough beside t = 0 for `split`");
+            assert!(open.plan.reasons.iter().any(why), "{:?}", open.plan.reasons);
+            let named =
+                ", kernel = { type = \"octaves\" }, quadrature = { type = \"graded-panels\", nodes = 20, panels = 24 }";
+            let other = solve(&scene(grading, punch, named));
+            for key in ["load.force", "pressure.centre", "load.indentation"] {
+                let (one, two) = (open.number(key), other.number(key));
+                let Some((one, two)) = one.zip(two) else { continue };
+                assert!((one / two - 1.0).abs() < 3e-5, "{key}: {one} and {two}");
+            }
+        }
+        // Who names a method means it.
+        let named = solve(&scene(grading, flat, ", kernel = { type = \"split\" }"));
+        assert_eq!(named.status, Status::Refused);
+        assert!(named.reason.is_some_and(|reason| reason.contains("octaves")));
+    }
+}
