@@ -185,15 +185,7 @@ fn remarks(model: Model, problem: &Problem, numbers: &Numbers) -> Vec<Cow<'stati
         Model::Thin => Some("the layer taken for thin: each point of it yields by what presses on it, edges shifted"),
     };
     let half_width = numbers.get(Quantity::HalfWidth);
-    let scatter = problem.noise().map(|noise| {
-        let share = half_width.map(|b| noise / (problem.height(b) * problem.length)).filter(|share| *share > TOLD);
-        let of_height = share
-            .map_or(String::new(), |share| format!(", {:.0} % of its height at the contact's edge,", 100.0 * share));
-        format!(
-            "the punch's heights scatter by {noise:.1e} (root mean square){of_height} around the smooth shape taken"
-        )
-        .into()
-    });
+    let scatter = problem.scatter(half_width, TOLD).map(Cow::Owned);
     let narrowest = "of all contacts that sink as far against the datum, the narrowest: the force grew from zero";
     let mut remarks: Vec<Cow<'static, str>> = stand_in.map(Cow::Borrowed).into_iter().chain(scatter).collect();
     let of_shape = half_width.map(|b| problem.remarks_on_shape(b));

@@ -165,9 +165,12 @@ impl Problem {
         kink.map_or(end, |kink| kink.min(end))
     }
 
-    /// Scatter of the heights that the shape was made of, in the scene's unit of length.
-    pub(crate) fn noise(&self) -> Option<f64> {
-        self.shape.noise()
+    /// That the heights scatter, under a contact of that half-width by more than a share of the height at its edge, in words.
+    pub(crate) fn scatter(&self, half_width: Option<f64>, share: f64) -> Option<String> {
+        let noise = self.shape.noise()?;
+        let part = half_width.map(|b| noise / self.shape.height(b * self.length)).filter(|part| *part > share);
+        let by = part.map_or(String::new(), |part| format!(", {} at the contact's edge,", of_height("", part)));
+        Some(format!("the punch's heights scatter by {noise:.1e} (root mean square){by} around the smooth shape taken"))
     }
 
     /// That the shape under a contact of that half-width is unsure by more than a share of its height at the edge, in words.
@@ -353,4 +356,9 @@ impl Problem {
         };
         format!("{} at x = {}: {so}", flaw.what, short(flaw.x))
     }
+}
+
+/// At most such a share of a height, in words.
+fn of_height(most: &str, share: f64) -> String {
+    if share < 1.0 { format!("{most}{:.0} % of its height", 100.0 * share) } else { "more than its height".into() }
 }

@@ -251,4 +251,14 @@ fn a_curve_that_rows_beyond_the_contact_bend_is_not_believed() {
     let dense = pressed(2.0, 100);
     assert_eq!(dense.status, Status::Converged, "{:?}", dense.reason);
     assert!(!says(&dense, "unsure") && !says(&dense, "of its height"), "{:?}", dense.assumptions);
+    // Of a height of 0 nothing is a share: "inf %" was said.
+    let tiny = "format = 1\nlayer = { thickness = 5.0, poisson = 0.5, grading = { type = \"homogeneous\", modulus = 1.0 } }\n\
+        punch = { type = \"table\", x_unit = 1e99, height_unit = 1e-50, points = [[0.0, 0.0], [0.7, 0.01], [1.3, 0.15], [2.0, 0.8]] }\n\
+        load = { half_width = 1.0 }\n";
+    let tiny = solve(&slipzone::scene::parse("rows.toml", tiny).expect("a scene"));
+    assert!(
+        says(&tiny, "more than its height at the contact's edge, around the smooth shape"),
+        "{:?}",
+        tiny.assumptions
+    );
 }
