@@ -274,6 +274,12 @@ fn a_zone_too_narrow_to_be_found_is_told_and_not_another_that_does_not_hold() {
     let beyond = flat("5e-4");
     assert_eq!(beyond.status, Status::NotConverged, "{:?}", beyond.reason);
     assert!(beyond.reason.as_ref().is_some_and(|reason| reason.contains("narrower than 5.1e-131 of the contact")));
+    // Just beyond what is looked for, where the asymptote says just within: "narrower than 1.8e-2, the narrowest looked for".
+    let text = "format = 1\nlayer = { poisson = 0.3629263007232576, base = { type = \"infinite\" }, \
+        grading = { type = \"homogeneous\", modulus = 1.0 } }\npunch = { type = \"flat\", half_width = 1.0 }\n\
+        friction = { type = \"goodman\", coefficient = 1.1214e-3 }\nload = { force = 1.0 }\n";
+    let just_beyond = slipzone::engine::solve(&slipzone::scene::parse("flat.toml", text).expect("a scene"));
+    assert!(just_beyond.stick.and_then(|stick| stick.ratio).is_some_and(|ratio| ratio < 1e-130));
     for (solution, most) in [(found, 1e-120), (beyond, 1e-130)] {
         let stick = solution.stick.expect("a stick zone");
         assert_eq!(stick.slip, Some(Slip::Outward));

@@ -218,7 +218,10 @@ impl FrictionCurve<'_> {
         }
         // Predicted just inside the range looked at, and just outside in truth.
         found.wider |= predicted > 0.0 && target > 0.0;
-        found.narrower = found.narrower.or((predicted < 0.0).then_some(most));
+        if predicted < 0.0 {
+            let is_below = self.at(least)? / target > 1.0;
+            found.narrower = found.narrower.or(Some(if is_below { least } else { most }));
+        }
         Ok(())
     }
 
