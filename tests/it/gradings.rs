@@ -146,3 +146,40 @@ fn a_curve_of_lower_degree_is_named_among_the_assumptions() {
         assert_eq!(said("", stack), [few]);
     }
 }
+
+/// A mixture whose Poisson's ratio leaves 0.499 within a thousandth of the thickness, and its formulas written out. The power with which these
+/// begin was measured where they had begun to do something else already: the edge factor was off by 1,100 estimates and 36 tolerances, the narrow
+/// stick zones of other such mixtures by 1e-4.
+#[test]
+fn a_mixture_written_as_formulas_is_the_same_layer() {
+    let (phase, bulk) = ("(y/h)^0.5", "(K1+P*dK/(1+(1-P)*dK/(K1+4/3)))");
+    let shear = "(1+P*dG/(1+(1-P)*dG/(1+F)))";
+    let poisson = format!("(3*{bulk}-2*{shear})/(2*(3*{bulk}+{shear}))");
+    let [shear, poisson] = [shear, &poisson].map(|formula| formula.replace('P', &format!("({phase})")));
+    // K = 2 G (1 + nu)/(3 (1 - 2 nu)); F = G (9 K + 8 G)/(6 (K + 2 G)).
+    let bulk_of = |modulus: f64, nu: f64| 2.0 * modulus * (1.0 + nu) / (3.0 * (1.0 - 2.0 * nu));
+    let (base, nu) = (0.2, 0.235);
+    let first = bulk_of(1.0, 0.499);
+    let written = format!(
+        "type = \"formula\", modulus = \"{shear}\", poisson = \"{poisson}\", parameters = {{ dG = {:?}, F = {:?}, K1 = {first:?}, dK = {:?} }}",
+        base - 1.0,
+        (9.0 * first + 8.0) / (6.0 * (first + 2.0)),
+        bulk_of(base, nu) - first
+    );
+    let named = format!(
+        "type = \"volume-fraction\", surface = {{ modulus = 1.0, poisson = 0.499 }}, base = {{ modulus = {base:?}, poisson = {nu:?} }}, \
+         exponent = 0.5, rule = \"mori-tanaka\""
+    );
+    let [written, named] = [written, named].map(|grading| {
+        let text = format!(
+            "format = 1\nlayer = {{ thickness = 0.143, poisson = 0.3, grading = {{ {grading} }} }}\n\
+             punch = {{ type = \"flat\", half_width = 1.0 }}\nload = {{ force = 1.0 }}\nsolver = {{ tolerance = 1e-8 }}\n"
+        );
+        solve(&scene::parse("mixture.toml", &text).unwrap_or_else(|error| panic!("{error}")))
+    });
+    for key in ["edge.ratio", "pressure.centre", "load.indentation"] {
+        let [one, two] = [&written, &named].map(|solution| solution.number(key).expect(key));
+        let claimed = written.error.each[key] + named.error.each[key];
+        assert!((one / two - 1.0).abs() < claimed, "{key}: {one} and {two}, {claimed:.0e} claimed");
+    }
+}
