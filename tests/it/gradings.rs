@@ -158,7 +158,7 @@ fn a_mixture_written_as_formulas_is_the_same_layer() {
     let [shear, poisson] = [shear, &poisson].map(|formula| formula.replace('P', &format!("({phase})")));
     // K = 2 G (1 + nu)/(3 (1 - 2 nu)); F = G (9 K + 8 G)/(6 (K + 2 G)).
     let bulk_of = |modulus: f64, nu: f64| 2.0 * modulus * (1.0 + nu) / (3.0 * (1.0 - 2.0 * nu));
-    let (base, nu) = (0.2, 0.235);
+    let (base, nu) = (0.198_570_461_123_649_4, 0.235_095_658_150_351_4);
     let first = bulk_of(1.0, 0.499);
     let written = format!(
         "type = \"formula\", modulus = \"{shear}\", poisson = \"{poisson}\", parameters = {{ dG = {:?}, F = {:?}, K1 = {first:?}, dK = {:?} }}",
@@ -172,8 +172,10 @@ fn a_mixture_written_as_formulas_is_the_same_layer() {
     );
     let [written, named] = [written, named].map(|grading| {
         let text = format!(
-            "format = 1\nlayer = {{ thickness = 0.143, poisson = 0.3, grading = {{ {grading} }} }}\n\
-             punch = {{ type = \"flat\", half_width = 1.0 }}\nload = {{ force = 1.0 }}\nsolver = {{ tolerance = 1e-8 }}\n"
+            "format = 1\nlayer = {{ thickness = 0.142_970_746_166_716_87, poisson = 0.3, grading = {{ {grading} }} }}\n\
+             punch = {{ type = \"flat\", half_width = 1.0 }}\nload = {{ force = 1.0 }}\nsolver = {{ tolerance = 1e-8 }}\n\
+             friction = {{ type = \"goodman\", coefficient = 0.4011503069474033 }}\n\
+             output = {{ quantities = [\"load\", \"pressure\", \"edge\", \"stick\"] }}\n"
         );
         solve(&scene::parse("mixture.toml", &text).unwrap_or_else(|error| panic!("{error}")))
     });
