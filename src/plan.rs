@@ -105,19 +105,20 @@ impl Chosen {
         }
         scene
     }
-}
 
-/// What solves a scene that leaves its methods open where those chosen refused it: kernels too rough for `split` are told by `octaves`.
-pub(crate) fn instead(chosen: &Chosen, refusal: &Refusal) -> Option<Chosen> {
-    let is_rough = matches!(refusal, Refusal::OutOfReach { method, .. } if *method == Split::default().typetag_name());
-    if !(chosen.is_open && is_rough) {
-        return None;
+    /// What solves a scene that leaves its methods open where these refused it: kernels too rough for `split` are told by `octaves`.
+    pub(crate) fn instead(&self, refusal: &Refusal) -> Option<Self> {
+        let is_rough =
+            matches!(refusal, Refusal::OutOfReach { method, .. } if *method == Split::default().typetag_name());
+        if !(self.is_open && is_rough) {
+            return None;
+        }
+        let mut scene = self.before_model();
+        scene.solver.kernel = Some(Box::new(Octaves::default()));
+        let mut other = choose(&scene);
+        other.plan.reasons.insert(1, "octaves: the kernel is too rough beside t = 0 for `split`".into());
+        Some(other)
     }
-    let mut scene = chosen.before_model();
-    scene.solver.kernel = Some(Box::new(Octaves::default()));
-    let mut other = choose(&scene);
-    other.plan.reasons.insert(1, "octaves: the kernel is too rough beside t = 0 for `split`".into());
-    Some(other)
 }
 
 /// Fills in what the scene leaves open.

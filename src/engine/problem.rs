@@ -6,7 +6,7 @@ use crate::engine::accuracy::quantity::{Quantity, Wishes};
 use crate::engine::foreign::broken;
 use crate::scene::{Load, Scene};
 use slipzone_api::{
-    Base, Elastic, Flaw, Friction, FrozenStrain, LayerModel, Poisson, PunchShape, Refusal, contract, short,
+    Base, Elastic, Flaw, Friction, FrozenStrain, LayerModel, Poisson, PunchShape, Refusal, contract, of_height, short,
 };
 use std::sync::Arc;
 
@@ -176,14 +176,10 @@ impl Problem {
     /// That the shape under a contact of that half-width is unsure by more than a share of its height at the edge, in words.
     pub(crate) fn unsure(&self, half_width: f64, share: f64) -> Option<String> {
         let doubt = self.shape.doubt(half_width * self.length).filter(|doubt| *doubt > share)?;
-        let by = if doubt < 1.0 {
-            format!("up to {:.0} % of its height", 100.0 * doubt)
-        } else {
-            "more than its height".into()
-        };
         Some(format!(
-            "the shape made of the punch's heights is unsure under the contact, by {by} at the contact's edge: give more heights \
-             there, or leave out those far beyond"
+            "the shape made of the punch's heights is unsure under the contact, by {} at the contact's edge: give more heights \
+             there, or leave out those far beyond",
+            of_height("up to ", doubt)
         ))
     }
 
@@ -356,9 +352,4 @@ impl Problem {
         };
         format!("{} at x = {}: {so}", flaw.what, short(flaw.x))
     }
-}
-
-/// At most such a share of a height, in words.
-fn of_height(most: &str, share: f64) -> String {
-    if share < 1.0 { format!("{most}{:.0} % of its height", 100.0 * share) } else { "more than its height".into() }
 }

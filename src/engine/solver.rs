@@ -14,7 +14,7 @@ use crate::engine::accuracy::quantity::Quantity;
 use crate::engine::refine::judged::Judged;
 use crate::engine::stand_in::thin;
 use crate::engine::work::budget::BUDGET;
-use crate::plan::{Chosen, Plan, choose, instead};
+use crate::plan::{Chosen, Plan, choose};
 use crate::scene::check::{bounded, bounds};
 use crate::scene::{Load, Model, Scene};
 use slipzone_api::{Friction, Refusal};
@@ -163,7 +163,7 @@ impl Solver {
     pub fn find(&mut self) -> Result<(), Refusal> {
         self.layer.meter().begin(self.budget);
         let found = self.find_within();
-        let Some(other) = found.as_ref().err().and_then(|refusal| instead(&self.chosen, refusal)) else { return found };
+        let Some(other) = found.as_ref().err().and_then(|refusal| self.chosen.instead(refusal)) else { return found };
         self.go_on_with(other)?;
         self.find()
     }

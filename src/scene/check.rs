@@ -12,8 +12,10 @@ type Check = fn(&Document, &Scene) -> Result<(), SceneError>;
 
 /// All checks; the first that fails.
 pub(super) fn all(document: &Document, scene: &Scene) -> Result<(), SceneError> {
+    // Those of the others are looked at before their files are read.
+    const MAGNITUDES: Check = |document, _| magnitudes(document, &["friction", "load", "solver"]);
     const CHECKS: [Check; 12] =
-        [labels, friction, tolerance, models, output, quantities, magnitudes, thickness, grading, datum, load, ratios];
+        [labels, friction, tolerance, models, output, quantities, MAGNITUDES, thickness, grading, datum, load, ratios];
     CHECKS.iter().try_for_each(|check| check(document, scene))
 }
 
@@ -73,20 +75,11 @@ fn labels(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// Products of a few numbers must neither overflow nor vanish; those of what reads files before these are read.
-pub(super) fn magnitudes_beside_files(document: &Document) -> Result<(), SceneError> {
-    magnitudes_in(document, ["layer", "punch"])
-}
-
-/// The same of the rest.
-fn magnitudes(document: &Document, _scene: &Scene) -> Result<(), SceneError> {
-    magnitudes_in(document, ["friction", "load", "solver"])
-}
-
-fn magnitudes_in<const N: usize>(document: &Document, sections: [&str; N]) -> Result<(), SceneError> {
+/// Products of a few numbers, of some sections, must neither overflow nor vanish.
+pub(super) fn magnitudes(document: &Document, sections: &[&str]) -> Result<(), SceneError> {
     for section in sections {
         if let Some(value) = document.value(&[section]) {
-            magnitude(document, &mut vec![section.into()], value.get_ref())?;
+            magnitude(document, &mut vec![(*section).into()], value.get_ref())?;
         }
     }
     Ok(())

@@ -109,7 +109,7 @@ fn decoded(document: &Document) -> Result<Scene, SceneError> {
     check::points(document)?;
     let scene = decode::decode(document)?;
     // What files hold is multiplied by units.
-    check::magnitudes_beside_files(document)?;
+    check::magnitudes(document, &["layer", "punch"])?;
     Ok(scene)
 }
 

@@ -48,7 +48,7 @@ pub use friction::{Friction, FrozenStrain};
 pub use grading::{Grading, ModulusLaw, Setting, Stretch, Sublayer};
 pub use kernel::{Component, KernelRequest, KernelStrategy, KernelTable, NEAREST_POLE, Parts, PartsMut, PartsVec};
 pub use layer_model::{LawFlaw, LayerModel, Material, Solid};
-pub use number::{Finite, MODERATE, NotAllowed, Poisson, Positive, exactly, rounded, short};
+pub use number::{Finite, MODERATE, NotAllowed, Poisson, Positive, exactly, of_height, rounded, short};
 pub use punch::{FlatFace, Flaw, PunchProfile, PunchShape};
 pub use quadrature::{Densities, Edge, Parity, Quadrature, Rule, Span, Station};
 pub use refusal::Refusal;

@@ -149,11 +149,13 @@ impl Law {
         let least = (count - 1) as f64;
         let left =
             |depth: f64| self.value(formula, depth) - series.iter().rev().fold(0.0, |sum, term| sum * depth + term);
-        let between = |depth: f64| (left(2.0 * depth) / left(depth)).log2();
-        let is_told = |depth: f64| left(depth).abs() > TOLD * series[0].abs();
+        let between = |depth: f64, told: f64| {
+            let near = left(depth);
+            if near.abs() > told { (left(2.0 * depth) / near).log2() } else { f64::NAN }
+        };
         let power = match count.checked_sub(2) {
-            None => first_power(|depth| if is_told(depth) { between(depth) } else { f64::NAN }),
-            Some(longer) => DEPTHS.get(longer).map_or(f64::NAN, |depth| between(*depth)),
+            None => first_power(|depth| between(depth, TOLD * series[0].abs())),
+            Some(longer) => DEPTHS.get(longer).map_or(f64::NAN, |depth| between(*depth, 0.0)),
         };
         Some(if power.is_finite() { power.clamp(least + LEAST, least + 1.0) } else { least + 0.5 })
     }

@@ -220,7 +220,7 @@ impl FrictionCurve<'_> {
         found.wider |= predicted > 0.0 && target > 0.0;
         if predicted < 0.0 {
             let is_below = self.at(least)? / target > 1.0;
-            found.narrower = found.narrower.or(Some(if is_below { least } else { most }));
+            found.narrower.get_or_insert(if is_below { least } else { most });
         }
         Ok(())
     }

@@ -6,7 +6,7 @@ use super::rows::Rows;
 use super::scatter;
 use super::spline::{Piece, at, finer};
 use super::strays::strays;
-use slipzone_api::{Fault, Flaw, PunchShape, short};
+use slipzone_api::{Fault, Flaw, PunchShape, of_height, short};
 
 /// Of slopes, what need not be told from a smooth function.
 const SMOOTH: f64 = 1e-10;
@@ -206,8 +206,7 @@ impl PunchShape for Profile {
         let within = &self.sags[..self.sags.partition_point(|sag| sag.from < half_width)];
         let sag = within.last().map(|sag| (sag, sag.depth / self.height(half_width)));
         let sparse = sag.filter(|(_, share)| *share > TOLD).map(|(Sag { at, .. }, share)| {
-            let by =
-                if share < 1.0 { format!("up to {:.0} % of its height", 100.0 * share) } else { "more than its height".into() };
+            let by = of_height("up to ", share);
             format!(
                 "the punch has few rows under the contact: between them it is a smooth convex curve, which lies below straight lines from \
                  row to row by {by} at the contact's edge, most at x = {}",

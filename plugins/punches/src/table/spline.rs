@@ -4,7 +4,7 @@
 //! `g = a + s x + double integral of g''`, with `g''` piecewise linear between its values `c_j` at the knots: `a` is
 //! free, and `s >= 0`, `c_j >= 0` make it convex. Within each interval of the finest knots all of this is one cubic, so the
 //! points of an interval are first reduced, without loss, to the four equations that their squares ask of its
-//! coefficients (QR by rotations); what is then solved has at most 128 rows, however many points there are.
+//! coefficients (QR by rotations); what is then solved has at most 128 rows, or 256 for the finer one, however many points there are.
 
 use super::folded::Point;
 use nalgebra::{DMatrix, DVector};
