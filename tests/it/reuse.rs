@@ -134,6 +134,16 @@ fn a_solve_takes_little_memory() {
     assert!(peaks[0] < 2_000_000, "{} bytes for h/b = 5 at 1e-10", peaks[0]);
 }
 
+/// Rows of a fine grid are found again where all of them would be many: held, they took 820 MB here.
+#[test]
+fn the_thinnest_layers_take_no_memory_without_end() {
+    let scene = Sketch::flat(1.0 / 2500.0, 0.25, 0.3).scene();
+    let mut unknowns = 0;
+    let peak = allocation_counter::measure(|| unknowns = slipzone::engine::solve(&scene).plan.unknowns).bytes_max;
+    println!("b/h = 2500: {peak} bytes at most at once, {unknowns} unknowns");
+    assert!(peak < 150_000_000, "{peak} bytes for {unknowns} unknowns");
+}
+
 /// Punches that grow with the load, each pressed to a half-width of 1.
 const GROWING: [&str; 4] = [
     "type = \"cylinder\"\nradius = 1.0",

@@ -1,76 +1,130 @@
 //! The fine nodes that are no nodes: what a density is there, and sums over them as sums over its unknowns.
 
 use super::grid::Grid;
-use super::map::Place;
 use super::series::alternating;
 use super::sums::dot;
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::elementary::LANES;
+use slipzone_api::lend;
+use std::cell::Cell;
 use std::f64::consts::PI;
+use std::ops::Range;
 
 /// Rows, and vectors of unknowns, that are summed side by side: more sums than these do not stay where the processor adds.
 const ROWS: usize = 4;
 const WIDE: usize = 2;
-/// Numbers of the table that all rows go through before the next: they stay in the fastest memory.
-const AT_ONCE: usize = 1 << 12;
 
-/// `(step/factor) slope_j [sinc(k/factor - j) +- sinc(k/factor + j)]` for the fine nodes `k` that are no nodes: `factor - 1` from each
-/// node to the next. The last unknown stands for the places beyond it as well.
+thread_local! {
+    /// That of this thread, unless it is in use.
+    static ROOM: Cell<Vec<f64>> = const { Cell::new(Vec::new()) };
+}
+
+/// `(step/factor) slope_j [sinc(t - j) +- sinc(t + j)]` at the fine nodes `t = q + r/factor`, `0 < r < factor`, that are no nodes. The last
+/// unknown stands for the places beyond it as well.
+///
+/// As `sin(pi (t -+ j)) = (-1)^j sin(pi t)` it is a factor of `t`, a factor of `j` and `1/(t - j) +- 1/(t + j)`, whose fractions depend on
+/// sums and differences of whole numbers: they are all that is kept, not a row of unknowns for each `t`.
 pub(super) struct Between {
-    /// A row of unknowns for each, filled up with zeros.
-    table: Vec<f64>,
-    unknowns: usize,
     factor: usize,
+    odd: bool,
+    /// Nodes that have fine nodes after them, and the node of the first unknown.
+    cells: usize,
+    first: usize,
+    /// For each `r` in turn `factor/(m factor + r)`, `m = -cells, -cells + 1, ...`, and how many there are.
+    fractions: (Vec<f64>, usize),
+    /// `step/(pi factor) sin(pi r/factor)` for `r = 0, 1, ...`; the sign of `sin(pi t)` alternates with `q`.
+    sines: Vec<f64>,
+    /// `(-1)^j slope_j` for the nodes and the places beyond, the other sign where odd, filled up with zeros: where odd, both fractions
+    /// are taken with the opposite sign.
+    slopes: Vec<f64>,
+    /// For each fine node what the places beyond add to the last unknown's; 0 at the nodes.
+    beyond: Vec<f64>,
 }
 
 impl Between {
     pub(super) fn new(grid: &Grid, factor: usize) -> Self {
-        let mut between = Self { table: Vec::new(), unknowns: grid.unknowns(), factor };
-        let (width, cells) = (between.width(), grid.nodes.len() - 1);
-        let beyond = grid.beyond(1);
-        between.table.resize(cells * (factor - 1) * width, 0.0);
-        for (row, k) in between.table.chunks_exact_mut(width).zip(no_nodes(factor)) {
-            let at = Seen::new(grid, (k, factor));
-            for (entry, (j, u)) in row.iter_mut().zip(grid.nodes.iter().enumerate().skip(grid.first)) {
-                *entry = at.entry(j, u);
-            }
-            let each = |(m, (u, share)): (usize, &(Place, f64))| share * at.entry(cells + 1 + m, u);
-            row[between.unknowns - 1] += beyond.iter().enumerate().map(each).sum::<f64>();
-        }
-        between
+        let (cells, beyond) = (grid.nodes.len() - 1, grid.beyond(1));
+        let sign = if grid.odd { -1.0 } else { 1.0 };
+        let places = grid.nodes.iter().chain(beyond.iter().map(|(place, _)| place));
+        let mut slopes: Vec<f64> = places.enumerate().map(|(j, u)| sign * alternating(j) * u.slope).collect();
+        // The node in the middle is its own mirror image.
+        slopes[0] *= 0.5;
+        let width = slopes.len() + LANES;
+        let length = 2 * cells + width;
+        let denominator = |r: usize, m: usize| (m * factor + r) as f64 - (cells * factor) as f64;
+        let fractions = (1..factor).flat_map(|r| (0..length).map(move |m| factor as f64 / denominator(r, m)));
+        let sine = |r: usize| (PI * r as f64 / factor as f64).sin() * grid.step / (PI * factor as f64);
+        let mut between = Self {
+            factor,
+            odd: grid.odd,
+            cells,
+            first: grid.first,
+            fractions: (fractions.collect(), length),
+            sines: (0..factor).map(sine).collect(),
+            slopes: Vec::new(),
+            beyond: vec![0.0; cells * factor],
+        };
+        let last = grid.nodes.len();
+        let shared: Vec<f64> = beyond.iter().zip(&slopes[last..]).map(|((_, share), slope)| share * slope).collect();
+        let mut of_last = std::mem::take(&mut between.beyond);
+        between.spread_from(last, &shared, &mut of_last);
+        slopes.resize(width, 0.0);
+        Self { slopes, beyond: of_last, ..between }
     }
 
     /// What the last node, and each of the places beyond it, adds to the sum over all these nodes per unit of `F` there.
-    pub(super) fn sums_from_last<'a>(
-        &self,
-        grid: &'a Grid,
-        places: impl Iterator<Item = &'a Place> + Clone,
-    ) -> Vec<f64> {
-        let last = grid.nodes.len() - 1;
-        let each = (last..).zip(std::iter::once(&grid.nodes[last]).chain(places));
-        let mut sums = vec![0.0; each.clone().count()];
-        for k in no_nodes(self.factor).take(self.table.len() / self.width()) {
-            let at = Seen::new(grid, (k, self.factor));
-            sums.iter_mut().zip(each.clone()).for_each(|(sum, (j, u))| *sum += at.entry(j, u));
-        }
+    pub(super) fn sums_from_last(&self) -> Vec<f64> {
+        let (last, width) = (self.cells, self.slopes.len() - self.cells - LANES);
+        let mut sums = vec![0.0; width];
+        let ones = vec![1.0; self.cells * self.factor];
+        let folded = (ones.as_slice(), ones.len());
+        let nodes = last..last + width;
+        let mut room = Vec::new();
+        let by_phase = self.by_phase(folded, 1, self.cells, &mut room);
+        let rows = (sums.as_mut_slice(), width);
+        Arch::new().dispatch(Add { between: self, nodes, by_phase, scale: &[1.0], rows });
         sums
     }
 
     /// Numbers held.
     pub(super) fn numbers(&self) -> usize {
-        self.table.len()
+        self.fractions.0.len() + self.beyond.len()
     }
 
-    /// Length of a row.
+    /// The fractions with `r`, from `m` on.
     #[inline(always)]
-    fn width(&self) -> usize {
-        self.unknowns.next_multiple_of(LANES)
+    fn fractions(&self, r: usize, m: isize) -> &[f64] {
+        let (fractions, length) = &self.fractions;
+        &fractions[(r - 1) * length..r * length][self.cells.strict_add_signed(m)..]
+    }
+
+    /// `1/(t + j)` and `1/(j - t)` for `t = q + r/factor` and all `j` from one on.
+    #[inline(always)]
+    fn ahead_and_back(&self, r: usize, q: usize, j: usize) -> [&[f64]; 2] {
+        let (q, j) = (q.cast_signed(), j.cast_signed());
+        [self.fractions(r, q + j), self.fractions(self.factor - r, j - q - 1)]
+    }
+
+    /// Adds what a density with these numbers, `(-1)^j F_j slope_j` from node `first` on, is at the fine nodes between, times the fine step.
+    fn spread_from(&self, first: usize, signed: &[f64], out: &mut [f64]) {
+        for (q, cell) in out.chunks_exact_mut(self.factor).take(self.cells).enumerate() {
+            for (r, out) in cell.iter_mut().enumerate().skip(1) {
+                let [ahead, back] = self.ahead_and_back(r, q, first).map(|fractions| dot(signed, fractions));
+                *out += alternating(q) * self.sines[r] * (if self.odd { ahead + back } else { ahead - back });
+            }
+        }
     }
 
     /// Adds what the density of these unknowns is there, times the fine step, to what `out` has for all fine nodes.
     pub(super) fn spread(&self, unknowns: &[f64], out: &mut [f64]) {
-        for (row, k) in self.table.chunks_exact(self.width()).zip(no_nodes(self.factor)) {
-            out[k] += dot(&row[..self.unknowns], unknowns);
+        if self.factor > 1 {
+            lend(&ROOM, |signed| {
+                signed.clear();
+                signed.extend(unknowns.iter().zip(&self.slopes[self.first..]).map(|(f, slope)| f * slope));
+                self.spread_from(self.first, signed, out);
+            });
+            let last = unknowns.last().copied().unwrap_or_default();
+            out.iter_mut().zip(&self.beyond).for_each(|(out, beyond)| *out += last * beyond);
         }
     }
 
@@ -78,50 +132,56 @@ impl Between {
     /// are of the length given, and so is what is folded; fine nodes from `reach` on have nothing.
     pub(super) fn add(&self, folded: (&[f64], usize), scale: &[f64], rows: (&mut [f64], usize), reach: usize) {
         if self.factor > 1 {
-            Arch::new().dispatch(Add { between: self, folded, scale, rows, reach });
+            self.added(folded, scale, rows, reach, |add| Arch::new().dispatch(add));
         }
     }
-}
 
-/// A fine node that is no node, in steps of the nodes, and `step/(pi factor) sin(pi t)` there.
-struct Seen {
-    t: f64,
-    sine: f64,
-    odd: bool,
-}
-
-impl Seen {
-    fn new(grid: &Grid, (k, factor): (usize, usize)) -> Self {
-        // Whole turns are dropped first.
-        let turn = PI * (k % (2 * factor)) as f64 / factor as f64;
-        Self { t: k as f64 / factor as f64, sine: turn.sin() * grid.step / (PI * factor as f64), odd: grid.odd }
+    fn added(
+        &self,
+        folded: (&[f64], usize),
+        scale: &[f64],
+        (rows, length): (&mut [f64], usize),
+        reach: usize,
+        sum: impl FnOnce(Add),
+    ) {
+        let nodes = self.first..self.cells + 1;
+        for ((row, folded), scale) in rows.chunks_exact_mut(length).zip(folded.0.chunks_exact(folded.1)).zip(scale) {
+            row[nodes.len() - 1] += scale * dot(&self.beyond, folded);
+        }
+        let cells = reach.div_ceil(self.factor).min(self.cells);
+        lend(&ROOM, |room| {
+            let by_phase = self.by_phase(folded, scale.len(), cells, room);
+            sum(Add { between: self, nodes, by_phase, scale, rows: (rows, length) });
+        });
     }
 
-    /// What the `j`-th node adds there, see [`Between`]: `sin(pi (t -+ j)) = (-1)^j sin(pi t)`.
-    #[inline(always)]
-    fn entry(&self, j: usize, u: &Place) -> f64 {
-        let (t, at) = (self.t, j as f64);
-        let sincs = match (j, self.odd) {
-            (0, _) => 1.0 / t,
-            (_, false) => 2.0 * t / ((t - at) * (t + at)),
-            (_, true) => 2.0 * at / ((t - at) * (t + at)),
-        };
-        alternating(j) * self.sine * u.slope * sincs
+    /// What some rows have folded in the first cells, times the factor of `t`: for each row all `q` of one `r` side by side.
+    fn by_phase<'a>(
+        &self,
+        (folded, count): (&[f64], usize),
+        rows: usize,
+        cells: usize,
+        by_phase: &'a mut Vec<f64>,
+    ) -> &'a [f64] {
+        by_phase.clear();
+        for row in folded.chunks_exact(count).take(rows) {
+            for (r, sine) in self.sines.iter().enumerate().skip(1) {
+                let of_cells = row[r..].iter().step_by(self.factor).take(cells).enumerate();
+                by_phase.extend(of_cells.map(|(q, value)| alternating(q) * sine * value));
+            }
+        }
+        by_phase
     }
-}
-
-/// The fine nodes that are no nodes, without end; of a grid that is no finer none may be asked for.
-fn no_nodes(factor: usize) -> impl Iterator<Item = usize> {
-    (0..).filter(move |k| k % factor != 0)
 }
 
 /// See [`Between::add`].
 struct Add<'a> {
     between: &'a Between,
-    folded: (&'a [f64], usize),
+    /// Of which nodes to add the densities.
+    nodes: Range<usize>,
+    by_phase: &'a [f64],
     scale: &'a [f64],
     rows: (&'a mut [f64], usize),
-    reach: usize,
 }
 
 impl WithSimd for Add<'_> {
@@ -130,88 +190,75 @@ impl WithSimd for Add<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         const { assert!(LANES.is_multiple_of(S::F64_LANES), "rows are filled up to whole vectors") };
-        let Self { between, folded: (folded, count), scale, rows: (rows, length), reach } = self;
-        let factor = between.factor;
-        let of_cell = (factor - 1) * between.width();
-        let (cells, at_once) = (reach.div_ceil(factor), (AT_ONCE / of_cell).max(1));
-        let table = &between.table[..between.table.len().min(cells * of_cell)];
-        for (chunk, table) in table.chunks(at_once * of_cell).enumerate() {
-            let cells = Cells { between, table };
-            let from = chunk * at_once * factor;
-            let each = rows.chunks_mut(ROWS * length).zip(folded.chunks(ROWS * count)).zip(scale.chunks(ROWS));
-            for ((rows, folded), scale) in each {
-                let folded = |r: usize| &folded[r * count + from..(r + 1) * count];
-                if let Some(scale) = scale.first_chunk::<ROWS>() {
-                    cells.add_to::<S, ROWS>(simd, std::array::from_fn(folded), *scale, (rows, length));
-                    continue;
-                }
-                for (r, (row, scale)) in rows.chunks_mut(length).zip(scale).enumerate() {
-                    cells.add_to::<S, 1>(simd, [folded(r)], [*scale], (row, length));
-                }
+        let Self { between, nodes, by_phase, scale, rows: (rows, length) } = self;
+        if by_phase.is_empty() {
+            return;
+        }
+        let of_row = by_phase.len() / scale.len();
+        let each = rows.chunks_mut(ROWS * length).zip(by_phase.chunks(ROWS * of_row)).zip(scale.chunks(ROWS));
+        for ((rows, by_phase), scale) in each {
+            if let Some(scale) = scale.first_chunk::<ROWS>() {
+                let by_phase = std::array::from_fn(|r| &by_phase[r * of_row..(r + 1) * of_row]);
+                Sums { between, nodes: nodes.clone(), by_phase, scale }.add_to(simd, rows, length);
+                continue;
+            }
+            let single = rows.chunks_mut(length).zip(by_phase.chunks(of_row)).zip(scale.as_chunks().0);
+            for ((row, by_phase), scale) in single {
+                Sums { between, nodes: nodes.clone(), by_phase: [by_phase], scale }.add_to(simd, row, length);
             }
         }
     }
 }
 
-/// Some of the table, from one node to another.
-struct Cells<'a> {
+/// A few rows.
+struct Sums<'a, const R: usize> {
     between: &'a Between,
-    table: &'a [f64],
+    nodes: Range<usize>,
+    by_phase: [&'a [f64]; R],
+    scale: &'a [f64; R],
 }
 
-impl Cells<'_> {
-    /// [`Between::add`] for a few rows; `folded` begins with the first of these nodes.
+impl<const R: usize> Sums<'_, R> {
     #[inline(always)]
-    fn add_to<S: Simd, const R: usize>(
-        &self,
-        simd: S,
-        folded: [&[f64]; R],
-        scale: [f64; R],
-        (rows, length): (&mut [f64], usize),
-    ) {
-        let vectors = self.between.width() / S::F64_LANES;
-        for first in (0..vectors).step_by(WIDE) {
+    fn add_to<S: Simd>(&self, simd: S, rows: &mut [f64], length: usize) {
+        for first in self.nodes.clone().step_by(WIDE * S::F64_LANES) {
             let mut sums = [[simd.splat_f64s(0.0); WIDE]; R];
-            if first + WIDE <= vectors {
-                self.sum::<S, R, WIDE>(simd, folded, first, &mut sums);
+            if first + S::F64_LANES < self.nodes.end {
+                self.sum::<S, WIDE>(simd, first, &mut sums);
             } else {
-                self.sum::<S, R, 1>(simd, folded, first, &mut sums);
+                self.sum::<S, 1>(simd, first, &mut sums);
             }
-            for ((row, sums), scale) in rows.chunks_exact_mut(length).zip(sums).zip(scale) {
-                let (row, rest) = S::as_mut_simd_f64s(&mut row[..self.between.unknowns]);
-                let wide = simd.splat_f64s(scale);
-                for (at, sum) in (first..vectors).zip(sums) {
-                    if let Some(entry) = row.get_mut(at) {
-                        *entry = simd.mul_add_e_f64s(wide, sum, *entry);
-                        continue;
-                    }
-                    let mut last = [0.0; LANES];
-                    S::as_mut_simd_f64s(&mut last).0[0] = sum;
-                    rest.iter_mut().zip(last).for_each(|(entry, sum)| *entry += scale * sum);
+            let slopes = &self.between.slopes[first..];
+            for ((row, sums), scale) in rows.chunks_exact_mut(length).zip(sums).zip(self.scale) {
+                let mut each = [0.0; WIDE * LANES];
+                S::as_mut_simd_f64s(&mut each).0.iter_mut().zip(sums).for_each(|(vector, sum)| *vector = sum);
+                let row = &mut row[first - self.nodes.start..self.nodes.len()];
+                for ((entry, sum), slope) in row.iter_mut().zip(&each[..WIDE * S::F64_LANES]).zip(slopes) {
+                    *entry += scale * slope * sum;
                 }
             }
         }
     }
 
-    /// The sums for the first `W` vectors of unknowns from one on.
+    /// The sums for the first `W` vectors of nodes from one on.
     #[inline(always)]
-    fn sum<S: Simd, const R: usize, const W: usize>(
-        &self,
-        simd: S,
-        folded: [&[f64]; R],
-        first: usize,
-        sums: &mut [[S::f64s; WIDE]; R],
-    ) {
-        let (width, factor) = (self.between.width(), self.between.factor);
-        for (cell, table) in self.table.chunks_exact((factor - 1) * width).enumerate() {
+    fn sum<S: Simd, const W: usize>(&self, simd: S, first: usize, sums: &mut [[S::f64s; WIDE]; R]) {
+        let Self { between, by_phase, .. } = self;
+        let cells = by_phase[0].len() / (between.factor - 1);
+        for r in 1..between.factor {
             // Cut to one length that the compiler knows: no index is checked in the loop.
-            let folded = folded.map(|folded| &folded[cell * factor + 1..][..factor - 1]);
-            for (k, densities) in (0..factor - 1).zip(table.chunks_exact(width)) {
-                let densities = &S::as_simd_f64s(densities).0[first..first + W];
-                for r in 0..R {
-                    let value = simd.splat_f64s(folded[r][k]);
-                    for w in 0..W {
-                        sums[r][w] = simd.mul_add_e_f64s(value, densities[w], sums[r][w]);
+            let values = by_phase.map(|values| &values[(r - 1) * cells..r * cells]);
+            let window = W * S::F64_LANES;
+            let ahead = between.fractions(r, first.cast_signed());
+            let back = between.fractions(between.factor - r, first.cast_signed() - cells.cast_signed());
+            let (ahead, back) = (&ahead[..cells + window - 1], &back[..cells + window - 1]);
+            for (q, (ahead, back)) in ahead.windows(window).zip(back.windows(window).rev()).enumerate() {
+                let (ahead, back) = (S::as_simd_f64s(ahead).0, S::as_simd_f64s(back).0);
+                for w in 0..W {
+                    let both =
+                        if between.odd { simd.add_f64s(ahead[w], back[w]) } else { simd.sub_f64s(ahead[w], back[w]) };
+                    for i in 0..R {
+                        sums[i][w] = simd.mul_add_e_f64s(simd.splat_f64s(values[i][q]), both, sums[i][w]);
                     }
                 }
             }
@@ -222,17 +269,37 @@ impl Cells<'_> {
 #[cfg(test)]
 mod tests {
     use super::super::grid::Grid;
+    use super::super::map::Place;
     use super::super::resolution::reach;
     use super::*;
     use pulp::Scalar;
     use slipzone_api::Edge;
+
+    /// For each fine node what each unknown is there, with sinc functions as they are written; 0 at the nodes.
+    fn one_by_one(grid: &Grid, factor: usize) -> Vec<Vec<f64>> {
+        let (last, fine_step) = (grid.nodes.len() - 1, grid.step / factor as f64);
+        let mirror = if grid.odd { -1.0 } else { 1.0 };
+        let sinc = |d: f64| (PI * d).sin() / (PI * d);
+        let beyond = grid.beyond(1);
+        let of = |t: f64, j: usize, u: &Place| {
+            let image = if j == 0 { 0.0 } else { mirror * sinc(t + j as f64) };
+            fine_step * u.slope * (sinc(t - j as f64) + image)
+        };
+        let row = |k: usize| {
+            let t = k as f64 / factor as f64;
+            let mut row: Vec<f64> = (grid.first..=last).map(|j| of(t, j, &grid.nodes[j])).collect();
+            row[last - grid.first] += (last + 1..).zip(&beyond).map(|(j, (u, share))| share * of(t, j, u)).sum::<f64>();
+            if k.is_multiple_of(factor) { vec![0.0; row.len()] } else { row }
+        };
+        (0..last * factor).map(row).collect()
+    }
 
     /// Against sums one by one: rows and unknowns that fill no block, one cell and many, a reach that ends within one.
     #[test]
     fn sums_are_those_one_by_one() {
         for (n, factor, odd) in [(2, 3, false), (7, 5, true), (13, 3, false), (24, 55, true)] {
             let grid = Grid::new(n, reach(n, Edge::Sharp), odd, Edge::Sharp);
-            let between = Between::new(&grid, factor);
+            let (between, densities) = (Between::new(&grid, factor), one_by_one(&grid, factor));
             let (unknowns, count, length) = (grid.unknowns(), n * factor + 5, grid.unknowns() + 2);
             let entry = |i: usize| ((i * 7919 + 13) % 1009) as f64 / 504.5 - 1.0;
             for (rows, nodes) in [(1, n * factor), (3, n * factor), (8, n * factor), (9, (n * factor) / 2)] {
@@ -242,19 +309,14 @@ mod tests {
                 let before: Vec<f64> = (0..rows * length).map(entry).collect();
                 let (mut with_vectors, mut without) = (before.clone(), before.clone());
                 between.add((&folded, count), &scale, (&mut with_vectors, length), nodes);
-                let rows = (without.as_mut_slice(), length);
-                let add = Add { between: &between, folded: (&folded, count), scale: &scale, rows, reach: nodes };
-                add.with_simd(Scalar::new());
+                between.added((&folded, count), &scale, (&mut without, length), nodes, |add| {
+                    add.with_simd(Scalar::new());
+                });
                 for (i, before) in before.iter().enumerate() {
                     let (row, j) = (i / length, i % length);
-                    let mut sum = 0.0;
                     // What follows the unknowns in a row is left alone.
-                    if j < unknowns {
-                        let entries = between.table[j..].iter().step_by(between.width());
-                        for (entry, k) in entries.zip((1..nodes).filter(|k| k % factor != 0)) {
-                            sum += folded[row * count + k] * entry;
-                        }
-                    }
+                    let of_unknown = densities.iter().map(|densities| if j < unknowns { densities[j] } else { 0.0 });
+                    let sum: f64 = folded[row * count..].iter().zip(of_unknown).map(|(a, b)| a * b).sum();
                     let expected = before + scale[row] * sum;
                     for got in [with_vectors[i], without[i]] {
                         assert!((got - expected).abs() < 1e-12, "{n}, {factor}: {got} for {expected} at {row}, {j}");
@@ -264,22 +326,26 @@ mod tests {
         }
     }
 
-    /// One unknown is spread as its own column.
+    /// One unknown is spread as its own column, and what it and the places beyond add up to is known.
     #[test]
     fn a_density_is_spread_as_its_unknowns_say() {
         let (n, factor) = (6, 5);
-        let grid = Grid::new(n, reach(n, Edge::Sharp), false, Edge::Sharp);
-        let between = Between::new(&grid, factor);
-        for j in 0..grid.unknowns() {
-            let mut unknowns = vec![0.0; grid.unknowns()];
-            unknowns[j] = 2.0;
-            let mut out = vec![1.0; n * factor + 1];
-            between.spread(&unknowns, &mut out);
-            let mut column = between.table[j..].iter().step_by(between.width());
-            for (k, out) in out.into_iter().enumerate() {
-                let added = if k % factor == 0 { 0.0 } else { 2.0 * column.next().expect("a row for each") };
-                assert!((out - 1.0 - added).abs() < 1e-15, "node {k}: {out}");
+        for (odd, edge) in [(false, Edge::Sharp), (true, Edge::Continued)] {
+            let grid = Grid::new(n, reach(n, edge), odd, edge);
+            let (between, densities) = (Between::new(&grid, factor), one_by_one(&grid, factor));
+            for j in 0..grid.unknowns() {
+                let mut unknowns = vec![0.0; grid.unknowns()];
+                unknowns[j] = 2.0;
+                let mut out = vec![1.0; n * factor];
+                between.spread(&unknowns, &mut out);
+                for (k, (out, densities)) in out.into_iter().zip(&densities).enumerate() {
+                    assert!((out - 1.0 - 2.0 * densities[j]).abs() < 1e-15, "node {k}: {out}");
+                }
             }
+            let shares = [1.0].into_iter().chain(grid.beyond(1).into_iter().map(|(_, share)| share));
+            let sum: f64 = between.sums_from_last().iter().zip(shares).map(|(sum, share)| share * sum).sum();
+            let expected: f64 = densities.iter().filter_map(|densities| densities.last()).sum();
+            assert!((sum - expected).abs() < 1e-15, "{sum} for {expected}");
         }
     }
 }

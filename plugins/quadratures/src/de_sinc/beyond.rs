@@ -20,8 +20,7 @@ impl Beyond {
 
     /// What of the last two `F` of a density that is finite at the end to take for the last one.
     pub(super) fn finite_end(&self, grid: &Grid, between: &Between) -> [f64; 2] {
-        let nodes_beyond = grid.beyond(1);
-        let between = between.sums_from_last(grid, nodes_beyond.iter().map(|(u, _)| u));
+        let between = between.sums_from_last();
         let own = self.weight + between[0];
         let (mut factors, mut all) = ([0.0, own], own);
         let mut add = |weight: f64, (u, share): &(Place, f64)| {
@@ -29,7 +28,7 @@ impl Beyond {
             all += weight * share;
         };
         self.places.iter().for_each(|place| add(self.fine_step * place.0.slope, place));
-        nodes_beyond.iter().zip(&between[1..]).for_each(|(place, weight)| add(*weight, place));
+        grid.beyond(1).iter().zip(&between[1..]).for_each(|(place, weight)| add(*weight, place));
         factors.map(|factor| factor / all)
     }
 

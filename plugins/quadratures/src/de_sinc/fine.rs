@@ -23,11 +23,19 @@ pub(super) struct Fine {
     pub(super) factor: usize,
     /// Fine nodes, `x_k`, filled up.
     pub(super) x: Vec<f64>,
-    /// `x_i`, and 1 for the end.
-    from: Vec<f64>,
-    /// For each staggered point, and for the end, at each fine node `x_i - x_k`, then the weights of the logarithm of
-    /// `|x_i - x_k|`, then those of the logarithm of `x_i + x_k`.
-    table: Vec<f64>,
+    /// `sech w_k`.
+    sech: Vec<f64>,
+    staggered: Vec<Place>,
+    apart: Apart,
+    /// `Ci(pi d)` like the weights of the sign.
+    cosine_descending: Vec<f64>,
+    cosine_ascending: Vec<f64>,
+    /// What the weights of both logarithms are at the last node, for each staggered point: it stands for the places beyond, too.
+    log_beyond: Vec<[f64; 2]>,
+    /// [`Rows`] of all staggered points, unless these are many.
+    held: Vec<f64>,
+    /// That of the end.
+    of_end: Vec<f64>,
     /// Weight of the sign at `d = (2 n - 1)/2 factor, ... , -n factor + factor/2`, descending.
     sign_descending: Vec<f64>,
     /// Weight of the sign at `d = 1/2, 3/2, ...`.
@@ -36,8 +44,7 @@ pub(super) struct Fine {
     ones: Vec<f64>,
     /// Weight of the sign and of the logarithm of the distance from the middle, which is a node: `d = 0, 1, ...`.
     pub(super) centre: (Vec<f64>, Vec<f64>),
-    /// What the weights of the sign lack at the last node and at its mirror image, per row and for the end: it stands for the places
-    /// beyond, too.
+    /// What the weights of the sign lack there and at its mirror image, for the end as well.
     sign_beyond: Vec<[f64; 2]>,
     /// How many fine nodes matter, per row and for the end, filled up.
     reach: Vec<usize>,
@@ -54,6 +61,18 @@ pub(super) struct Fine {
 /// where the kernel is some `1e7` times as large as the Cauchy part.
 const NEGLIGIBLE: f64 = 1e-22;
 
+/// Most numbers of all rows that are held, 8 MB; more are found again whenever rows are summed, which takes half as long again.
+const HELD: usize = 1 << 20;
+
+/// Some rows, one for each staggered point or for the end: at each fine node `x_i - x_k`, then the weights of the logarithm of
+/// `|x_i - x_k|`, then those of the logarithm of `x_i + x_k`.
+#[derive(Clone, Copy)]
+pub(super) struct Rows<'a> {
+    fine: &'a Fine,
+    first: usize,
+    table: &'a [f64],
+}
+
 /// Weights of some nodes of one row of a [`Fine`].
 pub(super) struct Row<'a> {
     pub(super) log_minus: &'a [f64],
@@ -67,7 +86,7 @@ pub(super) struct Row<'a> {
 impl Fine {
     /// Numbers held, about.
     pub(super) fn numbers(&self) -> usize {
-        self.table.len() + self.between.numbers() + 2 * self.x.len()
+        self.held.len() + self.between.numbers() + 24 * self.x.len()
     }
 
     pub(super) fn new(grid: &Grid, factor: usize) -> Self {
@@ -97,8 +116,14 @@ impl Fine {
         let mut fine = Self {
             factor,
             x: places.iter().map(|p| p.x).collect(),
-            from: grid.staggered.iter().map(|v| v.x).chain([1.0]).collect(),
-            table: vec![0.0; (n + 1) * 3 * filled],
+            sech: places.iter().map(|p| p.sech).collect(),
+            staggered: grid.staggered.clone(),
+            apart: Apart::new(n, factor, grid.step),
+            cosine_descending,
+            cosine_ascending,
+            log_beyond: Vec::with_capacity(n),
+            held: Vec::new(),
+            of_end: Vec::with_capacity(3 * filled),
             sign_descending,
             sign_ascending,
             ones: vec![1.0; filled],
@@ -120,36 +145,31 @@ impl Fine {
             let matter = places[..count].iter().take_while(|p| slope * p.slope > NEGLIGIBLE).count();
             matter.next_multiple_of(LANES)
         };
-        let sech: Vec<f64> = places.iter().map(|p| p.sech).collect();
-        Arch::new().dispatch(Distances {
-            apart: Apart::new(n, factor, grid.step),
-            staggered: &grid.staggered,
-            x: &fine.x[..count],
-            sech: &sech,
-            cosine: (&cosine_descending, &cosine_ascending),
-            factor,
-            table: (&mut fine.table[..3 * n * filled], filled),
-        });
         fine.reach.extend(grid.staggered.iter().map(|v| reach(v.slope)));
-        // The end lies infinitely many steps away: no correction.
-        let of_end = &mut fine.table[3 * n * filled..];
-        for (k, place) in places.iter().enumerate() {
-            (of_end[k], of_end[filled + k]) = (place.gap, place.gap.ln());
-            of_end[2 * filled + k] = (1.0 + place.x).ln();
-        }
         fine.reach.push(reach(1.0));
-        fine.go_on(grid, &beyond, &cosine_ascending, (&centre_sign, &centre_cosine));
+        // The end lies infinitely many steps away: no correction.
+        fine.of_end.extend(places.iter().map(|place| place.gap));
+        fine.of_end.extend(places.iter().map(|place| place.gap.ln()));
+        fine.of_end.extend(places.iter().map(|place| (1.0 + place.x).ln()));
+        fine.go_on(&places[last], &beyond, (&centre_sign, &centre_cosine));
+        if 3 * n * filled <= HELD {
+            let mut held = vec![0.0; 3 * n * filled];
+            fine.write(0..n, true, &mut held);
+            fine.held = held;
+        }
         fine
     }
 
     /// Lets the last node's weights of sign and logarithm stand for those of the places beyond it as well, as its weight in the sum does.
-    fn go_on(&mut self, grid: &Grid, beyond: &Beyond, cosine: &[f64], at_centre: (&[f64], &[f64])) {
+    fn go_on(&mut self, end: &Place, beyond: &Beyond, at_centre: (&[f64], &[f64])) {
         let (filled, rows) = (self.x.len(), self.rows());
         let last = rows * self.factor;
-        let logs = |apart: &dyn Fn(&Place) -> f64, cosine: &[f64]| -> Vec<f64> {
-            beyond.places.iter().zip(cosine).map(|((u, _), cosine)| apart(u).ln() - cosine).collect()
+        let logs = |apart: &dyn Fn(&Place) -> f64, cosine: &[f64]| -> f64 {
+            let places = [end].into_iter().chain(beyond.places.iter().map(|(u, _)| u));
+            let each: Vec<f64> = places.zip(cosine).map(|(u, cosine)| apart(u).ln() - cosine).collect();
+            beyond.mean(each[0], &each[1..])
         };
-        for (i, (v, row)) in grid.staggered.iter().zip(self.table.chunks_exact_mut(3 * filled)).enumerate() {
+        for (i, v) in self.staggered.iter().enumerate() {
             // Where the distances of the last node stand, on this side and on the other, and from then on.
             let before = i * self.factor + self.factor / 2;
             let [near, far] = [last - before - 1, last + before];
@@ -158,17 +178,34 @@ impl Fine {
                 beyond.mean(signs[0], &signs[1..]) - signs[0]
             });
             self.sign_beyond.push([-minus, plus]);
-            let (log_minus, log_plus) = row[filled..].split_at_mut(filled);
-            log_minus[last] = beyond.mean(log_minus[last], &logs(&|u| v.gap - u.gap, &cosine[near + 1..]));
-            log_plus[last] = beyond.mean(log_plus[last], &logs(&|u| v.x + u.x, &cosine[far + 1..]));
+            let cosine = &self.cosine_ascending;
+            self.log_beyond.push([logs(&|u| v.gap - u.gap, &cosine[near..]), logs(&|u| v.x + u.x, &cosine[far..])]);
         }
         // Seen from the end no step is near, and all beyond is as far from its mirror image.
         self.sign_beyond.push([0.0; 2]);
-        let of_end = &mut self.table[(3 * rows + 1) * filled + last];
-        *of_end = beyond.mean(*of_end, &logs(&|u| u.gap, &vec![0.0; beyond.places.len()]));
+        self.of_end[filled + last] = logs(&|u| u.gap, &vec![0.0; beyond.places.len() + 1]);
         let (signs, of_centre) = &mut self.centre;
         signs[last] = beyond.mean(signs[last], &at_centre.0[last..]);
-        of_centre[last] = beyond.mean(of_centre[last], &logs(&|u| u.x, &at_centre.1[last..]));
+        of_centre[last] = logs(&|u| u.x, &at_centre.1[last - 1..]);
+    }
+
+    /// Some rows, held or written into the room: as far as each reaches, or all as far as that of the end does.
+    pub(super) fn rows_of<'a>(&'a self, rows: Range<usize>, whole: bool, room: &'a mut Vec<f64>) -> Rows<'a> {
+        let width = 3 * self.x.len();
+        if !self.held.is_empty() {
+            return Rows { fine: self, first: 0, table: &self.held };
+        }
+        let points = rows.start..rows.end.min(self.rows());
+        if room.len() < points.len() * width {
+            room.resize(points.len() * width, 0.0);
+        }
+        self.write(points.clone(), whole, &mut room[..points.len() * width]);
+        Rows { fine: self, first: points.start, table: room }
+    }
+
+    /// Writes the rows of some staggered points.
+    fn write(&self, rows: Range<usize>, whole: bool, out: &mut [f64]) {
+        Arch::new().dispatch(Distances { fine: self, rows, whole, out });
     }
 
     /// Makes the last `F` of a density that is finite at the end one that its weights fit.
@@ -180,7 +217,7 @@ impl Fine {
     /// Number of rows before that of the end.
     #[inline(always)]
     pub(super) fn rows(&self) -> usize {
-        self.from.len() - 1
+        self.staggered.len()
     }
 
     /// Number of fine nodes that matter to a row, filled up.
@@ -214,28 +251,31 @@ impl Fine {
         }
         self.between.spread(unknowns, out);
     }
+}
 
+impl<'a> Rows<'a> {
     /// `x_i`, or 1 at the end, and its distances from some nodes.
     #[inline(always)]
-    pub(super) fn minus(&self, i: usize, nodes: Range<usize>) -> (f64, &[f64]) {
-        (self.from[i], &self.table[3 * i * self.x.len()..][nodes])
+    pub(super) fn minus(self, i: usize, nodes: Range<usize>) -> (f64, &'a [f64]) {
+        (self.fine.staggered.get(i).map_or(1.0, |v| v.x), &self.all(i)[nodes])
     }
 
     /// Some nodes of the row of the `i`-th staggered point, or of the end when there are only `i` of them.
     #[inline(always)]
-    pub(super) fn row(&self, i: usize, nodes: Range<usize>) -> Row<'_> {
-        let (filled, rows) = (self.x.len(), self.rows());
+    pub(super) fn row(self, i: usize, nodes: Range<usize>) -> Row<'a> {
+        let fine = self.fine;
+        let (filled, rows) = (fine.x.len(), fine.rows());
         let (sign_minus, sign_plus) = if i == rows {
-            (self.ones.as_slice(), self.ones.as_slice())
+            (fine.ones.as_slice(), fine.ones.as_slice())
         } else {
             (
-                &self.sign_descending[(rows - 1 - i) * self.factor..],
-                &self.sign_ascending[i * self.factor + self.factor / 2..],
+                &fine.sign_descending[(rows - 1 - i) * fine.factor..],
+                &fine.sign_ascending[i * fine.factor + fine.factor / 2..],
             )
         };
-        let table = &self.table[3 * i * filled..3 * (i + 1) * filled];
-        let last = rows * self.factor;
-        let beyond = nodes.contains(&last).then(|| (last - nodes.start, self.sign_beyond[i]));
+        let table = self.all(i);
+        let last = rows * fine.factor;
+        let beyond = nodes.contains(&last).then(|| (last - nodes.start, fine.sign_beyond[i]));
         Row {
             beyond,
             log_minus: &table[filled..2 * filled][nodes.clone()],
@@ -244,20 +284,20 @@ impl Fine {
             sign_plus: &sign_plus[nodes],
         }
     }
+
+    #[inline(always)]
+    fn all(self, i: usize) -> &'a [f64] {
+        let width = self.fine.of_end.len();
+        if i == self.fine.rows() { &self.fine.of_end } else { &self.table[(i - self.first) * width..][..width] }
+    }
 }
 
-/// What [`Fine`] holds of the staggered points.
+/// See [`Fine::write`].
 struct Distances<'a> {
-    apart: Apart,
-    staggered: &'a [Place],
-    /// Of the fine nodes.
-    x: &'a [f64],
-    sech: &'a [f64],
-    /// `Ci(pi d)` like the weights of the sign.
-    cosine: (&'a [f64], &'a [f64]),
-    factor: usize,
-    /// And the length of a row of one kind.
-    table: (&'a mut [f64], usize),
+    fine: &'a Fine,
+    rows: Range<usize>,
+    whole: bool,
+    out: &'a mut [f64],
 }
 
 impl WithSimd for Distances<'_> {
@@ -265,23 +305,30 @@ impl WithSimd for Distances<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        let Self { apart, staggered, x, sech, cosine: (descending, ascending), factor, table: (table, filled) } = self;
-        let (n, count) = (staggered.len(), x.len());
-        for ((i, v), row) in staggered.iter().enumerate().zip(table.chunks_exact_mut(3 * filled)) {
+        let Self { fine, rows, whole, out } = self;
+        let (n, factor, filled) = (fine.rows(), fine.factor, fine.x.len());
+        let last = n * factor;
+        for (i, row) in rows.zip(out.chunks_exact_mut(3 * filled)) {
+            let v = &fine.staggered[i];
             let (minus, logs) = row.split_at_mut(filled);
             let (log_minus, log_plus) = logs.split_at_mut(filled);
-            apart.minus_into((i, v), sech, &mut minus[..count]);
-            let near = minus[..count].iter().zip(&descending[(n - 1 - i) * factor..]);
+            let count = fine.reach(if whole { n } else { i }).min(last + 1);
+            fine.apart.minus_into((i, v), &fine.sech, &mut minus[..count]);
+            let near = minus[..count].iter().zip(&fine.cosine_descending[(n - 1 - i) * factor..]);
             for (log, (minus, cosine)) in log_minus.iter_mut().zip(near) {
                 *log = ln(minus.abs()) - cosine;
             }
-            let far = x.iter().zip(&ascending[i * factor + factor / 2..]);
+            let far = fine.x[..count].iter().zip(&fine.cosine_ascending[i * factor + factor / 2..]);
             for (log, (x, cosine)) in log_plus.iter_mut().zip(far) {
                 *log = ln(v.x + x) - cosine;
             }
+            if count <= last {
+                continue;
+            }
+            [log_minus[last], log_plus[last]] = fine.log_beyond[i];
             for part in [minus, log_minus, log_plus] {
-                let at_last = part[count - 1];
-                part[count..].fill(at_last);
+                let at_last = part[last];
+                part[last + 1..].fill(at_last);
             }
         }
     }

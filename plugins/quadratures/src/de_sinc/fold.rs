@@ -1,6 +1,6 @@
 //! The kernel between staggered points and fine nodes, each node together with its mirror image.
 
-use super::fine::{Fine, Row};
+use super::fine::{Fine, Row, Rows};
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::elementary::LANES;
 use slipzone_api::{Component, KernelTable, PartsVec, lend};
@@ -27,8 +27,14 @@ thread_local! {
     static ROOM: Cell<Option<Box<Room>>> = const { Cell::new(None) };
 }
 
-/// Room for a batch.
 struct Room {
+    asked: Asked,
+    /// Rows of a fine grid that does not hold them.
+    rows: Vec<f64>,
+}
+
+/// What a table is asked for.
+struct Asked {
     /// Near distances of each row, then its far ones.
     distances: [f64; BATCH],
     parts: PartsVec,
@@ -37,14 +43,17 @@ struct Room {
 impl Room {
     /// Lends the room of this thread.
     fn lend(work: impl FnOnce(&mut Self)) {
-        let new = || Box::new(Self { distances: [0.0; BATCH], parts: PartsVec::new(BATCH) });
+        let new = || {
+            let asked = Asked { distances: [0.0; BATCH], parts: PartsVec::new(BATCH) };
+            Box::new(Self { asked, rows: Vec::new() })
+        };
         lend(&ROOM, |room| work(room.get_or_insert_with(new)));
     }
 }
 
 /// Rows whose distances fit into the room, and which nodes of them: the rows end with their reach.
-#[derive(Clone)]
-struct Batch {
+struct Batch<'a> {
+    of: Rows<'a>,
     rows: Range<usize>,
     nodes: Range<usize>,
 }
@@ -58,7 +67,8 @@ impl Folding<'_> {
             room.resize(rows.len() * count, 0.0);
         }
         let out = &mut room[..rows.len() * count];
-        Room::lend(|room| {
+        Room::lend(|Room { asked: room, rows: written }| {
+            let of = self.fine.rows_of(rows.clone(), self.whole, written);
             let mut row = rows.start;
             while row < rows.end {
                 let first = row;
@@ -70,7 +80,7 @@ impl Folding<'_> {
                     row += 1;
                 }
                 if first < row {
-                    self.fold_batch(room, &Batch { rows: first..row, nodes: 0..count }, asked, rows.start, out);
+                    self.fold_batch(room, &Batch { of, rows: first..row, nodes: 0..count }, asked, rows.start, out);
                     continue;
                 }
                 // Too long a row for one batch.
@@ -79,7 +89,7 @@ impl Folding<'_> {
                 for start in (0..reach).step_by(BATCH / 2) {
                     let nodes = start..reach.min(start + BATCH / 2);
                     let asked = 2 * nodes.len();
-                    self.fold_batch(room, &Batch { rows: first..row, nodes }, asked, rows.start, out);
+                    self.fold_batch(room, &Batch { of, rows: first..row, nodes }, asked, rows.start, out);
                 }
             }
         });
@@ -87,9 +97,9 @@ impl Folding<'_> {
     }
 
     /// Folds a batch, which takes `asked` distances; the first number of `out` belongs to row `first`.
-    fn fold_batch(self, room: &mut Room, batch: &Batch, asked: usize, first: usize, out: &mut [f64]) {
+    fn fold_batch(self, room: &mut Asked, batch: &Batch, asked: usize, first: usize, out: &mut [f64]) {
         let arch = Arch::new();
-        let Room { distances, parts } = room;
+        let Asked { distances, parts } = room;
         arch.dispatch(Measure { folding: self, batch, out: &mut distances[..asked] });
         let (table, component) = self.kernel;
         table.parts_into(component, &distances[..asked], parts.first(asked));
@@ -101,7 +111,7 @@ impl Folding<'_> {
         let Self { fine, half_width, kernel: (table, component), .. } = self;
         let (log_c, reach) = (half_width.ln(), fine.reach(fine.rows()));
         out.clear();
-        Room::lend(|Room { distances, parts }| {
+        Room::lend(|Room { asked: Asked { distances, parts }, .. }| {
             for start in (0..reach).step_by(BATCH) {
                 let nodes = start..reach.min(start + BATCH);
                 let distances = &mut distances[..nodes.len()];
@@ -123,7 +133,7 @@ impl Folding<'_> {
     }
 }
 
-impl Batch {
+impl Batch<'_> {
     /// The nodes of one of the rows.
     #[inline(always)]
     fn nodes(&self, folding: &Folding, row: usize) -> Range<usize> {
@@ -134,7 +144,7 @@ impl Batch {
 /// The distances of a batch.
 struct Measure<'a> {
     folding: Folding<'a>,
-    batch: &'a Batch,
+    batch: &'a Batch<'a>,
     out: &'a mut [f64],
 }
 
@@ -148,7 +158,7 @@ impl WithSimd for Measure<'_> {
         let (fine, c) = (folding.fine, simd.splat_f64s(folding.half_width));
         for row in batch.rows.clone() {
             let nodes = batch.nodes(&folding, row);
-            let (x, minus) = fine.minus(row, nodes.clone());
+            let (x, minus) = batch.of.minus(row, nodes.clone());
             let (here, later) = out.split_at_mut(2 * nodes.len());
             let (near, far) = here.split_at_mut(nodes.len());
             let ((near, _), (far, _)) = (S::as_mut_simd_f64s(near), S::as_mut_simd_f64s(far));
@@ -166,7 +176,7 @@ impl WithSimd for Measure<'_> {
 /// The parts of a batch put together.
 struct Fold<'a> {
     folding: Folding<'a>,
-    batch: &'a Batch,
+    batch: &'a Batch<'a>,
     parts: &'a PartsVec,
     /// Row of the first number of `out`.
     first: usize,
@@ -187,7 +197,7 @@ impl WithSimd for Fold<'_> {
             let nodes = batch.nodes(&folding, row);
             let count = nodes.len();
             let out = &mut out[(row - first) * fine.x.len()..][nodes.clone()];
-            let Row { log_minus, log_plus, sign_minus, sign_plus, beyond } = fine.row(row, nodes);
+            let Row { log_minus, log_plus, sign_minus, sign_plus, beyond } = batch.of.row(row, nodes);
             let wide = S::as_mut_simd_f64s(&mut *out).0;
             let near = Side::new::<S>(parts, start..start + count, sign_minus, log_minus, wide.len());
             let far = Side::new::<S>(parts, start + count..start + 2 * count, sign_plus, log_plus, wide.len());

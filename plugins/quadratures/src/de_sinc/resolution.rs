@@ -87,8 +87,8 @@ impl Resolution {
     }
 }
 
-/// Most distances in one table of a fine grid; it takes three to four such tables, 130 MB. A finer one would
-/// be asked for by more than 512 steps over a thin layer only; too coarse a one shows against its refined twin.
+/// Most distances of all rows of a fine grid. A finer one would be asked for by more than 512 steps over a thin layer only; too coarse a
+/// one shows against its refined twin.
 const MOST_ENTRIES: usize = 1 << 22;
 
 /// `Im u` at `x = c (1 + i gap)`, and 15 % off that: measured 0.6, 0.45, 0.3, 0.24, 0.2 at gaps of 1, 0.3, 0.1,
@@ -103,8 +103,8 @@ fn across_the_end(gap: f64) -> f64 {
 /// Odd, in steps of about `sqrt 2`, so that few grids serve all.
 const FACTORS: [usize; 16] = [1, 3, 5, 7, 9, 13, 19, 27, 39, 55, 77, 109, 155, 219, 309, 437];
 
-/// Numbers kept of each kind, 64 MB.
-const KEPT: usize = 1 << 23;
+/// Numbers kept of each kind, 16 MB.
+const KEPT: usize = 1 << 21;
 
 static GRIDS: Shelf<(usize, u64, bool, Edge), Grid> = Shelf::new(KEPT, Grid::numbers);
 static FINE_GRIDS: Shelf<(usize, u64, bool, Edge, usize), Fine> = Shelf::new(KEPT, Fine::numbers);
