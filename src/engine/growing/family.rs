@@ -60,6 +60,8 @@ const LEFT_OF_SHEAR: f64 = 1.0;
 /// estimates on 100 of 507 with faces of 1e-4 to 0.1 of the last contact, and so they were by up to 3 on 32 of 687 with faces of 0.01 to 0.03; on
 /// none of these so, in half of the work. With faces of 0.03 to 0.25 none of 514 was.
 const SMALL_FACE: f64 = 3e-2;
+/// The widest half-width that the members begin with, over that with which they end.
+const LARGEST_FACE: f64 = 0.9999;
 /// Laws that begin with a higher power of the depth, no whole number, are told by the terms of smooth ones.
 const OF_BREAK: f64 = 2.0;
 /// Doubt of a slope that a coarser resolution tells; see [`crate::engine::numerics::root::Near`].
@@ -176,9 +178,9 @@ impl Family {
         let rule = foreign::rule(quadrature, Parity::Odd, Edge::Sharp)?;
         let n = rule.unknowns();
         layer.tabulate(widest, task.wanted)?;
-        // A contact is never narrower than the face.
+        // A contact is never narrower than the face, and under narrower flat punches friction may fail.
         let face = task.problem.face();
-        let ends = (if face < SMALL_FACE * widest { 0.0 } else { face.min(0.5 * widest) }, widest);
+        let ends = (if face < SMALL_FACE * widest { 0.0 } else { face.min(LARGEST_FACE * widest) }, widest);
         let kernel_lengths = widest / layer.length();
         let members = |told: Option<Told>, left: f64| {
             told.map_or_else(|| first_members(n, kernel_lengths), |told| told.enough(left * task.tolerance))

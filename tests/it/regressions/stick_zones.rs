@@ -438,6 +438,26 @@ fn a_contact_that_grew_from_a_face_slides_as_that_did() {
     assert!((grown / flat - 1.0).abs() < 2e-6 && flat < 0.4, "{grown} and {flat}");
 }
 
+/// Flat punches down to half the contact's half-width were solved under faces wider than that: the direction of slip was that of one narrower
+/// than the face, and friction was said not to bear it, or not to let all stick and then a part, where there had been no contact.
+#[test]
+fn no_contact_narrower_than_the_face_is_asked() {
+    for (h, ratio, nu, face, eta) in [(1.421, 22.87, 0.4, 0.851, 0.0457), (1.009, 10.83, 0.5, 0.811, 0.467)] {
+        let solved = |punch: &str, load: &str| {
+            let layer = format!("thickness = {h}, poisson = {nu}, base = {{ type = \"rigid\" }}");
+            let grading = format!("grading = {{ type = \"exponential\", surface = 1.0, base = {ratio} }}");
+            let friction = format!("[friction]\ntype = \"goodman\"\ncoefficient = {eta}\n[solver]\ntolerance = 1e-6");
+            let found = written(&format!("{layer}, {grading}"), punch, load, &friction);
+            assert_eq!(found.status, Status::Converged, "{punch}: {:?}", found.reason);
+            found.stick.expect("a stick zone").ratio.expect("found")
+        };
+        let grown =
+            solved(&format!("type = \"rounded-flat\", half_width = {face}, radius = 100.0"), "half_width = 1.0");
+        let flat = solved("type = \"flat\", half_width = 1.0", "force = 1.0");
+        assert!((grown / flat - 1.0).abs() < 2e-6, "{grown} and {flat}");
+    }
+}
+
 /// Where friction is so much that the slip zone is narrower than any looked for, a root far from there that slides the wrong way was all
 /// that was looked at: full stick was lost between coefficients of 2 and 20.
 #[test]

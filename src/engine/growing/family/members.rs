@@ -104,7 +104,7 @@ impl Family {
         let flat = member(task.problem, contact, true);
         let mut before = match coarse {
             Some(coarse) if coarse.rubbed.is_some() => None,
-            _ => Some(self.search(layer, Task { problem: &flat, ..task }, contact)?),
+            _ => Some(self.search(layer, Task { problem: &flat, ..task }, (contact, task.problem.face()))?),
         };
         self.end_of_shear = end_of_shear(&flat, before.or_else(|| coarse.and_then(|coarse| coarse.root_at(contact))));
         self.solve_pressures(layer, task, coarse)?;
@@ -193,11 +193,10 @@ impl Family {
 
     /// The stick zone of one member by a search of its own: the others follow. Of several it is one that slides as the contact has from the
     /// beginning: where that is a face, as that does.
-    fn search(&mut self, layer: &mut PreparedLayer, task: Task, b: f64) -> Result<Root, Unfit> {
+    fn search(&mut self, layer: &mut PreparedLayer, task: Task, (b, face): (f64, f64)) -> Result<Root, Unfit> {
         let mut outcome = self.contact.solve(layer, task, None, None)?;
         let is_one_of_several =
             |outcome: &Outcome| outcome.rubbing.as_ref().is_some_and(|found| found.found.roots.len() > 1);
-        let face = self.pressed.blend.narrowest();
         if face > 0.0 && is_one_of_several(&outcome) {
             self.contact.branch = self.branch_of(layer, task, face)?;
             if self.contact.branch < 0.0 {
