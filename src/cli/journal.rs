@@ -6,8 +6,10 @@
 use super::Failure;
 use crate::api::clip;
 use crate::engine::Status;
+use crate::report::StudyTable;
 use crate::study::{Record, RecordStatus, Study};
-use serde::de::IgnoredAny;
+use serde::Deserialize;
+use serde_json::Value;
 use std::collections::{BTreeMap, HashSet};
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
@@ -62,18 +64,11 @@ struct Head {
     study: Vec<String>,
 }
 
-/// What is looked at in the others.
+/// What is looked at in the others once they are known to be records.
 #[derive(serde::Deserialize)]
 struct Line {
     index: u64,
     status: RecordStatus,
-    /// A record has these as well.
-    #[allow(dead_code)]
-    axes: IgnoredAny,
-    #[allow(dead_code)]
-    error: IgnoredAny,
-    #[allow(dead_code)]
-    load: IgnoredAny,
 }
 
 const KIND: &str = "slipzone sweep";
@@ -109,6 +104,7 @@ impl Journal {
     fn read(&mut self, study: &mut Study) -> Result<u64, Failure> {
         let path = self.path.clone();
         let failed = |why: &dyn std::fmt::Display| failed(&path, why);
+        let columns = StudyTable::new(study);
         let mut reader = BufReader::with_capacity(1 << 16, &self.file);
         reader.seek(SeekFrom::Start(0)).map_err(|error| failed(&error))?;
         let (mut line, mut kept, mut number) = (Vec::new(), 0, 0_u64);
@@ -140,8 +136,14 @@ impl Journal {
                     study.ask_for_tractions();
                 }
                 same_study(&path, &head.study, &lines(study))?;
+                if head.rows != study.rows() {
+                    return Err(broken("the head of a journal of a study with another number of scenes"));
+                }
             } else {
-                let record: Line = serde_json::from_slice(&line).map_err(|_| broken("no record of a sweep"))?;
+                let record: Option<Value> = serde_json::from_slice(&line).ok();
+                let record = record.filter(|record| columns.is_filled_by(record));
+                let record = record.and_then(|record| Line::deserialize(record).ok());
+                let record = record.ok_or_else(|| broken("no record of a sweep"))?;
                 if record.index >= study.rows() {
                     return Err(broken("a record of a scene that the study does not have"));
                 }

@@ -92,7 +92,9 @@ impl Target {
                 false
             }
             Ok(_) => true,
-            Err(_) => false,
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => false,
+            // Such as too long a name.
+            Err(error) => return Err(failed(&error)),
         };
         let target = Self { shown: path.into(), real: stream.unwrap_or(real), special };
         if !target.special {

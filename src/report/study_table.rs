@@ -48,6 +48,17 @@ impl StudyTable {
         line(names.chain(after).chain(["error", "reason"]).map(str::to_owned))
     }
 
+    /// Whether a record, as the results have it in JSON, has what the columns are filled with.
+    pub fn is_filled_by(&self, record: &Value) -> bool {
+        let is_number = |path: &&str| match path.split_once('.').and_then(|(report, _)| record.get(report)) {
+            // Without friction, or where no stick zone was looked for.
+            Some(Value::Null) => path.starts_with("stick."),
+            _ => at(record, path).is_some_and(|value| value.is_number() || value.is_null()),
+        };
+        let is_value = |label| record["axes"].get(label).is_some_and(|value| value.is_number() || value.is_string());
+        self.labels.iter().all(is_value) && self.numbers.iter().all(is_number) && is_number(&"error.estimate")
+    }
+
     /// A record, as the results have it in JSON, as a line that belongs to [`Self::head`].
     pub fn row(&self, record: &Value) -> String {
         let number = |path: &str| cell(at(record, path).and_then(Value::as_f64));

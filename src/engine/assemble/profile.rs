@@ -16,12 +16,12 @@ impl Solved<'_> {
     /// Tractions at the points that the scene asks for, in its units.
     pub(super) fn profile(&mut self, scene: &Scene) -> Result<Profile, Refusal> {
         if let Some(x) = &scene.output.x {
-            return self.tractions(x);
+            return self.tractions(x, scene);
         }
         // Equally spaced points are their own mirror images, and so are the tractions: the right half will do.
         let last = scene.output.points - 1;
         let right: Vec<f64> = (last.div_ceil(2)..=last).map(|i| (2 * i - last) as f64 / last as f64).collect();
-        let half = self.tractions(&right)?;
+        let half = self.tractions(&right, scene)?;
         let left = scene.output.points / 2;
         Ok(Profile {
             x: with_mirror(&half.x, left, |x| -x),
@@ -32,9 +32,12 @@ impl Solved<'_> {
     }
 
     /// Tractions at points in units of the half-width.
-    fn tractions(&mut self, relative: &[f64]) -> Result<Profile, Refusal> {
+    fn tractions(&mut self, relative: &[f64], scene: &Scene) -> Result<Profile, Refusal> {
         let (b, as_told) = (self.half_width(), self.friction_as_told());
-        let Self { layer, problem, stage, .. } = self;
+        let Self { layer, problem, stage, judged, .. } = self;
+        // The ends stand where the contact is said to end, to the last digit.
+        let told = super::load(scene.load, problem, &judged.outcome.numbers).half_width;
+        let half_width = told.unwrap_or(b * problem.length);
         let sharp = stage.contact.normal.is_sharp();
         let value = |found: Option<f64>| match found {
             Some(value) => value.is_finite().then_some(value * problem.stress),
@@ -62,7 +65,7 @@ impl Solved<'_> {
         };
         let shear = shear.map(|shear| spread(shear.into_iter().map(|q| q * as_told).collect()));
         Ok(Profile {
-            x: relative.iter().map(|x| x * b * problem.length).collect(),
+            x: relative.iter().map(|x| x * half_width).collect(),
             pressure: spread(pressure),
             shear,
             strain: None,

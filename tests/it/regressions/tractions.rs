@@ -388,3 +388,21 @@ fn centre_claimed(layer: &str, (exponent, finest): (f64, f64), tolerances: &[f64
         assert!(apart <= claimed + of_exact, "{apart:e} apart, {claimed:e} claimed at {tolerance:e}");
     }
 }
+
+/// The ends went through the layer's units and came out a rounding beyond the half-width: the root of `b^2 - x^2` was no number there.
+#[test]
+fn points_along_a_contact_end_where_it_is_said_to_end() {
+    let layer = "thickness = 10.7063, poisson = 0.25, grading = { type = \"homogeneous\", modulus = 1.0 }";
+    for (punch, load) in [
+        ("type = \"cylinder\", radius = 18.0968", "half_width = 0.412749"),
+        ("type = \"cylinder\", radius = 18.0968", "force = 0.01"),
+        ("type = \"flat\", half_width = 0.412749", "force = 1.0"),
+    ] {
+        let layer = format!("{layer}, base = {{ type = \"frictionless\" }}");
+        let text = format!("format = 1\nlayer = {{ {layer} }}\npunch = {{ {punch} }}\nload = {{ {load} }}\n");
+        let found = solve(&slipzone::scene::parse(punch, &text).unwrap_or_else(|why| panic!("{why}")));
+        let b = found.load.half_width.expect("a contact");
+        let ends = [found.profile.x.first(), found.profile.x.last()].map(|x| x.expect("points").to_bits());
+        assert_eq!(ends, [-b, b].map(f64::to_bits), "{load}: from {:?}", found.profile.x[0]);
+    }
+}
