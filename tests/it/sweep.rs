@@ -242,6 +242,21 @@ fn a_changed_study_is_refused_with_the_difference() {
     assert_eq!(run(folder.path(), ["sweep", "study.toml", "--out", "out"]).status.code(), Some(0));
 }
 
+/// It was told of after all scenes.
+#[test]
+#[cfg(feature = "plot")]
+fn a_figure_of_too_long_a_name_is_told_before_any_scene() {
+    let name = "long".repeat(100);
+    let axes = "x = \"friction.coefficient\"\ny = \"stick.ratio\"";
+    let study = format!("{STUDY}[[plots]]\nfile = \"{name}.svg\"\n{axes}\n");
+    let folder = folder_with(&study);
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(3), "{}", told(&output));
+    assert!(told(&output).contains(&name), "{}", told(&output));
+    let journal = fs::read_to_string(folder.path().join("out/journal.jsonl")).unwrap_or_default();
+    assert!(!journal.contains("\"index\""), "no scene is solved");
+}
+
 /// Records that have tractions do without a figure of them, finished or not; new ones have them, too.
 #[test]
 fn a_figure_of_tractions_may_go() {
