@@ -378,3 +378,30 @@ impl WithSimd for Gather<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::resolution::reach;
+    use super::*;
+
+    /// As far as each row reaches, and as far as that of the end does; a few rows of them all, and the end alone.
+    #[test]
+    fn rows_found_again_are_those_held() {
+        let (n, factor, edge) = (19, 5, Edge::Sharp);
+        let grid = Grid::new(n, reach(n, edge), true, edge);
+        let [held, mut again] = [(); 2].map(|()| Fine::new(&grid, factor));
+        again.held.clear();
+        let mut room = [Vec::new(), vec![f64::NAN; 7]];
+        for (rows, whole) in [(0..8, false), (8..16, true), (16..20, true), (16..20, false), (19..20, true)] {
+            let [one, other] = &mut room;
+            let (held, again) = (held.rows_of(rows.clone(), whole, one), again.rows_of(rows.clone(), whole, other));
+            for i in rows {
+                let nodes = 0..held.fine.reach(if whole { n } else { i });
+                assert!(held.minus(i, nodes.clone()) == again.minus(i, nodes.clone()), "distances of {i}");
+                let [held, again] = [held, again].map(|rows| rows.row(i, nodes.clone()));
+                assert!(held.log_minus == again.log_minus && held.log_plus == again.log_plus, "logarithms of {i}");
+                assert!(held.sign_minus == again.sign_minus && held.beyond == again.beyond, "signs of {i}");
+            }
+        }
+    }
+}
