@@ -47,7 +47,7 @@ pub(super) fn solution(
 ) -> Result<Solution, Refusal> {
     let (problem, judged) = (solved.problem, solved.judged);
     let mut profile = if problem.wishes.profile { solved.profile(scene)? } else { Profile::default() };
-    let of_strain = solved.add_strain(scene, &mut profile);
+    let of_strain = solved.add_strain(scene, &mut profile)?;
     let is_found = |rubbing: &&Rubbing| matches!(rubbing.verdict, Verdict::Holds | Verdict::Sticks);
     let rubbing = judged.outcome.rubbing.as_ref().filter(is_found);
     let neglected = rubbing.and_then(|rubbing| coupling::neglected(solved.layer, problem, rubbing, scene));

@@ -4,6 +4,7 @@ use super::Solved;
 use crate::engine::accuracy::quantity::Quantity;
 use crate::engine::friction::rubbing::Rubbing;
 use crate::engine::friction::stick_zone::StickZone;
+use crate::engine::friction::strain::Told;
 use crate::engine::solution::Profile;
 use crate::scene::Scene;
 use slipzone_api::{Refusal, Station};
@@ -81,20 +82,21 @@ impl Solved<'_> {
 
     /// Adds the strain left in the stick zone to the tractions, where the scene asks for it and it can be told. How uncertain it is, over
     /// `A0 eta P/(2b)`: by what coarser grids change it, and by what the errors of the tractions make of it.
-    pub(super) fn add_strain(&mut self, scene: &Scene, profile: &mut Profile) -> Option<f64> {
+    pub(super) fn add_strain(&mut self, scene: &Scene, profile: &mut Profile) -> Result<Option<f64>, Refusal> {
         let (problem, judged, b) = (self.problem, self.judged, self.half_width());
-        let rubbing = judged.outcome.rubbing.as_ref().filter(|_| scene.output.strain)?;
+        let rubbing = judged.outcome.rubbing.as_ref().filter(|_| scene.output.strain);
+        let Some((rubbing, friction)) = rubbing.zip(problem.friction) else { return Ok(None) };
         let relative = profile.x.iter().map(|x| x / (problem.length * b));
         let mean = judged.outcome.numbers.get(Quantity::Mean).unwrap_or(0.0);
-        let scale = problem.elastic.a0() * problem.friction.unwrap_or(0.0) * mean;
+        let scale = problem.elastic.a0() * friction * mean;
         let wanted = scene.solver.tolerance.get() * scale;
-        let (strain, apart) = self.strain((relative, wanted), rubbing.zone)?;
+        let Some((strain, apart)) = self.strain((relative, wanted), rubbing.zone)? else { return Ok(None) };
         // Where the pressure is unbounded there is none.
         let told = strain.into_iter().zip(&profile.pressure).map(|(strain, p)| p.and(strain));
         profile.strain = Some(told.collect());
-        let of_pressure = problem.elastic.beta().abs() / problem.friction? * judged.doubt.unwrap_or(0.0);
+        let of_pressure = problem.elastic.beta().abs() / friction * judged.doubt.unwrap_or(0.0);
         let error = apart / scale + judged.of_shear.unwrap_or(0.0) + of_pressure;
-        error.is_finite().then_some(error)
+        Ok(error.is_finite().then_some(error))
     }
 
     /// The strain left in the stick zone at points in units of the half-width, the same on either side, and how uncertain it is where
@@ -103,19 +105,20 @@ impl Solved<'_> {
         &mut self,
         (relative, wanted): (impl Iterator<Item = f64>, f64),
         zone: StickZone,
-    ) -> Option<(Vec<Option<f64>>, f64)> {
+    ) -> Result<Option<Told>, Refusal> {
         let b = zone.contact();
         let at: Vec<f64> = relative.map(|x| x.abs() * b).collect();
         let mut sticking: Vec<f64> = at.iter().copied().filter(|x| *x < zone.half_width).collect();
         // Each distance once, though it comes on both sides.
         sticking.sort_by(f64::total_cmp);
         sticking.dedup_by(|one, other| one.to_bits() == other.to_bits());
-        let (strain, apart) = self.stage.strain(self.layer, self.problem, (&sticking, wanted))?;
+        let found = self.stage.strain(self.layer, self.problem, (&sticking, wanted))?;
+        let Some((strain, apart)) = found else { return Ok(None) };
         let one = |x: f64| {
             let found = sticking.binary_search_by(|other| other.total_cmp(&x)).ok()?;
             strain[found].filter(|strain| strain.is_finite())
         };
-        Some((at.into_iter().map(one).collect(), apart))
+        Ok(Some((at.into_iter().map(one).collect(), apart)))
     }
 
     /// In layer units.

@@ -7,7 +7,7 @@
 
 use crate::engine::prepared_layer::PreparedLayer;
 use slipzone_api::double_exponential::{self, Node};
-use slipzone_api::{Component, Station};
+use slipzone_api::{Component, Refusal, Station};
 use std::f64::consts::PI;
 
 /// Where the grids end in `u`: 4e-13 of a piece is left out at either end. Beyond that, a distance to a point that is not
@@ -45,6 +45,9 @@ pub(crate) struct Strains {
     pub(crate) apart: f64,
 }
 
+/// Strains at points of a contact, `None` where there is none, and by how much coarser grids change one of them.
+pub(crate) type Told = (Vec<Option<f64>>, f64);
+
 /// Where tractions are not analytic, and how finely they are sampled in between.
 pub(crate) struct Sampling<'a> {
     /// Ascending from 0 to the half-width.
@@ -58,28 +61,30 @@ pub(crate) struct Sampling<'a> {
 }
 
 impl Sampling<'_> {
-    /// The strains at points `0 <= x < b`, by grids as fine as `wanted` asks; `tractions` tells `p` and `q` at points inside the contact.
+    /// The strains at points `0 <= x < b`, by grids as fine as `wanted` asks; `tractions` tells `p` and `q` at points inside the contact, and
+    /// `None` where they are not known.
     pub(crate) fn strains(
         &self,
         layer: &PreparedLayer,
         beta: f64,
         (at, wanted): (&[f64], f64),
         mut tractions: impl FnMut(&[Station]) -> Option<[Vec<f64>; 2]>,
-    ) -> Option<Strains> {
+    ) -> Result<Option<Strains>, Refusal> {
         // Every so many of them are compared.
         let every = at.len().div_ceil(COMPARED).max(1);
         let (mut share, mut apart) = (FIRST_SHARE, f64::INFINITY);
         let mut before: Option<Vec<f64>> = None;
         loop {
-            let mut strain = Strain::new(self, share, &mut tractions)?;
-            let now: Vec<f64> = at.iter().step_by(every).map(|x| strain.at(layer, beta, *x)).collect();
+            let Some(mut strain) = Strain::new(self, share, &mut tractions) else { return Ok(None) };
+            let now = at.iter().step_by(every).map(|x| strain.at(layer, beta, *x)).collect::<Result<Vec<f64>, _>>()?;
             if let Some(before) = before {
                 let moved = before.iter().zip(&now).map(|(before, now)| (before - now).abs()).fold(0.0, f64::max);
                 if moved <= wanted || moved > SHRINKING * apart || share * GROWTH > LARGEST_SHARE {
                     let one = |(i, x): (usize, &f64)| {
-                        if i.is_multiple_of(every) { now[i / every] } else { strain.at(layer, beta, *x) }
+                        if i.is_multiple_of(every) { Ok(now[i / every]) } else { strain.at(layer, beta, *x) }
                     };
-                    return Some(Strains { each: at.iter().enumerate().map(one).collect(), apart: moved });
+                    let each = at.iter().enumerate().map(one).collect::<Result<_, Refusal>>()?;
+                    return Ok(Some(Strains { each, apart: moved }));
                 }
                 apart = moved;
             }
@@ -165,8 +170,11 @@ impl Strain {
         Some(Self { half_width, pieces, grid, sources, distances, kernels })
     }
 
-    /// `u'(x)/A0` at `0 <= x < b`.
-    fn at(&mut self, layer: &PreparedLayer, beta: f64, x: f64) -> f64 {
+    /// `u'(x)/A0` at `0 <= x < b`; refused where the budget is used up.
+    fn at(&mut self, layer: &PreparedLayer, beta: f64, x: f64) -> Result<f64, Refusal> {
+        // Both tractions at both nodes for one, each a sum over all nodes.
+        layer.meter().count_multiplications(4 * self.grid.len().pow(2));
+        layer.meter().within()?;
         let [p, q] = self.see_from(x);
         let count = self.sources.len();
         self.distances.clear();
@@ -188,7 +196,7 @@ impl Strain {
         // PV int 2 r/(x^2 - r^2) dr, of what was taken off.
         let b = self.half_width;
         let taken_off = if x > 0.0 { q * (x * x / ((b - x) * (b + x))).ln() } else { 0.0 };
-        -((sum + taken_off) / PI + beta * p)
+        Ok(-((sum + taken_off) / PI + beta * p))
     }
 
     /// Lists what acts, seen from `x`; returns the tractions there.

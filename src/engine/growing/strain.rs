@@ -1,10 +1,11 @@
 //! The strain that is left on the surface where it stuck.
 
 use super::Growing;
-use crate::engine::friction::strain::Sampling;
+use crate::engine::friction::strain::{Sampling, Told};
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::pressure::normal::Normal;
 use crate::engine::problem::Problem;
+use slipzone_api::Refusal;
 
 /// Points of the contact closer than that, relative to how far out they are, are one: nothing is to be told in between.
 const NO_PIECE: f64 = 1e-11;
@@ -26,11 +27,11 @@ impl Growing {
         problem: &Problem,
         normal: &Normal,
         (at, wanted): (&[f64], f64),
-    ) -> Option<(Vec<Option<f64>>, f64)> {
+    ) -> Result<Option<Told>, Refusal> {
         if self.has_no_shear() {
-            return Some((vec![Some(0.0); at.len()], 0.0));
+            return Ok(Some((vec![Some(0.0); at.len()], 0.0)));
         }
-        let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return None };
+        let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return Ok(None) };
         let b = self.half_width;
         let zone = family.zone(b);
         let kinks: Vec<f64> = stack.breaks().iter().copied().filter(|kink| *kink > 0.0 && *kink < b).collect();
@@ -58,13 +59,14 @@ impl Growing {
             let shear = self.shear(problem, at, &pressure)?;
             Some([pressure, shear])
         })?;
+        let Some(found) = found else { return Ok(None) };
         let mut strains = found.each.iter().map(|strain| a0 * strain);
         let one = |x: &f64| match *x {
             x if is_unstrained(x) => Some(0.0),
             x if problem.is_corner(x) => None,
             _ => strains.next(),
         };
-        Some((at.iter().map(one).collect(), a0 * found.apart))
+        Ok(Some((at.iter().map(one).collect(), a0 * found.apart)))
     }
 }
 

@@ -277,3 +277,29 @@ fn a_force_takes_no_steps_for_what_no_step_mends() {
     assert!(found.plan.work < 1_000_000_000, "{:e} multiplications: {:?}", found.plan.work as f64, found.reason);
     assert!((found.load.half_width.unwrap() - 1.0).abs() < 1e-3, "{:?}", found.load.half_width);
 }
+
+/// It was looked for whatever was left of the budget: half a minute at a million points.
+#[test]
+fn the_strain_left_in_a_stick_zone_counts_as_work() {
+    const ENOUGH_FOR_TRACTIONS: u64 = 70_000_000;
+    let scene = |strain: bool| {
+        let text = format!(
+            "format = 1\nlayer = {{ thickness = 2.0, poisson = 0.3, grading = {{ type = \"homogeneous\", modulus = 1.0 }} \
+             }}\npunch = {{ type = \"cylinder\", radius = 10.0 }}\nload = {{ half_width = 1.0 }}\n\
+             friction = {{ type = \"goodman\", coefficient = 0.3 }}\noutput = {{ points = 2001, strain = {strain} }}"
+        );
+        slipzone::scene::parse("strain", &text).unwrap_or_else(|why| panic!("{why}"))
+    };
+    let without = solve_within(&scene(false), ENOUGH_FOR_TRACTIONS);
+    assert_eq!(without.status, Status::Converged, "{:?}", without.reason);
+    let within = solve_within(&scene(true), ENOUGH_FOR_TRACTIONS);
+    assert_eq!(within.status, Status::NotConverged);
+    assert!(
+        within.reason.as_ref().is_some_and(|why| why.contains("the tractions are not told")),
+        "{:?}",
+        within.reason
+    );
+    assert_eq!(within.load.force, without.load.force);
+    let whole = solve(&scene(true));
+    assert!(whole.status == Status::Converged && whole.profile.strain.is_some(), "{:?}", whole.reason);
+}
