@@ -54,7 +54,7 @@ impl Between {
         let denominator = |r: usize, m: usize| (m * factor + r) as f64 - (cells * factor) as f64;
         let fractions = (1..factor).flat_map(|r| (0..length).map(move |m| factor as f64 / denominator(r, m)));
         let sine = |r: usize| (PI * r as f64 / factor as f64).sin() * grid.step / (PI * factor as f64);
-        let mut between = Self {
+        let between = Self {
             factor,
             odd: grid.odd,
             cells,
@@ -62,11 +62,11 @@ impl Between {
             fractions: (fractions.collect(), length),
             sines: (0..factor).map(sine).collect(),
             slopes: Vec::new(),
-            beyond: vec![0.0; cells * factor],
+            beyond: Vec::new(),
         };
         let last = grid.nodes.len();
         let shared: Vec<f64> = beyond.iter().zip(&slopes[last..]).map(|((_, share), slope)| share * slope).collect();
-        let mut of_last = std::mem::take(&mut between.beyond);
+        let mut of_last = vec![0.0; cells * factor];
         between.spread_from(last, &shared, &mut of_last);
         slopes.resize(width, 0.0);
         Self { slopes, beyond: of_last, ..between }
