@@ -4,7 +4,7 @@ use super::Solved;
 use crate::engine::accuracy::quantity::Quantity;
 use crate::engine::friction::rubbing::Rubbing;
 use crate::engine::friction::stick_zone::StickZone;
-use crate::engine::friction::strain::Told;
+use crate::engine::friction::strain::Strains;
 use crate::engine::solution::Profile;
 use crate::scene::Scene;
 use slipzone_api::{Refusal, Station};
@@ -90,9 +90,9 @@ impl Solved<'_> {
         let mean = judged.outcome.numbers.get(Quantity::Mean).unwrap_or(0.0);
         let scale = problem.elastic.a0() * friction * mean;
         let wanted = scene.solver.tolerance.get() * scale;
-        let Some((strain, apart)) = self.strain((relative, wanted), rubbing.zone)? else { return Ok(None) };
+        let Some(Strains { each, apart }) = self.strain((relative, wanted), rubbing.zone)? else { return Ok(None) };
         // Where the pressure is unbounded there is none.
-        let told = strain.into_iter().zip(&profile.pressure).map(|(strain, p)| p.and(strain));
+        let told = each.into_iter().zip(&profile.pressure).map(|(strain, p)| p.and(strain));
         profile.strain = Some(told.collect());
         let of_pressure = problem.elastic.beta().abs() / friction * judged.doubt.unwrap_or(0.0);
         let error = apart / scale + judged.of_shear.unwrap_or(0.0) + of_pressure;
@@ -105,7 +105,7 @@ impl Solved<'_> {
         &mut self,
         (relative, wanted): (impl Iterator<Item = f64>, f64),
         zone: StickZone,
-    ) -> Result<Option<Told>, Refusal> {
+    ) -> Result<Option<Strains<Option<f64>>>, Refusal> {
         let b = zone.contact();
         let at: Vec<f64> = relative.map(|x| x.abs() * b).collect();
         let mut sticking: Vec<f64> = at.iter().copied().filter(|x| *x < zone.half_width).collect();
@@ -113,12 +113,12 @@ impl Solved<'_> {
         sticking.sort_by(f64::total_cmp);
         sticking.dedup_by(|one, other| one.to_bits() == other.to_bits());
         let found = self.stage.strain(self.layer, self.problem, (&sticking, wanted))?;
-        let Some((strain, apart)) = found else { return Ok(None) };
+        let Some(Strains { each, apart }) = found else { return Ok(None) };
         let one = |x: f64| {
             let found = sticking.binary_search_by(|other| other.total_cmp(&x)).ok()?;
-            strain[found].filter(|strain| strain.is_finite())
+            each[found].filter(|strain| strain.is_finite())
         };
-        Ok(Some((at.into_iter().map(one).collect(), apart)))
+        Ok(Some(Strains { each: at.into_iter().map(one).collect(), apart }))
     }
 
     /// In layer units.

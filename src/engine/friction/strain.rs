@@ -37,16 +37,13 @@ const SHRINKING: f64 = 0.5;
 /// Most nodes.
 const MOST_NODES: usize = 1 << 11;
 
-/// Strains over `A0`.
-pub(crate) struct Strains {
+/// Strains at points of a contact.
+pub(crate) struct Strains<T> {
     /// One for each of the points.
-    pub(crate) each: Vec<f64>,
+    pub(crate) each: Vec<T>,
     /// By how much coarser grids change one of them.
     pub(crate) apart: f64,
 }
-
-/// Strains at points of a contact, `None` where there is none, and by how much coarser grids change one of them.
-pub(crate) type Told = (Vec<Option<f64>>, f64);
 
 /// Where tractions are not analytic, and how finely they are sampled in between.
 pub(crate) struct Sampling<'a> {
@@ -61,15 +58,15 @@ pub(crate) struct Sampling<'a> {
 }
 
 impl Sampling<'_> {
-    /// The strains at points `0 <= x < b`, by grids as fine as `wanted` asks; `tractions` tells `p` and `q` at points inside the contact, and
-    /// `None` where they are not known.
+    /// The strains over `A0` at points `0 <= x < b`, by grids as fine as `wanted` asks; `tractions` tells `p` and `q` at points inside the
+    /// contact, and `None` where they are not known.
     pub(crate) fn strains(
         &self,
         layer: &PreparedLayer,
         beta: f64,
         (at, wanted): (&[f64], f64),
         mut tractions: impl FnMut(&[Station]) -> Option<[Vec<f64>; 2]>,
-    ) -> Result<Option<Strains>, Refusal> {
+    ) -> Result<Option<Strains<f64>>, Refusal> {
         // Every so many of them are compared.
         let every = at.len().div_ceil(COMPARED).max(1);
         let (mut share, mut apart) = (FIRST_SHARE, f64::INFINITY);

@@ -1,7 +1,7 @@
 //! The strain that is left on the surface where it stuck.
 
 use super::Growing;
-use crate::engine::friction::strain::{Sampling, Told};
+use crate::engine::friction::strain::{Sampling, Strains};
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::pressure::normal::Normal;
 use crate::engine::problem::Problem;
@@ -27,9 +27,9 @@ impl Growing {
         problem: &Problem,
         normal: &Normal,
         (at, wanted): (&[f64], f64),
-    ) -> Result<Option<Told>, Refusal> {
+    ) -> Result<Option<Strains<Option<f64>>>, Refusal> {
         if self.has_no_shear() {
-            return Ok(Some((vec![Some(0.0); at.len()], 0.0)));
+            return Ok(Some(Strains { each: vec![Some(0.0); at.len()], apart: 0.0 }));
         }
         let (Some(family), Some(stack), None) = (&mut self.family, &self.stack, &self.broken) else { return Ok(None) };
         let b = self.half_width;
@@ -66,7 +66,7 @@ impl Growing {
             x if problem.is_corner(x) => None,
             _ => strains.next(),
         };
-        Ok(Some((at.iter().map(one).collect(), a0 * found.apart)))
+        Ok(Some(Strains { each: at.iter().map(one).collect(), apart: a0 * found.apart }))
     }
 }
 

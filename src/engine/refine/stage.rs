@@ -4,7 +4,7 @@ use crate::engine::accuracy::error_estimate::SAFETY;
 use crate::engine::accuracy::quantity::Quantity;
 use crate::engine::contact::Contact;
 use crate::engine::friction::checks;
-use crate::engine::friction::strain::Told;
+use crate::engine::friction::strain::Strains;
 use crate::engine::growing::Growing;
 use crate::engine::growing::family::Family;
 use crate::engine::outcome::{Outcome, Task};
@@ -94,13 +94,13 @@ impl Stage {
         layer: &PreparedLayer,
         problem: &Problem,
         (at, wanted): (&[f64], f64),
-    ) -> Result<Option<Told>, Refusal> {
+    ) -> Result<Option<Strains<Option<f64>>>, Refusal> {
         match stacking(&mut self.growing) {
             Some(growing) => growing.strain(layer, problem, &self.contact.normal, (at, wanted)),
             // What sticks to a flat punch has never slipped.
             None => Ok(self.contact.shear.as_ref().map(|shear| {
                 let rate = problem.elastic.a0() * shear.strain_rate;
-                (at.iter().map(|x| Some(rate * x)).collect(), 0.0)
+                Strains { each: at.iter().map(|x| Some(rate * x)).collect(), apart: 0.0 }
             })),
         }
     }
