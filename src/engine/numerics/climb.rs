@@ -9,6 +9,8 @@ const CLIMBS: usize = 10;
 const BESIDE_TOP: f64 = 0.02;
 /// Tops lower than this are not climbed on the way to zero.
 const TOO_LOW: f64 = -0.7;
+/// How often it is looked nearer to the middle for a top beside it, at half the distance each time.
+const NEARER: usize = 2;
 /// A climb ends where the parabola rises no higher than this beside the top.
 const LEVEL: f64 = 1e-13;
 /// Share of the highest value that a top among samples reaches if it may be the highest between them.
@@ -100,7 +102,8 @@ fn climb(
 }
 
 /// The highest value, and where, of a function on half of a contact: at ascending stations, and at tops between them where the one in the
-/// middle of three is no lower than what `least` says of the highest of all.
+/// middle of three is no lower than what `least` says of the highest of all. Where the first is the middle of the contact, the function
+/// is even about it.
 pub(crate) fn highest(
     at: &[Station],
     values: &mut Vec<f64>,
@@ -130,7 +133,42 @@ pub(crate) fn highest(
             best = (beside(step), height);
         }
     }
+    if let [middle, next, over, ..] = at
+        && middle.x == 0.0
+        && values[0] >= least
+    {
+        let beside = |square: f64| Station { x: square.sqrt(), gap: middle.gap - square.sqrt() };
+        let three = [(0.0, values[0]), (next.x.powi(2), values[1]), (over.x.powi(2), values[2])];
+        if let Some((square, height)) = top_beside_middle(three, |square| value(beside(square)))
+            && height > best.1
+        {
+            best = (beside(square), height);
+        }
+    }
     Some(best)
+}
+
+/// A top of an even function between the middle and the next of three places, that is no higher: by the squares of their distances, in which
+/// it may rise from the middle.
+fn top_beside_middle(
+    [middle, mut next, over]: [(f64, f64); 3],
+    mut height: impl FnMut(f64) -> f64,
+) -> Option<(f64, f64)> {
+    // It falls from the middle, by far.
+    if next.1 > middle.1 || vertex([middle, next, over]).is_none_or(|(at, _)| at < -next.0) {
+        return None;
+    }
+    for _ in 0..NEARER {
+        let nearer = (0.25 * next.0, height(0.25 * next.0));
+        if nearer.1 > middle.1 {
+            return Some(top([middle, nearer, next], height));
+        }
+        if let Some((at, _)) = vertex([middle, nearer, next]).filter(|(at, _)| (0.0..nearer.0).contains(at)) {
+            return Some(top([middle, (at, height(at)), nearer], height));
+        }
+        next = nearer;
+    }
+    None
 }
 
 #[cfg(test)]
@@ -153,6 +191,21 @@ mod tests {
     }
 
     /// It rose from step to step, and will rise again.
+    #[test]
+    fn a_top_beside_the_middle_is_seen() {
+        // It rises by `t^4/2` from the middle to `t`, and falls from there.
+        for t in [0.3_f64, 0.1, 0.03, 0.01] {
+            let p = |x: f64| 1.0 + t.powi(2) * x.powi(2) - 0.5 * x.powi(4) - 0.3 * x.powi(6);
+            let at = [0.0, 0.16, 0.31, 0.45, 0.59].map(|x| Station { x, gap: 1.0 - x });
+            let values_into = |at: &[Station], out: &mut [f64]| {
+                out.iter_mut().zip(at).for_each(|(out, at)| *out = p(at.x));
+            };
+            let (found, top) = highest(&at, &mut Vec::new(), |most| 0.5 * most, values_into).unwrap();
+            let true_top = p((((1.0 + 3.6 * t.powi(2)).sqrt() - 1.0) / 1.8).sqrt());
+            assert!((top - true_top).abs() < 1e-7 * t.powi(4) + 1e-15, "{t}: {top} at {}, {true_top}", found.x);
+        }
+    }
+
     #[test]
     fn a_top_that_was_stepped_over_is_climbed() {
         let wave = |x: f64| 0.02 - (x - 0.4).powi(2) + 2.0 * (x - 0.4).powi(3);
