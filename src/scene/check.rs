@@ -1,9 +1,10 @@
 //! What no single key can show to be wrong.
 
 use super::decode::wrong_type;
-use super::document::{Document, dotted, number, one_of};
+use super::document::{Document, dotted, number, one_of, owned};
+use super::error::{Kind, SceneError};
 use super::keys::{ABSCISSAE, LISTED, LONGEST_LABEL, MOST_FRICTION, POINTS, STAND_INS, TOLERANCES};
-use super::{Load, Model, Scene, SceneError};
+use super::{Load, Model, Scene};
 use slipzone_api::{Base, Friction, LawFlaw, MODERATE, PunchShape, Refusal, short};
 use toml::Spanned;
 use toml::de::DeValue;
@@ -137,6 +138,7 @@ fn thickness(document: &Document, scene: &Scene) -> Result<(), SceneError> {
         (Base::Infinite, None) | (_, Some(_)) => Ok(()),
         (_, None) => Err(document
             .error(document.key(&["layer"]), "missing key `thickness` in [layer]")
+            .of_kind(Kind::MissingKey(owned(&["layer"])))
             .found("a layer on a base without its thickness")
             .expected("`thickness`: depth of the base (length)")
             .hint("a solid without a base is `base = { type = \"infinite\" }`")),
@@ -345,7 +347,7 @@ pub(super) fn points(document: &Document) -> Result<(), SceneError> {
                 Err(document.not_allowed(&place, expected))
             }
         }
-        Some(_) => Err(wrong_type(document, &place, &expected)),
+        Some(_) => Err(wrong_type(document, &place, &expected).of_kind(Kind::NotWhole)),
     }
 }
 

@@ -11,6 +11,7 @@ pub(super) enum Complaint<'m> {
     UnknownName { name: &'m str, known: Vec<&'m str> },
     MissingKey(&'m str),
     WrongType { expected: String },
+    NotWhole { expected: String },
     OutOfRange { expected: String, found: Option<&'m str> },
     Other(String),
 }
@@ -37,7 +38,8 @@ impl<'m> Complaint<'m> {
                 };
                 return Self::OutOfRange { expected, found: None };
             }
-            Self::WrongType { expected: in_words(expected) }
+            let (is_whole, expected) = (is_integer(expected), in_words(expected));
+            if is_whole { Self::NotWhole { expected } } else { Self::WrongType { expected } }
         } else if let Some(rest) =
             message.strip_prefix("invalid value: ").or_else(|| message.strip_prefix("invalid length "))
         {
@@ -60,6 +62,11 @@ fn quoted<'m>(message: &'m str, prefix: &str) -> Option<(&'m str, &'m str)> {
     let rest = message.strip_prefix(prefix)?;
     // A name may itself hold backticks; what ends it is the one before the list, or the last.
     rest.split_once("`, ").or_else(|| rest.rsplit_once('`'))
+}
+
+/// Whether a decoder's name of a type is one of whole numbers.
+fn is_integer(expected: &str) -> bool {
+    matches!(expected, "u8" | "u16" | "u32" | "u64" | "usize" | "i8" | "i16" | "i32" | "i64" | "isize")
 }
 
 /// A decoder's name of a type in words that fit a scene file.
@@ -92,6 +99,8 @@ mod tests {
         assert_eq!(Complaint::read("missing field `radius`"), Complaint::MissingKey("radius"));
         let kind = Complaint::WrongType { expected: "a number".into() };
         assert_eq!(Complaint::read("invalid type: string \"a, expected b\", expected f64"), kind);
+        let whole = Complaint::NotWhole { expected: "an integer of 0 or more".into() };
+        assert_eq!(Complaint::read("invalid type: floating point `2.5`, expected u32"), whole);
         let range = Complaint::OutOfRange { expected: "a finite number above 0".into(), found: None };
         assert_eq!(Complaint::read("expected a finite number above 0, found -2"), range);
         let both = Complaint::OutOfRange { expected: "one of `a` and `b`".into(), found: Some("both") };

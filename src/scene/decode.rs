@@ -1,8 +1,8 @@
 //! From the tree to a [`Scene`]; errors of the decoder are put back where they belong.
 
-use super::SceneError;
 use super::complaint::Complaint;
-use super::document::{Document, SHOWN, dotted, is_index, one_of, written};
+use super::document::{Document, SHOWN, dotted, is_index, one_of, owned, written};
+use super::error::{Kind, SceneError};
 use super::tables::Tables;
 use serde::de::DeserializeOwned;
 use serde_path_to_error::{Path, Segment};
@@ -91,6 +91,7 @@ fn explain(document: &Document, path: &Path, message: &str) -> SceneError {
         }
         Complaint::UnknownName { name, known } => unknown_name(document, path, name, &known),
         Complaint::MissingKey(key) => missing_key(document, &path, key),
+        Complaint::NotWhole { expected } => wrong_type(document, &path, &expected).of_kind(Kind::NotWhole),
         Complaint::WrongType { expected } => {
             // The decoder knows a plugin only as "dyn Grading", wherever in the table it stumbles.
             let expected = match path.as_slice() {
@@ -170,7 +171,7 @@ fn missing_key(document: &Document, path: &[&str], key: &str) -> SceneError {
         document.table(path).into_iter().flat_map(DeTable::keys).map(|key| format!("`{}`", key.get_ref())).collect();
     let found = if present.is_empty() { "no key".into() } else { format!("only {}", present.join(", ")) };
     let error = document.error(document.key(path), what).found(clip(&found, LONGEST_LIST));
-    error.expected(meaning(document, path, key))
+    error.expected(meaning(document, path, key)).of_kind(Kind::MissingKey(owned(path)))
 }
 
 /// A required key and what it stands for.

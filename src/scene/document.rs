@@ -1,6 +1,6 @@
 //! The text of a scene as a tree that knows where everything stands.
 
-use super::SceneError;
+use super::error::{Kind, SceneError};
 use super::keys::KEYS;
 use slipzone_api::{Fault, Parameter, Place, Values, clip};
 use std::ops::Range;
@@ -164,8 +164,11 @@ impl<'a> Document<'a> {
         } else {
             format!("unknown key `{key}` in {}", self.section(path))
         };
-        let error =
-            self.error(self.key(&full), message).found(format!("`{}`", clip(key, SHOWN))).expected(one_of(known));
+        let error = self
+            .error(self.key(&full), message)
+            .found(format!("`{}`", clip(key, SHOWN)))
+            .expected(one_of(known))
+            .of_kind(Kind::UnknownKey(owned(path)));
         match meant(path, key, known) {
             Some(hint) => error.hint(hint),
             None => error.nearest(key, known),
@@ -225,6 +228,11 @@ pub(super) fn number(value: &DeValue) -> Option<f64> {
 /// Whether a part of a path is a place in an array.
 pub(super) fn is_index(segment: &str) -> bool {
     !segment.is_empty() && segment.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+/// A path to be kept.
+pub(super) fn owned(path: &[&str]) -> Vec<String> {
+    path.iter().map(ToString::to_string).collect()
 }
 
 /// A path as it would be written, indices in brackets.

@@ -29,6 +29,25 @@ pub struct SceneError {
     pub expected: Option<String>,
     /// What to do, such as the nearest name.
     pub hint: Option<String>,
+    /// What a study that made the scene goes by.
+    pub(crate) kind: Kind,
+}
+
+/// What is wrong, where it matters to a study that made the scene.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Kind {
+    #[default]
+    Other,
+    /// The table at this path has no such key.
+    UnknownKey(Vec<String>),
+    /// The table at this path lacks a key.
+    MissingKey(Vec<String>),
+    /// A key below what is no table and no array.
+    NoPlace,
+    /// A number with a point where whole numbers belong.
+    NotWhole,
+    /// A load beside another one.
+    SecondLoad,
 }
 
 /// Bytes of a line kept on each side of an error.
@@ -55,6 +74,7 @@ impl SceneError {
             found: None,
             expected: None,
             hint: None,
+            kind: Kind::Other,
         }
     }
 
@@ -83,6 +103,11 @@ impl SceneError {
 
     pub(crate) fn hint(mut self, hint: impl Into<String>) -> Self {
         self.hint = Some(printable(&hint.into()));
+        self
+    }
+
+    pub(crate) fn of_kind(mut self, kind: Kind) -> Self {
+        self.kind = kind;
         self
     }
 

@@ -1,9 +1,10 @@
 //! Which keys `[load]` holds, and whether the loads of a path grow: said before anything is decoded, where each
 //! number still has its place in the text.
 
+use super::LoadPath;
 use super::decode::{LOAD, wrong_type};
 use super::document::{Document, number};
-use super::{LoadPath, SceneError};
+use super::error::{Kind, SceneError};
 use std::ops::RangeInclusive;
 use toml::Spanned;
 use toml::de::DeValue;
@@ -33,7 +34,7 @@ pub(super) fn load(document: &Document) -> Result<(), SceneError> {
         [first, second, ..] => {
             let message = format!("a second load, `{second}` beside `{first}`");
             let error = document.error(document.key(&["load", second]), message).found(listed(&keys));
-            let error = error.expected(expected);
+            let error = error.expected(expected).of_kind(Kind::SecondLoad);
             let ends_itself = keys.contains(&"path") || keys.contains(&"until");
             Err(if ends_itself { error.hint("the last load of a path is the one that is reported") } else { error })
         }
@@ -122,7 +123,8 @@ fn only<'k>(document: &Document, table: &str, keys: &[&'k str]) -> Result<&'k st
         [first, second, ..] => Err(document
             .error(document.key(&["load", table, second]), format!("a second load, `{second}` beside `{first}`"))
             .found(listed(keys))
-            .expected(ONE_QUANTITY)),
+            .expected(ONE_QUANTITY)
+            .of_kind(Kind::SecondLoad)),
     }
 }
 

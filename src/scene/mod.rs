@@ -25,6 +25,7 @@ mod template;
 mod text;
 
 pub use asked::Asked;
+pub(crate) use error::Kind;
 pub use error::SceneError;
 pub use keys::KEYS;
 pub use load_path::{LoadKind, LoadPath, PathError};

@@ -1,7 +1,8 @@
 //! A scene of which some values are replaced: what the scenes of a study have in common.
 
 use super::document::{Document, SHOWN, written};
-use super::{Scene, SceneError, checked};
+use super::error::{Kind, SceneError};
+use super::{Scene, checked};
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use slipzone_api::{Files, clip};
@@ -54,6 +55,7 @@ impl Template {
                 whole(format!("the scene has no place for `{}`", path.join(".")))
                     .found(format!("no table and no array at `{}`", path[..at].join(".")))
                     .expected("a path of keys, in arrays of indices, of the base scene")
+                    .of_kind(Kind::NoPlace)
             })?;
         }
         checked(&Document::of_scene(&self.name, tree), files)

@@ -1,7 +1,7 @@
 //! What a study says, tried: its values make scenes, its question can be asked, its figures can be drawn.
 
 use crate::scene::document::{Document, dotted, one_of};
-use crate::scene::{Asked, Replacement, SceneError};
+use crate::scene::{Asked, Kind, Replacement, SceneError};
 use crate::study::Study;
 use crate::study::axis::{Axis, Column, Values};
 use crate::study::find::Wanted;
@@ -39,7 +39,7 @@ pub(super) fn check_values(document: &Document, study: &Study, files: &dyn Files
                 }
                 let index = step.to_string();
                 match &column.values {
-                    _ if is_of_field(&error, &column.field) => place.push("field"),
+                    _ if is_of_field(&error, &column.path) => place.push("field"),
                     Values::Listed(_) => place.extend(["values", index.as_str()]),
                     _ => {
                         let key = ["linear", "log"].into_iter().find(|key| {
@@ -50,7 +50,7 @@ pub(super) fn check_values(document: &Document, study: &Study, files: &dyn Files
                         place.push(if step == 0 { "from" } else { "to" });
                     }
                 }
-                return Err(placed(document, study, &place, &error, &format!("`{}`", column.field)));
+                return Err(placed(document, study, &place, &error, &column.path));
             }
         }
     }
@@ -77,36 +77,28 @@ fn check_end(
     let scale = if matches!(column.values, Values::Drawn { by_factors: true, .. }) { "log" } else { "linear" };
     let (a, c) = (a.to_string(), c.to_string());
     let of_fields = ["axes", &a, "random", "fields", &c].into_iter();
-    if wants_whole(&error) {
+    if error.kind == Kind::NotWhole {
         let place: Vec<&str> = of_fields.chain(["field"]).collect();
         return Err(of_whole_numbers(document, &place, &column.field));
     }
-    let rest = if is_of_field(&error, &column.field) { vec!["field"] } else { vec![scale, key] };
+    let rest = if is_of_field(&error, &column.path) { vec!["field"] } else { vec![scale, key] };
     let place: Vec<&str> = of_fields.chain(rest).collect();
-    Err(placed(document, study, &place, &error, &format!("`{}`", column.field)))
+    Err(placed(document, study, &place, &error, &column.path))
 }
 
 /// Whether it is the field that is wrong, and not its value: keys may be unknown within that, too.
-fn is_of_field(error: &SceneError, field: &str) -> bool {
-    let message = &error.message;
-    let first = field.split('.').next().unwrap_or(field);
-    message.starts_with("the scene has no place")
-        || message.starts_with(&format!("unknown key `{first}`"))
-        || message.starts_with(&format!("unknown section [{first}]"))
-        || around(error, field, "unknown key").is_some()
-        || around(error, field, "missing key").is_some()
+fn is_of_field(error: &SceneError, path: &[String]) -> bool {
+    match &error.kind {
+        Kind::NoPlace => true,
+        Kind::UnknownKey(table) => is_around(table, path),
+        Kind::MissingKey(table) => !table.is_empty() && is_around(table, path),
+        _ => false,
+    }
 }
 
-/// The section around a field in which other keys are missing, because the scene has none, or unknown.
-fn around<'a>(error: &SceneError, field: &'a str, what: &str) -> Option<&'a str> {
-    let mut sections = field.match_indices('.').map(|(end, _)| &field[..end]);
-    let SceneError { message, .. } = error;
-    sections.find(|section| message.starts_with(what) && message.ends_with(&format!("in [{section}]")))
-}
-
-/// Whether a field takes whole numbers only.
-fn wants_whole(error: &SceneError) -> bool {
-    error.expected.as_ref().is_some_and(|expected| expected.starts_with("an integer"))
+/// Whether a field is in a table, or in one within.
+fn is_around(table: &[String], path: &[String]) -> bool {
+    table.len() < path.len() && path.starts_with(table)
 }
 
 /// That a field of whole numbers is none to go through a range of all numbers.
@@ -128,44 +120,52 @@ fn blamed(axis: &Axis, error: &SceneError) -> Option<usize> {
     axis.columns.iter().position(named)
 }
 
-/// An error of a scene at the place of the study that is to blame, or with that where it has a place in a data file.
-fn placed(document: &Document, study: &Study, path: &[&str], error: &SceneError, of: &str) -> SceneError {
+/// An error of a scene at the place of the study that is to blame for that field, or with that where it has a place in a data file.
+fn placed(document: &Document, study: &Study, place: &[&str], error: &SceneError, path: &[String]) -> SceneError {
+    let of = format!("`{}`", path.join("."));
     if error.file != study.base.name() {
         // Of a data file the place in it is told.
         let named = format!("it is read for {of}");
-        return error.clone().named_at(error.hint.as_deref(), &named, &document.error(document.best(path), ""));
+        return error.clone().named_at(error.hint.as_deref(), &named, &document.error(document.best(place), ""));
     }
     // Where it names the field itself, once is enough.
-    let message = if error.message.contains(of) { error.message.clone() } else { format!("{of}: {}", error.message) };
-    let mut placed = document.error(document.best(path), message);
+    let message = if error.message.contains(&of) { error.message.clone() } else { format!("{of}: {}", error.message) };
+    let mut placed = document.error(document.best(place), message);
     placed.found.clone_from(&error.found);
     placed.expected.clone_from(&error.expected);
-    let field = of.trim_matches('`');
-    let other_load = || {
-        let kind = field.split('.').nth(1).filter(|_| error.message.starts_with("a second load"))?;
-        let load = match kind {
+    placed.hint = error.hint.clone().or_else(|| otherwise(error, path));
+    if let (Kind::SecondLoad, [_, kind, ..]) = (&error.kind, path) {
+        let load = match kind.as_str() {
             "path" => "path = { force = [0.5, 1.0] }".into(),
             "until" => "until = { force = 1.0 }".into(),
             kind => format!("{kind} = 1.0"),
         };
-        Some(format!("in [load] of the scene, write `{load}` in place of what is there: `{field}` changes that"))
-    };
-    placed.hint = other_load().or_else(|| error.hint.clone()).or_else(|| otherwise(error, field));
+        placed =
+            placed.hint(format!("in [load] of the scene, write `{load}` in place of what is there: {of} changes that"));
+    }
     placed
 }
 
 /// What to do about a field that is none, or cannot be changed alone.
-fn otherwise(error: &SceneError, field: &str) -> Option<String> {
-    if let Some((table, "type")) = field.rsplit_once('.') {
-        return Some(format!("other keys go with it: field = \"{table}\", values = [{{ type = ... }}, ...]"));
+fn otherwise(error: &SceneError, path: &[String]) -> Option<String> {
+    if let [table @ .., last] = path
+        && !table.is_empty()
+        && last == "type"
+    {
+        return Some(format!(
+            "other keys go with it: field = \"{}\", values = [{{ type = ... }}, ...]",
+            table.join(".")
+        ));
     }
-    if let Some(section) = around(error, field, "missing key") {
-        return Some(format!("the scene has no [{section}]: give it one with all its keys"));
+    if !is_of_field(error, path) {
+        return None;
     }
-    match Asked::named(field) {
-        _ if !is_of_field(error, field) => None,
+    if let Kind::MissingKey(section) = &error.kind {
+        return Some(format!("the scene has no [{}]: give it one with all its keys", section.join(".")));
+    }
+    match Asked::named(&path.join(".")) {
         Some(_) => Some("that is of the result: [[plots]] show it, [find] looks for a value of it".into()),
-        None if field.contains('.') => None,
+        None if path.len() > 1 => None,
         None => Some("a field is a path from the top of the scene, such as `friction.coefficient`".into()),
     }
 }
@@ -196,11 +196,11 @@ pub(super) fn check_find(document: &Document, study: &Study, files: &dyn Files) 
         }
         let value = Replacement { path: &path, value: format!("{end:?}").into() };
         if let Err(error) = study.made(study.axes.iter().map(|axis| (axis, 0)), Some(value), files) {
-            if wants_whole(&error) {
+            if error.kind == Kind::NotWhole {
                 return Err(of_whole_numbers(document, &["find", "field"], &find.field));
             }
-            let key = if is_of_field(&error, &find.field) { "field" } else { key };
-            return Err(placed(document, study, &["find", key], &error, &format!("`{}`", find.field)));
+            let key = if is_of_field(&error, &path) { "field" } else { key };
+            return Err(placed(document, study, &["find", key], &error, &path));
         }
     }
     match find.wanted {
