@@ -110,14 +110,22 @@ impl Chosen {
     pub(crate) fn instead(&self, refusal: &Refusal) -> Option<Self> {
         let is_rough =
             matches!(refusal, Refusal::OutOfReach { method, .. } if *method == Split::default().typetag_name());
-        if !(self.is_open && is_rough) {
-            return None;
-        }
+        (self.is_open && is_rough).then(|| self.by_octaves("octaves: the kernel is too rough beside t = 0 for `split`"))
+    }
+
+    /// What may solve a scene that leaves its methods open with less work, where the grids that `split` takes were too fine.
+    pub(crate) fn with_less_work(&self) -> Option<Self> {
+        let because = "octaves: grids fine enough for `split` ask for more work than the budget";
+        let is_split = self.plan.kernel == Split::default().typetag_name();
+        (self.is_open && is_split).then(|| self.by_octaves(because))
+    }
+
+    fn by_octaves(&self, because: &'static str) -> Self {
         let mut scene = self.before_model();
         scene.solver.kernel = Some(Box::new(Octaves::default()));
         let mut other = choose(&scene);
-        other.plan.reasons.insert(1, "octaves: the kernel is too rough beside t = 0 for `split`".into());
-        Some(other)
+        other.plan.reasons.insert(1, because.into());
+        other
     }
 }
 

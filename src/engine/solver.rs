@@ -11,7 +11,7 @@ use super::solution::{Solution, Status};
 use super::stand_in::{self, Decision, StandIn};
 use super::verdict::verdict;
 use crate::engine::accuracy::quantity::Quantity;
-use crate::engine::refine::judged::Judged;
+use crate::engine::refine::judged::{Judged, meets};
 use crate::engine::stand_in::thin;
 use crate::engine::work::budget::BUDGET;
 use crate::plan::{Chosen, Plan, choose};
@@ -53,7 +53,12 @@ pub struct Solver {
     aside: Option<Layer>,
     /// Work that a load may take.
     budget: u64,
+    /// What another load is solved by, where the present one took other methods.
+    usual: Option<Box<Self>>,
 }
+
+/// Share of a budget that is left for other methods where the first used it up: `graded-panels` take longer for the same work.
+const LEFT_FOR_OTHERS: u64 = 10;
 
 impl Solver {
     /// Prepares a scene; refuses what no method can solve.
@@ -76,7 +81,8 @@ impl Solver {
 
     /// Before anything is solved.
     fn made(chosen: Chosen, problem: Problem, layer: PreparedLayer, stand_in: Option<StandIn>) -> Self {
-        Self { chosen, problem, layer, ladder: Ladder::default(), judged: None, stand_in, aside: None, budget: BUDGET }
+        let ladder = Ladder::default();
+        Self { chosen, problem, layer, ladder, judged: None, stand_in, aside: None, budget: BUDGET, usual: None }
     }
 
     /// Why it would be refused before anything is computed.
@@ -118,7 +124,8 @@ impl Solver {
 
     /// The layer, to be used under another punch.
     #[must_use]
-    pub fn into_layer(self) -> Layer {
+    pub fn into_layer(mut self) -> Layer {
+        self.go_back();
         let scene = &self.chosen.scene;
         match (self.stand_in, self.aside) {
             (None, _) => Layer::known(self.layer, scene, self.ladder.into_flat_punches()),
@@ -135,6 +142,12 @@ impl Solver {
 
     /// Takes another load; of a path, that one alone.
     pub fn press(&mut self, load: Load) {
+        self.go_back();
+        self.load(load);
+    }
+
+    /// The same with the methods at hand.
+    fn load(&mut self, load: Load) {
         self.chosen.scene.load = load;
         self.chosen.scene.path = None;
         self.problem.press(load);
@@ -147,6 +160,7 @@ impl Solver {
     /// When the scene was prepared without friction: there are no kernels for it.
     pub fn rub(&mut self, friction: Friction) {
         assert!(self.chosen.scene.friction.is_some(), "the scene was prepared without friction");
+        self.go_back();
         let Friction::Goodman { coefficient, .. } = friction;
         if let Some(Friction::Goodman { coefficient: present, .. }) = &mut self.chosen.scene.friction {
             *present = coefficient;
@@ -163,9 +177,51 @@ impl Solver {
     pub fn find(&mut self) -> Result<(), Refusal> {
         self.layer.meter().begin(self.budget);
         let found = self.find_within();
-        let Some(other) = found.as_ref().err().and_then(|refusal| self.chosen.instead(refusal)) else { return found };
-        self.go_on_with(other)?;
-        self.find()
+        if let Some(other) = found.as_ref().err().and_then(|refusal| self.chosen.instead(refusal)) {
+            self.go_on_with(other)?;
+            return self.find();
+        }
+        if self.ran_out(&found)
+            && let Some(other) = self.chosen.with_less_work()
+            && let Some(mut other) = self.met_by(other)
+        {
+            std::mem::swap(self, &mut other);
+            self.usual = Some(Box::new(other));
+            return Ok(());
+        }
+        found
+    }
+
+    /// Whether the budget ended the search for what the tolerance asks for.
+    fn ran_out(&self, found: &Result<(), Refusal>) -> bool {
+        match &self.judged {
+            _ if found.is_err() => self.layer.meter().within().is_err(),
+            Some(Judged { stopped: Some(Refusal::Limit { .. }), errors, .. }) => {
+                !meets(&self.problem, errors, self.chosen.scene.solver.tolerance.get())
+            }
+            _ => false,
+        }
+    }
+
+    /// The same scene and load by other methods, where these meet the tolerance.
+    fn met_by(&self, chosen: Chosen) -> Option<Self> {
+        let mut other = Self::prepare(chosen).ok()?;
+        other.problem.wishes = self.problem.wishes;
+        other.limit(self.budget / LEFT_FOR_OTHERS);
+        other.find().ok()?;
+        other.limit(self.budget);
+        // Telling what was found has its own.
+        other.layer.meter().begin(self.budget);
+        other.layer.meter().conclude();
+        let tolerance = other.chosen.scene.solver.tolerance.get();
+        other.judged.as_ref().is_some_and(|found| found.worst(&other.problem) <= tolerance).then_some(other)
+    }
+
+    /// Goes back to the methods that other loads take.
+    fn go_back(&mut self) {
+        if let Some(usual) = self.usual.take() {
+            *self = *usual;
+        }
     }
 
     /// The same within what is left of a budget. Tables that grew for a load which was refused in the end are as coarse as they are far:

@@ -32,6 +32,7 @@ impl Solver {
     /// assert!(curve.force.is_sorted(), "a wider contact takes more force");
     /// ```
     pub fn curve(&mut self, loads: &LoadPath) -> Curve {
+        self.go_back();
         let wishes = self.problem.wishes;
         self.problem.wishes = wishes.along_curve();
         self.begin_curve();
@@ -63,7 +64,7 @@ impl Solver {
 
     /// One load, with what earlier ones left behind.
     fn point_under(&mut self, load: Load) -> Point {
-        self.press(load);
+        self.load(load);
         match self.find_within() {
             Ok(()) => self.point().insisting(load),
             Err(refusal) => Point::refused(load, &refusal),

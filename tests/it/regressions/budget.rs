@@ -1,8 +1,8 @@
 //! Work and its bound, loading curves, and what is refused.
 
-use super::written;
+use super::{within_three_estimates, written};
 use crate::sketch::Sketch;
-use slipzone::engine::{BUDGET, Status, solve, solve_within};
+use slipzone::engine::{BUDGET, Solver, Status, solve, solve_within};
 
 /// `check` and `explain` said nothing of what `solve` refuses whatever the numbers.
 #[test]
@@ -302,4 +302,28 @@ fn the_strain_left_in_a_stick_zone_counts_as_work() {
     assert_eq!(within.load.force, without.load.force);
     let whole = solve(&scene(true));
     assert!(whole.status == Status::Converged && whole.profile.strain.is_some(), "{:?}", whole.reason);
+}
+
+/// On layers that stiffen steeply from their surface down, stacks of flat punches took grids for `split` that no budget allows, where
+/// `octaves` take a hundredth of the work. Other loads take the usual methods again.
+#[test]
+fn octaves_solve_what_split_has_no_budget_for() {
+    let text = "format = 1\nlayer = { thickness = 1.3, poisson = 0.3, grading = { type = \"linear\", surface = 1.0, base = 100.0 } }\n\
+                punch = { type = \"rounded-flat\", half_width = 0.5, radius = 50.0 }\nload = { half_width = 1.0 }\n";
+    let scene = slipzone::scene::parse("steep", text).unwrap();
+    let mut solver = Solver::new(&scene).unwrap();
+    solver.limit(2_000_000_000);
+    let solution = solver.solve();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+    assert_eq!((solution.plan.kernel, solution.plan.quadrature), ("octaves", "graded-panels"));
+    let reasons = solution.plan.reasons.join("; ");
+    assert!(reasons.contains("more work than the budget"), "{reasons}");
+    assert!(!solution.profile.x.is_empty());
+    let named = format!("{text}solver = {{ quadrature = {{ type = \"graded-panels\" }} }}\n");
+    let exact = solve(&slipzone::scene::parse("named", &named).unwrap());
+    within_three_estimates(&solution, &exact, &["load.force", "load.indentation", "pressure.centre", "pressure.peak"]);
+    solver.press(slipzone::scene::Load::HalfWidth(slipzone::api::Positive::new(0.51).unwrap()));
+    solver.limit(BUDGET);
+    let narrower = solver.solve();
+    assert_eq!((narrower.status, narrower.plan.kernel), (Status::Converged, "split"));
 }
