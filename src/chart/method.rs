@@ -120,7 +120,7 @@ fn info(family: Family, name: &str) -> Option<&'static PluginInfo> {
 fn knob(family: Family, name: &str) -> Option<(&'static str, Vec<u64>)> {
     let mut keys = info(family, name)?.parameters.iter();
     let (key, least, most) = keys.find_map(|parameter| match (parameter.values, parameter.samples) {
-        (Values::Whole(..), [least, .., most]) => Some((parameter.name, *least, *most)),
+        (Values::Whole(..) | Values::Even(..), [least, .., most]) => Some((parameter.name, *least, *most)),
         _ => None,
     })?;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // samples are few

@@ -69,7 +69,9 @@ impl Place {
         output::make_folder(&folder)?;
         let figures = names.filter(|_| cfg!(feature = "plot")).map(|name| format!("{name}.svg"));
         let files = [table, "index.html"].map(str::to_owned).into_iter().chain(figures);
-        let targets = files.map(|name| Target::new(&folder.join(name))).collect::<Result<_, _>>()?;
+        let files: Vec<_> = files.map(|name| (name.clone(), folder.join(name))).collect();
+        output::apart(&files.iter().map(|(name, path)| (name.as_str(), path.as_path())).collect::<Vec<_>>())?;
+        let targets = files.iter().map(|(_, path)| Target::new(path)).collect::<Result<_, _>>()?;
         interrupt::say(|| "interrupted: nothing is written".into());
         Ok(Self { folder, targets })
     }

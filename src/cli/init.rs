@@ -178,9 +178,9 @@ fn written(value: &Value, columns: usize) -> String {
 /// A value for a key of which no example is known.
 fn stand_in(key: &Parameter) -> String {
     match (key.values, key.samples.first()) {
-        (Values::Whole(..), Some(sample)) => sample.to_string(),
+        (Values::Whole(..) | Values::Even(..), Some(sample)) => sample.to_string(),
         (_, Some(sample)) => format!("{sample:?}"),
-        (Values::Whole(least, _), None) => least.to_string(),
+        (Values::Whole(least, _) | Values::Even(least, _), None) => least.to_string(),
         (Values::Flag, None) => "false".into(),
         (Values::OneOf(words), None) => format!("{:?}", words.first().unwrap_or(&"...")),
         (Values::List(..), None) => "[...]".into(),

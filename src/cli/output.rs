@@ -268,12 +268,20 @@ pub(super) fn named(option: &str, path: &Path, hint: &str) -> Result<(), Failure
 
 /// Refuses outputs that would overwrite one another or the scene.
 pub(super) fn distinct(scene: &Path, outputs: &[(&str, &Path)]) -> Result<(), Failure> {
-    for (index, (option, path)) in outputs.iter().enumerate() {
+    for (option, path) in outputs {
         let Some(own) = identity(path) else { continue };
         if identity(scene).as_ref() == Some(&own) {
             let message = format!("{option} would overwrite the scene {}", scene.display());
             return Err(Failure::Usage(message, Some("give the result a name of its own".into())));
         }
+    }
+    apart(outputs)
+}
+
+/// Refuses outputs that would overwrite one another.
+pub(super) fn apart(outputs: &[(&str, &Path)]) -> Result<(), Failure> {
+    for (index, (option, path)) in outputs.iter().enumerate() {
+        let Some(own) = identity(path) else { continue };
         if let Some((other, _)) = outputs[..index].iter().find(|(_, path)| identity(path).as_ref() == Some(&own)) {
             let message = format!("{other} and {option} name the same file {}", path.display());
             return Err(Failure::Usage(message, Some("give each result a name of its own".into())));
@@ -311,28 +319,38 @@ fn folder_of(path: &Path) -> &Path {
 
 /// The file that a path means: links followed, and the folder made absolute when the file is yet to come.
 fn real(path: &Path) -> std::io::Result<PathBuf> {
-    match path.canonicalize() {
-        Ok(real) => Ok(real),
-        // A pipe behind /dev/stdout exists without having a path.
-        Err(_) if path.exists() => Ok(path.into()),
-        Err(error) => {
-            let name = path.file_name().ok_or(error)?;
-            let folder = folder_of(path);
-            let folder = folder.canonicalize().map_err(|error| {
-                std::io::Error::new(error.kind(), format!("its folder {}: {error}", folder.display()))
-            })?;
-            Ok(folder.join(name))
+    let mut path = path.to_path_buf();
+    for _ in 0..MOST_LINKS {
+        match path.canonicalize() {
+            Ok(real) => return Ok(real),
+            // A pipe behind /dev/stdout exists without having a path.
+            Err(_) if path.exists() => return Ok(path),
+            Err(error) => {
+                let name = path.file_name().ok_or(error)?.to_owned();
+                let folder = folder_of(&path);
+                let folder = folder.canonicalize().map_err(|error| {
+                    std::io::Error::new(error.kind(), format!("its folder {}: {error}", folder.display()))
+                })?;
+                match fs::read_link(&path) {
+                    // Of what is yet to come, too.
+                    Ok(target) => path = folder.join(target),
+                    Err(_) => return Ok(folder.join(name)),
+                }
+            }
         }
     }
+    // A ring of links.
+    path.canonicalize()
 }
+
+/// Links followed one after another, as many as systems do.
+const MOST_LINKS: usize = 40;
 
 /// Standard output among the streams of the program.
 const STANDARD_OUTPUT: &str = "/dev/fd/1";
 
 /// The name in `/dev/fd` of the stream that a path leads to, as `/dev/stdout` does, wherever that has been redirected to.
 fn stream(path: &Path) -> Option<PathBuf> {
-    /// As many as systems follow.
-    const MOST_LINKS: usize = 40;
     let streams = Path::new(STANDARD_OUTPUT).parent()?;
     let real = streams.canonicalize().ok()?;
     let mut path = path.to_path_buf();

@@ -83,7 +83,7 @@ fn describe(key: &Parameter) -> Value {
     let other = key.in_place_of.map_or(String::new(), |other| format!("; in place of `{other}`"));
     schema["description"] = json!(format!("{}{other}", key.summary));
     if !key.samples.is_empty() {
-        let whole = matches!(key.values, Values::Whole(..));
+        let whole = matches!(key.values, Values::Whole(..) | Values::Even(..));
         #[allow(clippy::cast_possible_truncation)] // samples are small
         let sample = |sample: &f64| if whole { json!(*sample as i64) } else { json!(sample) };
         schema["examples"] = key.samples.iter().map(sample).collect();
@@ -106,10 +106,15 @@ fn of(values: Values) -> Value {
         Values::Between(least, most) => json!({ "type": "number", "minimum": least, "maximum": most }),
         Values::Whole(least, most) if least == most => json!({ "const": least }),
         Values::Whole(least, most) => json!({ "type": "integer", "minimum": least, "maximum": most }),
+        Values::Even(least, most) => json!({ "type": "integer", "minimum": least, "maximum": most, "multipleOf": 2 }),
         Values::Flag => json!({ "type": "boolean" }),
         Values::Text => json!({ "type": "string" }),
         Values::Line(most) => json!({ "type": "string", "maxLength": most, "pattern": PRINTABLE }),
         Values::OneOf(words) => json!({ "enum": words }),
+        // Words are listed once each.
+        Values::List(entry @ Values::OneOf(_), least, most) => {
+            json!({ "type": "array", "items": of(*entry), "minItems": least, "maxItems": most, "uniqueItems": true })
+        }
         Values::List(entry, least, most) => {
             json!({ "type": "array", "items": of(*entry), "minItems": least, "maxItems": most })
         }

@@ -565,6 +565,16 @@ mod unix {
         json(&fs::read(folder.path().join("real.json")).unwrap());
         let output = run(folder.path(), ["solve", "good.toml", "--json", "scene.json"]);
         assert_eq!(output.status.code(), Some(2), "a link to the scene is the scene");
+        // What it leads to is yet to come.
+        symlink("new.json", folder.path().join("to_new.json")).unwrap();
+        let output = run(folder.path(), ["solve", "good.toml", "--json", "to_new.json", "--csv", "new.json"]);
+        assert_eq!(output.status.code(), Some(2), "two names of one file");
+        run(folder.path(), ["solve", "good.toml", "--json", "to_new.json"]);
+        assert!(folder.path().join("to_new.json").is_symlink());
+        json(&fs::read(folder.path().join("new.json")).unwrap());
+        symlink("ring.json", folder.path().join("ring.json")).unwrap();
+        let output = run(folder.path(), ["solve", "good.toml", "--json", "ring.json"]);
+        assert!(output.status.code().is_some_and(|code| code > 1), "{}", told(&output));
     }
 
     /// A device must be written to, never replaced by a file.

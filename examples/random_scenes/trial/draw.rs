@@ -78,7 +78,7 @@ impl<'a> Artist<'a> {
             Values::UpTo(most) => self.number_within(samples, f64::MIN_POSITIVE, most).into(),
             Values::Between(least, most) => self.number_within(samples, least, most).into(),
             Values::Poisson => self.poisson().into(),
-            Values::Whole(least, most) => self.whole(samples, least, most).into(),
+            Values::Whole(least, most) | Values::Even(least, most) => self.whole(samples, least, most).into(),
             Values::Flag => self.dice.chance(0.5).into(),
             Values::Text => formulas::text(self.dice, name, example, self.wild).into(),
             Values::Line(most) => self.line(most).into(),

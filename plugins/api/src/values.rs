@@ -21,6 +21,8 @@ pub enum Values {
     Between(f64, f64),
     /// A whole number from the first to the second.
     Whole(u64, u64),
+    /// An even number from the first to the second.
+    Even(u64, u64),
     /// `true` or `false`.
     Flag,
     /// Text.

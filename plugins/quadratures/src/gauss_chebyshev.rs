@@ -56,7 +56,7 @@ impl From<EvenCount> for usize {
 
 slipzone_api::register!(Quadrature, "gauss-chebyshev", "the published scheme; treats the kernel as smooth",
     example: "type = \"gauss-chebyshev\"\nn = 60",
-    parameters: [("n", "nodes over the whole contact, even", false, [8.0, 60.0, 200.0], Whole(4, MOST_PINNED as u64))],
+    parameters: [("n", "nodes over the whole contact, even", false, [8.0, 60.0, 200.0], Even(4, MOST_PINNED as u64))],
     source: "CC13 eqs. 55-60, 64-67; F. Erdogan, G. D. Gupta, T. S. Cook (1973)");
 
 /// Nodes at level 0.

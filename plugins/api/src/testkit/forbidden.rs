@@ -25,6 +25,10 @@ pub(super) fn values(values: Values) -> Vec<Value> {
             let outside = outside.filter_map(|whole| i64::try_from(whole).ok().map(Value::Integer));
             outside.chain([Value::Integer(-1), Value::Float(least as f64 + 0.5)]).collect()
         }
+        Values::Even(least, most) => {
+            let odd = i64::try_from(least + 1).ok().map(Value::Integer);
+            self::values(Values::Whole(least, most)).into_iter().chain(odd).collect()
+        }
         Values::Flag | Values::Text | Values::Line(_) => vec![number],
         Values::OneOf(_) => vec![number, Value::String("no such word".into())],
         Values::List(of, ..) => {
