@@ -11,7 +11,7 @@ use super::solution::{Solution, Status};
 use super::stand_in::{self, Decision, StandIn};
 use super::verdict::verdict;
 use crate::engine::accuracy::quantity::Quantity;
-use crate::engine::refine::judged::{Judged, meets};
+use crate::engine::refine::judged::Judged;
 use crate::engine::stand_in::thin;
 use crate::engine::work::budget::BUDGET;
 use crate::plan::{Chosen, Plan, choose};
@@ -181,7 +181,8 @@ impl Solver {
             self.go_on_with(other)?;
             return self.find();
         }
-        if self.ran_out(&found)
+        if found.is_ok()
+            && self.ran_out()
             && let Some(other) = self.chosen.with_less_work()
             && let Some(mut other) = self.met_by(other)
         {
@@ -192,15 +193,12 @@ impl Solver {
         found
     }
 
-    /// Whether the budget ended the search for what the tolerance asks for.
-    fn ran_out(&self, found: &Result<(), Refusal>) -> bool {
-        match &self.judged {
-            _ if found.is_err() => self.layer.meter().within().is_err(),
-            Some(Judged { stopped: Some(Refusal::Limit { .. }), errors, .. }) => {
-                !meets(&self.problem, errors, self.chosen.scene.solver.tolerance.get())
-            }
-            _ => false,
-        }
+    /// Whether the budget ended the search before what was found meets the tolerance.
+    fn ran_out(&self) -> bool {
+        let tolerance = self.chosen.scene.solver.tolerance.get();
+        self.judged.as_ref().is_some_and(|found| {
+            matches!(found.stopped, Some(Refusal::Limit { .. })) && found.worst(&self.problem) > tolerance
+        })
     }
 
     /// The same scene and load by other methods, where these meet the tolerance.
