@@ -319,32 +319,30 @@ fn folder_of(path: &Path) -> &Path {
 
 /// The file that a path means: links followed, and the folder made absolute when the file is yet to come.
 fn real(path: &Path) -> std::io::Result<PathBuf> {
-    let mut path = path.to_path_buf();
-    for _ in 0..MOST_LINKS {
-        match path.canonicalize() {
-            Ok(real) => return Ok(real),
-            // A pipe behind /dev/stdout exists without having a path.
-            Err(_) if path.exists() => return Ok(path),
-            Err(error) => {
-                let name = path.file_name().ok_or(error)?.to_owned();
-                let folder = folder_of(&path);
-                let folder = folder.canonicalize().map_err(|error| {
-                    std::io::Error::new(error.kind(), format!("its folder {}: {error}", folder.display()))
-                })?;
-                match fs::read_link(&path) {
-                    // Of what is yet to come, too.
-                    Ok(target) => path = folder.join(target),
-                    Err(_) => return Ok(folder.join(name)),
-                }
-            }
+    match path.canonicalize() {
+        Ok(real) => Ok(real),
+        // A pipe behind /dev/stdout exists without having a path.
+        Err(_) if path.exists() => Ok(path.into()),
+        Err(error) => {
+            // A link may lead to what is yet to come.
+            let path = links(path).last().unwrap_or_default();
+            let name = path.file_name().ok_or(error)?;
+            let folder = folder_of(&path);
+            let folder = folder.canonicalize().map_err(|error| {
+                std::io::Error::new(error.kind(), format!("its folder {}: {error}", folder.display()))
+            })?;
+            Ok(folder.join(name))
         }
     }
-    // A ring of links.
-    path.canonicalize()
 }
 
-/// Links followed one after another, as many as systems do.
-const MOST_LINKS: usize = 40;
+/// A path, and where its links lead one after another.
+fn links(path: &Path) -> impl Iterator<Item = PathBuf> {
+    /// As many as systems follow.
+    const MOST: usize = 40;
+    let next = |path: &PathBuf| Some(folder_of(path).canonicalize().ok()?.join(fs::read_link(path).ok()?));
+    std::iter::successors(Some(path.to_path_buf()), next).take(MOST)
+}
 
 /// Standard output among the streams of the program.
 const STANDARD_OUTPUT: &str = "/dev/fd/1";
@@ -353,15 +351,8 @@ const STANDARD_OUTPUT: &str = "/dev/fd/1";
 fn stream(path: &Path) -> Option<PathBuf> {
     let streams = Path::new(STANDARD_OUTPUT).parent()?;
     let real = streams.canonicalize().ok()?;
-    let mut path = path.to_path_buf();
-    for _ in 0..MOST_LINKS {
-        let folder = path.parent()?.canonicalize().ok()?;
-        if folder == real {
-            return Some(streams.join(path.file_name()?));
-        }
-        path = folder.join(fs::read_link(&path).ok()?);
-    }
-    None
+    let among_them = |path: &PathBuf| folder_of(path).canonicalize().is_ok_and(|folder| folder == real);
+    links(path).find(among_them).and_then(|path| Some(streams.join(path.file_name()?)))
 }
 
 /// Permissions of a new file before the process's mask; temporary files are private otherwise.

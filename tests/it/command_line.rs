@@ -712,11 +712,11 @@ mod unix {
     fn standard_output_by_its_name_is_not_replaced() {
         let folder = folder();
         let log = folder.path().join("log");
-        for append in [true, false] {
+        symlink("/dev/stdout", folder.path().join("link")).unwrap();
+        for (append, name) in [true, false].into_iter().flat_map(|append| [(append, "/dev/stdout"), (append, "link")]) {
             fs::write(&log, "what was there\n").unwrap();
             let out = fs::OpenOptions::new().append(append).write(true).truncate(!append).open(&log).unwrap();
-            let solved =
-                program(folder.path()).args(["solve", "good.toml", "--csv", "/dev/stdout"]).stdout(out).status();
+            let solved = program(folder.path()).args(["solve", "good.toml", "--csv", name]).stdout(out).status();
             assert_eq!(solved.unwrap().code(), Some(0));
             let text = fs::read_to_string(&log).unwrap();
             let before = if append { "what was there\n" } else { "" };
