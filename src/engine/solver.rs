@@ -184,10 +184,10 @@ impl Solver {
         if found.is_ok()
             && self.ran_out()
             && let Some(other) = self.chosen.with_less_work()
-            && let Some(mut other) = self.met_by(other)
+            && let Some(other) = self.met_by(other)
         {
-            std::mem::swap(self, &mut other);
-            self.usual = Some(Box::new(other));
+            let usual = std::mem::replace(self, other);
+            self.usual = Some(Box::new(usual));
             return Ok(());
         }
         found
@@ -195,10 +195,13 @@ impl Solver {
 
     /// Whether the budget ended the search before what was found meets the tolerance.
     fn ran_out(&self) -> bool {
+        matches!(self.judged, Some(Judged { stopped: Some(Refusal::Limit { .. }), .. })) && !self.is_met()
+    }
+
+    /// Whether what was found meets the tolerance.
+    fn is_met(&self) -> bool {
         let tolerance = self.chosen.scene.solver.tolerance.get();
-        self.judged.as_ref().is_some_and(|found| {
-            matches!(found.stopped, Some(Refusal::Limit { .. })) && found.worst(&self.problem) > tolerance
-        })
+        self.judged.as_ref().is_some_and(|found| found.worst(&self.problem) <= tolerance)
     }
 
     /// The same scene and load by other methods, where these meet the tolerance.
@@ -209,10 +212,14 @@ impl Solver {
         other.find().ok()?;
         other.limit(self.budget);
         // Telling what was found has its own.
-        other.layer.meter().begin(self.budget);
-        other.layer.meter().conclude();
-        let tolerance = other.chosen.scene.solver.tolerance.get();
-        other.judged.as_ref().is_some_and(|found| found.worst(&other.problem) <= tolerance).then_some(other)
+        other.begin_whole();
+        other.is_met().then_some(other)
+    }
+
+    /// A budget of which nothing is kept for telling what is found.
+    fn begin_whole(&self) {
+        self.layer.meter().begin(self.budget);
+        self.layer.meter().conclude();
     }
 
     /// Goes back to the methods that other loads take.

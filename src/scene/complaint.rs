@@ -38,8 +38,10 @@ impl<'m> Complaint<'m> {
                 };
                 return Self::OutOfRange { expected, found: None };
             }
-            let (is_whole, expected) = (is_integer(expected), in_words(expected));
-            if is_whole { Self::NotWhole { expected } } else { Self::WrongType { expected } }
+            match whole(expected) {
+                Some(expected) => Self::NotWhole { expected: expected.into() },
+                None => Self::WrongType { expected: in_words(expected) },
+            }
         } else if let Some(rest) =
             message.strip_prefix("invalid value: ").or_else(|| message.strip_prefix("invalid length "))
         {
@@ -64,17 +66,22 @@ fn quoted<'m>(message: &'m str, prefix: &str) -> Option<(&'m str, &'m str)> {
     rest.split_once("`, ").or_else(|| rest.rsplit_once('`'))
 }
 
-/// Whether a decoder's name of a type is one of whole numbers.
-fn is_integer(expected: &str) -> bool {
-    matches!(expected, "u8" | "u16" | "u32" | "u64" | "usize" | "i8" | "i16" | "i32" | "i64" | "isize")
+/// A decoder's name of a type of whole numbers, in words that fit a scene file; `None` of others.
+fn whole(expected: &str) -> Option<&'static str> {
+    match expected {
+        "u8" | "u16" | "u32" | "u64" | "usize" => Some("an integer of 0 or more"),
+        "i8" | "i16" | "i32" | "i64" | "isize" => Some("an integer"),
+        _ => None,
+    }
 }
 
 /// A decoder's name of a type in words that fit a scene file.
 fn in_words(expected: &str) -> String {
+    if let Some(words) = whole(expected) {
+        return words.into();
+    }
     match expected {
         "f64" => "a number".into(),
-        "u8" | "u16" | "u32" | "u64" | "usize" => "an integer of 0 or more".into(),
-        "i8" | "i16" | "i32" | "i64" | "isize" => "an integer".into(),
         "a sequence" => "an array".into(),
         "a map" => "a table".into(),
         "string only" | "a borrowed string" => "a string".into(),

@@ -34,9 +34,8 @@ pub struct SceneError {
 }
 
 /// What is wrong, where it matters to a study that made the scene.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
-    #[default]
     Other,
     /// The table at this path has no such key.
     UnknownKey(Vec<String>),

@@ -111,12 +111,10 @@ fn of(values: Values) -> Value {
         Values::Text => json!({ "type": "string" }),
         Values::Line(most) => json!({ "type": "string", "maxLength": most, "pattern": PRINTABLE }),
         Values::OneOf(words) => json!({ "enum": words }),
-        // Words are listed once each.
-        Values::List(entry @ Values::OneOf(_), least, most) => {
-            json!({ "type": "array", "items": of(*entry), "minItems": least, "maxItems": most, "uniqueItems": true })
-        }
         Values::List(entry, least, most) => {
-            json!({ "type": "array", "items": of(*entry), "minItems": least, "maxItems": most })
+            // Words are listed once each.
+            let once = matches!(entry, Values::OneOf(_));
+            json!({ "type": "array", "items": of(*entry), "minItems": least, "maxItems": most, "uniqueItems": once })
         }
         Values::ByName(entry) => json!({ "type": "object", "additionalProperties": of(*entry) }),
         Values::Table(keys) => object(keys, None),

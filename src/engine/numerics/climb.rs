@@ -190,7 +190,6 @@ mod tests {
         assert_eq!(trail.top((0.8, 0.5), cusp), None);
     }
 
-    /// It rose from step to step, and will rise again.
     #[test]
     fn a_top_beside_the_middle_is_seen() {
         // It rises by `t^4/2` from the middle to `t`, and falls from there.
@@ -206,6 +205,7 @@ mod tests {
         }
     }
 
+    /// It rose from step to step, and will rise again.
     #[test]
     fn a_top_that_was_stepped_over_is_climbed() {
         let wave = |x: f64| 0.02 - (x - 0.4).powi(2) + 2.0 * (x - 0.4).powi(3);

@@ -35,7 +35,7 @@ impl Solver {
         self.go_back();
         let wishes = self.problem.wishes;
         self.problem.wishes = wishes.along_curve();
-        self.begin_curve();
+        self.begin_whole();
         let last = self.point_under(loads.last());
         let curve = self.curve_to(loads, last);
         self.press(loads.last());
@@ -53,9 +53,10 @@ impl Solver {
     /// All points but the last, whose load was found before: by the stack of flat punches that found it, or one by one.
     fn on_the_way(&mut self, loads: &LoadPath) -> Vec<Point> {
         let earlier: Vec<Load> = loads.loads().take(loads.points() - 1).collect();
-        self.begin_curve();
+        // For all loads on the way together.
+        self.begin_whole();
         let stacked = self.stacked_points(&earlier);
-        self.begin_curve();
+        self.begin_whole();
         let Some(points) = stacked else { return earlier.iter().map(|load| self.point_under(*load)).collect() };
         let each = earlier.iter().zip(points);
         // What the flat punches of the last load do not tell well enough takes its own.
@@ -69,12 +70,6 @@ impl Solver {
             Ok(()) => self.point().insisting(load),
             Err(refusal) => Point::refused(load, &refusal),
         }
-    }
-
-    /// A budget for all loads on the way together.
-    fn begin_curve(&self) {
-        self.layer.meter().begin(self.budget);
-        self.layer.meter().conclude();
     }
 
     /// Points of a loading curve that ends in the load found last; `None` where each has to be solved by itself.
