@@ -79,7 +79,10 @@ impl Journal {
         let failed = |why: &dyn std::fmt::Display| failed(path, why);
         let mut options = OpenOptions::new();
         let file = options.read(true).append(true).create(true).open(path).map_err(|error| failed(&error))?;
-        // Some file systems know no locks, and devices none either.
+        if !file.metadata().map_err(|error| failed(&error))?.is_file() {
+            return Err(failed(&"not a file, and nothing could go on from it; take it away, or take another --out"));
+        }
+        // Some file systems know no locks.
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
             return Err(failed(&"another sweep is writing it; wait, or take another --out"));
         }
@@ -173,9 +176,7 @@ impl Journal {
 
     /// The lines of the records in the order of the study, when all are there.
     pub(super) fn in_order(&self) -> io::Result<InOrder> {
-        self.file
-            .sync_data()
-            .or_else(|error| if error.kind() == io::ErrorKind::InvalidInput { Ok(()) } else { Err(error) })?;
+        self.file.sync_data()?;
         let mut reader = BufReader::with_capacity(1 << 16, File::open(&self.path)?);
         let mut head = Vec::new();
         let at = reader.read_until(b'\n', &mut head)? as u64;

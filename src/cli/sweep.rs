@@ -29,11 +29,12 @@ pub(super) fn run(arguments: &Sweep) -> Result<Outcome, Failure> {
     read.push(arguments.study.clone());
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.study));
     output::make_folder(&folder)?;
-    let mut written = vec![TABLE, LINES, JOURNAL];
-    written.extend(study.plots.iter().filter(|_| cfg!(feature = "plot")).map(|plot| plot.file.as_str()));
-    let written: Vec<_> = written.into_iter().map(|name| folder.join(name)).collect();
-    let outputs: Vec<_> = written.iter().map(|path| ("sweep", path.as_path())).collect();
+    let mut names = vec![TABLE, LINES, JOURNAL];
+    names.extend(study.plots.iter().filter(|_| cfg!(feature = "plot")).map(|plot| plot.file.as_str()));
+    let written: Vec<_> = names.iter().map(|name| folder.join(name)).collect();
+    let outputs: Vec<_> = names.into_iter().zip(written.iter().map(PathBuf::as_path)).collect();
     output::spared("study", &read, &outputs, "name another folder with --out")?;
+    output::apart(&outputs)?;
     let table = Target::new(&folder.join(TABLE))?;
     let lines = Target::new(&folder.join(LINES))?;
     #[cfg(feature = "plot")]

@@ -212,6 +212,28 @@ fn results_that_cannot_be_written_leave_the_journal() {
     assert_eq!(run(folder.path(), ["sweep", "study.toml", "--out", "out"]).status.code(), Some(0));
 }
 
+/// One file under two names would hold the one or the other, and a journal that keeps nothing neither.
+#[cfg(unix)]
+#[test]
+fn results_have_files_of_their_own() {
+    let folder = folder_with(STUDY);
+    let out = folder.path().join("out");
+    fs::create_dir(&out).unwrap();
+    for (link, leads_to, code, word) in [
+        ("results.jsonl", "results.csv", 2, "results.csv and results.jsonl name the same file out/results.jsonl"),
+        ("journal.jsonl", "results.csv", 2, "results.csv and journal.jsonl name the same file"),
+        ("journal.jsonl", "/dev/null", 3, "not a file"),
+    ] {
+        fs::write(out.join("results.csv"), "kept").unwrap();
+        std::os::unix::fs::symlink(leads_to, out.join(link)).unwrap();
+        let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+        assert_eq!(output.status.code(), Some(code), "{link} to {leads_to}");
+        assert!(told(&output).contains(word), "{link} to {leads_to}: {}", told(&output));
+        assert_eq!(read(folder.path(), "out/results.csv"), "kept", "{link} to {leads_to}");
+        fs::remove_file(out.join(link)).unwrap();
+    }
+}
+
 #[test]
 fn folders_that_cannot_be_used() {
     let folder = folder_with(STUDY);
