@@ -1,8 +1,9 @@
 //! What is charted: ways to solve a scene, and how finely.
 
 use super::Effort;
+use crate::scene::example::least;
 use serde::Serialize;
-use slipzone_api::{Family, PluginInfo, Values, plugins};
+use slipzone_api::{Family, Parameter, Values, plugins};
 
 /// A way to solve a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -59,40 +60,34 @@ impl Method {
     #[must_use]
     pub fn settings(&self, effort: Effort) -> Vec<Setting> {
         let (quadrature, kernel) = (self.quadrature, self.kernel);
-        let table = |name: Option<&str>, knob: Option<(&str, String)>| {
-            let knob = knob.map(|(key, value)| format!(", {key} = {value}")).unwrap_or_default();
-            name.map(|name| format!("{{ type = \"{name}\"{knob} }}"))
-        };
+        let quadrature_with = |knob| quadrature.map(|name| table(Family::Quadrature, name, knob));
+        let kernel_with = |knob| kernel.map(|name| table(Family::Kernel, name, knob));
         let lines = |tolerance: f64, quadrature: Option<String>, kernel: Option<String>| {
             let line = |key: &str, table: Option<String>| table.map(|t| format!("{key} = {t}\n")).unwrap_or_default();
             let (quadrature, kernel) = (line("quadrature", quadrature), line("kernel", kernel));
             format!("[solver]\ntolerance = {tolerance:e}\n{quadrature}{kernel}")
         };
         let by_tolerance = thinned(&TOLERANCES, effort).into_iter().map(|tolerance| Setting {
-            solver: lines(tolerance, table(quadrature, None), table(kernel, None)),
+            solver: lines(tolerance, quadrature_with(None), kernel_with(None)),
             resolution: None,
             cutoff: None,
             tolerance,
             series: 0,
         });
         let mut all: Vec<Setting> = by_tolerance.collect();
-        let knobs = quadrature.and_then(|name| knob(Family::Quadrature, name)).zip(kernel);
-        let Some(((key, steps), kernel)) = knobs else { return all };
-        let cutoffs = knob_samples(Family::Kernel, kernel);
+        let Some((key, steps)) = quadrature.and_then(|name| knob(Family::Quadrature, name)) else { return all };
+        let cutoffs = kernel.and_then(|name| knob_samples(Family::Kernel, name));
         let own = [None].into_iter().chain(cutoffs.iter().flat_map(|(key, samples)| {
             let samples: &[f64] = if effort == Effort::Quick { &samples[..1] } else { samples };
             samples.iter().map(move |sample| Some((*key, *sample)))
         }));
         for (series, cutoff) in own.enumerate() {
-            all.extend(thinned(&steps, effort).into_iter().map(|n| {
-                let own = cutoff.map(|(key, value)| (key, format!("{value:?}")));
-                Setting {
-                    solver: lines(PINNED, table(quadrature, Some((key, n.to_string()))), table(Some(kernel), own)),
-                    resolution: Some(n),
-                    cutoff: cutoff.map(|(_, value)| value),
-                    tolerance: PINNED,
-                    series: 1 + series,
-                }
+            all.extend(thinned(&steps, effort).into_iter().map(|n| Setting {
+                solver: lines(PINNED, quadrature_with(Some((key, n as f64))), kernel_with(cutoff)),
+                resolution: Some(n),
+                cutoff: cutoff.map(|(_, value)| value),
+                tolerance: PINNED,
+                series: 1 + series,
             }));
         }
         all
@@ -106,36 +101,42 @@ fn thinned<T: Copy>(steps: &[T], effort: Effort) -> Vec<T> {
     }
 }
 
-/// The middle of the samples of a method's first key; `None` where it has none.
-pub(super) fn middle(family: Family, name: &str) -> Option<(&'static str, f64)> {
-    knob_samples(family, name).map(|(key, samples)| (key, samples[samples.len() / 2]))
+/// The table of a method with the middle of the samples of its first key; without, where it has none.
+pub(super) fn with_middle(family: Family, name: &str) -> String {
+    table(family, name, knob_samples(family, name).map(|(key, samples)| (key, samples[samples.len() / 2])))
 }
 
-fn info(family: Family, name: &str) -> Option<&'static PluginInfo> {
-    slipzone_api::find(family, name)
+/// The inline table of a method, with a knob at a value.
+pub(super) fn table(family: Family, name: &str, knob: Option<(&str, f64)>) -> String {
+    slipzone_api::find(family, name).map_or_else(String::new, |info| least(info, knob))
 }
 
-/// A quadrature's knob, its first key that is a whole number: about half a dozen to a dozen steps over its samples, each
-/// some `sqrt 2` times the one before, in multiples of 4.
+/// A quadrature's knob, its first key that is a whole number: about half a dozen to a dozen steps over its samples.
 fn knob(family: Family, name: &str) -> Option<(&'static str, Vec<u64>)> {
-    let mut keys = info(family, name)?.parameters.iter();
-    let (key, least, most) = keys.find_map(|parameter| match (parameter.values, parameter.samples) {
-        (Values::Whole(..) | Values::Even(..), [least, .., most]) => Some((parameter.name, *least, *most)),
-        _ => None,
-    })?;
+    let mut keys = slipzone_api::find(family, name)?.parameters.iter();
+    keys.find_map(|key| matches!(key.values, Values::Whole(..) | Values::Even(..)).then(|| steps(key)).flatten())
+}
+
+/// The steps of a key from the least of its samples to the largest, each some `sqrt 2` times the one before: multiples
+/// of 4 where all samples are, or of 2 where only even ones will do.
+fn steps(key: &Parameter) -> Option<(&'static str, Vec<u64>)> {
+    let [least, .., most] = *key.samples else { return None };
+    let unit = match key.values {
+        _ if key.samples.iter().all(|sample| sample % 4.0 == 0.0) => 4.0,
+        Values::Even(..) => 2.0,
+        _ => 1.0,
+    };
+    let growing = std::iter::successors(Some(least.max(unit)), |n| Some(n * std::f64::consts::SQRT_2));
+    let all = [least].into_iter().chain(growing.take_while(|n| *n <= 1.01 * most));
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // samples are few
-    let whole = |value: f64| (4.0 * (value / 4.0).round()).max(4.0) as u64;
-    let mut steps: Vec<u64> = std::iter::successors(Some(least), |n| Some(n * std::f64::consts::SQRT_2))
-        .take_while(|n| *n <= 1.01 * most)
-        .map(whole)
-        .collect();
+    let mut steps: Vec<u64> = all.map(|value| (unit * (value / unit).round()) as u64).collect();
     steps.dedup();
-    Some((key, steps))
+    Some((key.name, steps))
 }
 
 /// A kernel strategy's knob, its first key that is a number: its samples.
 fn knob_samples(family: Family, name: &str) -> Option<(&'static str, &'static [f64])> {
-    let first = info(family, name)?.parameters.iter().find(|parameter| !parameter.samples.is_empty())?;
+    let first = slipzone_api::find(family, name)?.parameters.iter().find(|parameter| !parameter.samples.is_empty())?;
     Some((first.name, first.samples))
 }
 
@@ -143,6 +144,18 @@ fn knob_samples(family: Family, name: &str) -> Option<(&'static str, &'static [f
 mod tests {
     use super::*;
     use std::collections::BTreeSet;
+
+    #[test]
+    fn steps_lead_from_the_least_sample_to_the_largest() {
+        let steps_of = |values, samples| {
+            let key = Parameter { samples, ..Parameter::optional("n", "steps", values) };
+            steps(&key).map(|(_, steps)| steps)
+        };
+        assert_eq!(steps_of(Values::Whole(0, 6), &[0.0, 2.0, 4.0]), Some(vec![0, 1, 2, 3, 4]));
+        assert_eq!(steps_of(Values::Even(2, 20), &[2.0, 6.0, 10.0]), Some(vec![2, 4, 6, 8]));
+        assert_eq!(steps_of(Values::Whole(8, 90), &[8.0, 32.0]), Some(vec![8, 12, 16, 24, 32]));
+        assert_eq!(steps_of(Values::Whole(8, 90), &[8.0]), None, "no range");
+    }
 
     #[test]
     fn every_pair_has_settings_by_tolerance_and_by_its_own_knobs() {

@@ -4,8 +4,9 @@ use super::args::Init;
 use super::input::is_dash;
 use super::output::{self, Target};
 use super::{Failure, Outcome, plugins, print};
-use crate::api::{Family, Grading, Parameter, PluginInfo, Values};
+use crate::api::{Family, Parameter, PluginInfo, Values};
 use crate::scene::KEYS;
+use crate::scene::example::knows_thickness;
 use std::fmt::{self, Write};
 use toml::{Table, Value};
 
@@ -82,7 +83,7 @@ const HEAD: &str = "\
 fn scene(punch: &PluginInfo, grading: &PluginInfo) -> Result<String, toml::de::Error> {
     let mut examples: Table = toml::from_str(EXAMPLES)?;
     examples.insert("title".into(), format!("{} punch, {} layer", punch.name, grading.name).into());
-    let own_thickness = toml::from_str::<Box<dyn Grading>>(grading.example)?.thickness().is_some();
+    let own_thickness = knows_thickness(grading);
     let mut text = String::from(HEAD);
     // Writing to a string does not fail.
     let _ = keys(&mut text, KEYS, &examples, &[]);

@@ -152,8 +152,11 @@ fn grading(document: &Document, scene: &Scene) -> Result<(), SceneError> {
         && (given.get() / own.get() - 1.0).abs() > SAME
     {
         return Err(document
-            .not_allowed(&["layer", "thickness"], format!("{}, the sum of the sublayers' thicknesses", own.get()))
-            .hint("leave out `thickness`: the stack knows its own"));
+            .not_allowed(
+                &["layer", "thickness"],
+                format!("{}, the thickness of its grading (of a stack, the sum over its sublayers)", own.get()),
+            )
+            .hint("leave out `thickness`: the grading knows its own"));
     }
     match layer.model() {
         Ok(model) => match model.flaw() {

@@ -6,7 +6,7 @@ use super::error::{Kind, SceneError};
 use super::tables::Tables;
 use serde::de::DeserializeOwned;
 use serde_path_to_error::{Path, Segment};
-use slipzone_api::{Family, PluginInfo, clip, plugins};
+use slipzone_api::{Family, Parameter, PluginInfo, Values, clip, plugins};
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
@@ -95,8 +95,10 @@ fn explain(document: &Document, path: &Path, message: &str) -> SceneError {
         Complaint::WrongType { expected } => {
             // The decoder knows a plugin only as "dyn Grading", wherever in the table it stumbles.
             let expected = match path.as_slice() {
-                [parents @ .., "type"] => family(parents).map(|family| format!("a string, {}", names(family))),
-                path => family(path).map(|family| format!("a table with `type`, {}", names(family))),
+                [parents @ .., "type"] => {
+                    family(document, parents).map(|family| format!("a string, {}", names(family)))
+                }
+                path => family(document, path).map(|family| format!("a table with `type`, {}", names(family))),
             }
             .unwrap_or(expected);
             wrong_type(document, &path, &expected)
@@ -129,7 +131,7 @@ fn unknown_name(document: &Document, mut path: Vec<&str>, name: &str, known: &[&
     }
     let of = match path.as_slice() {
         [parents @ .., "type"] => {
-            family(parents).map(Family::name).or(parents.last().copied()).unwrap_or("type").into()
+            family(document, parents).map(Family::name).or(parents.last().copied()).unwrap_or("type").into()
         }
         _ => format!("`{}`", dotted(&path)),
     };
@@ -145,7 +147,7 @@ fn unknown_name(document: &Document, mut path: Vec<&str>, name: &str, known: &[&
             error.hint("Coulomb friction is solved for in Goodman's approximation: `goodman`")
         }
         ([parents @ .., "type"], word) => {
-            let of_plugin = || family(parents).and_then(|family| slipzone_api::known_elsewhere(family, word));
+            let of_plugin = || family(document, parents).and_then(|family| slipzone_api::known_elsewhere(family, word));
             let meant = match (parents, word) {
                 (["layer", "base"], "bonded" | "fixed" | "clamped") => Some("rigid"),
                 (["layer", "base"], "substrate" | "elastic" | "half-space" | "halfspace") => Some("half-plane"),
@@ -179,7 +181,9 @@ fn meaning(document: &Document, path: &[&str], key: &str) -> String {
     let parameter =
         plugin(document, path).and_then(|info| info.parameters.iter().find(|parameter| parameter.name == key));
     match (path, key) {
-        (_, "type") if family(path).is_some() => format!("`type`, {}", family(path).map_or_else(String::new, names)),
+        (_, "type") if family(document, path).is_some() => {
+            format!("`type`, {}", family(document, path).map_or_else(String::new, names))
+        }
         _ if parameter.is_some() => format!("`{key}`: {}", parameter.map_or("", |parameter| parameter.summary)),
         ([], "layer") => "[layer] with `thickness`, `poisson` and `grading`".into(),
         ([], "punch") => format!("[punch] with `type`, {}", names(Family::Punch)),
@@ -262,16 +266,52 @@ fn remedy(text: &str, expected: &str) -> Option<String> {
         .then(|| format!("the number alone, {number}; units are named in [units]"))
 }
 
-/// The family of plugins that a path of the scene holds; a grading may hold others.
-fn family(path: &[&str]) -> Option<Family> {
-    if let [outer @ .., "layers", _, "grading"] = path {
-        return family(outer).filter(|family| *family == Family::Grading);
+/// The family of plugins that a path of the scene holds; a plugin may hold others, as its keys say.
+fn family(document: &Document, path: &[&str]) -> Option<Family> {
+    (0..path.len())
+        .rev()
+        .find_map(|end| held(plugin(document, &path[..end])?.parameters, &path[end..]))
+        .or_else(|| Family::ALL.into_iter().find(|family| family.place().split('.').eq(path.iter().copied())))
+}
+
+/// The family of plugins that a path among these keys holds.
+fn held(keys: &[Parameter], path: &[&str]) -> Option<Family> {
+    let (name, mut path) = path.split_first()?;
+    let mut values = keys.iter().find(|key| key.name == *name)?.values;
+    while let (Values::List(entry, ..) | Values::ByName(entry), [_, rest @ ..]) = (values, path) {
+        (values, path) = (*entry, rest);
     }
-    Family::ALL.into_iter().find(|family| family.place().split('.').eq(path.iter().copied()))
+    match values {
+        Values::Plugin(family) if path.is_empty() => Some(family),
+        Values::Table(keys) => held(keys, path),
+        _ => None,
+    }
 }
 
 /// The plugin that the table at a path names.
 fn plugin(document: &Document, path: &[&str]) -> Option<&'static PluginInfo> {
     let name = document.table(path)?.get("type")?.get_ref().as_str()?;
-    slipzone_api::find(family(path)?, name)
+    slipzone_api::find(family(document, path)?, name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_key_that_holds_plugins_is_known_wherever_it_stands() {
+        const GRADING: Values = Values::Plugin(Family::Grading);
+        const PART: [Parameter; 1] = [Parameter::required("of", "the part's", GRADING)];
+        let keys = [
+            Parameter::required("one", "another", GRADING),
+            Parameter::optional("named", "others", Values::ByName(&GRADING)),
+            Parameter::optional("parts", "parts", Values::List(&Values::Table(&PART), 1, 9)),
+        ];
+        for path in [&["one"][..], &["named", "my"], &["parts", "3", "of"]] {
+            assert_eq!(held(&keys, path), Some(Family::Grading), "{path:?}");
+        }
+        for path in [&["one", "type"][..], &["named"], &["parts", "3"], &["parts", "3", "type"], &["other"]] {
+            assert_eq!(held(&keys, path), None, "{path:?}");
+        }
+    }
 }

@@ -13,6 +13,7 @@ mod complaint;
 pub(crate) mod decode;
 pub(crate) mod document;
 mod error;
+pub(crate) mod example;
 mod keys;
 mod load_keys;
 mod load_path;

@@ -1,8 +1,9 @@
 //! The JSON schema of a scene file, for editors.
 
 use super::KEYS;
+use super::example::knows_thickness;
 use serde_json::{Map, Value, json};
-use slipzone_api::{Family, Grading, MODERATE, Parameter, PluginInfo, Values, plugins};
+use slipzone_api::{Family, MODERATE, Parameter, PluginInfo, Values, plugins};
 
 /// The schema of a scene file (JSON schema, draft 7), made from the registry: it knows every plugin that is linked.
 ///
@@ -131,8 +132,12 @@ const PRINTABLE: &str = r"^[^\u0000-\u001f\u007f-\u009f]*$";
 /// A layer has a thickness, unless its grading knows its own; a solid without a base has none.
 fn thickness() -> [(&'static str, Value); 3] {
     let given = json!({ "required": ["thickness"] });
-    let gradings = plugins().into_iter().filter(|info| info.family == Family::Grading && knows_thickness(info));
-    let names: Vec<_> = gradings.map(|info| info.name).collect();
+    // One that holds another may know what that knows.
+    let holds_another =
+        |info: &PluginInfo| info.parameters.iter().any(|key| key.values == Values::Plugin(Family::Grading));
+    let gradings = plugins().into_iter().filter(|info| info.family == Family::Grading);
+    let known = gradings.filter(|info| knows_thickness(info) || holds_another(info));
+    let names: Vec<_> = known.map(|info| info.name).collect();
     let known =
         json!({ "properties": { "grading": { "properties": { "type": { "enum": names } }, "required": ["type"] } } });
     let infinite = json!({ "properties": { "type": { "const": "infinite" } }, "required": ["type"] });
@@ -141,9 +146,4 @@ fn thickness() -> [(&'static str, Value); 3] {
         ("then", json!({ "not": given })),
         ("else", json!({ "anyOf": [given, known] })),
     ]
-}
-
-/// Whether a layer of this grading needs no thickness of its own.
-fn knows_thickness(info: &PluginInfo) -> bool {
-    toml::from_str::<Box<dyn Grading>>(info.example).is_ok_and(|grading| grading.thickness().is_some())
 }

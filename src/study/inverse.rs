@@ -114,18 +114,38 @@ impl Question<'_> {
             places.reverse();
         }
         let (at, moved) = places[0];
-        let value = self.value(at);
-        let solution = self.solution(value, false).map_err(|why| self.placed(at, &why))?;
-        let tolerance = solution.scene.solver.tolerance.get();
-        let excess_error = self.excess_error(&solution);
         let moved = match (moved, self.slope(at)) {
             (Moved::BySlope(_), Some(slope)) => Moved::BySlope(slope),
             _ => moved,
         };
-        let error = self.relative(value) * (moved.by(excess_error) + tolerance);
+        let (point, off, solution) = self.settled(at, moved)?;
+        let tolerance = solution.scene.solver.tolerance.get();
+        let value = self.value(point.at);
+        let error = self.relative(value) * (moved.by(off) + tolerance);
         let others = places[1..].iter().map(|(at, _)| self.value(*at)).collect();
-        let is_at_end = matches!(moved, Moved::ByRoot(_)) && (at <= 0.0 || at >= 1.0);
+        let is_at_end = matches!(moved, Moved::ByRoot(_)) && (point.at <= 0.0 || point.at >= 1.0);
         Ok((Found { field: self.find.field.clone(), value, error, others, is_at_end }, solution))
+    }
+
+    /// An answer seen with all that is asked for, and by how much the number may be off there. It was looked for with solutions for the
+    /// number alone, which may be rougher: where the number is not as wanted after all, one step along its slope is taken.
+    fn settled(&self, at: f64, moved: Moved) -> Result<(Point, f64, Solution), String> {
+        let see = |at: f64| {
+            let solution = self.solution(self.value(at), false).map_err(|why| self.placed(at, &why))?;
+            self.seen(at, &solution).map(|point| (point, solution))
+        };
+        let (mut point, mut solution) = see(at)?;
+        let Moved::BySlope(slope) = moved else {
+            let off = point.error.max(self.point(at)?.error);
+            return Ok((point, off, solution));
+        };
+        if !point.may_be_hit()
+            && let Ok((nearer, there)) = see((at - point.excess / slope).clamp(0.0, 1.0))
+            && nearer.excess.abs() < point.excess.abs()
+        {
+            (point, solution) = (nearer, there);
+        }
+        Ok((point, point.error + point.excess.abs(), solution))
     }
 
     /// The slope of the number around a place, where it can be told.
@@ -325,10 +345,13 @@ impl Question<'_> {
     }
 
     fn point(&self, at: f64) -> Result<Point, String> {
-        let solution = self.solution(self.value(at), true)?;
+        self.seen(at, &self.solution(self.value(at), true)?)
+    }
+
+    fn seen(&self, at: f64, solution: &Solution) -> Result<Point, String> {
         let number =
             solution.number(&self.find.quantity).ok_or_else(|| format!("{} is undefined", self.find.quantity))?;
-        let error = self.excess_error(&solution);
+        let error = self.excess_error(solution);
         let excess = match self.find.wanted {
             Wanted::Target(target) => number - target,
             Wanted::Minimum => number,

@@ -140,15 +140,6 @@ impl Contact {
     }
 }
 
-/// A plugin's table with every resolution left open, or its example where a key must be given.
-pub(super) fn open(info: &PluginInfo) -> String {
-    if info.parameters.iter().any(|key| key.required) {
-        let lines: Vec<_> = info.example.lines().collect();
-        return format!("{{ {} }}", lines.join(", "));
-    }
-    format!("{{ type = {:?} }}", info.name)
-}
-
 /// The members of a family that serve any contact; others have checks of their own.
 pub(super) fn members(family: Family) -> impl Iterator<Item = &'static PluginInfo> {
     plugins().into_iter().filter(move |info| info.family == family && serves_any_contact(info.name))

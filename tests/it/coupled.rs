@@ -98,7 +98,9 @@ impl Coupled {
     /// `int_0^t` of `k_vv`, `k_uu` and `k_uv`.
     fn kernels(&self, t: f64) -> [f64; 3] {
         self.waves.iter().fold([0.0; 3], |[vv, uu, uv], (s, weight, m)| {
-            let (even, odd) = (weight * 2.0 * (0.5 * s * t).sin().powi(2) / s, weight * (s * t).sin() / s);
+            // 1 - cos(s t) and sin(s t).
+            let (sin, cos) = (0.5 * s * t).sin_cos();
+            let [even, odd] = [sin, cos].map(|other| weight * 2.0 * sin * other / s);
             [vv + m.vv * even, uu + m.uu * even, uv + m.uv * odd]
         })
     }

@@ -856,6 +856,23 @@ fn the_error_of_an_answer_has_no_unit() {
     assert!((small / large - 1.0).abs() < 0.1, "{small}, {large}");
 }
 
+/// Near full stick few unknowns tell `a/b` to the tolerance, but not what friction belongs to it: the place was that of the
+/// rough solutions, off by 26 times its error, which was that of the one reported.
+#[test]
+fn an_answer_is_that_of_the_solution_reported() {
+    let scene = "format = 1\nlayer = { thickness = 2.0, poisson = 0.3, grading = { type = \"homogeneous\", modulus = 1.0 } }\n\
+                 punch = { type = \"flat\", half_width = 1.0 }\nfriction = { type = \"goodman\", coefficient = 0.5 }\n\
+                 load = { force = 1.0 }\n";
+    let asked = |quantity: &str, target: f64| {
+        let range = "field = \"friction.coefficient\"\nfrom = 0.02\nto = 3.0";
+        let found = found(scene, &format!("{range}\nquantity = \"{quantity}\"\ntarget = {target:?}"));
+        ["value", "error"].map(|key| found["found"][key].as_f64().unwrap())
+    };
+    let (rest, ratio) = (7.4e-6, 1.0 - 7.4e-6);
+    let ([one, error], [other, other_error]) = (asked("stick.ratio", ratio), asked("stick.one_minus_ratio", rest));
+    assert!((one - other).abs() < error + other_error, "{one} to {error}, {other} to {other_error}");
+}
+
 /// Neither data nor scene nor study is given away for a result.
 #[test]
 fn no_result_takes_the_place_of_what_the_study_reads() {

@@ -81,7 +81,7 @@ pub struct PluginInfo {
     pub summary: &'static str,
     /// Words for it elsewhere, of which a scene that has one is told its name: lower case, `-` between words.
     pub also: &'static [&'static str],
-    /// A table body (TOML, `type` included) that parses.
+    /// A table body (TOML, `type` included) that parses, and is complete without files.
     pub example: &'static str,
     /// Keys besides `type`.
     pub parameters: &'static [Parameter],

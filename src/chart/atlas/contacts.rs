@@ -1,7 +1,7 @@
 //! One contact by every method.
 
 use super::{Cell, Ended};
-use crate::chart::method::middle;
+use crate::chart::method::{table, with_middle};
 use crate::chart::{Errors, Measured, Method};
 use crate::engine::{BUDGET, Solution, Status, first_not_finite, solve_within};
 use crate::scene::parse;
@@ -33,13 +33,11 @@ struct Way {
 
 /// What the program chooses; each quadrature with each kernel strategy; the published route.
 fn ways() -> Vec<Way> {
-    let table = |family: Family, name: &str| match middle(family, name) {
-        Some((key, value)) => format!("{{ type = \"{name}\", {key} = {value} }}"),
-        None => format!("{{ type = \"{name}\" }}"),
-    };
     let way = |method: Method| {
         let lines = method.quadrature.zip(method.kernel).map(|(quadrature, kernel)| {
-            format!("quadrature = {}\nkernel = {{ type = \"{kernel}\" }}\n", table(Family::Quadrature, quadrature))
+            let (quadrature, kernel) =
+                (with_middle(Family::Quadrature, quadrature), table(Family::Kernel, kernel, None));
+            format!("quadrature = {quadrature}\nkernel = {kernel}\n")
         });
         let solver = format!("tolerance = {TOLERANCE:e}\n{}", lines.unwrap_or_default());
         Way { name: method.name(), quadrature: method.quadrature, solver }
@@ -49,8 +47,8 @@ fn ways() -> Vec<Way> {
         quadrature: Some("gauss-chebyshev"),
         solver: format!(
             "tolerance = {TOLERANCE:e}\nflexibility = {{ type = \"transfer-matrix\" }}\nkernel = {}\nquadrature = {}\n",
-            table(Family::Kernel, "truncated"),
-            table(Family::Quadrature, "gauss-chebyshev")
+            with_middle(Family::Kernel, "truncated"),
+            with_middle(Family::Quadrature, "gauss-chebyshev")
         ),
     };
     Method::all().into_iter().map(way).chain([published]).collect()

@@ -1,10 +1,11 @@
 //! Gradings that can imitate another: the same flexibility, the same numbers.
 
+use crate::scene::example::knows_thickness;
 use crate::verify::Case;
 use crate::verify::check::Within;
 use crate::verify::contact::{Contact, has, members, number, numbers};
 use crate::verify::layers::{BASES, PROMISED, apart, compliance};
-use slipzone_api::Family;
+use slipzone_api::{Family, PluginInfo};
 
 const PLAIN: &str = "{ type = \"homogeneous\", modulus = 1.0 }";
 const STEEP: &str = "{ type = \"exponential\", surface = 1.0, base = 5.0 }";
@@ -100,7 +101,7 @@ fn lines(base: &str, grading: &str) -> String {
 
 pub(super) fn cases() -> Vec<Case> {
     let mut all: Vec<Case> = PAIRS.map(|(name, one, other)| pair(name, one, other)).into();
-    all.extend(members(Family::Grading).map(|info| series(info.name, info.example)));
+    all.extend(members(Family::Grading).map(series));
     all.extend([
         young(),
         interfaces("sigmoid", 1.0),
@@ -150,10 +151,11 @@ fn pair(name: &'static str, one: &'static str, other: &'static str) -> Case {
 }
 
 /// The modulus near the surface is what its Taylor series says, which the kernels' tails are made of.
-fn series(name: &'static str, example: &'static str) -> Case {
+fn series(info: &'static PluginInfo) -> Case {
+    let name = info.name;
     Case::new(format!("series of {name}"), move |sheet| {
-        let thickness = if name == "stack" { "" } else { "thickness = 3.0\n" };
-        let layer = format!("{thickness}poisson = 0.3\n[layer.grading]\n{example}");
+        let thickness = if knows_thickness(info) { "" } else { "thickness = 3.0\n" };
+        let layer = format!("{thickness}poisson = 0.3\n[layer.grading]\n{}", info.example);
         let scene = Contact::flat(layer).scene()?;
         let law = scene.layer.law().map_err(|refusal| refusal.to_string())?;
         let series = law.surface_series(12);

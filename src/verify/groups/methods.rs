@@ -1,9 +1,10 @@
 //! Whole contacts by different methods: nothing is shared but the scene.
 
 use crate::engine::Status;
+use crate::scene::example::least;
 use crate::verify::Case;
 use crate::verify::check::{Sheet, Within};
-use crate::verify::contact::{Contact, claimed, layer, members, number, numbers, open};
+use crate::verify::contact::{Contact, claimed, layer, members, number, numbers};
 use slipzone_api::Family;
 
 /// Name, contact, and the tolerance that every method is to meet.
@@ -26,7 +27,7 @@ pub(super) fn cases() -> Vec<Case> {
             _ => "de-sinc",
         };
         members(family).filter(move |info| info.name != usual).map(move |info| {
-            let table = open(info);
+            let table = least(info, None);
             Case::new(info.name, move |sheet| {
                 against(sheet, family, (info.name, &table), usual);
                 Ok(())

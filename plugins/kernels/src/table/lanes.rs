@@ -6,6 +6,9 @@ use pulp::Simd;
 /// through, and few enough for sums and variables to stay in the 16 vectors that a processor has.
 const WIDE: usize = 6;
 
+/// All bits but that of the sign. `abs_f64s` makes it anew for each vector, by two calls in builds for tests: a tenth of all they run.
+const UNSIGNED: f64 = f64::from_bits(i64::MAX.cast_unsigned());
+
 /// The three polynomials of a kernel on one piece.
 #[derive(Clone, Copy)]
 pub(super) struct Piece<'a> {
@@ -23,9 +26,9 @@ pub(super) struct Piece<'a> {
 #[inline(always)]
 pub(super) fn within<S: Simd>(simd: S, t: &[f64], (lower, upper): (f64, f64)) -> usize {
     let (vectors, rest) = S::as_simd_f64s(t);
-    let (low, high) = (simd.splat_f64s(lower), simd.splat_f64s(upper));
+    let (low, high, unsigned) = (simd.splat_f64s(lower), simd.splat_f64s(upper), simd.splat_f64s(UNSIGNED));
     for (i, t) in vectors.iter().enumerate() {
-        let size = simd.abs_f64s(*t);
+        let size = simd.and_f64s(*t, unsigned);
         let outside = simd.or_m64s(simd.less_than_or_equal_f64s(size, low), simd.less_than_f64s(high, size));
         let first = simd.first_true_m64s(outside);
         if first < S::F64_LANES {
@@ -75,10 +78,10 @@ pub(super) fn parts_into<S: Simd>(simd: S, piece: Piece, t: &[f64], out: [&mut [
 #[inline(always)]
 fn block<S: Simd, const N: usize>(simd: S, piece: &Piece, t: &[S::f64s; N], out: [&mut [S::f64s; N]; 3]) {
     let (slope, offset) = (simd.splat_f64s(piece.slope), simd.splat_f64s(piece.offset));
-    let (zero, sign_bit) = (simd.splat_f64s(0.0), simd.splat_f64s(-0.0));
+    let (zero, sign_bit, unsigned) = (simd.splat_f64s(0.0), simd.splat_f64s(-0.0), simd.splat_f64s(UNSIGNED));
     let mut v = [zero; N];
     for i in 0..N {
-        let x = if piece.at_origin { simd.mul_f64s(t[i], t[i]) } else { simd.abs_f64s(t[i]) };
+        let x = if piece.at_origin { simd.mul_f64s(t[i], t[i]) } else { simd.and_f64s(t[i], unsigned) };
         v[i] = simd.mul_add_e_f64s(slope, x, offset);
     }
     let [smooth, sign, log] = out;
