@@ -89,19 +89,32 @@ pub fn parse_with(name: &str, text: &str, files: &dyn Files) -> Result<Scene, Sc
     if text.len() > LARGEST {
         return Err(too_large("scene", name));
     }
-    checked(&Document::parse(name, text)?, files)
+    checked(&Document::parse(name, text)?, files, &Known::default())
 }
 
 /// The scene that a document describes, every check passed.
-fn checked(document: &Document, files: &dyn Files) -> Result<Scene, SceneError> {
+fn checked(document: &Document, files: &dyn Files, known: &Known) -> Result<Scene, SceneError> {
     let mut scene = decoded(document)?;
-    scene.layer.grading.read(files).map_err(|fault| document.fault(&["layer", "grading"], fault))?;
-    scene.punch.read(files).map_err(|fault| document.fault(&["punch"], fault))?;
+    match known.grading {
+        Some(known) => scene.layer.grading = known.layer.grading.clone(),
+        None => scene.layer.grading.read(files).map_err(|fault| document.fault(&["layer", "grading"], fault))?,
+    }
+    match known.punch {
+        Some(known) => scene.punch = known.punch.clone(),
+        None => scene.punch.read(files).map_err(|fault| document.fault(&["punch"], fault))?,
+    }
     if scene.layer.base != Base::Infinite {
         scene.layer.thickness = scene.layer.thickness.or(scene.layer.grading.thickness());
     }
     check::all(document, &scene)?;
     Ok(scene)
+}
+
+/// Scenes whose plugins, as a document describes them, have read their files already.
+#[derive(Default)]
+struct Known<'a> {
+    grading: Option<&'a Scene>,
+    punch: Option<&'a Scene>,
 }
 
 /// The scene that a document describes, its files not read yet.

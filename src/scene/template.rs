@@ -2,7 +2,7 @@
 
 use super::document::{Document, SHOWN, written};
 use super::error::{Kind, SceneError};
-use super::{Scene, checked};
+use super::{Known, Scene, checked};
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use slipzone_api::{Files, clip};
@@ -36,7 +36,7 @@ impl Template {
     /// A table of another document, in which its errors have their places.
     pub(crate) fn within(document: &Document, table: &str, files: &dyn Files) -> Result<(Self, Scene), SceneError> {
         let part = document.part("scene", table);
-        let scene = checked(&part, files)?;
+        let scene = checked(&part, files, &Known::default())?;
         // Places are not needed any more: replaced values have none in this text.
         let mut whole = toml::Table::new();
         for (key, value) in part.tree().get_ref() {
@@ -45,8 +45,14 @@ impl Template {
         Ok((Self { name: part.name().into(), text: whole.to_string() }, scene))
     }
 
-    /// The scene with some values replaced, or set where nothing stood. Its errors have no place.
-    pub(crate) fn with(&self, replacements: &[Replacement], files: &dyn Files) -> Result<Scene, SceneError> {
+    /// Its `scene` with some values replaced, or set where nothing stood. Its errors have no place. What the scene has read and
+    /// made of files is not read again for a section that stays as it is.
+    pub(crate) fn with(
+        &self,
+        scene: &Scene,
+        replacements: &[Replacement],
+        files: &dyn Files,
+    ) -> Result<Scene, SceneError> {
         let whole = |what: String| SceneError::whole(&self.name, what);
         let mut tree = DeTable::parse(&self.text).map_err(|error| whole(error.message().into()))?;
         for Replacement { path, value } in replacements {
@@ -58,7 +64,12 @@ impl Template {
                     .of_kind(Kind::NoPlace)
             })?;
         }
-        checked(&Document::of_scene(&self.name, tree), files)
+        let is_kept = |section: &[&str]| !replacements.iter().any(|replaced| overlap(replaced.path, section));
+        let known = Known {
+            grading: is_kept(&["layer", "grading"]).then_some(scene),
+            punch: is_kept(&["punch"]).then_some(scene),
+        };
+        checked(&Document::of_scene(&self.name, tree), files, &known)
     }
 
     /// What errors call the scene.
@@ -70,6 +81,11 @@ impl Template {
     pub(crate) fn text(&self) -> &str {
         &self.text
     }
+}
+
+/// Whether one of two paths leads into what the other leads to.
+fn overlap(path: &[String], other: &[&str]) -> bool {
+    path.iter().zip(other).all(|(one, other)| one == other)
 }
 
 /// Puts a value where a path leads, making tables on the way; tells how far it came otherwise.
@@ -114,4 +130,39 @@ pub(crate) fn plain(document: &Document, value: &Spanned<DeValue>) -> Result<tom
             .found(format!("`{}`", clip(&written(value.get_ref()), SHOWN)))
             .expected("a number with a decimal point, or one nearer to 0")
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use slipzone_api::NoFiles;
+
+    struct Heights;
+
+    impl Files for Heights {
+        fn read(&self, _: &str) -> Result<Vec<u8>, String> {
+            Ok(b"0,0\n1,1\n2,4\n3,9\n4,16\n".to_vec())
+        }
+    }
+
+    #[test]
+    fn what_a_section_has_read_is_not_read_again_while_it_stays_as_it_is() {
+        crate::link_plugins();
+        let text = "format = 1\nlayer = { thickness = 1.0, poisson = 0.3, grading = { type = \"homogeneous\", modulus = 1.0 } }\n\
+                    punch = { type = \"table\", file = \"heights.csv\" }\nload = { half_width = 1.0 }\n";
+        let (template, scene) = Template::parse("scene.toml", text.into(), &Heights).unwrap();
+        let with = |path: &[&str], value: &'static str| {
+            let path: Vec<String> = path.iter().copied().map(str::to_owned).collect();
+            template.with(&scene, &[Replacement { path: &path, value: value.into() }], &NoFiles)
+        };
+        for path in [&["load", "half_width"][..], &["layer", "grading", "modulus"], &["layer", "poisson"]] {
+            assert!(with(path, "0.25").is_ok(), "{path:?}");
+        }
+        for (path, value) in
+            [(&["punch", "height_unit"][..], "2.0"), (&["punch"], "{ type = \"table\", file = \"heights.csv\" }")]
+        {
+            let error = with(path, value).unwrap_err();
+            assert!(error.message.contains("cannot read the file"), "{path:?}: {error}");
+        }
+    }
 }
