@@ -27,6 +27,8 @@ const BESIDE: f64 = 1e-3;
 const JUMP: f64 = 0.01;
 /// Part of the way between two places to within which a root is told at least, for a jump to show.
 const NEAR: f64 = JUMP * JUMP;
+/// How many times as deep as by a parabola through three steps a number may turn between them.
+const DEEPER: f64 = 2.0;
 /// Iterations of a search that has a bracket.
 const MOST: u64 = 100;
 
@@ -194,6 +196,7 @@ impl Question<'_> {
         let places: Vec<Place> = points.iter().map(Point::place).collect();
         let is_adjacent = |pair: &&[Place]| pair[1].0 - pair[0].0 < 1.5 * step;
         let mut found = self.roots(places.windows(2).filter(is_adjacent).map(|pair| [pair[0], pair[1]]))?;
+        found.extend(self.turns(places.windows(3).filter(|three| three.windows(2).all(|pair| is_adjacent(&pair))))?);
         // Steps may hit it.
         self.is_no_plateau(points, |pair| pair.iter().any(|point| point.excess == 0.0))?;
         let hit = places.windows(2).filter(|pair| pair[0].1 == 0.0 || pair[1].1 == 0.0);
@@ -222,6 +225,33 @@ impl Question<'_> {
             return Err(self.outside_at_end());
         }
         Ok(found)
+    }
+
+    /// The crossings around a place, of three, at which the number comes nearest to what is wanted, where it may turn beyond that.
+    fn turns<'p>(&self, threes: impl Iterator<Item = &'p [Place]>) -> Result<Vec<(f64, Moved)>, String> {
+        let mut found = Vec::new();
+        for three in threes {
+            let sign = three[1].1.signum();
+            let [one, nearest, other] = [0, 1, 2].map(|i| sign * three[i].1);
+            let (rise, bend) = (0.5 * (other - one), one - 2.0 * nearest + other);
+            // A parabola through them falls that far.
+            let falls = 0.5 * rise * rise / bend;
+            if nearest > 0.0 && one > nearest && other >= nearest && DEEPER * falls > nearest {
+                let lowest = self.lowest(sign, [three[0].0, three[2].0], one.max(other))?;
+                found.extend(self.roots([[three[0], lowest], [lowest, three[2]]].into_iter())?);
+            }
+        }
+        Ok(found)
+    }
+
+    /// Where `sign` times the excess is least between two places, and the excess there; `highest` is no less than it is around.
+    fn lowest(&self, sign: f64, [lower, upper]: [f64; 2], highest: f64) -> Result<Place, String> {
+        let valley = Valley { question: self, sign, lower, upper, highest };
+        let found = Executor::new(valley, Brent::new(), PointState::new(0.5 * (lower + upper)))
+            .max_iter(MOST)
+            .run()
+            .map_err(|error| error.to_string())?;
+        Ok((*found.param(), sign * found.cost()))
     }
 
     /// Refuses a number that is as wanted, within its error, at a step and at the next one: any value between them answers. Of pairs
@@ -268,14 +298,8 @@ impl Question<'_> {
         let ends = [(lowest.0 - step).max(0.0), (lowest.0 + step).min(1.0)];
         let ends = ends.map(|end| self.reached(points, lowest, end));
         let highest = points.iter().fold(f64::NEG_INFINITY, |most, point| most.max(point.excess));
-        let [(lower, _), (upper, _)] = ends;
-        let valley = Valley { question: self, lower, upper, highest };
-        let found = Executor::new(valley, Brent::new(), PointState::new(0.5 * (lower + upper)))
-            .max_iter(MOST)
-            .run()
-            .map_err(|error| error.to_string())?;
+        let inside = self.lowest(1.0, ends.map(|end| end.0), highest)?;
         // A value that falls to the very end of what can be solved has its least there, where Brent's method does not look.
-        let inside = (*found.param(), found.cost());
         let (at, excess) = seen.chain(ends).chain([inside]).min_by(lower_of).unwrap_or(inside);
         self.is_surrounded(points, (at, excess))?;
         // Between the steps may be some that could not be solved.
@@ -405,9 +429,11 @@ fn half_plane(scene: &Scene) -> Result<Scene, String> {
 /// A stretch of the range in which the least value lies.
 struct Valley<'a> {
     question: &'a Question<'a>,
+    /// 1, or -1 where the largest is looked for.
+    sign: f64,
     lower: f64,
     upper: f64,
-    /// The largest value seen.
+    /// No less than any value around.
     highest: f64,
 }
 
@@ -426,6 +452,6 @@ impl CostFunction for Valley<'_> {
 
     fn cost(&self, at: &f64) -> Result<f64, Self::Error> {
         // What cannot be solved is no place for the least.
-        Ok(self.question.excess(*at).unwrap_or(self.highest))
+        Ok(self.question.excess(*at).map_or(self.highest, |excess| self.sign * excess))
     }
 }

@@ -856,6 +856,31 @@ fn the_error_of_an_answer_has_no_unit() {
     assert!((small / large - 1.0).abs() < 0.1, "{small}, {large}");
 }
 
+/// The force that holds a contact is least on a layer some fourteen half-widths thick, which is between two steps.
+#[test]
+fn a_number_that_turns_between_steps_is_met_on_either_side() {
+    let scene = |thickness: f64| {
+        format!(
+            "format = 1\nlayer = {{ thickness = {thickness:?}, poisson = 0.4, base = {{ type = \"frictionless\" }}, \
+             grading = {{ type = \"exponential\", surface = 1.0, base = 0.93 }} }}\n\
+             punch = {{ type = \"cylinder\", radius = 8.0 }}\nload = {{ half_width = 1.0 }}\n"
+        )
+    };
+    let force = |thickness: f64| {
+        let solution = slipzone::engine::solve(&slipzone::scene::parse("scene.toml", &scene(thickness)).unwrap());
+        solution.number("load.force").unwrap()
+    };
+    let range = "field = \"layer.thickness\"\nfrom = 0.3\nto = 30.0\nquantity = \"load.force\"";
+    let least = found(&scene(1.0), &format!("{range}\nminimum = true"));
+    let least = least["found"]["value"].as_f64().unwrap();
+    let target = force(1.03 * least);
+    let met = found(&scene(1.0), &format!("{range}\ntarget = {target:?}"));
+    let others = met["found"]["others"].as_array().unwrap().iter().map(|other| other.as_f64().unwrap());
+    let met: Vec<f64> = [met["found"]["value"].as_f64().unwrap()].into_iter().chain(others).collect();
+    assert!(met.len() == 2 && met[0] < least && (met[1] / (1.03 * least) - 1.0).abs() < 1e-4, "{met:?}, {least}");
+    assert!((force(met[0]) / target - 1.0).abs() < 1e-8, "{met:?}");
+}
+
 /// Near full stick few unknowns tell `a/b` to the tolerance, but not what friction belongs to it: the place was that of the
 /// rough solutions, off by 26 times its error, which was that of the one reported.
 #[test]
