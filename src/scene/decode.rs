@@ -268,30 +268,40 @@ fn remedy(text: &str, expected: &str) -> Option<String> {
 
 /// The family of plugins that a path of the scene holds; a plugin may hold others, as its keys say.
 fn family(document: &Document, path: &[&str]) -> Option<Family> {
-    (0..path.len())
-        .rev()
-        .find_map(|end| held(plugin(document, &path[..end])?.parameters, &path[end..]))
-        .or_else(|| Family::ALL.into_iter().find(|family| family.place().split('.').eq(path.iter().copied())))
+    let whole = |family: Family| family.place().split('.').count();
+    let begins = |family: &Family| family.place().split('.').eq(path.iter().take(whole(*family)).copied());
+    let mut family = Family::ALL.into_iter().find(begins)?;
+    let mut rest = &path[whole(family)..];
+    while !rest.is_empty() {
+        let info = named(document, &path[..path.len() - rest.len()], family)?;
+        (family, rest) = held(info.parameters, rest)?;
+    }
+    Some(family)
 }
 
-/// The family of plugins that a path among these keys holds.
-fn held(keys: &[Parameter], path: &[&str]) -> Option<Family> {
+/// The family of plugins that a path among these keys leads to, and what is left of the path.
+fn held<'p>(keys: &[Parameter], path: &'p [&'p str]) -> Option<(Family, &'p [&'p str])> {
     let (name, mut path) = path.split_first()?;
     let mut values = keys.iter().find(|key| key.name == *name)?.values;
     while let (Values::List(entry, ..) | Values::ByName(entry), [_, rest @ ..]) = (values, path) {
         (values, path) = (*entry, rest);
     }
     match values {
-        Values::Plugin(family) if path.is_empty() => Some(family),
+        Values::Plugin(family) => Some((family, path)),
         Values::Table(keys) => held(keys, path),
         _ => None,
     }
 }
 
+/// The plugin of a family that the table at a path names.
+fn named(document: &Document, path: &[&str], family: Family) -> Option<&'static PluginInfo> {
+    let name = document.table(path)?.get("type")?.get_ref().as_str()?;
+    slipzone_api::find(family, name)
+}
+
 /// The plugin that the table at a path names.
 fn plugin(document: &Document, path: &[&str]) -> Option<&'static PluginInfo> {
-    let name = document.table(path)?.get("type")?.get_ref().as_str()?;
-    slipzone_api::find(family(document, path)?, name)
+    named(document, path, family(document, path)?)
 }
 
 #[cfg(test)]
@@ -308,9 +318,10 @@ mod tests {
             Parameter::optional("parts", "parts", Values::List(&Values::Table(&PART), 1, 9)),
         ];
         for path in [&["one"][..], &["named", "my"], &["parts", "3", "of"]] {
-            assert_eq!(held(&keys, path), Some(Family::Grading), "{path:?}");
+            assert_eq!(held(&keys, path), Some((Family::Grading, &[][..])), "{path:?}");
         }
-        for path in [&["one", "type"][..], &["named"], &["parts", "3"], &["parts", "3", "type"], &["other"]] {
+        assert_eq!(held(&keys, &["one", "type"]), Some((Family::Grading, &["type"][..])));
+        for path in [&["named"][..], &["parts", "3"], &["parts", "3", "type"], &["other"]] {
             assert_eq!(held(&keys, path), None, "{path:?}");
         }
     }
