@@ -117,7 +117,7 @@ fn knob(family: Family, name: &str) -> Option<(&'static str, Vec<u64>)> {
     keys.find_map(|key| matches!(key.values, Values::Whole(..) | Values::Even(..)).then(|| steps(key)).flatten())
 }
 
-/// The steps of a key from the least of its samples to the largest, each some `sqrt 2` times the one before: multiples
+/// The steps of a key from the least of its samples up to the largest, each some `sqrt 2` times the one before: multiples
 /// of 4 where all samples are, or of 2 where only even ones will do.
 fn steps(key: &Parameter) -> Option<(&'static str, Vec<u64>)> {
     let [least, .., most] = *key.samples else { return None };
@@ -129,7 +129,7 @@ fn steps(key: &Parameter) -> Option<(&'static str, Vec<u64>)> {
     let growing = std::iter::successors(Some(least.max(unit)), |n| Some(n * std::f64::consts::SQRT_2));
     let all = [least].into_iter().chain(growing.take_while(|n| *n <= 1.01 * most));
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // samples are few
-    let mut steps: Vec<u64> = all.map(|value| (unit * (value / unit).round()) as u64).collect();
+    let mut steps: Vec<u64> = all.map(|value| (unit * (value / unit).round()).min(most) as u64).collect();
     steps.dedup();
     Some((key.name, steps))
 }
@@ -146,7 +146,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     #[test]
-    fn steps_lead_from_the_least_sample_to_the_largest() {
+    fn steps_lead_from_the_least_sample_up_to_the_largest() {
         let steps_of = |values, samples| {
             let key = Parameter { samples, ..Parameter::optional("n", "steps", values) };
             steps(&key).map(|(_, steps)| steps)

@@ -3,7 +3,7 @@
 //! The first line says which study it belongs to. A line that was cut off by the end of the program is dropped when the
 //! journal is opened again; all before it are kept.
 
-use super::Failure;
+use super::{Failure, output};
 use crate::api::clip;
 use crate::engine::Status;
 use crate::report::StudyTable;
@@ -79,7 +79,8 @@ impl Journal {
         let failed = |why: &dyn std::fmt::Display| failed(path, why);
         let mut options = OpenOptions::new();
         let file = options.read(true).append(true).create(true).open(path).map_err(|error| failed(&error))?;
-        if !file.metadata().map_err(|error| failed(&error))?.is_file() {
+        let is_file = file.metadata().map_err(|error| failed(&error))?.is_file();
+        if !is_file || output::stream(path).is_some() {
             return Err(failed(&"not a file, and nothing could go on from it; take it away, or take another --out"));
         }
         // Some file systems know no locks.

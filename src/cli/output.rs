@@ -348,7 +348,7 @@ fn links(path: &Path) -> impl Iterator<Item = PathBuf> {
 const STANDARD_OUTPUT: &str = "/dev/fd/1";
 
 /// The name in `/dev/fd` of the stream that a path leads to, as `/dev/stdout` does, wherever that has been redirected to.
-fn stream(path: &Path) -> Option<PathBuf> {
+pub(super) fn stream(path: &Path) -> Option<PathBuf> {
     let streams = Path::new(STANDARD_OUTPUT).parent()?;
     let real = streams.canonicalize().ok()?;
     let among_them = |path: &PathBuf| folder_of(path).canonicalize().is_ok_and(|folder| folder == real);

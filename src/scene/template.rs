@@ -15,6 +15,8 @@ use toml::de::{DeTable, DeValue};
 pub(crate) struct Template {
     name: String,
     text: String,
+    /// As it stands.
+    scene: Scene,
 }
 
 /// A place in the scene, and what is to stand there.
@@ -28,13 +30,13 @@ pub(crate) struct Replacement<'a> {
 
 impl Template {
     /// A scene file.
-    pub(crate) fn parse(name: &str, text: String, files: &dyn Files) -> Result<(Self, Scene), SceneError> {
+    pub(crate) fn parse(name: &str, text: String, files: &dyn Files) -> Result<Self, SceneError> {
         let scene = super::parse_with(name, &text, files)?;
-        Ok((Self { name: name.into(), text }, scene))
+        Ok(Self { name: name.into(), text, scene })
     }
 
     /// A table of another document, in which its errors have their places.
-    pub(crate) fn within(document: &Document, table: &str, files: &dyn Files) -> Result<(Self, Scene), SceneError> {
+    pub(crate) fn within(document: &Document, table: &str, files: &dyn Files) -> Result<Self, SceneError> {
         let part = document.part("scene", table);
         let scene = checked(&part, files, &Known::default())?;
         // Places are not needed any more: replaced values have none in this text.
@@ -42,17 +44,12 @@ impl Template {
         for (key, value) in part.tree().get_ref() {
             whole.insert(key.get_ref().to_string(), plain(document, value)?);
         }
-        Ok((Self { name: part.name().into(), text: whole.to_string() }, scene))
+        Ok(Self { name: part.name().into(), text: whole.to_string(), scene })
     }
 
-    /// Its `scene` with some values replaced, or set where nothing stood. Its errors have no place. What the scene has read and
-    /// made of files is not read again for a section that stays as it is.
-    pub(crate) fn with(
-        &self,
-        scene: &Scene,
-        replacements: &[Replacement],
-        files: &dyn Files,
-    ) -> Result<Scene, SceneError> {
+    /// The scene with some values replaced, or set where nothing stood. Its errors have no place. What was made of files is not
+    /// made again for a section that stays as it is.
+    pub(crate) fn with(&self, replacements: &[Replacement], files: &dyn Files) -> Result<Scene, SceneError> {
         let whole = |what: String| SceneError::whole(&self.name, what);
         let mut tree = DeTable::parse(&self.text).map_err(|error| whole(error.message().into()))?;
         for Replacement { path, value } in replacements {
@@ -66,10 +63,15 @@ impl Template {
         }
         let is_kept = |section: &[&str]| !replacements.iter().any(|replaced| overlap(replaced.path, section));
         let known = Known {
-            grading: is_kept(&["layer", "grading"]).then_some(scene),
-            punch: is_kept(&["punch"]).then_some(scene),
+            grading: is_kept(&["layer", "grading"]).then_some(&self.scene),
+            punch: is_kept(&["punch"]).then_some(&self.scene),
         };
         checked(&Document::of_scene(&self.name, tree), files, &known)
+    }
+
+    /// The scene as it stands.
+    pub(crate) fn scene(&self) -> &Scene {
+        &self.scene
     }
 
     /// What errors call the scene.
@@ -150,10 +152,10 @@ mod tests {
         crate::link_plugins();
         let text = "format = 1\nlayer = { thickness = 1.0, poisson = 0.3, grading = { type = \"homogeneous\", modulus = 1.0 } }\n\
                     punch = { type = \"table\", file = \"heights.csv\" }\nload = { half_width = 1.0 }\n";
-        let (template, scene) = Template::parse("scene.toml", text.into(), &Heights).unwrap();
+        let template = Template::parse("scene.toml", text.into(), &Heights).unwrap();
         let with = |path: &[&str], value: &'static str| {
             let path: Vec<String> = path.iter().copied().map(str::to_owned).collect();
-            template.with(&scene, &[Replacement { path: &path, value: value.into() }], &NoFiles)
+            template.with(&[Replacement { path: &path, value: value.into() }], &NoFiles)
         };
         for path in [&["load", "half_width"][..], &["layer", "grading", "modulus"], &["layer", "poisson"]] {
             assert!(with(path, "0.25").is_ok(), "{path:?}");

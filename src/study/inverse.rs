@@ -27,8 +27,12 @@ const BESIDE: f64 = 1e-3;
 const JUMP: f64 = 0.01;
 /// Part of the way between two places to within which a root is told at least, for a jump to show.
 const NEAR: f64 = JUMP * JUMP;
-/// How many times as deep as by a parabola through three steps a number may turn between them.
+/// How many times as deep as by a parabola through three steps a number may turn between them, and how much deeper over the
+/// parabola's second difference. Beside steps it turns at 10 times the fall of the parabola was seen, by a sixty-sixth of that.
 const DEEPER: f64 = 2.0;
+const SHALLOW: f64 = 1.0 / 16.0;
+/// What takes the place of [`JUMP`] around a turn, where the number changes by less than over a step.
+const SMALL_JUMP: f64 = 1e-3;
 /// Iterations of a search that has a bracket.
 const MOST: u64 = 100;
 
@@ -115,39 +119,37 @@ impl Question<'_> {
             // From the last crossing on it stays within.
             places.reverse();
         }
-        let (at, moved) = places[0];
-        let moved = match (moved, self.slope(at)) {
-            (Moved::BySlope(_), Some(slope)) => Moved::BySlope(slope),
-            _ => moved,
-        };
-        let (point, off, solution) = self.settled(at, moved)?;
-        let tolerance = solution.scene.solver.tolerance.get();
+        let (point, off, solution) = self.settled(places[0])?;
         let value = self.value(point.at);
-        let error = self.relative(value) * (moved.by(off) + tolerance);
-        let others = places[1..].iter().map(|(at, _)| self.value(*at)).collect();
-        let is_at_end = matches!(moved, Moved::ByRoot(_)) && (point.at <= 0.0 || point.at >= 1.0);
+        let error = self.relative(value) * off;
+        let settled = |place: &(f64, Moved)| self.settled(*place).map_or(place.0, |(point, ..)| point.at);
+        let others = places[1..].iter().map(settled).map(|at| self.value(at)).collect();
+        let is_at_end = matches!(places[0].1, Moved::ByRoot(_)) && (point.at <= 0.0 || point.at >= 1.0);
         Ok((Found { field: self.find.field.clone(), value, error, others, is_at_end }, solution))
     }
 
-    /// An answer seen with all that is asked for, and by how much the number may be off there. It was looked for with solutions for the
-    /// number alone, which may be rougher: where the number is not as wanted after all, one step along its slope is taken.
-    fn settled(&self, at: f64, moved: Moved) -> Result<(Point, f64, Solution), String> {
+    /// An answer seen with all that is asked for, and how far off its place may be. It was looked for with solutions for the number
+    /// alone, which may be rougher: where the number is not as wanted after all, one step along its slope is taken.
+    fn settled(&self, (at, moved): (f64, Moved)) -> Result<(Point, f64, Solution), String> {
         let see = |at: f64| {
             let solution = self.solution(self.value(at), false).map_err(|why| self.placed(at, &why))?;
             self.seen(at, &solution).map(|point| (point, solution))
         };
         let (mut point, mut solution) = see(at)?;
+        let tolerance = solution.scene.solver.tolerance.get();
         let Moved::BySlope(slope) = moved else {
-            let off = point.error.max(self.point(at)?.error);
-            return Ok((point, off, solution));
+            let off = moved.by(point.error.max(self.point(at)?.error));
+            return Ok((point, off + tolerance, solution));
         };
+        let slope = self.slope(at).unwrap_or(slope);
         if !point.may_be_hit()
             && let Ok((nearer, there)) = see((at - point.excess / slope).clamp(0.0, 1.0))
             && nearer.excess.abs() < point.excess.abs()
         {
             (point, solution) = (nearer, there);
         }
-        Ok((point, point.error + point.excess.abs(), solution))
+        let off = Moved::BySlope(slope).by(point.error + point.excess.abs());
+        Ok((point, off + tolerance, solution))
     }
 
     /// The slope of the number around a place, where it can be told.
@@ -194,9 +196,9 @@ impl Question<'_> {
     fn crossings(&self, points: &[Point]) -> Result<Vec<(f64, Moved)>, String> {
         let step = f64::from(STEPS).recip();
         let places: Vec<Place> = points.iter().map(Point::place).collect();
-        let is_adjacent = |pair: &&[Place]| pair[1].0 - pair[0].0 < 1.5 * step;
-        let mut found = self.roots(places.windows(2).filter(is_adjacent).map(|pair| [pair[0], pair[1]]))?;
-        found.extend(self.turns(places.windows(3).filter(|three| three.windows(2).all(|pair| is_adjacent(&pair))))?);
+        let runs = || places.chunk_by(|one, other| other.0 - one.0 < 1.5 * step);
+        let mut found = self.roots(runs().flat_map(|run| run.windows(2)).map(|pair| [pair[0], pair[1]]), JUMP)?;
+        found.extend(runs().flat_map(|run| self.turns(run)));
         // Steps may hit it.
         self.is_no_plateau(points, |pair| pair.iter().any(|point| point.excess == 0.0))?;
         let hit = places.windows(2).filter(|pair| pair[0].1 == 0.0 || pair[1].1 == 0.0);
@@ -205,7 +207,7 @@ impl Question<'_> {
             // Or it lies between a value that can be told and one that cannot.
             let ends = places.iter().flat_map(|place| [place.0 - step, place.0 + step].map(|end| (*place, end)));
             let ends = ends.filter(|(_, end)| (-BESIDE..=1.0 + BESIDE).contains(end));
-            found = self.roots(ends.map(|(place, end)| [place, self.reached(points, place, end)]))?;
+            found = self.roots(ends.map(|(place, end)| [place, self.reached(points, place, end)]), JUMP)?;
         }
         if found.is_empty() && matches!(self.find.wanted, Wanted::Target(_)) {
             // Or it is a value told, but for less than its error.
@@ -227,21 +229,31 @@ impl Question<'_> {
         Ok(found)
     }
 
-    /// The crossings around a place, of three, at which the number comes nearest to what is wanted, where it may turn beyond that.
-    fn turns<'p>(&self, threes: impl Iterator<Item = &'p [Place]>) -> Result<Vec<(f64, Moved)>, String> {
+    /// The crossings between places, of a run of steps, at which the number has not crossed what is wanted, but turns near it.
+    fn turns(&self, run: &[Place]) -> Vec<(f64, Moved)> {
         let mut found = Vec::new();
-        for three in threes {
+        for (i, three) in run.windows(3).enumerate() {
             let sign = three[1].1.signum();
-            let [one, nearest, other] = [0, 1, 2].map(|i| sign * three[i].1);
-            let (rise, bend) = (0.5 * (other - one), one - 2.0 * nearest + other);
-            // A parabola through them falls that far.
-            let falls = 0.5 * rise * rise / bend;
-            if nearest > 0.0 && one > nearest && other >= nearest && DEEPER * falls > nearest {
-                let lowest = self.lowest(sign, [three[0].0, three[2].0], one.max(other))?;
-                found.extend(self.roots([[three[0], lowest], [lowest, three[2]]].into_iter())?);
+            let [one, middle, other] = [0, 1, 2].map(|i| sign * three[i].1);
+            let nearest = one.min(middle).min(other);
+            // Each turn once: around the nearest place, which may be an end of the run.
+            let is_first = i == 0 && one <= middle.min(other);
+            let is_last = i + 3 == run.len() && other < middle.min(one);
+            let is_around = middle < one && middle <= other || is_first || is_last;
+            // The parabola through them: where it turns, in steps, and how far below the nearest.
+            let (rise, bend) = (0.5 * (other - one), one - 2.0 * middle + other);
+            let turn = 1.0 - rise / bend;
+            let falls = nearest - middle + 0.5 * rise * rise / bend;
+            let comes_near = (0.0..=2.0).contains(&turn) && nearest < DEEPER * falls + SHALLOW * bend;
+            if nearest > 0.0 && is_around && comes_near {
+                let highest = one.max(middle).max(other);
+                let lowest = self.lowest(sign, [three[0].0, three[2].0], highest);
+                let between = |lowest| self.roots([[three[0], lowest], [lowest, three[2]]].into_iter(), SMALL_JUMP);
+                // What cannot be solved on the way is no answer.
+                found.extend(lowest.and_then(between).unwrap_or_default());
             }
         }
-        Ok(found)
+        found
     }
 
     /// Where `sign` times the excess is least between two places, and the excess there; `highest` is no less than it is around.
@@ -263,8 +275,8 @@ impl Question<'_> {
         Err(self.plateau(first[0].number, first[0].at, flat.next_back().unwrap_or(first)[1].at))
     }
 
-    /// The roots between places at which the excess has two signs.
-    fn roots(&self, pairs: impl Iterator<Item = [Place; 2]>) -> Result<Vec<(f64, Moved)>, String> {
+    /// The roots between places at which the excess has two signs; refuses one at which it jumps by more than that share.
+    fn roots(&self, pairs: impl Iterator<Item = [Place; 2]>, jump: f64) -> Result<Vec<(f64, Moved)>, String> {
         let tolerance = self.study.scene.solver.tolerance.get();
         let crosses = |[one, other]: &[Place; 2]| one.1 < 0.0 && other.1 > 0.0 || one.1 > 0.0 && other.1 < 0.0;
         let closed_in = |pair: [Place; 2]| {
@@ -277,7 +289,7 @@ impl Question<'_> {
                 other => other.to_string(),
             })?;
             let value = self.value(at);
-            if left.abs() > JUMP * (other.1 - one.1).abs()
+            if left.abs() > jump * (other.1 - one.1).abs()
                 && left.abs() > self.excess_error(&self.solution(value, true)?)
             {
                 return Err(self.jump(value));

@@ -131,7 +131,7 @@ impl Study {
         let columns = steps.flat_map(|(axis, step)| axis.columns.iter().map(move |column| (column, step)));
         let replaced = columns.map(|(column, step)| Replacement { path: &column.path, value: column.toml(step) });
         let replaced: Vec<Replacement> = replaced.chain(more).collect();
-        let mut scene = self.base.with(&self.scene, &replaced, files)?;
+        let mut scene = self.base.with(&replaced, files)?;
         scene.output.quantities.get_or_insert_with(|| self.quantities());
         Ok(scene)
     }

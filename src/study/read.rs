@@ -80,7 +80,7 @@ pub(super) fn study(name: &str, text: &str, files: &dyn Files) -> Result<Study, 
     let table: StudyTable = decode::decode(&document)?;
     let (text, folder) = base_file(&document, files)?;
     let files = Reading::new(files, folder);
-    let (base, scene) = match text {
+    let base = match text {
         Some((name, text)) => Template::parse(&name, text, &files)?,
         None => Template::within(&document, "scene", &files)?,
     };
@@ -99,7 +99,8 @@ pub(super) fn study(name: &str, text: &str, files: &dyn Files) -> Result<Study, 
             .hint("take fewer steps, or `random` in place of a grid"));
     }
     let (title, plots, find) = (table.title, table.plots, table.find);
-    let mut study = Study { title, axes, plots, find, base, scene, files: Kept::default(), tractions: false };
+    let mut study =
+        Study { title, axes, plots, find, scene: base.scene().clone(), base, files: Kept::default(), tractions: false };
     check_values(&document, &study, &files)?;
     check_find(&document, &study, &files)?;
     check_plots(&document, &study)?;

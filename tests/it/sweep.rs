@@ -223,6 +223,7 @@ fn results_have_files_of_their_own() {
         ("results.jsonl", "results.csv", 2, "results.csv and results.jsonl name the same file out/results.jsonl"),
         ("journal.jsonl", "results.csv", 2, "results.csv and journal.jsonl name the same file"),
         ("journal.jsonl", "/dev/null", 3, "not a file"),
+        ("journal.jsonl", "/dev/stdout", 3, "not a file"),
     ] {
         fs::write(out.join("results.csv"), "kept").unwrap();
         std::os::unix::fs::symlink(leads_to, out.join(link)).unwrap();
@@ -879,6 +880,38 @@ fn a_number_that_turns_between_steps_is_met_on_either_side() {
     let met: Vec<f64> = [met["found"]["value"].as_f64().unwrap()].into_iter().chain(others).collect();
     assert!(met.len() == 2 && met[0] < least && (met[1] / (1.03 * least) - 1.0).abs() < 1e-4, "{met:?}, {least}");
     assert!((force(met[0]) / target - 1.0).abs() < 1e-8, "{met:?}");
+}
+
+/// A turn within the first step is seen, too; what cannot be solved beside a turn is no answer, and hides none.
+#[test]
+fn a_turn_is_looked_into_wherever_it_is() {
+    let answers = |modulus: &str, target: f64| {
+        let scene = format!(
+            "format = 1\nlayer = {{ thickness = 2.0, poisson = 0.3, grading = {{ type = \"formula\", modulus = \"{modulus}\", \
+             parameters = {{ p = 12.0 }} }} }}\npunch = {{ type = \"flat\", half_width = 1.0 }}\nload = {{ force = 1.0 }}\n"
+        );
+        // The indentation is that of modulus 1 over the modulus.
+        let range = "field = \"layer.grading.parameters.p\"\nfrom = 10.0\nto = 34.0\nquantity = \"load.indentation\"";
+        let found = found(&scene, &format!("{range}\ntarget = {:?}", 0.224_178_559_699_924_17 / target));
+        let others = found["found"]["others"].as_array().cloned().unwrap_or_default();
+        let value = found["found"]["value"].as_f64();
+        value.into_iter().chain(others.iter().filter_map(Value::as_f64)).collect::<Vec<f64>>()
+    };
+    let is_near = |met: &[f64], expected: &[f64]| {
+        met.len() == expected.len() && met.iter().zip(expected).all(|(met, expected)| (met - expected).abs() < 1e-3)
+    };
+    for middle in [10.3, 20.3, 33.7] {
+        let met = answers(&format!("(1 + 0.01*(p - {middle})^2)*(1 + 1e-9*y)"), 1.0001);
+        assert!(is_near(&met, &[middle - 0.1, middle + 0.1]), "{middle}: {met:?}");
+    }
+    // Around 20.2 the modulus is none; at 20.25 another one leaps over what is wanted.
+    let bend = "1 + 0.01*(p - 20.3)^2*(p - 31.5)/(-11.2)";
+    for (hidden, target) in
+        [("0*sqrt((p - 20.2)^2 - 1e-4)", 1.0001), ("-0.00035*(abs(p - 20.25)/(p - 20.25) - 1)", 1.0002)]
+    {
+        let met = answers(&format!("({bend} + {hidden})*(1 + 1e-9*y)"), target);
+        assert!(is_near(&met, &[31.5 - 8.93 * (target - 1.0)]), "{hidden}: {met:?}");
+    }
 }
 
 /// Near full stick few unknowns tell `a/b` to the tolerance, but not what friction belongs to it: the place was that of the
