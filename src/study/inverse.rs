@@ -27,8 +27,8 @@ const BESIDE: f64 = 1e-3;
 const JUMP: f64 = 0.01;
 /// Part of the way between two places to within which a root is told at least, for a jump to show.
 const NEAR: f64 = JUMP * JUMP;
-/// How many times as deep as by a parabola through three steps a number may turn between them, and how much deeper over the
-/// parabola's second difference. Beside steps it turns at 10 times the fall of the parabola was seen, by a sixty-sixth of that.
+/// How many times as deep as by a parabola through three steps a number may turn between them, and how much deeper still, over the
+/// parabola's second difference: of turns close to a step the parabola told a tenth, which was a sixty-sixth of that difference.
 const DEEPER: f64 = 2.0;
 const SHALLOW: f64 = 1.0 / 16.0;
 /// What takes the place of [`JUMP`] around a turn, where the number changes by less than over a step.
