@@ -32,7 +32,7 @@ pub use keys::KEYS;
 pub use load_path::{LoadKind, LoadPath, PathError};
 pub use model::Model;
 pub use schema::schema;
-pub(crate) use template::{Replacement, Template, plain};
+pub(crate) use template::{Replacement, Template, overlap, plain};
 pub use text::{LARGEST, text, text_of, too_large};
 
 use document::Document;

@@ -85,9 +85,9 @@ impl Template {
     }
 }
 
-/// Whether one of two paths leads into what the other leads to.
-fn overlap(path: &[String], other: &[&str]) -> bool {
-    path.iter().zip(other).all(|(one, other)| one == other)
+/// Whether one of two paths leads to what the other leads to, into it, or to a table that holds it.
+pub(crate) fn overlap(path: &[String], other: &[impl AsRef<str>]) -> bool {
+    path.iter().zip(other).all(|(one, other)| one == other.as_ref())
 }
 
 /// Puts a value where a path leads, making tables on the way; tells how far it came otherwise.

@@ -87,11 +87,6 @@ impl Column {
         }
     }
 
-    /// Whether a path leads to the field, into it, or to a table that holds it.
-    pub(super) fn overlaps(&self, path: &[String]) -> bool {
-        self.path.iter().zip(path).all(|(one, other)| one == other)
-    }
-
     /// What the values are shown as, where that is not what they are.
     pub(super) fn names(&self) -> Option<String> {
         let Values::Listed(listed) = &self.values else { return None };

@@ -8,7 +8,7 @@ use super::find::Find;
 use super::plot::Plot;
 use super::{ANSWER, LARGEST_STUDY, Study};
 use crate::scene::document::Document;
-use crate::scene::{Asked, SceneError, Template, decode, plain};
+use crate::scene::{Asked, SceneError, Template, decode, overlap, plain};
 use check::{check_find, check_plots, check_values};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -344,7 +344,7 @@ fn distinct(document: &Document, axes: &[Axis]) -> Result<(), SceneError> {
     for (index, axis) in axes.iter().enumerate() {
         for column in &axis.columns {
             let place = ["axes", &index.to_string()];
-            if let Some(other) = seen.iter().find(|other| other.overlaps(&column.path)) {
+            if let Some(other) = seen.iter().find(|other| overlap(&other.path, &column.path)) {
                 let error = document.error(document.key(&place), "two axes set the same field");
                 return Err(error
                     .found(format!("`{}` and `{}`", other.field, column.field))

@@ -7,7 +7,7 @@ mod only;
 use super::axis::{Axis, Values};
 use super::plot::{OneOrMore, Over, Plot, PlotKind};
 use super::{Cell, Study};
-use crate::scene::Asked;
+use crate::scene::{Asked, overlap};
 #[cfg(feature = "plot")]
 pub(crate) use fault::in_one_line;
 use fault::{missing, wrong};
@@ -196,8 +196,8 @@ impl Study {
 
     /// What a figure needs of the results is among them, which is to be told before anything is solved.
     fn is_asked_for(&self, path: &[&str], number: &str) -> Result<(), Fault> {
-        let quantities = ["output", "quantities"].map(str::to_owned);
-        if self.asks(number) || self.columns().any(|column| column.overlaps(&quantities)) {
+        let quantities = ["output", "quantities"];
+        if self.asks(number) || self.columns().any(|column| overlap(&column.path, &quantities)) {
             return Ok(());
         }
         let message = format!("the figure needs `{number}`, which the scene does not ask for");

@@ -1,6 +1,7 @@
 //! Flexibilities of one surface by every method.
 
 use super::{Cell, Ended};
+use crate::chart::method::table;
 use crate::verify::layers::{distance, respond};
 use slipzone_api::{Family, SurfaceFlexibility, plugins};
 
@@ -21,7 +22,7 @@ fn methods() -> impl Iterator<Item = &'static str> {
 /// A cell for each method.
 pub(super) fn cells((wave, layer): &(f64, String)) -> Vec<Cell> {
     let surface = |method: &str| -> Result<SurfaceFlexibility, String> {
-        let response = respond(layer, &format!("{{ type = {method:?} }}"))?;
+        let response = respond(layer, &table(Family::Flexibility, method, None))?;
         response.surface(*wave).map_err(|refusal| refusal.to_string())
     };
     let found: Vec<_> = methods().map(|method| (method, surface(method))).collect();

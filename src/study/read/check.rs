@@ -1,7 +1,7 @@
 //! What a study says, tried: its values make scenes, its question can be asked, its figures can be drawn.
 
 use crate::scene::document::{Document, dotted, one_of};
-use crate::scene::{Asked, Kind, Replacement, SceneError};
+use crate::scene::{Asked, Kind, Replacement, SceneError, overlap};
 use crate::study::Study;
 use crate::study::axis::{Axis, Column, Values};
 use crate::study::find::Wanted;
@@ -184,7 +184,7 @@ pub(super) fn check_find(document: &Document, study: &Study, files: &dyn Files) 
         return Err(error.found("`output.quantities` without it").expected("it among them, or no `quantities`"));
     }
     let path = find.path();
-    if let Some(column) = study.columns().find(|column| column.overlaps(&path)) {
+    if let Some(column) = study.columns().find(|column| overlap(&column.path, &path)) {
         let error = document.error(document.best(&["find", "field"]), "an axis sets the field that is looked for");
         return Err(error
             .found(format!("`{}`, beside an axis of `{}`", find.field, column.field))
