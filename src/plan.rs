@@ -113,9 +113,9 @@ impl Chosen {
         (self.is_open && is_rough).then(|| self.by_octaves("octaves: the kernel is too rough beside t = 0 for `split`"))
     }
 
-    /// What may solve a scene that leaves its methods open with less work, where the grids that `split` takes were too fine.
-    pub(crate) fn with_less_work(&self) -> Option<Self> {
-        let because = "octaves: grids fine enough for `split` ask for more work than the budget";
+    /// What may solve a scene that leaves its methods open where the grids that `split` takes do not.
+    pub(crate) fn otherwise(&self) -> Option<Self> {
+        let because = "octaves: the tolerance was missed on the grids that `split` takes";
         let is_split = self.plan.kernel == Split::default().typetag_name();
         (self.is_open && is_split).then(|| self.by_octaves(because))
     }

@@ -94,10 +94,11 @@ impl Ladder {
             return Ok(judged);
         }
         let Climbed { outcome, step, estimate, stopped } = self.climb(layer, aim)?;
-        let Estimate { mut history, errors, of_shear, met, .. } = estimate;
+        let Estimate { mut history, errors, of_shear, met, is_hopeless, .. } = estimate;
         let how = How::Sequence { count: 0, kernels_proven: false };
         let of_pressure = self.lost_between(aim, step);
-        let mut found = Judged { of_shear, of_pressure, stopped, ..Judged::new(outcome, step, errors, how) };
+        let mut found =
+            Judged { of_shear, of_pressure, stopped, is_hopeless, ..Judged::new(outcome, step, errors, how) };
         if met && found.stopped.is_none() {
             self.refine_for_the_tractions(layer, aim, &mut found, &mut history);
         }
@@ -196,13 +197,13 @@ impl Ladder {
         let unknowns = self.stages[step].unknowns();
         // A resolution so coarse may only seem not to tell of friction.
         let is_early = aim.level(step) < BOUND_LEVEL && self.stages[step].is_broken();
-        let is_done = estimate.add(layer, aim, outcome, (unknowns, has_kernels)) && !is_early
-            || self.is_hopeless(layer, aim, step, outcome, &estimate.errors);
+        let is_enough = estimate.add(layer, aim, outcome, (unknowns, has_kernels)) && !is_early;
+        estimate.is_hopeless = !is_enough && self.is_hopeless(layer, aim, step, outcome, &estimate.errors);
         if self.is_broken(aim, step, &estimate.errors) {
             // The pressure does not depend on it.
             self.given_up = self.stages[step].growing.as_deref().and_then(Growing::broken).cloned();
         }
-        is_done
+        is_enough || estimate.is_hopeless
     }
 
     /// [`Stage::lost_between`], where the tractions are asked for.

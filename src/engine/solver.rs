@@ -59,6 +59,10 @@ pub struct Solver {
 
 /// Share of a budget that is left for other methods where the first used it up: `graded-panels` take longer for the same work.
 const LEFT_FOR_OTHERS: u64 = 10;
+/// Errors below this are rounding as likely as not, which other methods have, too.
+const ROUNDED: f64 = 1e-9;
+/// What other methods find is taken where its errors are at most this part of those of what was found first.
+const FAR_LESS: f64 = 0.1;
 
 impl Solver {
     /// Prepares a scene; refuses what no method can solve.
@@ -182,9 +186,9 @@ impl Solver {
             return self.find();
         }
         if found.is_ok()
-            && self.ran_out()
-            && let Some(other) = self.chosen.with_less_work()
-            && let Some(other) = self.met_by(other)
+            && self.may_be_bettered()
+            && let Some(other) = self.chosen.otherwise()
+            && let Some(other) = self.bettered_by(other)
         {
             let usual = std::mem::replace(self, other);
             self.usual = Some(Box::new(usual));
@@ -193,19 +197,24 @@ impl Solver {
         found
     }
 
-    /// Whether the budget ended the search before what was found meets the tolerance.
-    fn ran_out(&self) -> bool {
-        matches!(self.judged, Some(Judged { stopped: Some(Refusal::Limit { .. }), .. })) && !self.is_met()
+    /// Whether what was found misses the tolerance for what its methods lack: budget, room, or convergence. A model that the scene
+    /// forces misses it by itself.
+    fn may_be_bettered(&self) -> bool {
+        let is_open = self.judged.as_ref().is_some_and(|found| !found.is_hopeless) && self.stand_in.is_none();
+        is_open && self.worst() > self.tolerance().max(ROUNDED)
     }
 
-    /// Whether what was found meets the tolerance.
-    fn is_met(&self) -> bool {
-        let tolerance = self.chosen.scene.solver.tolerance.get();
-        self.judged.as_ref().is_some_and(|found| found.worst(&self.problem) <= tolerance)
+    fn tolerance(&self) -> f64 {
+        self.chosen.scene.solver.tolerance.get()
     }
 
-    /// The same scene and load by other methods, where these meet the tolerance.
-    fn met_by(&self, chosen: Chosen) -> Option<Self> {
+    /// The largest error of what was found and has to meet the tolerance.
+    fn worst(&self) -> f64 {
+        self.judged.as_ref().map_or(f64::INFINITY, |found| found.worst(&self.problem))
+    }
+
+    /// The same scene and load by other methods, where these meet the tolerance or miss it by far less.
+    fn bettered_by(&self, chosen: Chosen) -> Option<Self> {
         let mut other = Self::prepare(chosen).ok()?;
         other.problem.wishes = self.problem.wishes;
         other.limit(self.budget / LEFT_FOR_OTHERS);
@@ -213,7 +222,7 @@ impl Solver {
         other.limit(self.budget);
         // Telling what was found has its own.
         other.begin_whole();
-        other.is_met().then_some(other)
+        (other.worst() <= self.tolerance().max(FAR_LESS * self.worst())).then_some(other)
     }
 
     /// A budget of which nothing is kept for telling what is found.
@@ -441,7 +450,7 @@ impl Solver {
     /// The report of what was found.
     fn report(&mut self) -> Result<Solution, Refusal> {
         let Some(judged) = &self.judged else { unreachable!("found before") };
-        let tolerance = self.chosen.scene.solver.tolerance.get();
+        let tolerance = self.tolerance();
         let work = self.ladder.work();
         let stage = self.ladder.stage(judged.step);
         let judgement = verdict(&self.layer, &self.problem, stage, judged, tolerance);

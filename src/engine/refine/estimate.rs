@@ -42,6 +42,8 @@ pub(super) struct Estimate {
     pub(super) of_shear: Option<f64>,
     /// Whether the tolerance is met.
     pub(super) met: bool,
+    /// Whether the last step told that no other will help.
+    pub(super) is_hopeless: bool,
     /// For how many steps in a row the errors have not shrunk any more.
     stalled: usize,
 }

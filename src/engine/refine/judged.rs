@@ -54,6 +54,8 @@ pub(crate) struct Judged {
     pub(crate) of_model: f64,
     /// Why refinement ended before the tolerance was met.
     pub(crate) stopped: Option<Refusal>,
+    /// Whether it ended because no refinement will help, whatever the methods: the punch lifts off, or the shape has details.
+    pub(crate) is_hopeless: bool,
 }
 
 impl Judged {
@@ -68,6 +70,7 @@ impl Judged {
             how,
             of_model: 0.0,
             stopped: None,
+            is_hopeless: false,
         }
     }
 

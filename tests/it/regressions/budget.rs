@@ -223,7 +223,8 @@ fn more_digits_than_there_are_get_the_digits_that_there_are() {
     let flat = |tolerance: f64| {
         format!(
             "format = 1\nlayer = {{ thickness = 0.1113, poisson = 0.364, grading = {{ type = \"linear\", surface = 1.0, base = 100.36 }} }}\n\
-             punch = {{ type = \"flat\", half_width = 1.0 }}\nload = {{ force = 1.0 }}\nsolver = {{ tolerance = {tolerance:e} }}"
+             punch = {{ type = \"flat\", half_width = 1.0 }}\nload = {{ force = 1.0 }}\n\
+             solver = {{ tolerance = {tolerance:e}, kernel = {{ type = \"split\" }} }}"
         )
     };
     let [fine, finest] = [1e-10, 1e-12].map(|tolerance| solved(&flat(tolerance)));
@@ -317,7 +318,7 @@ fn octaves_solve_what_split_has_no_budget_for() {
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
     assert_eq!((solution.plan.kernel, solution.plan.quadrature), ("octaves", "graded-panels"));
     let reasons = solution.plan.reasons.join("; ");
-    assert!(reasons.contains("more work than the budget"), "{reasons}");
+    assert!(reasons.contains("tolerance was missed on the grids that `split` takes"), "{reasons}");
     assert!(!solution.profile.x.is_empty());
     let named = format!("{text}solver = {{ quadrature = {{ type = \"graded-panels\" }} }}\n");
     let exact = solve(&slipzone::scene::parse("named", &named).unwrap());
@@ -326,4 +327,43 @@ fn octaves_solve_what_split_has_no_budget_for() {
     solver.limit(BUDGET);
     let narrower = solver.solve();
     assert_eq!((narrower.status, narrower.plan.kernel), (Status::Converged, "split"));
+}
+
+/// Under two thousand sublayers, each a twenty-five-hundredth of the half-width thick, `de-sinc` has no room for the unknowns that the
+/// tolerance takes; `octaves` take a fifth of a second.
+#[test]
+fn octaves_solve_stacks_too_fine_for_the_unknowns_of_split() {
+    let moduli = ["1.0", "3.0", "7.0", "7.0", "3.0"];
+    let sublayer = |i: usize| {
+        format!(
+            "{{ thickness = 4e-4, grading = {{ type = \"homogeneous\", modulus = {} }} }}",
+            moduli[i % moduli.len()]
+        )
+    };
+    let sublayers: Vec<String> = (0..2000).map(sublayer).collect();
+    let text = |solver: &str| {
+        let stack = sublayers.join(", ");
+        let text = format!(
+            "format = 1\npunch = {{ type = \"flat\", half_width = 1.0 }}\nload = {{ force = 1.0 }}\n{solver}\n\
+             layer = {{ thickness = 0.8, poisson = 0.3, grading = {{ type = \"stack\", layers = [{stack}] }} }}\n"
+        );
+        slipzone::scene::parse("fine", &text).unwrap()
+    };
+    let [own, named] = ["", "solver = { kernel = { type = \"split\" }, quadrature = { type = \"de-sinc\" } }"]
+        .map(|solver| solve(&text(solver)));
+    assert_eq!((own.status, own.plan.kernel), (Status::Converged, "octaves"), "{:?}", own.reason);
+    assert_eq!((named.status, named.plan.kernel), (Status::NotConverged, "split"), "what is named is taken");
+    let panels = solve(&text("solver = { quadrature = { type = \"graded-panels\" } }"));
+    assert_eq!((panels.status, panels.plan.kernel), (Status::Converged, "split"), "{:?}", panels.reason);
+    within_three_estimates(&own, &panels, &["edge.ratio", "load.indentation", "pressure.centre"]);
+}
+
+/// Other methods are no way round a model that the scene forces.
+#[test]
+fn octaves_are_not_tried_where_a_forced_model_misses_the_tolerance() {
+    let layer = "format = 1\nlayer = { thickness = 5.0, poisson = 0.3, grading = { type = \"linear\", surface = 1.0, base = 4.0 } }\n";
+    let flat = "punch = { type = \"flat\", half_width = 1.0 }\nload = { force = 1.0 }\n";
+    let forced = format!("{layer}{flat}solver = {{ model = \"homogeneous\" }}\n");
+    let forced = solve(&slipzone::scene::parse("forced", &forced).unwrap());
+    assert_eq!((forced.status, forced.plan.kernel), (Status::NotConverged, "split"));
 }
