@@ -1,6 +1,9 @@
 //! What plugins tell of themselves, refused where it cannot be.
 
-use slipzone_api::{Edge, KernelTable, Parity, Quadrature, Refusal, Rule, Span, contract};
+use slipzone_api::{
+    Base, Edge, Flexibility, KernelTable, LayerModel, LayerResponse, Parity, Quadrature, Refusal, Rule, Span, contract,
+};
+use std::sync::Arc;
 
 /// What a plugin tells of itself cannot be.
 pub(crate) fn broken(plugin: &'static str, fault: &str) -> Refusal {
@@ -14,8 +17,23 @@ pub(crate) fn rule(quadrature: &dyn Quadrature, parity: Parity, edge: Edge) -> R
     Ok(rule)
 }
 
-/// A kernel table that tells a length.
+/// The response of a layer that tells lengths, and of a base that is felt.
+pub(crate) fn response(
+    flexibility: &dyn Flexibility,
+    layer: &Arc<LayerModel>,
+) -> Result<Box<dyn LayerResponse>, Refusal> {
+    let response = flexibility.respond(layer)?;
+    let is_felt = matches!(layer.base, Base::Rigid | Base::Frictionless);
+    let fault = match contract::response(&*response) {
+        Ok(()) if is_felt && response.depth().is_none() => "depth() = None of a layer whose base is felt".into(),
+        Ok(()) => return Ok(response),
+        Err(fault) => fault,
+    };
+    Err(broken(flexibility.typetag_name(), &fault))
+}
+
+/// A kernel table that tells lengths.
 pub(crate) fn table(strategy: &'static str, table: Box<dyn KernelTable>) -> Result<Box<dyn KernelTable>, Refusal> {
-    contract::length("length", table.length()).map_err(|fault| broken(strategy, &fault))?;
+    contract::table(&*table).map_err(|fault| broken(strategy, &fault))?;
     Ok(table)
 }

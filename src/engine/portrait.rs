@@ -1,5 +1,6 @@
 //! What a layer is and how its surface answers, sampled: for those who look at it before solving anything.
 
+use crate::engine::foreign;
 use crate::plan;
 use crate::scene::{Layer, Scene};
 use slipzone_api::{Base, LayerModel, LayerResponse, Moduli, Refusal, Stretch, SurfaceFlexibility};
@@ -11,7 +12,7 @@ use std::sync::Arc;
 /// # Errors
 /// The method's refusal, or the grading's.
 pub fn response(scene: &Scene) -> Result<Box<dyn LayerResponse>, Refusal> {
-    plan::choose(scene).methods.flexibility.respond(&Arc::new(scene.layer.model()?))
+    foreign::response(&*plan::choose(scene).methods.flexibility, &Arc::new(scene.layer.model()?))
 }
 
 /// Scaled flexibilities of a surface over wave numbers.

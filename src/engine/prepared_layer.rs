@@ -67,7 +67,7 @@ const FINEST: f64 = 1e-14;
 
 impl PreparedLayer {
     pub(crate) fn new(problem: &Problem, methods: &Methods) -> Result<Self, Refusal> {
-        let response = methods.flexibility.respond(&problem.layer)?;
+        let response = foreign::response(&*methods.flexibility, &problem.layer)?;
         let is_grounded = problem.layer.is_grounded();
         Ok(Self {
             against_datum: if is_grounded { None } else { response.against_datum() },

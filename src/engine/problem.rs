@@ -333,7 +333,11 @@ impl Problem {
 
     /// What is wrong with the shape within a half-width, and where that begins, in the scene's unit.
     pub(crate) fn flaw(&self, half_width: f64) -> Option<Flaw> {
-        self.shape.flaw(half_width * self.length)
+        let widest = half_width * self.length;
+        let flaw = self.shape.flaw(widest)?;
+        // A place that is none is no place to tell.
+        let x = if (0.0..=widest).contains(&flaw.x) { flaw.x } else { widest };
+        Some(Flaw { x, ..flaw })
     }
 
     /// Whether the shape ends there: it has no height, or no slope.

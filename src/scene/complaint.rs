@@ -7,12 +7,27 @@
 /// A decoder's message, taken apart.
 #[derive(Debug, PartialEq)]
 pub(super) enum Complaint<'m> {
-    UnknownKey { key: &'m str, known: Vec<&'m str> },
-    UnknownName { name: &'m str, known: Vec<&'m str> },
+    UnknownKey {
+        key: &'m str,
+        known: Vec<&'m str>,
+    },
+    UnknownName {
+        name: &'m str,
+        known: Vec<&'m str>,
+    },
     MissingKey(&'m str),
-    WrongType { expected: String },
-    NotWhole { expected: String },
-    OutOfRange { expected: String, found: Option<&'m str> },
+    WrongType {
+        expected: String,
+    },
+    NotWhole {
+        expected: String,
+    },
+    OutOfRange {
+        expected: String,
+        found: Option<&'m str>,
+    },
+    /// Two plugins of a family go by that name.
+    TwoOfOneName(&'m str),
     Other(String),
 }
 
@@ -53,6 +68,8 @@ impl<'m> Complaint<'m> {
             // The file's own way of writing a number beats the decoder's.
             let found = found.parse::<f64>().is_err().then_some(found);
             Self::OutOfRange { expected: expected.into(), found }
+        } else if let Some(name) = message.strip_prefix("non-unique tag of ").and_then(|rest| rest.split('"').nth(1)) {
+            Self::TwoOfOneName(name)
         } else {
             Self::Other(message.into())
         }

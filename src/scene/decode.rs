@@ -110,6 +110,7 @@ fn explain(document: &Document, path: &Path, message: &str) -> SceneError {
             let error = if is_friction { error.hint(FRICTIONLESS) } else { error };
             if let Some(found) = found { error.found(found) } else { error }
         }
+        Complaint::TwoOfOneName(name) => two_of_one_name(document, &path, name),
         Complaint::Other(words) => {
             blamed(document, &mut path, message);
             document.error(document.best(&path), format!("`{}`: {words}", dotted(&path))).found(document.found(&path))
@@ -160,6 +161,23 @@ fn unknown_name(document: &Document, mut path: Vec<&str>, name: &str, known: &[&
         }
         _ => error,
     }
+}
+
+/// What goes by one name is none of both: the program was linked so, and no scene mends that.
+fn two_of_one_name(document: &Document, path: &[&str], name: &str) -> SceneError {
+    let place = path.strip_suffix(&["type"]).unwrap_or(path);
+    let family = family(document, place);
+    let crates: Vec<_> = slipzone_api::plugins()
+        .into_iter()
+        .filter(|info| Some(info.family) == family && info.name == name)
+        .map(|info| format!("`{}`", info.krate))
+        .collect();
+    let whose = if crates.len() > 1 { format!(", of the crates {}", crates.join(" and ")) } else { String::new() };
+    document
+        .error(document.best(path), format!("two plugins go by the name `{name}` in this program"))
+        .found(format!("`{name}`{whose}"))
+        .expected("one plugin for each name")
+        .hint("rename one of them in its `#[typetag::serde(name = ...)]` and its `register!`, or do not link its crate")
 }
 
 fn missing_key(document: &Document, path: &[&str], key: &str) -> SceneError {

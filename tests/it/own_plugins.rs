@@ -3,13 +3,16 @@
 use crate::sketch::Sketch;
 use serde::{Deserialize, Serialize};
 use slipzone::api::{
-    Component, Edge, Grading, KernelRequest, KernelStrategy, KernelTable, LayerResponse, ModulusLaw, PartsMut,
-    PunchProfile, PunchShape, Quadrature, Refusal, Rule, Setting, Span,
+    Component, Edge, Elastic, Flexibility, Grading, KernelRequest, KernelStrategy, KernelTable, LayerModel,
+    LayerResponse, ModulusLaw, PartsMut, PunchProfile, PunchShape, Quadrature, Refusal, Rule, Setting, Span,
+    SurfaceFlexibility,
 };
 use slipzone::engine::{Solution, Status, solve};
 use slipzone::scene::Model;
+use slipzone_flexibilities::Compliance;
 use slipzone_kernels::Split;
-use slipzone_quadratures::GaussChebyshev;
+use slipzone_quadratures::{GaussChebyshev, GradedPanels};
+use std::sync::Arc;
 
 /// A cylinder of radius 1, but for one thing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -85,10 +88,12 @@ fn lengths_that_are_none_are_refused() {
     }
 }
 
-/// `split`, whose tables tell another length or error.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+/// `split`, whose tables tell something else of themselves.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 struct OwnKernel {
     length: Option<f64>,
+    nearest: Option<f64>,
+    power: Option<f64>,
     error: Option<f64>,
 }
 
@@ -122,6 +127,14 @@ impl KernelTable for OwnTable {
         self.told.length.unwrap_or(self.table.length())
     }
 
+    fn nearest(&self) -> Option<f64> {
+        self.told.nearest
+    }
+
+    fn power(&self) -> Option<f64> {
+        self.told.power
+    }
+
     fn error(&self) -> Option<f64> {
         self.told.error
     }
@@ -131,24 +144,118 @@ impl KernelTable for OwnTable {
     }
 }
 
+/// With a distance of 0 down to which kernels vary, or none, `graded-panels` cut pieces without end; a bound that was no number was none.
 #[test]
-fn tables_of_no_length_are_refused_and_bounds_that_are_none_prove_nothing() {
-    let solved = |length, error| {
+fn tables_that_tell_what_cannot_be_are_refused() {
+    let solved = |kernel: OwnKernel| {
         let mut scene = Sketch::flat(5.0, 2.0, 0.3).scene();
-        scene.solver.kernel = Some(Box::new(OwnKernel { length, error }));
+        scene.solver.kernel = Some(Box::new(kernel));
+        scene.solver.quadrature = Some(Box::new(GradedPanels::default()));
         solve(&scene)
     };
-    for length in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+    told(&solved(OwnKernel::default()), Status::Converged, "");
+    for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let (told_wrong, honest) = (Some(wrong), OwnKernel::default());
+        let kernels = [
+            ("length", OwnKernel { length: told_wrong, ..honest.clone() }),
+            ("nearest", OwnKernel { nearest: told_wrong, ..honest.clone() }),
+            ("power", OwnKernel { power: told_wrong, ..honest }),
+        ];
+        for (name, kernel) in kernels {
+            let words = format!("own-kernel: this plugin breaks its contract: {name}() = {wrong}");
+            told(&solved(kernel), Status::Refused, &words);
+        }
+    }
+    for error in [f64::NAN, -1.0] {
+        let kernel = OwnKernel { error: Some(error), ..OwnKernel::default() };
         told(
-            &solved(Some(length), None),
+            &solved(kernel),
             Status::Refused,
-            &format!("own-kernel: this plugin breaks its contract: length() = {length}"),
+            &format!("own-kernel: this plugin breaks its contract: error() = Some({error:?})"),
         );
     }
-    let unproven = solved(None, None);
-    told(&unproven, Status::Converged, "");
-    for error in [f64::NAN, -1.0] {
-        assert_eq!(solved(None, Some(error)).error.estimate, unproven.error.estimate, "{error}");
+}
+
+/// `compliance`, of a layer that it says is of another depth.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct OwnFlexibility(Option<f64>);
+
+#[typetag::serde(name = "own-flexibility")]
+impl Flexibility for OwnFlexibility {
+    fn respond(&self, layer: &Arc<LayerModel>) -> Result<Box<dyn LayerResponse>, Refusal> {
+        Ok(Box::new(OwnResponse { depth: self.0, response: Compliance {}.respond(layer)? }))
+    }
+}
+
+struct OwnResponse {
+    depth: Option<f64>,
+    response: Box<dyn LayerResponse>,
+}
+
+impl LayerResponse for OwnResponse {
+    fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
+        self.response.surface(s)
+    }
+
+    fn elastic(&self) -> Elastic {
+        self.response.elastic()
+    }
+
+    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
+        self.response.tail(terms)
+    }
+
+    fn depth(&self) -> Option<f64> {
+        self.depth
+    }
+}
+
+/// They panicked in the kernels, or had no end; a base that nothing felt made a half-plane of the layer.
+#[test]
+fn depths_that_cannot_be_are_refused() {
+    let mut scene = Sketch::flat(5.0, 2.0, 0.3).scene();
+    let mut solved = |depth| {
+        scene.solver.flexibility = Some(Box::new(OwnFlexibility(depth)));
+        (solve(&scene), slipzone::engine::response(&scene).err().map(|refusal| refusal.to_string()))
+    };
+    told(&solved(Some(1.0)).0, Status::Converged, "");
+    for depth in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let words = format!("own-flexibility: this plugin breaks its contract: depth() = {depth}");
+        let (solution, response) = solved(Some(depth));
+        told(&solution, Status::Refused, &words);
+        assert!(response.is_some_and(|why| why.contains(&words)));
+    }
+    told(&solved(None).0, Status::Refused, "depth() = None of a layer whose base is felt");
+}
+
+/// Another punch of the name `two-of-one-name`.
+macro_rules! punch_of_that_name {
+    ($punch:ident) => {
+        #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+        struct $punch {}
+
+        #[typetag::serde(name = "two-of-one-name")]
+        impl PunchProfile for $punch {
+            fn shape(&self) -> Result<Box<dyn PunchShape>, Refusal> {
+                Ok(Box::new(OwnPunch::Honest))
+            }
+        }
+    };
+}
+punch_of_that_name!(OnePunch);
+punch_of_that_name!(OtherPunch);
+
+#[test]
+fn two_plugins_of_one_name_are_said_to_be_two() {
+    let text = "format = 1\nlayer = { thickness = 1.0, poisson = 0.3, grading = { type = \"homogeneous\", modulus = 1.0 } }\n\
+                load = { force = 1.0 }\n[punch]\ntype = \"two-of-one-name\"\n";
+    let error = slipzone::scene::parse("two", text).unwrap_err().to_string();
+    for words in [
+        "two plugins go by the name `two-of-one-name` in this program",
+        "  expected: one plugin for each name",
+        "two:5:",
+    ] {
+        assert!(error.contains(words), "{words}: {error}");
     }
 }
 

@@ -1,6 +1,6 @@
 //! What the numbers that a run-time half tells of itself must be, in a few comparisons: before every solve, and by the testkit.
 
-use crate::{Edge, ModulusLaw, Parity, PunchShape, Rule};
+use crate::{Edge, KernelTable, LayerResponse, ModulusLaw, Parity, PunchShape, Rule};
 
 /// Kinks that integrals can be split at.
 const MOST_KINKS: usize = 64;
@@ -98,6 +98,33 @@ pub fn values(law: &dyn ModulusLaw) -> Result<(), String> {
     })
 }
 
+/// The lengths and the power that a layer's response tells of it are above 0 and finite.
+///
+/// # Errors
+/// The first that is not, and what it is.
+pub fn response(response: &dyn LayerResponse) -> Result<(), String> {
+    told("depth", response.depth())?;
+    told("thickness", response.thickness())?;
+    told("extent", response.extent())?;
+    told("broken_power", response.broken_power())
+}
+
+/// The lengths and the power that a kernel table tells are above 0 and finite, and its bound is none that proves nothing.
+///
+/// # Errors
+/// The first that is not, and what it is.
+pub fn table(table: &dyn KernelTable) -> Result<(), String> {
+    length("length", table.length())?;
+    told("nearest", table.nearest())?;
+    told("power", table.power())?;
+    ensure(table.error().is_none_or(|error| error >= 0.0), || format!("error() = {:?}", table.error()))
+}
+
+/// A length, or a power, where one is told.
+fn told(name: &str, told: Option<f64>) -> Result<(), String> {
+    told.map_or(Ok(()), |told| length(name, told))
+}
+
 /// A rule on a symmetric span has as many equations as its unknowns want, and what goes with them has their number.
 ///
 /// # Errors
@@ -115,8 +142,14 @@ pub fn rule(rule: &dyn Rule, parity: Parity, edge: Edge) -> Result<(), String> {
     ensure(unknowns.checked_add_signed(excess) == Some(equations), || {
         format!("{equations} equations for {unknowns} unknowns, not {excess} more")
     })?;
-    ensure(rule.row_scale().is_none_or(|scale| scale.len() == points), || {
-        "row_scale() has not one factor for each point".into()
+    let is_inside = |gap: f64| (0.0..f64::INFINITY).contains(&gap);
+    ensure(rule.collocation().iter().all(|station| station.x.is_finite() && is_inside(station.gap)), || {
+        "collocation() has points that are none of the interval".into()
+    })?;
+    let Some(scale) = rule.row_scale() else { return Ok(()) };
+    ensure(scale.len() == points, || "row_scale() has not one factor for each point".into())?;
+    ensure(scale.iter().all(|factor| factor.is_finite() && *factor != 0.0), || {
+        "row_scale() has factors that are 0 or no number".into()
     })
 }
 

@@ -27,9 +27,8 @@ impl KernelTable for Counted {
         self.table.values_into(component, distances, out);
     }
 
-    /// A bound that is none proves nothing.
     fn error(&self) -> Option<f64> {
-        self.table.error().filter(|error| *error >= 0.0)
+        self.table.error()
     }
 
     fn length(&self) -> f64 {

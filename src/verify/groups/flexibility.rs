@@ -263,8 +263,10 @@ fn tabulated(case: Value, _: usize) -> Case {
         let [waves, vv, uu, uv] = ["s", "vv", "uu", "uv"].map(|key| list(&case, key));
         let (waves, vv, uu, uv) = (waves?, vv?, uu?, uv?);
         for info in members(Family::Flexibility) {
+            let method: Value =
+                toml::from_str(&format!("flexibility = {}", least(info, None))).map_err(|error| error.to_string())?;
             let scene = json!({
-                "format": 1, "layer": layer, "solver": { "flexibility": { "type": info.name } },
+                "format": 1, "layer": layer, "solver": method,
                 "punch": { "type": "flat", "half_width": 1.0 }, "load": { "force": 1.0 },
             });
             let text = toml::to_string(&scene).map_err(|error| error.to_string())?;

@@ -12,6 +12,8 @@ enum Fault {
     OnePointMore,
     Descending,
     GapOfAnotherWidth,
+    GapBelowZero,
+    ScaleOfZero,
     ResultantOfTheOddHalf,
     OperatorOfNothing,
     ResultantOfOneHalf,
@@ -33,7 +35,11 @@ impl Quadrature for Faulty {
             Edge::Continued => NODES + 1,
         } + usize::from(*fault == Fault::OnePointMore);
         let angle = |i: usize| if span.edge == Edge::Sharp { i as f64 / NODES as f64 } else { i as f64 / 12.0 };
-        let gap = |x: f64| if *fault == Fault::GapOfAnotherWidth { 2.0 - x } else { half_width - x };
+        let gap = |x: f64| match fault {
+            Fault::GapOfAnotherWidth => 2.0 - x,
+            Fault::GapBelowZero => x - half_width,
+            _ => half_width - x,
+        };
         let point = |i: usize| half_width * (0.5 * PI * angle(i)).cos();
         let mut points: Vec<_> = (1..=count).rev().map(|i| Station { x: point(i), gap: gap(point(i)) }).collect();
         if *fault == Fault::Descending {
@@ -68,6 +74,11 @@ impl Rule for FaultyRule {
 
     fn collocation(&self) -> &[Station] {
         &self.points
+    }
+
+    fn row_scale(&self) -> Option<&[f64]> {
+        const ZEROS: [f64; NODES + 1] = [0.0; NODES + 1];
+        (self.fault == Fault::ScaleOfZero).then(|| &ZEROS[..self.points.len()])
     }
 
     fn half_width(&self) -> f64 {
@@ -125,6 +136,8 @@ fn faults_of_rules_are_found() {
         (Fault::OnePointMore, "Even Sharp: 6 equations for 6 unknowns, not -1 more"),
         (Fault::Descending, "do not ascend"),
         (Fault::GapOfAnotherWidth, "do not add up"),
+        (Fault::GapBelowZero, "collocation() has points that are none of the interval"),
+        (Fault::ScaleOfZero, "row_scale() has factors that are 0 or no number"),
         (Fault::ResultantOfTheOddHalf, "Odd Continued: resultant_into()"),
         (Fault::OperatorOfNothing, "edge_factor() of a flat punch is NaN"),
         (Fault::ResultantOfOneHalf, "edge_factor() of a flat punch is 1.99999"),
