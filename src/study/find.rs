@@ -65,19 +65,23 @@ struct FindTable {
 }
 
 impl TryFrom<FindTable> for Find {
-    type Error = &'static str;
+    type Error = String;
 
     fn try_from(table: FindTable) -> Result<Self, Self::Error> {
         let FindTable { field, from, to, quantity, target, minimum, maximum, half_plane_within } = table;
         let wishes = [
-            target.map(Wanted::Target),
-            minimum.filter(|is| *is).map(|_| Wanted::Minimum),
-            maximum.filter(|is| *is).map(|_| Wanted::Maximum),
-            half_plane_within.map(Wanted::HalfPlaneWithin),
+            ("target", target.map(Wanted::Target)),
+            ("minimum", minimum.filter(|is| *is).map(|_| Wanted::Minimum)),
+            ("maximum", maximum.filter(|is| *is).map(|_| Wanted::Maximum)),
+            ("half_plane_within", half_plane_within.map(Wanted::HalfPlaneWithin)),
         ];
-        let mut wishes = wishes.into_iter().flatten();
-        let (Some(wanted), None) = (wishes.next(), wishes.next()) else {
-            return Err("expected exactly one of `target`, `minimum = true`, `maximum = true`, `half_plane_within`");
+        let wishes: Vec<_> = wishes.into_iter().filter_map(|(key, wanted)| Some((key, wanted?))).collect();
+        let &[(_, wanted)] = wishes.as_slice() else {
+            let keys: Vec<_> = wishes.iter().map(|(key, _)| format!("`{key}`")).collect();
+            let found = if keys.is_empty() { "none of them".into() } else { keys.join(" and ") };
+            return Err(format!(
+                "expected exactly one of `target`, `minimum = true`, `maximum = true` and `half_plane_within`, found {found}"
+            ));
         };
         let field = field.split('.').map(str::trim).collect::<Vec<_>>().join(".");
         Ok(Self { field, from, to, quantity, wanted })

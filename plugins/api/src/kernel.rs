@@ -163,7 +163,11 @@ pub trait KernelStrategy: dyn_clone::DynClone + Debug + Send + Sync {
         Ok(())
     }
 
-    /// Evaluates the flexibility where it must and builds the tables.
+    /// Evaluates the flexibility where it must and builds the tables. Nothing else bounds its work: the wave numbers are counted when the
+    /// tables are there, and how long these take to be read is not known to those who read them.
+    ///
+    /// # Errors
+    /// What it cannot tell, or not with bounded work.
     fn tabulate(&self, response: &dyn LayerResponse, request: &KernelRequest) -> Result<Box<dyn KernelTable>, Refusal>;
 
     /// The same strategy at a resolution at least `2^level` times as fine: fine enough to judge this one.

@@ -77,9 +77,15 @@ impl Span {
 }
 
 /// Config half: the discretisation (such as `gauss-chebyshev`).
+///
+/// Refinement asks for one level after another until the tolerance is met, the [budget](Rule::multiplications_beside) is used up or the
+/// scheme refuses: one that converges slowly must end that itself, by refusing more unknowns than it is worth solving for.
 #[typetag::serde(tag = "type")]
 pub trait Quadrature: dyn_clone::DynClone + Debug + Send + Sync {
     /// Lays out nodes and collocation points for one density.
+    ///
+    /// # Errors
+    /// Unknowns for which it has no room, or that take more work than they are worth.
     fn rule(&self, span: &Span) -> Result<Box<dyn Rule>, Refusal>;
 
     /// The same scheme, `level` steps finer. A step takes at least 5/4 and at most twice the unknowns.
@@ -147,7 +153,8 @@ pub trait Rule: Send + Sync {
     }
 
     /// Multiplications that [`Self::operator_into`] takes beside reading the kernel and a few for each entry, where the kernel's length is
-    /// `1/thinness` of the half-width: what a finer grid for the kernel costs.
+    /// `1/thinness` of the half-width: what a finer grid for the kernel costs. They are counted where `thinness` is above 8: under wider
+    /// kernels a grid is as fine as its unknowns.
     fn multiplications_beside(&self, thinness: f64) -> u64 {
         let _ = thinness;
         0
