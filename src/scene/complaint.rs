@@ -7,26 +7,12 @@
 /// A decoder's message, taken apart.
 #[derive(Debug, PartialEq)]
 pub(super) enum Complaint<'m> {
-    UnknownKey {
-        key: &'m str,
-        known: Vec<&'m str>,
-    },
-    UnknownName {
-        name: &'m str,
-        known: Vec<&'m str>,
-    },
+    UnknownKey { key: &'m str, known: Vec<&'m str> },
+    UnknownName { name: &'m str, known: Vec<&'m str> },
     MissingKey(&'m str),
-    WrongType {
-        expected: String,
-    },
-    NotWhole {
-        expected: String,
-    },
-    OutOfRange {
-        expected: String,
-        found: Option<&'m str>,
-    },
-    /// Two plugins of a family go by that name.
+    WrongType { expected: String },
+    NotWhole { expected: String },
+    OutOfRange { expected: String, found: Option<&'m str> },
     TwoOfOneName(&'m str),
     Other(String),
 }
