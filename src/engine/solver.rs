@@ -11,7 +11,7 @@ use super::solution::{Solution, Status};
 use super::stand_in::{self, Decision, StandIn};
 use super::verdict::verdict;
 use crate::engine::accuracy::quantity::Quantity;
-use crate::engine::refine::judged::Judged;
+use crate::engine::refine::judged::{Judged, ROUNDED};
 use crate::engine::stand_in::thin;
 use crate::engine::work::budget::BUDGET;
 use crate::plan::{Chosen, Plan, choose};
@@ -59,8 +59,6 @@ pub struct Solver {
 
 /// Share of a budget that is left for other methods where the first used it up: `graded-panels` take longer for the same work.
 const LEFT_FOR_OTHERS: u64 = 10;
-/// Errors below this are rounding as likely as not, which other methods have, too.
-const ROUNDED: f64 = 1e-9;
 /// What other methods find is taken where its errors are at most this part of those of what was found first.
 const FAR_LESS: f64 = 0.1;
 
@@ -198,7 +196,7 @@ impl Solver {
     }
 
     /// Whether what was found misses the tolerance for what its methods lack: budget, room, or convergence. A model that the scene
-    /// forces misses it by itself.
+    /// forces misses it by itself, and rounding is in other methods, too.
     fn may_be_bettered(&self) -> bool {
         let is_open = self.judged.as_ref().is_some_and(|found| !found.is_hopeless) && self.stand_in.is_none();
         is_open && self.worst() > self.tolerance().max(ROUNDED)
@@ -210,7 +208,7 @@ impl Solver {
 
     /// The largest error of what was found and has to meet the tolerance.
     fn worst(&self) -> f64 {
-        self.judged.as_ref().map_or(f64::INFINITY, |found| found.worst(&self.problem))
+        self.judged.as_ref().map_or(f64::INFINITY, |found| found.errors.worst().map_or(0.0, |(_, error)| error))
     }
 
     /// The same scene and load by other methods, where these meet the tolerance or miss it by far less.

@@ -12,7 +12,6 @@ enum Fault {
     OnePointMore,
     Descending,
     GapOfAnotherWidth,
-    GapBelowZero,
     ScaleOfZero,
     ResultantOfTheOddHalf,
     OperatorOfNothing,
@@ -35,11 +34,7 @@ impl Quadrature for Faulty {
             Edge::Continued => NODES + 1,
         } + usize::from(*fault == Fault::OnePointMore);
         let angle = |i: usize| if span.edge == Edge::Sharp { i as f64 / NODES as f64 } else { i as f64 / 12.0 };
-        let gap = |x: f64| match fault {
-            Fault::GapOfAnotherWidth => 2.0 - x,
-            Fault::GapBelowZero => x - half_width,
-            _ => half_width - x,
-        };
+        let gap = |x: f64| if *fault == Fault::GapOfAnotherWidth { 2.0 - x } else { half_width - x };
         let point = |i: usize| half_width * (0.5 * PI * angle(i)).cos();
         let mut points: Vec<_> = (1..=count).rev().map(|i| Station { x: point(i), gap: gap(point(i)) }).collect();
         if *fault == Fault::Descending {
@@ -136,7 +131,6 @@ fn faults_of_rules_are_found() {
         (Fault::OnePointMore, "Even Sharp: 6 equations for 6 unknowns, not -1 more"),
         (Fault::Descending, "do not ascend"),
         (Fault::GapOfAnotherWidth, "do not add up"),
-        (Fault::GapBelowZero, "collocation() has points that are none of the interval"),
         (Fault::ScaleOfZero, "row_scale() has factors that are 0 or no number"),
         (Fault::ResultantOfTheOddHalf, "Odd Continued: resultant_into()"),
         (Fault::OperatorOfNothing, "edge_factor() of a flat punch is NaN"),
