@@ -208,7 +208,7 @@ impl Solver {
 
     /// The largest error of what was found and has to meet the tolerance.
     fn worst(&self) -> f64 {
-        self.judged.as_ref().map_or(f64::INFINITY, |found| found.errors.worst().map_or(0.0, |(_, error)| error))
+        self.judged.as_ref().map_or(f64::INFINITY, Judged::worst)
     }
 
     /// The same scene and load by other methods, where these meet the tolerance or miss it by far less.
@@ -292,7 +292,7 @@ impl Solver {
         let aim = Aim { problem, methods: &chosen.methods, tolerance };
         let is_wider = matches!(problem.load, LoadInLayerUnits::HalfWidth(b) if b > problem.reach());
         let found = if is_wider { None } else { ladder.refine(layer, aim).ok() };
-        let found = found.filter(|found| found.worst(problem) <= tolerance);
+        let found = found.filter(|found| found.worst() <= tolerance);
         if found.is_none() {
             problem.ends_before_kinks = false;
             layer.meter().resume();
@@ -320,7 +320,7 @@ impl Solver {
             let mut ladder = Ladder::default();
             let found = ladder.refine(layer, Aim { problem, methods, tolerance });
             work = work + ladder.work();
-            found.map(|found| (found.worst(problem), found, ladder))
+            found.map(|found| (found.worst(), found, ladder))
         };
         let error = |solved: &Result<(f64, _, _), Refusal>| solved.as_ref().map_or(f64::INFINITY, |solved| solved.0);
         let mut best = again(true);

@@ -14,12 +14,8 @@ const AGREEMENT: f64 = 1e-9;
 /// The first that is not, and what it is.
 pub fn shape(shape: &dyn PunchShape) -> Result<(), String> {
     length("natural_length", shape.natural_length())?;
-    if let Some(half_width) = shape.fixed_half_width() {
-        length("fixed_half_width", half_width)?;
-    }
-    if let Some(reach) = shape.reach() {
-        length("reach", reach)?;
-    }
+    told("fixed_half_width", shape.fixed_half_width())?;
+    told("reach", shape.reach())?;
     let face = shape.face();
     ensure((0.0..f64::INFINITY).contains(&face), || format!("face() = {face}"))?;
     if let Some(noise) = shape.noise() {

@@ -109,14 +109,14 @@ impl Judged {
         self.errors = self.errors.judged_by(problem.wishes);
     }
 
-    /// Its largest error, see [`worst_judged`].
-    pub(crate) fn worst(&self, problem: &Problem) -> f64 {
-        worst_judged(problem, &self.errors).map_or(0.0, |(_, error)| error)
+    /// Its largest error.
+    pub(crate) fn worst(&self) -> f64 {
+        self.errors.worst().map_or(0.0, |(_, error)| error)
     }
 
     /// Whether it misses the tolerance because the shape has details that a grid over all of the contact does not resolve.
     pub(crate) fn misses_details(&self, problem: &Problem, tolerance: f64) -> bool {
-        self.how != How::Twin && self.worst(problem) > tolerance && has_details(problem, &self.outcome, tolerance)
+        self.how != How::Twin && self.worst() > tolerance && has_details(problem, &self.outcome, tolerance)
     }
 }
 
