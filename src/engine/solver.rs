@@ -3,6 +3,7 @@
 mod curve;
 
 use super::assemble::{self, Solved};
+use super::foreign;
 use super::layer::Layer;
 use super::prepared_layer::PreparedLayer;
 use super::problem::{LoadInLayerUnits, Problem};
@@ -195,6 +196,11 @@ impl Solver {
         found
     }
 
+    /// Why nothing was found: what a plugin gave in place of a number says more than what came of it.
+    fn explained(&self, refusal: Refusal) -> Refusal {
+        foreign::culprit(&self.chosen.methods, &self.layer).unwrap_or(refusal)
+    }
+
     /// Whether what was found misses the tolerance for what its methods lack: budget, room, or convergence. A model that the scene
     /// forces misses it by itself, and rounding is in other methods, too.
     fn may_be_bettered(&self) -> bool {
@@ -240,7 +246,7 @@ impl Solver {
     /// no other load is to be solved with them.
     fn find_within(&mut self) -> Result<(), Refusal> {
         let reach = self.layer.reach();
-        let found = self.found_within();
+        let found = self.found_within().map_err(|refusal| self.explained(refusal));
         if found.is_err() && self.layer.reach() > reach {
             self.judged = None;
             self.layer.forget();
@@ -365,7 +371,8 @@ impl Solver {
             return solution;
         }
         let found = if self.judged.is_some() { Ok(()) } else { self.find() };
-        let mut solution = match found.and_then(|()| self.report_within()) {
+        let reported = found.and_then(|()| self.report_within().map_err(|refusal| self.explained(refusal)));
+        let mut solution = match reported {
             Ok(solution) => solution,
             Err(refusal) => {
                 // Of a shape that is not defined all over the contact there may be no more to tell than that.

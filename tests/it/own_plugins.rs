@@ -3,9 +3,9 @@
 use crate::sketch::Sketch;
 use serde::{Deserialize, Serialize};
 use slipzone::api::{
-    Component, Edge, Elastic, Flexibility, Grading, KernelRequest, KernelStrategy, KernelTable, LayerModel,
-    LayerResponse, ModulusLaw, PartsMut, PunchProfile, PunchShape, Quadrature, Refusal, Rule, Setting, Span,
-    SurfaceFlexibility,
+    Component, Densities, Edge, Elastic, Flexibility, Grading, KernelRequest, KernelStrategy, KernelTable, LayerModel,
+    LayerResponse, ModulusLaw, Parts, PartsMut, PunchProfile, PunchShape, Quadrature, Refusal, Rule, Setting, Span,
+    Station, SurfaceFlexibility,
 };
 use slipzone::engine::{Solution, Status, solve};
 use slipzone::scene::Model;
@@ -95,6 +95,8 @@ struct OwnKernel {
     nearest: Option<f64>,
     power: Option<f64>,
     error: Option<f64>,
+    /// Whether it gives no numbers.
+    is_void: bool,
 }
 
 #[typetag::serde(name = "own-kernel")]
@@ -120,7 +122,11 @@ struct OwnTable {
 
 impl KernelTable for OwnTable {
     fn parts_into(&self, component: Component, distances: &[f64], out: PartsMut) {
-        self.table.parts_into(component, distances, out);
+        if self.told.is_void {
+            out.fill(distances, |_| Parts { smooth: f64::NAN, ..Parts::default() });
+        } else {
+            self.table.parts_into(component, distances, out);
+        }
     }
 
     fn length(&self) -> f64 {
@@ -176,25 +182,26 @@ fn tables_that_tell_what_cannot_be_are_refused() {
     }
 }
 
-/// `compliance`, of a layer that it says is of another depth.
+/// `compliance`, of a layer that it says is of another depth, or with `uv` times a factor.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-struct OwnFlexibility(Option<f64>);
+struct OwnFlexibility(Option<f64>, f64);
 
 #[typetag::serde(name = "own-flexibility")]
 impl Flexibility for OwnFlexibility {
     fn respond(&self, layer: &Arc<LayerModel>) -> Result<Box<dyn LayerResponse>, Refusal> {
-        Ok(Box::new(OwnResponse { depth: self.0, response: Compliance {}.respond(layer)? }))
+        Ok(Box::new(OwnResponse { told: *self, response: Compliance {}.respond(layer)? }))
     }
 }
 
 struct OwnResponse {
-    depth: Option<f64>,
+    told: OwnFlexibility,
     response: Box<dyn LayerResponse>,
 }
 
 impl LayerResponse for OwnResponse {
     fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
-        self.response.surface(s)
+        let surface = self.response.surface(s)?;
+        Ok(SurfaceFlexibility { uv: self.told.1 * surface.uv, ..surface })
     }
 
     fn elastic(&self) -> Elastic {
@@ -206,7 +213,7 @@ impl LayerResponse for OwnResponse {
     }
 
     fn depth(&self) -> Option<f64> {
-        self.depth
+        self.told.0
     }
 }
 
@@ -215,7 +222,7 @@ impl LayerResponse for OwnResponse {
 fn depths_that_cannot_be_are_refused() {
     let mut scene = Sketch::flat(5.0, 2.0, 0.3).scene();
     let mut solved = |depth| {
-        scene.solver.flexibility = Some(Box::new(OwnFlexibility(depth)));
+        scene.solver.flexibility = Some(Box::new(OwnFlexibility(depth, 1.0)));
         (solve(&scene), slipzone::engine::response(&scene).err().map(|refusal| refusal.to_string()))
     };
     told(&solved(Some(1.0)).0, Status::Converged, "");
@@ -264,6 +271,8 @@ fn two_plugins_of_one_name_are_said_to_be_two() {
 enum OwnQuadrature {
     /// Never finer.
     Same,
+    /// Whose rules have no factor at the edge; refined so often.
+    Edgeless(u32),
     /// An equation more than there is room for.
     Crowded,
 }
@@ -272,11 +281,15 @@ enum OwnQuadrature {
 impl Quadrature for OwnQuadrature {
     fn rule(&self, span: &Span) -> Result<Box<dyn Rule>, Refusal> {
         let edge = if *self == Self::Crowded { Edge::Smooth } else { span.edge };
-        GaussChebyshev::default().rule(&Span { edge, ..*span })
+        let span = Span { edge, ..*span };
+        match self {
+            Self::Edgeless(level) => Ok(Box::new(Edgeless(GaussChebyshev::default().refined(*level).rule(&span)?))),
+            Self::Same | Self::Crowded => GaussChebyshev::default().rule(&span),
+        }
     }
 
-    fn refined(&self, _level: u32) -> Box<dyn Quadrature> {
-        Box::new(*self)
+    fn refined(&self, level: u32) -> Box<dyn Quadrature> {
+        Box::new(if matches!(self, Self::Edgeless(_)) { Self::Edgeless(level) } else { *self })
     }
 
     fn is_pinned(&self) -> bool {
@@ -297,6 +310,81 @@ fn rules_of_the_wrong_size_are_refused() {
         "own-quadrature: this plugin breaks its contract: refined(1) has",
     );
     told(&solved(OwnQuadrature::Crowded), Status::Refused, "not -1 more");
+}
+
+/// A rule, but for the factor at the edge, which is no number.
+struct Edgeless(Box<dyn Rule>);
+
+impl Rule for Edgeless {
+    fn unknowns(&self) -> usize {
+        self.0.unknowns()
+    }
+    fn collocation(&self) -> &[Station] {
+        self.0.collocation()
+    }
+    fn half_width(&self) -> f64 {
+        self.0.half_width()
+    }
+    fn stretch(&mut self, half_width: f64) {
+        self.0.stretch(half_width);
+    }
+    fn edge_condition(&self) -> Option<&[f64]> {
+        self.0.edge_condition()
+    }
+    fn operator_into(&mut self, kernel: Option<(&dyn KernelTable, Component)>, rows: &mut [f64]) {
+        self.0.operator_into(kernel, rows);
+    }
+    fn applied_into(
+        &mut self,
+        kernel: (&dyn KernelTable, Component),
+        rows: &[f64],
+        densities: &Densities,
+        out: &mut [[f64; 2]],
+    ) {
+        self.0.applied_into(kernel, rows, densities, out);
+    }
+    fn resultant_into(&self, row: &mut [f64]) {
+        self.0.resultant_into(row);
+    }
+    fn values_into(&self, unknowns: &[f64], at: &[Station], out: &mut [f64]) {
+        self.0.values_into(unknowns, at, out);
+    }
+    fn edge_factor(&self, _unknowns: &[f64]) -> f64 {
+        f64::NAN
+    }
+    fn sample_potential(&mut self, unknowns: &[f64], kernel: (&dyn KernelTable, Component), samples: &mut Vec<f64>) {
+        self.0.sample_potential(unknowns, kernel, samples);
+    }
+    fn potential_into(
+        &mut self,
+        samples: &[f64],
+        kernel: (&dyn KernelTable, Component),
+        targets: &[Station],
+        out: &mut [f64],
+    ) {
+        self.0.potential_into(samples, kernel, targets, out);
+    }
+}
+
+/// Who gave what is no number was not told: the kernel was too rough, or the scene's numbers too large.
+#[test]
+fn who_gives_no_number_is_named() {
+    let broken =
+        |plugin: &str, fault: &str| format!("{plugin}: this plugin breaks its contract: {fault}; tell its author");
+    let scene = || Sketch::flat(5.0, 2.0, 0.3).rubbing(0.1).scene();
+    let mut flexible = scene();
+    flexible.solver.flexibility = Some(Box::new(OwnFlexibility(Some(1.0), f64::NAN)));
+    told(&solve(&flexible), Status::Refused, &broken("own-flexibility", "surface(0) gives NaN"));
+    let mut tabulated = scene();
+    tabulated.solver.kernel = Some(Box::new(OwnKernel { is_void: true, ..OwnKernel::default() }));
+    told(
+        &solve(&tabulated),
+        Status::Refused,
+        "own-kernel: this plugin breaks its contract: parts(Depth, 0.004) gives NaN",
+    );
+    let mut edgeless = scene();
+    edgeless.solver.quadrature = Some(Box::new(OwnQuadrature::Edgeless(0)));
+    told(&solve(&edgeless), Status::Refused, &broken("own-quadrature", "edge_factor gives NaN"));
 }
 
 /// A modulus that is no number at the surface alone.
