@@ -66,8 +66,7 @@ fn of_response(response: &dyn LayerResponse) -> Option<String> {
 }
 
 fn of_tables(layer: &PreparedLayer) -> Option<String> {
-    let known = [Component::Depth, Component::NormalSlope, Component::ShearStrain, Component::Coupling];
-    known.into_iter().filter_map(|component| layer.kernel(component)).find_map(|(table, component)| {
+    layer.kernels().find_map(|(table, component)| {
         DISTANCES.iter().find_map(|share| {
             let distance = share * layer.reach();
             let Parts { smooth, sign, log } = table.parts(component, distance);

@@ -184,6 +184,13 @@ impl PreparedLayer {
         table.as_ref().map(|table| (table as &dyn KernelTable, component))
     }
 
+    /// The kernels that are tabulated.
+    pub(crate) fn kernels(&self) -> impl Iterator<Item = (&dyn KernelTable, Component)> {
+        let is_frictional = self.tables.as_ref().is_some_and(|tables| tables.serves.frictional);
+        let known = &ALL[..if is_frictional { 4 } else { 2 }];
+        known.iter().filter_map(|component| self.kernel(*component))
+    }
+
     /// A kernel at each distance; zeros on a homogeneous half-plane.
     pub(crate) fn kernel_values(&self, component: Component, distances: &[f64], out: &mut [f64]) {
         match self.kernel(component) {

@@ -340,29 +340,47 @@ fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneError {
             Some(c) => format!("`{}`", c.escape_debug()),
         },
     };
-    let around = text.split_at_checked(span.start);
-    let comma = around.and_then(|(before, after)| Some((before, after.strip_prefix(',')?)));
-    let is_digit = |c: char| c.is_ascii_digit();
-    let is_decimal_comma = comma
-        .is_some_and(|(before, after)| before.ends_with(is_digit) && after.starts_with(is_digit))
-        || around.is_some_and(|(before, _)| ends_in_decimal_comma(before));
-    let not_a_value = (what == "not a value").then(|| text.get(span.clone())).flatten().and_then(instead);
-    let is_unclosed = what.contains("inline table") && found != "the end of the file";
-    let is_of_old = what.starts_with("carriage return");
-    let is_last = comma.is_some_and(|(_, after)| after.lines().next().is_none_or(|rest| rest.trim().is_empty()));
+    let hint = hint(what, text, &span);
     let error = SceneError::at(name, text, span, format!("not valid TOML: {what}"))
         .found(found)
         .expected(expected.unwrap_or("a line of TOML such as `key = value` or `[section]`"));
-    match (is_decimal_comma, is_last) {
-        (true, _) => error.hint("decimals are written with a point, as in 5.0"),
-        (_, true) => error.hint("outside of [ ] and { } a line ends without a comma"),
-        _ if is_of_old => error.hint("lines end in CR alone here; save the file with ends of LF, or of CR and LF"),
-        _ if what == "missing escaped value" => {
-            error.hint("in a file's path write / for \\, or put it in single quotes: 'C:\\data\\moduli.csv'")
-        }
-        _ if is_unclosed => error.hint("is the `}` missing that ends the table before?"),
-        _ => not_a_value.map_or_else(|| error.clone(), |hint| error.clone().hint(hint)),
+    match hint {
+        Some(hint) => error.hint(hint),
+        None => error,
     }
+}
+
+/// What to write instead, where the parser stopped over something usual.
+fn hint(what: &str, text: &str, span: &Range<usize>) -> Option<String> {
+    let (before, after) = text.split_at_checked(span.start)?;
+    let first = after.chars().next();
+    let line_before = before.rsplit('\n').next().unwrap_or_default();
+    let line = || [line_before, after.lines().next().unwrap_or_default()].concat();
+    let is_digit = |c: char| c.is_ascii_digit();
+    let after_comma = after.strip_prefix(',');
+    let is_decimal_comma = after_comma.is_some_and(|after| before.ends_with(is_digit) && after.starts_with(is_digit));
+    let usual = match what {
+        _ if is_decimal_comma || ends_in_decimal_comma(before) => "decimals are written with a point, as in 5.0",
+        _ if after_comma.is_some_and(|after| after.lines().next().is_none_or(|rest| rest.trim().is_empty())) => {
+            "outside of [ ] and { } a line ends without a comma"
+        }
+        "invalid mantissa" | "invalid fraction" => "a decimal point stands between digits, as in 0.5 and 3.0",
+        "missing escaped value" => {
+            "in a file's path write / for \\, or put it in single quotes: 'C:\\data\\moduli.csv'"
+        }
+        _ if what.starts_with("carriage return") => {
+            "lines end in CR alone here; save the file with ends of LF, or of CR and LF"
+        }
+        _ if what.starts_with("cannot extend") => "what belongs to a table that is written in { } stands between them",
+        _ if what.contains("inline table") && first.is_some() => "is the `}` missing that ends the table before?",
+        _ if line().contains(['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}']) => {
+            "quotes are straight, \" or ', not those of a word processor"
+        }
+        _ if line().contains(['\u{2212}', '\u{2013}']) => "the sign is a hyphen, -, not a longer dash",
+        "not a value" => return text.get(span.clone()).and_then(instead),
+        _ => return None,
+    };
+    Some(usual.into())
 }
 
 /// Whether a text ends with a value such as `1,5`: in an inline table the 5 is taken for the next key, and what follows it is what is wrong.
