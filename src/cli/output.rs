@@ -254,8 +254,11 @@ fn exists(path: &Path) -> Failure {
 
 /// Makes a folder, and those around it, where there is none.
 pub(super) fn make_folder(folder: &Path) -> Result<(), Failure> {
-    fs::create_dir_all(folder)
-        .map_err(|error| Failure::System(format!("cannot make the folder {}: {error}", folder.display())))
+    fs::create_dir_all(folder).map_err(|error| {
+        let file = folder.ancestors().find(|path| path.is_file());
+        let why = file.map_or_else(|| error.to_string(), |file| format!("{} is a file", file.display()));
+        Failure::System(format!("cannot make the folder {}: {why}", folder.display()))
+    })
 }
 
 /// Refuses standard output where a file is needed; the hint says what else there is.
