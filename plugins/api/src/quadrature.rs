@@ -102,7 +102,7 @@ pub trait Quadrature: dyn_clone::DynClone + Debug + Send + Sync {
 }
 dyn_clone::clone_trait_object!(Quadrature);
 
-/// Writes two densities at points strictly inside an interval.
+/// Writes two densities at points strictly inside an interval, on either side of its middle or there.
 pub type Densities<'a> = dyn Fn(&[Station], &mut [[f64; 2]]) + 'a;
 
 /// Run-time half: one density on one interval.

@@ -213,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn both_are_one_at_the_end_and_meet_there() {
+    fn both_are_one_at_the_end_and_none_in_the_middle() {
         for zone in zones() {
             let shear = HalfPlaneShear::new(zone);
             let end = shear.slipping(Station { x: zone.half_width, gap: zone.slip_width });
@@ -225,6 +225,7 @@ mod tests {
                 sticking(&shear, Station { x: sign * x, gap })
             });
             assert_eq!(here.map(f64::to_bits), there.map(|q| (-q).to_bits()), "odd");
+            assert_eq!(sticking(&shear, at(zone, 1.0)), [0.0; 2], "in the middle of {zone:?}");
         }
     }
 
