@@ -225,7 +225,7 @@ mod tests {
                 sticking(&shear, Station { x: sign * x, gap })
             });
             assert_eq!(here.map(f64::to_bits), there.map(|q| (-q).to_bits()), "odd");
-            assert_eq!(sticking(&shear, at(zone, 1.0)), [0.0; 2], "in the middle of {zone:?}");
+            assert!(sticking(&shear, at(zone, 1.0)).iter().all(|q| *q == 0.0), "in the middle of {zone:?}");
         }
     }
 
