@@ -3,24 +3,20 @@
 //! The range is looked over in steps first, so that every crossing wider than a step is seen; then the crossing is closed in
 //! upon between two steps, always bracketed (Alefeld, Potra, Shi, ACM TOMS algorithm 748), a least value by Brent's method.
 
+mod least;
 mod reasons;
+mod seen;
 
 use super::Study;
 use super::find::{Find, Wanted};
 use super::record::{Found, Record};
 use crate::engine::numerics::root::{self, Bracketed};
-use crate::engine::{Plan, Solution, Status, solve};
-use crate::plan;
-use crate::scene::{Asked, Load, Replacement, Scene};
-use basin::{
-    BoxBounds, Brent, ConstraintDescription, ConstraintSet, Constraints, CostFunction, Executor, PointState, RootError,
-};
-use slipzone_api::Base;
+use crate::engine::{Plan, Solution};
+use basin::RootError;
+use seen::{Place, Point};
 
 /// Steps in which a range is looked over.
 const STEPS: u32 = 24;
-/// Ranges wider than this factor are stepped by factors.
-const WIDE: f64 = 4.0;
 /// Share of the range over which a slope is measured, and what is beside a value.
 const BESIDE: f64 = 1e-3;
 /// What is left of the excess at a root, over what it is beside: the root's tolerance and the number's own error, but where it jumps.
@@ -33,8 +29,6 @@ const DEEPER: f64 = 2.0;
 const SHALLOW: f64 = 1.0 / 16.0;
 /// What takes the place of [`JUMP`] around a turn, where the number changes by less than over a step.
 const SMALL_JUMP: f64 = 1e-3;
-/// Iterations of a search that has a bracket.
-const MOST: u64 = 100;
 
 /// The scene of a study with the field at the value that answers the study's question.
 pub(super) fn answer(study: &Study, row: u64, find: &Find) -> Record {
@@ -71,30 +65,6 @@ impl Moved {
             Self::ByRoot(bend) => (2.0 * error / bend.abs()).sqrt(),
         }
         .min(1.0)
-    }
-}
-
-/// A place in the range, taken as 0 to 1, and the excess there.
-type Place = (f64, f64);
-
-/// What was seen at one value of the field: the number that decides, less what is wanted of it.
-#[derive(Clone, Copy)]
-struct Point {
-    at: f64,
-    number: f64,
-    /// Of the excess.
-    error: f64,
-    excess: f64,
-}
-
-impl Point {
-    fn place(&self) -> Place {
-        (self.at, self.excess)
-    }
-
-    /// Whether it is as wanted, as far as its own error tells.
-    fn may_be_hit(&self) -> bool {
-        self.excess.abs() <= self.error
     }
 }
 
@@ -182,16 +152,6 @@ impl Question<'_> {
         Ok(Seen { points, gaps })
     }
 
-    /// The error of the excess.
-    fn excess_error(&self, solution: &Solution) -> f64 {
-        let size = match self.find.wanted {
-            Wanted::HalfPlaneWithin(_) => 2.0, // relative to the half-plane's number, which has an error of its own
-            _ => solution.number(&self.find.quantity).map_or(1.0, f64::abs),
-        };
-        let tolerance = solution.scene.solver.tolerance.get();
-        solution.error.each.get(self.find.quantity.as_str()).copied().unwrap_or(tolerance) * size
-    }
-
     /// Where the number is as wanted, over the range taken as 0 to 1.
     fn crossings(&self, points: &[Point]) -> Result<Vec<(f64, Moved)>, String> {
         let step = f64::from(STEPS).recip();
@@ -256,16 +216,6 @@ impl Question<'_> {
         found
     }
 
-    /// Where `sign` times the excess is least between two places, and the excess there; `highest` is no less than it is around.
-    fn lowest(&self, sign: f64, [lower, upper]: [f64; 2], highest: f64) -> Result<Place, String> {
-        let valley = Valley { question: self, sign, lower, upper, highest };
-        let found = Executor::new(valley, Brent::new(), PointState::new(0.5 * (lower + upper)))
-            .max_iter(MOST)
-            .run()
-            .map_err(|error| error.to_string())?;
-        Ok((*found.param(), sign * found.cost()))
-    }
-
     /// Refuses a number that is as wanted, within its error, at a step and at the next one: any value between them answers. Of pairs
     /// of steps those count that are said to.
     fn is_no_plateau(&self, points: &[Point], counts: impl Fn(&[Point]) -> bool) -> Result<(), String> {
@@ -298,172 +248,9 @@ impl Question<'_> {
         };
         pairs.filter(crosses).map(closed_in).collect()
     }
-
-    /// Where the number is least, over the range taken as 0 to 1.
-    fn least(&self, points: &[Point]) -> Result<(f64, Moved), String> {
-        let order = |one: &&[Point], other: &&[Point]| one[1].excess.total_cmp(&other[1].excess);
-        let around = points.windows(3).min_by(order).ok_or("too little of the range can be solved")?;
-        let lower_of = |one: &Place, other: &Place| one.1.total_cmp(&other.1);
-        let seen = points.iter().map(Point::place);
-        let lowest = seen.clone().min_by(lower_of).unwrap_or((0.0, f64::INFINITY));
-        let step = f64::from(STEPS).recip();
-        let ends = [(lowest.0 - step).max(0.0), (lowest.0 + step).min(1.0)];
-        let ends = ends.map(|end| self.reached(points, lowest, end));
-        let highest = points.iter().fold(f64::NEG_INFINITY, |most, point| most.max(point.excess));
-        let inside = self.lowest(1.0, ends.map(|end| end.0), highest)?;
-        // A value that falls to the very end of what can be solved has its least there, where Brent's method does not look.
-        let (at, excess) = seen.chain(ends).chain([inside]).min_by(lower_of).unwrap_or(inside);
-        self.is_surrounded(points, (at, excess))?;
-        // Between the steps may be some that could not be solved.
-        let slope = |one: &Point, other: &Point| (other.excess - one.excess) / (other.at - one.at);
-        let half = 0.5 * (around[2].at - around[0].at);
-        let bend = (slope(&around[1], &around[2]) - slope(&around[0], &around[1])) / half;
-        Ok((at, Moved::ByRoot(bend)))
-    }
-
-    /// How far the number can be told on the way from a place where it can, and what it is there: to a place that was looked
-    /// at, or to within [`BESIDE`] of one where it cannot.
-    fn reached(&self, points: &[Point], from: Place, to: f64) -> Place {
-        if let Some(point) = points.iter().find(|point| (point.at - to).abs() < BESIDE) {
-            return point.place();
-        }
-        let (mut told, mut untold) = (from, to);
-        while (untold - told.0).abs() > BESIDE {
-            let middle = f64::midpoint(told.0, untold);
-            match self.excess(middle) {
-                Ok(excess) => told = (middle, excess),
-                Err(_) => untold = middle,
-            }
-        }
-        told
-    }
-
-    /// Refuses a least value beside which nothing can be solved, as the number may go on falling there, and one that is the same beside:
-    /// it is rounded, to nothing or to a whole.
-    fn is_surrounded(&self, points: &[Point], (at, excess): Place) -> Result<(), String> {
-        let [lower, upper] = [(at - BESIDE).max(0.0), (at + BESIDE).min(1.0)];
-        let beside =
-            |beside| self.excess(beside).map_err(|why| self.at_end_of_solved(at, excess) + &self.placed(beside, &why));
-        let beside = [(lower, beside(lower)?), (upper, beside(upper)?)];
-        let is_same = |there: &Place| there.1.to_bits() == excess.to_bits();
-        if !beside.iter().any(|there| (there.0 - at).abs() > 0.0 && is_same(there)) {
-            return Ok(());
-        }
-        let same = points.iter().map(Point::place).chain(beside).filter(is_same).map(|there| there.0);
-        let (from, to) = same.fold((at, at), |(from, to), at| (at.min(from), at.max(to)));
-        Err(self.plateau(self.number_of(excess), from, to))
-    }
-
-    fn by_factors(&self) -> bool {
-        self.find.from > 0.0 && self.find.to / self.find.from > WIDE
-    }
-
-    /// The value of the field at a share of the range.
-    fn value(&self, at: f64) -> f64 {
-        let Find { from, to, .. } = *self.find;
-        match at {
-            0.0 => from,
-            1.0 => to,
-            _ if self.by_factors() => from * (to / from).powf(at),
-            _ => from + (to - from) * at,
-        }
-    }
-
-    /// The width of the range, relative to a value in it, or to the farther end where that is 0.
-    fn relative(&self, value: f64) -> f64 {
-        let Find { from, to, .. } = *self.find;
-        let beside = if value == 0.0 { from.abs().max(to.abs()) } else { value.abs() };
-        if self.by_factors() { (to / from).ln() } else { (to - from) / beside }
-    }
-
-    fn excess(&self, at: f64) -> Result<f64, String> {
-        self.point(at).map(|point| point.excess)
-    }
-
-    fn point(&self, at: f64) -> Result<Point, String> {
-        self.seen(at, &self.solution(self.value(at), true)?)
-    }
-
-    fn seen(&self, at: f64, solution: &Solution) -> Result<Point, String> {
-        let number =
-            solution.number(&self.find.quantity).ok_or_else(|| format!("{} is undefined", self.find.quantity))?;
-        let error = self.excess_error(solution);
-        let excess = match self.find.wanted {
-            Wanted::Target(target) => number - target,
-            Wanted::Minimum => number,
-            Wanted::Maximum => -number,
-            Wanted::HalfPlaneWithin(share) => {
-                let plane = solve(&half_plane(&solution.scene)?);
-                let reference = plane.number(&self.find.quantity).filter(|reference| *reference != 0.0);
-                let reference = reference
-                    .ok_or_else(|| format!("{} has no value on a half-plane to compare with", self.find.quantity))?;
-                (number / reference - 1.0).abs() - share
-            }
-        };
-        Ok(Point { at, number, error, excess })
-    }
-
-    /// The scene solved with the field at a value, for nothing but the number that decides where `alone`; an error where it
-    /// does not converge.
-    fn solution(&self, value: f64, alone: bool) -> Result<Solution, String> {
-        let replacement = Replacement { path: self.path, value: format!("{value:?}").into() };
-        let mut scene = self.study.scene_where(self.row, replacement).map_err(|error| error.in_one_line())?;
-        scene.path = None;
-        if alone {
-            scene.output.quantities = Asked::named(&self.find.quantity).map(|asked| vec![asked]);
-            scene.output.strain = false;
-        }
-        let solution = solve(&scene);
-        if solution.status == Status::Converged {
-            return Ok(solution);
-        }
-        Err(solution.reason.unwrap_or_else(|| "it does not converge".into()))
-    }
 }
 
 /// The slope from one place to another.
 fn by_slope([one, other]: [Place; 2]) -> Moved {
     Moved::BySlope((other.1 - one.1) / (other.0 - one.0))
-}
-
-/// The scene on a homogeneous half-plane of the surface's modulus.
-fn half_plane(scene: &Scene) -> Result<Scene, String> {
-    if matches!(scene.load, Load::Indentation(_)) {
-        return Err("an indentation is undefined on a half-plane: prescribe the force or the half-width".into());
-    }
-    let model = scene.layer.model().map_err(|refusal| refusal.to_string())?;
-    if matches!(scene.layer.base, Base::Infinite) && model.law.exponent() == Some(0.0) {
-        return Err("that is the homogeneous half-plane already".into());
-    }
-    Ok(Scene { layer: plan::half_plane(&scene.layer, &model), ..scene.clone() })
-}
-
-/// A stretch of the range in which the least value lies.
-struct Valley<'a> {
-    question: &'a Question<'a>,
-    /// 1, or -1 where the largest is looked for.
-    sign: f64,
-    lower: f64,
-    upper: f64,
-    /// No less than any value around.
-    highest: f64,
-}
-
-impl Constraints for Valley<'_> {
-    type Set = ConstraintSet<BoxBounds<f64>>;
-
-    fn constraints(&self) -> <Self::Set as ConstraintDescription>::Borrowed<'_> {
-        ConstraintSet::new().with_bounds(BoxBounds::new(Some(&self.lower), Some(&self.upper)))
-    }
-}
-
-impl CostFunction for Valley<'_> {
-    type Param = f64;
-    type Output = f64;
-    type Error = std::convert::Infallible;
-
-    fn cost(&self, at: &f64) -> Result<f64, Self::Error> {
-        // What cannot be solved is no place for the least.
-        Ok(self.question.excess(*at).map_or(self.highest, |excess| self.sign * excess))
-    }
 }

@@ -1,6 +1,7 @@
 //! Why a question has no answer, in words.
 
-use super::{Point, Question, STEPS};
+use super::seen::Point;
+use super::{Question, STEPS};
 use crate::study::find::{Find, Wanted};
 use slipzone_api::{rounded, short};
 
