@@ -6,12 +6,12 @@
 //! |---|---|
 //! | `numerics`, `work` | tools that know nothing of contacts; the work that a scene may take, counted |
 //! | `accuracy` | what a result reports, and how sure each number is |
-//! | `problem`, `prepared_layer` | the scene in the layer's units; its layer with flexibility and kernels |
+//! | `foreign`, `problem`, `prepared_layer` | what plugins tell of themselves, looked over; the scene in the layer's units; its layer with flexibility and kernels |
 //! | `pressure`, `friction` | the parts of one contact at one resolution |
 //! | `outcome`, `contact`, `growing` | what a resolution answers: a contact solved at once, or as a stack of the flat punches that it grew through |
 //! | `refine` | resolutions, until the estimate meets the tolerance |
 //! | `verdict`, `assemble`, `solution` | whether to believe it, and the result in the scene's units |
-//! | `stand_in`, `layer`, `solver` | a cheaper solid where one will do; what one load leaves to the next |
+//! | `stand_in`, `layer`, `culprit`, `solver` | a cheaper solid where one will do; what one load leaves to the next; whose numbers are none where it fails |
 //! | `portrait` | what a layer looks like, whether or not it is solved |
 //!
 //! It knows the traits of `slipzone-api` and no plugin by name, prints nothing and reads no file.
@@ -19,6 +19,7 @@
 mod accuracy;
 mod assemble;
 mod contact;
+mod culprit;
 mod foreign;
 mod friction;
 mod growing;

@@ -1,8 +1,8 @@
 //! From the tree to a [`Scene`]; errors of the decoder are put back where they belong.
 
 use super::complaint::Complaint;
-use super::document::{Document, SHOWN, dotted, is_index, one_of, owned, written};
-use super::error::{Kind, SceneError};
+use super::document::{Document, dotted, is_index, one_of, owned, written};
+use super::error::{Kind, SHOWN, SceneError};
 use super::tables::Tables;
 use serde::de::DeserializeOwned;
 use serde_path_to_error::{Path, Segment};

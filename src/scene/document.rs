@@ -1,6 +1,6 @@
 //! The text of a scene as a tree that knows where everything stands.
 
-use super::error::{Kind, SceneError};
+use super::error::{Kind, SHOWN, SceneError};
 use super::meant::meant;
 use super::syntax::syntax;
 use slipzone_api::{Fault, Place, clip};
@@ -8,9 +8,6 @@ use std::ops::Range;
 use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-
-/// Characters of a value that a message shows, at most.
-pub(super) const SHOWN: usize = 40;
 
 /// A scene's or a study's text, parsed but not yet understood.
 pub(crate) struct Document<'a> {

@@ -2,6 +2,9 @@
 
 use std::ops::Range;
 
+/// Characters of a value that a message shows, at most.
+pub(super) const SHOWN: usize = 40;
+
 /// A scene that cannot be used: what was found, where, and what was expected in its place.
 ///
 /// No field but `excerpt` holds characters that a terminal would obey. `Display` gives several lines of plain text;

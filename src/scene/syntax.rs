@@ -1,7 +1,6 @@
 //! Text that is no TOML: what was found, what was expected, and what may have been meant.
 
-use super::document::SHOWN;
-use super::error::SceneError;
+use super::error::{SHOWN, SceneError};
 use slipzone_api::clip;
 use std::ops::Range;
 

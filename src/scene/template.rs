@@ -1,7 +1,7 @@
 //! A scene of which some values are replaced: what the scenes of a study have in common.
 
-use super::document::{Document, SHOWN, written};
-use super::error::{Kind, SceneError};
+use super::document::{Document, written};
+use super::error::{Kind, SHOWN, SceneError};
 use super::{Known, Scene, checked};
 use serde::Deserialize;
 use serde::de::IntoDeserializer;

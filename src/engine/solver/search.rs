@@ -2,7 +2,7 @@
 
 use super::{Solver, prepared};
 use crate::engine::accuracy::quantity::Quantity;
-use crate::engine::foreign;
+use crate::engine::culprit::culprit;
 use crate::engine::problem::{LoadInLayerUnits, Problem};
 use crate::engine::refine::judged::{Judged, ROUNDED};
 use crate::engine::refine::{Aim, FlatPunches, Ladder};
@@ -41,7 +41,7 @@ impl Solver {
 
     /// Why nothing was found: what a plugin gave in place of a number says more than what came of it.
     pub(super) fn explained(&self, refusal: Refusal) -> Refusal {
-        foreign::culprit(&self.chosen.methods, &self.layer).unwrap_or(refusal)
+        culprit(&self.chosen.methods, &self.layer).unwrap_or(refusal)
     }
 
     /// Whether what was found misses the tolerance for what its methods lack: budget, room, or convergence. A model that the scene
