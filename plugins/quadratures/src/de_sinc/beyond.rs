@@ -3,25 +3,47 @@
 use super::between::Between;
 use super::grid::Grid;
 use super::map::Place;
+use super::sums::dot;
+use slipzone_api::elementary::ln;
 
 /// The last fine node, and the places beyond it for which it stands.
 pub(super) struct Beyond {
+    places: Vec<(Place, f64)>,
+    fine_step: f64,
     /// What the node weighs by itself.
+    own: f64,
+    /// What it weighs with all places.
     pub(super) weight: f64,
-    pub(super) places: Vec<(Place, f64)>,
-    pub(super) fine_step: f64,
+    /// The shares of the node and of the places in that.
+    shares: Vec<f64>,
+    /// The node's gap, and means of the powers `1, 2, ...` of all gaps over it, over 1, 2, ...: the series of `-log(1 - gap)`.
+    gap: f64,
+    powers: [f64; POWERS],
 }
 
+/// Gap over a distance up to which the mean of logarithms is told by [`POWERS`] terms of a series: what is left out is below `1e-19`.
+const SMALL: f64 = 1e-3;
+const POWERS: usize = 6;
+
 impl Beyond {
-    /// What the places weigh.
-    pub(super) fn weights(&self) -> impl Iterator<Item = f64> {
-        self.places.iter().map(|(place, share)| self.fine_step * place.slope * share)
+    /// Of a fine node with the weight `own` and places with their shares of what the node has.
+    pub(super) fn new(node: &Place, own: f64, places: Vec<(Place, f64)>, fine_step: f64) -> Self {
+        let weights = || [own].into_iter().chain(places.iter().map(|(place, share)| fine_step * place.slope * share));
+        let weight = weights().sum();
+        let shares: Vec<f64> = weights().map(|part| part / weight).collect();
+        let gaps = || [node.gap].into_iter().chain(places.iter().map(|(place, _)| place.gap));
+        let mut parts = shares.clone();
+        let powers = std::array::from_fn(|i| {
+            parts.iter_mut().zip(gaps()).for_each(|(part, gap)| *part *= gap / node.gap);
+            parts.iter().sum::<f64>() / (i + 1) as f64
+        });
+        Self { places, fine_step, own, weight, shares, gap: node.gap, powers }
     }
 
     /// What of the last two `F` of a density that is finite at the end to take for the last one.
     pub(super) fn finite_end(&self, grid: &Grid, between: &Between) -> [f64; 2] {
         let between = between.sums_from_last();
-        let own = self.weight + between[0];
+        let own = self.own + between[0];
         let (mut factors, mut all) = ([0.0, own], own);
         let mut add = |weight: f64, (u, share): &(Place, f64)| {
             factors.iter_mut().zip(grid.finite_beyond(u)).for_each(|(sum, factor)| *sum += weight * factor);
@@ -32,13 +54,46 @@ impl Beyond {
         factors.map(|factor| factor / all)
     }
 
-    /// The mean, by weight, of what is given at the node and at the places.
-    pub(super) fn mean(&self, at_node: f64, at_places: &[f64]) -> f64 {
-        let (mut sum, mut all) = (self.weight * at_node, self.weight);
-        for (weight, at) in self.weights().zip(at_places) {
-            sum += weight * at;
-            all += weight;
+    /// The mean, by weight, of what is given at the node and at the places, and after those.
+    pub(super) fn mean(&self, given: &[f64]) -> f64 {
+        dot(&self.shares, given)
+    }
+
+    /// The mean of `log(distance - gap)`.
+    pub(super) fn mean_log(&self, distance: f64) -> f64 {
+        let ratio = self.gap / distance;
+        if ratio > SMALL {
+            let gaps = [self.gap].into_iter().chain(self.places.iter().map(|(place, _)| place.gap));
+            return gaps.zip(&self.shares).map(|(gap, share)| share * ln(distance - gap)).sum();
         }
-        sum / all
+        ln(distance) - self.powers.iter().rev().fold(0.0, |sum, mean| (sum + mean) * ratio)
+    }
+
+    /// The mean of `log(gap)`.
+    pub(super) fn mean_log_of_gap(&self) -> f64 {
+        let gaps = [self.gap].into_iter().chain(self.places.iter().map(|(place, _)| place.gap));
+        gaps.zip(&self.shares).map(|(gap, share)| share * ln(gap)).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Close by, where each logarithm is taken, and far off, where a series tells all of them.
+    #[test]
+    fn means_of_logarithms_are_those_of_each() {
+        let place = |k: usize| Place::new(3.0 + 0.01 * k as f64);
+        let places: Vec<_> = (1..60).map(|k| (place(k), 1.0)).collect();
+        let beyond = Beyond::new(&place(0), 0.01 * place(0).slope, places, 0.01);
+        assert!((beyond.shares.iter().sum::<f64>() - 1.0).abs() < 1e-15);
+        for ratio in [1.1, 3.0, 900.0, 1100.0, 1e5, 1e12] {
+            let distance = ratio * beyond.gap;
+            // `log(distance - gap) - log distance`, which sums of the logarithms round to their own size.
+            let each = |(k, share): (usize, &f64)| share * (-place(k).gap / distance).ln_1p();
+            let mean: f64 = beyond.shares.iter().enumerate().map(each).sum();
+            let error = beyond.mean_log(distance) - distance.ln() - mean;
+            assert!(error.abs() < 16.0 * f64::EPSILON * distance.ln().abs(), "{error:e} at {ratio} times the gap");
+        }
     }
 }

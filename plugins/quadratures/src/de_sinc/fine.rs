@@ -136,11 +136,11 @@ impl Fine {
         };
         // The middle node is its own mirror image, and both are summed.
         fine.weight[0] *= 0.5;
-        let beyond = Beyond { weight: fine.weight[n], places: places_beyond, fine_step };
+        let beyond = Beyond::new(&places[last], fine.weight[n], places_beyond, fine_step);
         if grid.edge == Edge::Continued {
             fine.finite_end = beyond.finite_end(grid, &fine.between);
         }
-        fine.weight[n] += beyond.weights().sum::<f64>();
+        fine.weight[n] = beyond.weight;
         let reach = |slope: f64| {
             let matter = places[..count].iter().take_while(|p| slope * p.slope > NEGLIGIBLE).count();
             matter.next_multiple_of(LANES)
@@ -151,7 +151,7 @@ impl Fine {
         fine.of_end.extend(places.iter().map(|place| place.gap));
         fine.of_end.extend(places.iter().map(|place| place.gap.ln()));
         fine.of_end.extend(places.iter().map(|place| (1.0 + place.x).ln()));
-        fine.go_on(&places[last], &beyond, (&centre_sign, &centre_cosine));
+        fine.go_on(&beyond, (&centre_sign, &centre_cosine));
         if 3 * n * filled <= HELD {
             let mut held = vec![0.0; 3 * n * filled];
             fine.write(0..n, true, &mut held);
@@ -161,32 +161,28 @@ impl Fine {
     }
 
     /// Lets the last node's weights of sign and logarithm stand for those of the places beyond it as well, as its weight in the sum does.
-    fn go_on(&mut self, end: &Place, beyond: &Beyond, at_centre: (&[f64], &[f64])) {
+    fn go_on(&mut self, beyond: &Beyond, (sign_at_centre, cosine_at_centre): (&[f64], &[f64])) {
         let (filled, rows) = (self.x.len(), self.rows());
         let last = rows * self.factor;
-        let logs = |apart: &dyn Fn(&Place) -> f64, cosine: &[f64]| -> f64 {
-            let places = [end].into_iter().chain(beyond.places.iter().map(|(u, _)| u));
-            let each: Vec<f64> = places.zip(cosine).map(|(u, cosine)| apart(u).ln() - cosine).collect();
-            beyond.mean(each[0], &each[1..])
-        };
         for (i, v) in self.staggered.iter().enumerate() {
             // Where the distances of the last node stand, on this side and on the other, and from then on.
             let before = i * self.factor + self.factor / 2;
             let [near, far] = [last - before - 1, last + before];
             let [minus, plus] = [near, far].map(|at| {
                 let signs = &self.sign_ascending[at..];
-                beyond.mean(signs[0], &signs[1..]) - signs[0]
+                beyond.mean(signs) - signs[0]
             });
             self.sign_beyond.push([-minus, plus]);
-            let cosine = &self.cosine_ascending;
-            self.log_beyond.push([logs(&|u| v.gap - u.gap, &cosine[near..]), logs(&|u| v.x + u.x, &cosine[far..])]);
+            let cosines = [near, far].map(|at| beyond.mean(&self.cosine_ascending[at..]));
+            // `x + x_k` is `1 + x` less the gap.
+            self.log_beyond.push([beyond.mean_log(v.gap) - cosines[0], beyond.mean_log(1.0 + v.x) - cosines[1]]);
         }
         // Seen from the end no step is near, and all beyond is as far from its mirror image.
         self.sign_beyond.push([0.0; 2]);
-        self.of_end[filled + last] = logs(&|u| u.gap, &vec![0.0; beyond.places.len() + 1]);
+        self.of_end[filled + last] = beyond.mean_log_of_gap();
         let (signs, of_centre) = &mut self.centre;
-        signs[last] = beyond.mean(signs[last], &at_centre.0[last..]);
-        of_centre[last] = logs(&|u| u.x, &at_centre.1[last - 1..]);
+        signs[last] = beyond.mean(&sign_at_centre[last - 1..]);
+        of_centre[last] = beyond.mean_log(1.0) - beyond.mean(&cosine_at_centre[last - 1..]);
     }
 
     /// Some rows, held or written into the room: as far as each reaches, or all as far as that of the end does.
