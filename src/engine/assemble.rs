@@ -16,7 +16,7 @@ use crate::engine::solution::finite::first_found_not_finite;
 use crate::engine::solution::loading_curve::Point;
 use crate::plan::Plan;
 use crate::scene::{Load, Model, Scene};
-use coupling::Neglected;
+use coupling::{Neglected, Untold};
 use slipzone_api::Refusal;
 use std::borrow::Cow;
 
@@ -27,6 +27,8 @@ const STRAIN: &str = "profile.strain";
 /// Indentation over the thickness, and slope of the punch in contact, from which strains are no longer called small.
 const DEEP: f64 = 0.1;
 const STEEP: f64 = 0.3;
+/// What is said where the cost of Goodman's approximation is not known.
+const COST_UNTOLD: &str = "Goodman: what it costs that q does not change p is not known: the layer answers over lengths too short beside the contact";
 /// More force than told from which that is said.
 const SAID_OF_FORCE: f64 = 0.02;
 
@@ -50,14 +52,16 @@ pub(super) fn solution(
     let of_strain = solved.add_strain(scene, &mut profile)?;
     let is_found = |rubbing: &&Rubbing| matches!(rubbing.verdict, Verdict::Holds | Verdict::Sticks);
     let rubbing = judged.outcome.rubbing.as_ref().filter(is_found);
-    let neglected = rubbing.and_then(|rubbing| coupling::neglected(solved.layer, problem, rubbing, scene));
-    plan.coupling_neglected = neglected.and_then(|neglected| neglected.friction);
+    let neglected = rubbing.map(|rubbing| coupling::neglected(solved.layer, problem, rubbing, scene));
+    plan.coupling_neglected = neglected.and_then(|neglected| neglected.ok()?.friction);
     let stick = solved.stick().filter(|_| scene.output.asks_of_stick());
     let told = of_pressure(scene, plan, problem, &judged.outcome.numbers, &judged.errors, how(judged));
     let mut solution = Solution { status, reason, stick, profile, ..told };
     tell_of_profile(&mut solution, judged, of_strain);
-    if let Some(neglected) = neglected {
-        tell_of_neglected(&mut solution, neglected);
+    match neglected {
+        Some(Ok(neglected)) => tell_of_neglected(&mut solution, neglected),
+        Some(Err(Untold)) => solution.assumptions.push(COST_UNTOLD.into()),
+        None => {}
     }
     finite(solution)
 }

@@ -224,6 +224,28 @@ fn what_goodman_neglects_is_told_as_it_was_measured() {
     assert_eq!(Sketch::flat(5.0, 0.125, 0.3).solve().plan.coupling_neglected, None);
 }
 
+/// It was left out without a word.
+#[test]
+fn what_goodman_neglects_is_said_not_to_be_known_where_it_is_not() {
+    let linear = |thickness: f64| {
+        let grading = "{ type = \"linear\", surface = 1.0, base = 8.0 }";
+        Sketch::on(format!("thickness = {thickness}\npoisson = 0.3\ngrading = {grading}"))
+            .rubbing(0.3)
+            .with("[solver]\ntolerance = 1e-3")
+            .solve()
+    };
+    for (thickness, is_known) in [(0.06, false), (0.5, true)] {
+        let found = linear(thickness);
+        assert_eq!(
+            (found.status, found.plan.coupling_neglected.is_some()),
+            (Status::Converged, is_known),
+            "{thickness}"
+        );
+        let said = found.assumptions.iter().filter(|what| what.starts_with("Goodman: what it costs")).count();
+        assert_eq!(said, usize::from(!is_known), "{thickness}: {:?}", found.assumptions);
+    }
+}
+
 /// Wide contacts on thin layers, told in closed form: within the bound of the full model, whatever the load, and chosen where
 /// that is good enough.
 #[test]

@@ -50,44 +50,57 @@ pub(crate) struct Neglected {
     pub(crate) force: Option<f64>,
 }
 
-/// What is neglected of a stick zone; `None` where nothing can be told.
+/// What is neglected is not known: kernels too short for coarse grids, or no solution on them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Untold;
+
+impl From<Refusal> for Untold {
+    fn from(_: Refusal) -> Self {
+        Self
+    }
+}
+
+/// What is neglected of a stick zone; `Err` where it cannot be told.
 pub(crate) fn neglected(
     layer: &PreparedLayer,
     problem: &Problem,
     rubbing: &Rubbing,
     scene: &Scene,
-) -> Option<Neglected> {
+) -> Result<Neglected, Untold> {
     let (zone, beta) = (rubbing.zone, problem.elastic.beta());
     let share = (factor(zone.ratio(), zone.one_minus_ratio()) * beta * beta).min(MOST);
     let of_half_plane = share / (1.0 - share);
     if layer.is_plain() {
-        return Some(Neglected { friction: (!rubbing.is_full).then_some(of_half_plane), force: None });
+        return Ok(Neglected { friction: (!rubbing.is_full).then_some(of_half_plane), force: None });
+    }
+    if rubbing.is_full && !tells_force(layer, problem) {
+        return Ok(Neglected { friction: None, force: None });
     }
     let thinness = zone.contact() / layer.length();
-    if thinness > SERVED_BY_NODES * MOST_TIMES as f64 || rubbing.is_full && !tells_force(layer, problem) {
-        return None;
+    if thinness > SERVED_BY_NODES * MOST_TIMES as f64 {
+        return Err(Untold);
     }
     // A level tells details shorter by sqrt 2.
     let finer = 2.0 * (thinness / SERVED).log2();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few
     let level = (COARSEST + finer.max(0.0)).ceil().min(FINEST) as u32;
-    let quadrature = scene.solver.quadrature.as_ref()?.refined(level);
-    let mut coarse = Coarse::new(layer, problem, zone, quadrature.clone(), &grid(thinness)).ok()?;
+    let quadrature = scene.solver.quadrature.as_ref().ok_or(Untold)?.refined(level);
+    let mut coarse = Coarse::new(layer, problem, zone, quadrature.clone(), &grid(thinness))?;
     let force = coarse.more_force(layer, problem).filter(|force| force.is_finite());
     if rubbing.is_full {
-        return Some(Neglected { friction: None, force });
+        return force.map_or(Err(Untold), |force| Ok(Neglected { friction: None, force: Some(force) }));
     }
-    let own = coarse.more_friction(layer, problem).ok()?;
+    let own = coarse.more_friction(layer, problem)?;
     // On an incompressible half-plane there is no shear.
     let plain = if beta == 0.0 {
         0.0
     } else {
         let half_plane = Scene { layer: plan::half_plane(&scene.layer, &problem.layer), ..scene.clone() };
-        let layer = PreparedLayer::of(&plan::choose(&half_plane)).ok()?;
-        Coarse::new(&layer, problem, zone, quadrature, &[]).ok()?.more_friction(&layer, problem).ok()?
+        let layer = PreparedLayer::of(&plan::choose(&half_plane))?;
+        Coarse::new(&layer, problem, zone, quadrature, &[])?.more_friction(&layer, problem)?
     };
     let friction = if own.abs() < plain.abs() { of_half_plane * own / plain } else { of_half_plane + own - plain };
-    friction.is_finite().then_some(Neglected { friction: Some(friction), force })
+    if friction.is_finite() { Ok(Neglected { friction: Some(friction), force }) } else { Err(Untold) }
 }
 
 /// Whether the force for a depth can be told: reciprocity takes depths from what is at rest, which a datum is not.
