@@ -11,10 +11,10 @@ pub struct Homogeneous {
     pub modulus: Positive,
 }
 
-slipzone_api::register!(Grading, "homogeneous", "the same shear modulus at every depth",
+slipzone_api::register!(Grading, "homogeneous", "the same modulus at every depth",
     also: ["uniform", "constant", "isotropic", "none"],
     example: "type = \"homogeneous\"\nmodulus = 1.0",
-    parameters: [("modulus", "shear modulus (stress)", true, [0.5, 1.0, 200.0], Positive)],
+    parameters: [("modulus", "modulus (stress)", true, [0.5, 1.0, 200.0], Positive)],
     source: "docs/theory.md section 1");
 
 #[typetag::serde(name = "homogeneous")]

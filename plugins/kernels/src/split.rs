@@ -52,7 +52,7 @@ pub struct Split {
 slipzone_api::register!(Kernel, "split", "Fourier integral up to a wave number, series in 1/s beyond; jump and logarithm split off exactly",
     example: "type = \"split\"",
     parameters: [
-        ("cutoff", "wave number times thickness at which the series takes over", false, [10.0, 14.0, 40.0], Positive),
+        ("cutoff", "wave number times the depth that the surface feels, at which the series takes over", false, [10.0, 14.0, 40.0], Positive),
         ("terms", "terms of the series, 1 to 40", false, [8.0, 14.0, 22.0], Whole(1, 40)),
     ],
     source: "docs/theory.md section 3");
