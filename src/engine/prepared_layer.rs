@@ -140,6 +140,11 @@ impl PreparedLayer {
         self.kernel(Component::NormalSlope).is_some_and(|(table, _)| table.nearest().is_some())
     }
 
+    /// The power of the distance with which its kernels begin, over the distance itself, where they do and it is known.
+    pub(crate) fn kernel_power(&self) -> Option<f64> {
+        self.kernel(Component::NormalSlope).and_then(|(table, _)| table.power())
+    }
+
     /// How far its kernels reach.
     pub(super) fn reach(&self) -> f64 {
         self.tables.as_ref().map_or(0.0, |tables| tables.reach)

@@ -100,6 +100,31 @@ fn it_stays_while_the_load_goes_on() {
     }
 }
 
+/// Kernels that begin with a power of the distance are felt from as near as `1e-40` of the contact: what was left of the strain there made
+/// up to 15 % of it.
+#[test]
+fn it_stays_on_laws_that_begin_with_a_broken_power() {
+    for power in [0.3, 0.5] {
+        let grading = format!("{{ type = \"formula\", modulus = \"1 + 3*(y/2)^{power}\" }}");
+        let seen = |b: f64| {
+            let solution = Sketch::on(format!("thickness = 2.0\npoisson = 0.3\ngrading = {grading}"))
+                .cylinder()
+                .rubbing(0.4)
+                .loaded(&format!("half_width = {b}"))
+                .with(&format!("[output]\nx = [{:?}]\nstrain = true", 0.1 / b))
+                .solve();
+            assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+            let told = solution.error.each["profile.strain"];
+            let scale = 0.7 * 0.4 * solution.load.force.expect("a force") / (2.0 * b);
+            (strains(&solution)[0].1, told * scale)
+        };
+        let ((early, early_error), (late, late_error)) = (seen(0.3), seen(3.0));
+        println!("y^{power}: {early:e} and {late:e}, {early_error:.0e} and {late_error:.0e} told");
+        assert!((early - late).abs() < early_error + late_error, "y^{power}: {early:e} {late:e}");
+        assert!(early_error + late_error < 1e-4 * early.abs(), "y^{power}: {early_error:e} {late_error:e}");
+    }
+}
+
 /// The strain that Chen and Chen (2013) assume is the true one on a homogeneous half-plane, and nearly on thick layers.
 #[test]
 fn a_strain_taken_to_be_linear_is_right_on_a_half_plane() {
