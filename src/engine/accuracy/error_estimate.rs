@@ -33,7 +33,8 @@ const FASTEST_TRACED: f64 = 0.12;
 /// estimates 29 times without, by up to 12, and 16 times with this, by up to 9, most of them for other reasons.
 pub(crate) const FASTEST_SHARPENED: f64 = 1.0 / 16.0;
 /// A slip zone that is narrower than this over the contact may agree on two coarse resolutions by chance: what is left is then not taken to be
-/// less than their difference, nor than what the one before may have left. Two of 40,000 random scenes were off by four tolerances without.
+/// less than their difference, nor than what the one before may have left. Two of 40,000 random scenes were off by four tolerances without, and
+/// of 3,000 contacts that grew five by more than three estimates, up to ten; with it none of these by more than 1.3.
 const CROWDED: f64 = 1e-3;
 /// The same of a stick zone that is narrower than this. One of 100,000 random scenes was off by 1.8 tolerances without.
 const NARROW: f64 = 0.1;
@@ -94,8 +95,8 @@ pub(crate) fn extrapolated(history: &[Seen], fastest: Fastest) -> Option<Numbers
     let least_of_shear = share * late.of_shear.max(late.of_pressure);
     let mut errors = Numbers::default();
     let part = |quantity: Quantity| history.last().and_then(|seen| seen.numbers.get(quantity)).unwrap_or(1.0);
-    let is_crowded = !late.is_stacked && part(Quantity::OneMinusRatio) < CROWDED;
-    let is_narrow = !late.is_stacked && part(Quantity::StickRatio) < NARROW;
+    let is_crowded = part(Quantity::OneMinusRatio) < CROWDED;
+    let is_narrow = part(Quantity::StickRatio) < NARROW;
     for (quantity, d2) in late.numbers.iter() {
         let d1 = early.numbers.get(quantity).unwrap_or(1.0);
         if quantity == Quantity::Shear {
@@ -104,14 +105,12 @@ pub(crate) fn extrapolated(history: &[Seen], fastest: Fastest) -> Option<Numbers
         }
         let (of_all, least, floor) = pace.of_quantity(quantity, &late, least_of_shear);
         let rate = of_all.max(relative(d2, d1).min(SLOWER));
+        let is_by_chance = is_crowded && quantity == Quantity::OneMinusRatio
+            || is_narrow && matches!(quantity, Quantity::StickRatio | Quantity::StickHalfWidth);
+        let own = if is_by_chance { d2.max(rate * d1) } else { 0.0 };
         // Two differences may both be small by chance.
         let d2 = d2.max(least);
-        let remains = match d2.max(rate * d1) {
-            _ if rate >= NOT_SHRINKING => d1.max(d2),
-            last if is_crowded && quantity == Quantity::OneMinusRatio => last,
-            last if is_narrow && matches!(quantity, Quantity::StickRatio | Quantity::StickHalfWidth) => last,
-            last => left(last, rate),
-        };
+        let remains = if rate < NOT_SHRINKING { left(d2.max(rate * d1), rate).max(own) } else { d1.max(d2) };
         errors.set(quantity, (SAFETY * remains).max(floor));
     }
     Some(errors)

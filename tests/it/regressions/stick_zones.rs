@@ -517,3 +517,29 @@ fn under_an_unknown_pressure_a_bound_of_the_stick_zone_is_none() {
     assert!(error("pressure.centre") > 1.0, "the scene asks for a kernel that does not serve");
     assert!(error("stick.one_minus_ratio") >= error("pressure.centre"), "{:?}", solution.error.each);
 }
+
+/// Two resolutions agreed on slip zones that the next took back, by ten estimates: contacts that grew, asked for nothing but their zone.
+#[test]
+fn narrow_slip_zones_of_contacts_that_grew_are_as_sure_as_told() {
+    let wedge = "[punch]\ntype = \"wedge\"\nslope = 0.05";
+    let zone = |(h, ratio, nu, eta): (f64, f64, f64, f64), tolerance: f64| {
+        let rest = format!("[output]\nquantities = [\"stick\"]\n[solver]\ntolerance = {tolerance:e}");
+        let text = Sketch::flat(h, 1.0 / ratio, nu).rubbing(eta).loaded("half_width = 1.0").with(&rest).text();
+        let scene =
+            slipzone::scene::parse("wedge.toml", &text.replace("[punch]\ntype = \"flat\"\nhalf_width = 1.0", wedge));
+        let solution = solve(&scene.expect("a scene"));
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+        (solution.stick.unwrap().one_minus_ratio.unwrap(), solution.error.each["stick.one_minus_ratio"])
+    };
+    slipzone::link_plugins();
+    let scenes = [
+        ((1.498, 1.0, 0.349, 0.487_000_944), 1e-8),
+        ((1.1309, 1.7073, 0.45, 0.25959), 1e-8),
+        ((0.699, 1.2483, 0.35, 0.50442), 1e-7),
+    ];
+    for (scene, tolerance) in scenes {
+        let ((found, error), (exact, _)) = (zone(scene, tolerance), zone(scene, 1e-10));
+        let apart = (found / exact - 1.0).abs();
+        assert!(apart < error.max(1e-10), "{scene:?}: {found:e}, off by {apart:e}, {error:e} claimed");
+    }
+}
