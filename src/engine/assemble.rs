@@ -28,7 +28,7 @@ const STRAIN: &str = "profile.strain";
 const DEEP: f64 = 0.1;
 const STEEP: f64 = 0.3;
 /// What is said where the cost of Goodman's approximation is not known.
-const COST_UNTOLD: &str = "Goodman: what it costs that q does not change p is not known: the layer answers over lengths too short beside the contact";
+const COST_UNTOLD: &str = "Goodman: what it costs that q does not change p is not known: its estimate fails here, as on layers much thinner than the contact";
 /// More force than told from which that is said.
 const SAID_OF_FORCE: f64 = 0.02;
 
