@@ -45,9 +45,8 @@ pub(super) fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneEr
 /// What to write instead, where the parser stopped over something usual.
 fn hint(what: &str, text: &str, span: &Range<usize>) -> Option<String> {
     let (before, after) = text.split_at_checked(span.start)?;
-    let first = after.chars().next();
-    let line_before = before.rsplit('\n').next().unwrap_or_default();
-    let line = || [line_before, after.lines().next().unwrap_or_default()].concat();
+    // From where the value begins, which the parser may have entered.
+    let value = || [before.rsplit(['\n', '=']).next().unwrap_or_default().trim_start(), after].concat();
     let is_digit = |c: char| c.is_ascii_digit();
     let after_comma = after.strip_prefix(',');
     let is_decimal_comma = after_comma.is_some_and(|after| before.ends_with(is_digit) && after.starts_with(is_digit));
@@ -64,11 +63,13 @@ fn hint(what: &str, text: &str, span: &Range<usize>) -> Option<String> {
             "lines end in CR alone here; save the file with ends of LF, or of CR and LF"
         }
         _ if what.starts_with("cannot extend") => "what belongs to a table that is written in { } stands between them",
-        _ if what.contains("inline table") && first.is_some() => "is the `}` missing that ends the table before?",
-        _ if line().contains(['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}']) => {
+        _ if what.contains("inline table") && !after.trim().is_empty() => {
+            "is the `}` missing that ends the table before?"
+        }
+        _ if value().starts_with(['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}']) => {
             "quotes are straight, \" or ', not those of a word processor"
         }
-        _ if line().contains(['\u{2212}', '\u{2013}']) => "the sign is a hyphen, -, not a longer dash",
+        _ if value().starts_with(['\u{2212}', '\u{2013}']) => "the sign is a hyphen, -, not a longer dash",
         "not a value" => return text.get(span.clone()).and_then(instead),
         _ => return None,
     };

@@ -88,7 +88,7 @@ pub(crate) fn neglected(
     let mut coarse = Coarse::new(layer, problem, zone, quadrature.clone(), &grid(thinness))?;
     let force = coarse.more_force(layer, problem).filter(|force| force.is_finite());
     if rubbing.is_full {
-        return force.map_or(Err(Untold), |force| Ok(Neglected { friction: None, force: Some(force) }));
+        return Ok(Neglected { friction: None, force: Some(force.ok_or(Untold)?) });
     }
     let own = coarse.more_friction(layer, problem)?;
     // On an incompressible half-plane there is no shear.

@@ -254,13 +254,12 @@ impl Strain {
 /// A grid of so many nodes on either side, which goes on towards its upper end until what kernels with that power leave there is as small as
 /// without one.
 fn towards(grid: &[Node], nodes: usize, power: f64) -> Vec<Node> {
-    let end = if power < 1.0 { (-LEFT_OUT.ln() / (PI * power)).asinh().min(FARTHEST) } else { END };
-    let step = END / nodes as f64;
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few times as many
-    let all = ((end / step).ceil() as usize).max(nodes);
-    if all == nodes {
+    if power >= 1.0 {
         return grid.to_vec();
     }
+    let (end, step) = ((-LEFT_OUT.ln() / (PI * power)).asinh().min(FARTHEST), END / nodes as f64);
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few times as many
+    let all = ((end / step).ceil() as usize).max(nodes);
     double_exponential::nodes_up_to(1.0, all, step * all as f64).split_off(all - nodes)
 }
 

@@ -16,8 +16,9 @@ pub(super) struct Beyond {
     pub(super) weight: f64,
     /// The shares of the node and of the places in that.
     shares: Vec<f64>,
-    /// The node's gap, and means of the powers `1, 2, ...` of all gaps over it, over 1, 2, ...: the series of `-log(1 - gap)`.
-    gap: f64,
+    /// Their gaps.
+    gaps: Vec<f64>,
+    /// Means of the powers `1, 2, ...` of the gaps over that of the node, over 1, 2, ...: coefficients of the series of `-log(1 - gap)`.
     powers: [f64; POWERS],
 }
 
@@ -31,13 +32,13 @@ impl Beyond {
         let weights = || [own].into_iter().chain(places.iter().map(|(place, share)| fine_step * place.slope * share));
         let weight = weights().sum();
         let shares: Vec<f64> = weights().map(|part| part / weight).collect();
-        let gaps = || [node.gap].into_iter().chain(places.iter().map(|(place, _)| place.gap));
+        let gaps: Vec<f64> = [node.gap].into_iter().chain(places.iter().map(|(place, _)| place.gap)).collect();
         let mut parts = shares.clone();
         let powers = std::array::from_fn(|i| {
-            parts.iter_mut().zip(gaps()).for_each(|(part, gap)| *part *= gap / node.gap);
+            parts.iter_mut().zip(&gaps).for_each(|(part, gap)| *part *= gap / node.gap);
             parts.iter().sum::<f64>() / (i + 1) as f64
         });
-        Self { places, fine_step, own, weight, shares, gap: node.gap, powers }
+        Self { places, fine_step, own, weight, shares, gaps, powers }
     }
 
     /// What of the last two `F` of a density that is finite at the end to take for the last one.
@@ -61,18 +62,21 @@ impl Beyond {
 
     /// The mean of `log(distance - gap)`.
     pub(super) fn mean_log(&self, distance: f64) -> f64 {
-        let ratio = self.gap / distance;
+        let ratio = self.gaps[0] / distance;
         if ratio > SMALL {
-            let gaps = [self.gap].into_iter().chain(self.places.iter().map(|(place, _)| place.gap));
-            return gaps.zip(&self.shares).map(|(gap, share)| share * ln(distance - gap)).sum();
+            return self.mean_of(|gap| ln(distance - gap));
         }
         ln(distance) - self.powers.iter().rev().fold(0.0, |sum, mean| (sum + mean) * ratio)
     }
 
     /// The mean of `log(gap)`.
     pub(super) fn mean_log_of_gap(&self) -> f64 {
-        let gaps = [self.gap].into_iter().chain(self.places.iter().map(|(place, _)| place.gap));
-        gaps.zip(&self.shares).map(|(gap, share)| share * ln(gap)).sum()
+        self.mean_of(ln)
+    }
+
+    /// The mean of something at each gap.
+    fn mean_of(&self, of: impl Fn(f64) -> f64) -> f64 {
+        self.gaps.iter().zip(&self.shares).map(|(gap, share)| share * of(*gap)).sum()
     }
 }
 
@@ -88,7 +92,7 @@ mod tests {
         let beyond = Beyond::new(&place(0), 0.01 * place(0).slope, places, 0.01);
         assert!((beyond.shares.iter().sum::<f64>() - 1.0).abs() < 1e-15);
         for ratio in [1.1, 3.0, 900.0, 1100.0, 1e5, 1e12] {
-            let distance = ratio * beyond.gap;
+            let distance = ratio * beyond.gaps[0];
             // `log(distance - gap) - log distance`, which sums of the logarithms round to their own size.
             let each = |(k, share): (usize, &f64)| share * (-place(k).gap / distance).ln_1p();
             let mean: f64 = beyond.shares.iter().enumerate().map(each).sum();
