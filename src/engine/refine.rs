@@ -53,8 +53,6 @@ struct Climbed {
     /// What the last one that could be solved found.
     outcome: Outcome,
     step: usize,
-    /// What all of them tell.
-    estimate: Estimate,
     /// Why no other was taken, where another was to be.
     stopped: Option<Refusal>,
 }
@@ -93,14 +91,20 @@ impl Ladder {
         if let Some(judged) = self.pressed_again(layer, aim) {
             return Ok(judged);
         }
-        let Climbed { outcome, step, estimate, stopped } = self.climb(layer, aim)?;
-        let Estimate { mut history, errors, of_shear, met, is_hopeless, .. } = estimate;
+        let mut estimate = Estimate::default();
+        let Climbed { outcome, step, stopped } = self.climb(layer, aim, &mut estimate)?;
+        let Estimate { history, errors, of_shear, met, is_hopeless, .. } = &mut estimate;
         let how = How::Sequence { count: 0, kernels_proven: false };
         let of_pressure = self.lost_between(aim, step);
-        let mut found =
-            Judged { of_shear, of_pressure, stopped, is_hopeless, ..Judged::new(outcome, step, errors, how) };
-        if met && found.stopped.is_none() {
-            self.refine_for_the_tractions(layer, aim, &mut found, &mut history);
+        let mut found = Judged {
+            of_shear: *of_shear,
+            of_pressure,
+            stopped,
+            is_hopeless: *is_hopeless,
+            ..Judged::new(outcome, step, *errors, how)
+        };
+        if *met && found.stopped.is_none() {
+            self.refine_for_the_tractions(layer, aim, &mut found, history);
         }
         layer.meter().conclude();
         let Judged { outcome, step, errors, of_shear, stopped, .. } = &mut found;
@@ -115,15 +119,14 @@ impl Ladder {
             outcome.numbers.iter().for_each(|(quantity, _)| errors.set(quantity, 1.0));
         }
         if aim.problem.fixed_half_width().is_none() {
-            self.remember(layer, aim.problem, (*step, outcome), &history);
+            self.remember(layer, aim.problem, (*step, outcome), history);
         }
         found.how = How::Sequence { count: history.len(), kernels_proven: layer.is_proven() };
         Ok(found)
     }
 
-    /// Takes finer steps until the estimate meets the tolerance or none will.
-    fn climb(&mut self, layer: &mut PreparedLayer, aim: Aim) -> Result<Climbed, Refusal> {
-        let mut estimate = Estimate::default();
+    /// Takes finer steps until the estimate meets the tolerance or none will. The estimate is large, and stays where it is.
+    fn climb(&mut self, layer: &mut PreparedLayer, aim: Aim, estimate: &mut Estimate) -> Result<Climbed, Refusal> {
         let (mut last, mut stopped): (Option<(Outcome, usize)>, _) = (None, None);
         // What a search found on the coarsest level is followed from there to the first that matters.
         let after_search = Some(aim.left_out()).filter(|level| aim.searches() && *level > 1);
@@ -134,10 +137,7 @@ impl Ladder {
             }
             let coarse = last.as_ref().map(|(outcome, _)| outcome);
             let least_share = self.least_share;
-            let solved = self
-                .solve(layer, aim, step, coarse)
-                .and_then(|outcome| self.lacks_room(layer, aim, (step, &outcome), &estimate).map_or(Ok(outcome), Err));
-            let mut outcome = match solved {
+            let mut outcome = match self.solve(layer, aim, step, coarse) {
                 Ok(outcome) => outcome,
                 Err(refusal) if estimate.is_told() => {
                     stopped = Some(refusal);
@@ -152,7 +152,10 @@ impl Ladder {
                 }
                 Err(refusal) => return Err(refusal),
             };
-            stopped = None;
+            stopped = self.lacks_room(layer, aim, (step, &outcome), estimate);
+            if stopped.is_some() {
+                break;
+            }
             if step == 0
                 && let Some(later) = self.known_from(aim, &outcome).or(after_search)
             {
@@ -161,11 +164,11 @@ impl Ladder {
             }
             // Or else the next kernels are finer ones.
             let has_kernels = self.least_share == least_share;
-            let mut done = self.is_done(layer, aim, step, (&outcome, has_kernels), &mut estimate);
+            let mut done = self.is_done(layer, aim, step, (&outcome, has_kernels), estimate);
             if done || aim.level(step) == FINEST {
                 match self.settle(layer, aim, (&mut outcome, step), &estimate.errors) {
                     Ok(Settled::Elsewhere) => {
-                        estimate = Estimate::beginning_with(&outcome);
+                        *estimate = Estimate::beginning_with(&outcome);
                         done = false;
                     }
                     Ok(Settled::Here { shear }) => estimate.of_shear = shear.or(estimate.of_shear),
@@ -181,7 +184,7 @@ impl Ladder {
         let Some((outcome, step)) = last else {
             return Err(stopped.expect("every step was solved or refused"));
         };
-        Ok(Climbed { outcome, step, estimate, stopped })
+        Ok(Climbed { outcome, step, stopped })
     }
 
     /// Takes note of what a step found; whether it is fine enough, or no finer one would be any better. `has_kernels` is whether those

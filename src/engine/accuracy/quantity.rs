@@ -112,32 +112,45 @@ impl Wishes {
 
 /// One number for each quantity that a scene has: values in layer units, or their relative errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Numbers([Option<f64>; Quantity::ALL.len()]);
+pub(crate) struct Numbers {
+    /// Zero for what the scene has not.
+    values: [f64; Quantity::ALL.len()],
+    /// A bit for each that it has.
+    known: u16,
+}
 
 impl Numbers {
     pub(crate) fn get(&self, quantity: Quantity) -> Option<f64> {
-        self.0[quantity as usize]
+        (self.known >> quantity as usize & 1 == 1).then(|| self.values[quantity as usize])
     }
 
     pub(crate) fn set(&mut self, quantity: Quantity, value: f64) {
-        self.0[quantity as usize] = Some(value);
+        self.values[quantity as usize] = value;
+        self.known |= 1 << quantity as usize;
     }
 
     /// Adds to a number, where there is one.
     pub(crate) fn add(&mut self, quantity: Quantity, more: f64) {
-        if let Some(number) = &mut self.0[quantity as usize] {
-            *number += more;
+        if let Some(number) = self.get(quantity) {
+            self.set(quantity, number + more);
         }
     }
 
     /// Each of those that there are, and `share` more.
     pub(crate) fn plus(self, share: f64) -> Self {
-        Self(self.0.map(|number| number.map(|number| number + share)))
+        self.map(|number| number + share)
     }
 
     /// Errors of which one that is not finite, as of a difference of infinite numbers, is 1: it tells nothing.
     pub(crate) fn telling(self) -> Self {
-        Self(self.0.map(|error| error.map(|error| if error.is_finite() { error } else { 1.0 })))
+        self.map(|error| if error.is_finite() { error } else { 1.0 })
+    }
+
+    /// Something else in the place of each of those that there are.
+    fn map(mut self, other: impl Fn(f64) -> f64) -> Self {
+        let each = self;
+        each.iter().for_each(|(quantity, number)| self.set(quantity, other(number)));
+        self
     }
 
     /// Each of those that there are, and what `more` has for it.
@@ -154,13 +167,16 @@ impl Numbers {
 
     /// Takes one out.
     pub(crate) fn take(&mut self, quantity: Quantity) -> Option<f64> {
-        self.0[quantity as usize].take()
+        let number = self.get(quantity);
+        self.values[quantity as usize] = 0.0;
+        self.known &= !(1 << quantity as usize);
+        number
     }
 
     /// Those that are to meet the tolerance.
     pub(crate) fn judged_by(&self, wishes: Wishes) -> Self {
         let mut judged = *self;
-        for quantity in Quantity::ALL.into_iter().filter(|quantity| !wishes.judges(*quantity)) {
+        for (quantity, _) in self.iter().filter(|(quantity, _)| !wishes.judges(*quantity)) {
             judged.take(quantity);
         }
         judged
@@ -168,7 +184,12 @@ impl Numbers {
 
     /// Those that there are.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (Quantity, f64)> + '_ {
-        Quantity::ALL.into_iter().filter_map(|quantity| Some((quantity, self.get(quantity)?)))
+        let mut left = self.known;
+        std::iter::from_fn(move || {
+            let quantity = *Quantity::ALL.get(left.trailing_zeros() as usize)?;
+            left &= left - 1;
+            Some((quantity, self.values[quantity as usize]))
+        })
     }
 
     /// The largest, and whose it is.

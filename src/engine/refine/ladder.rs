@@ -123,9 +123,11 @@ impl Ladder {
         if let Some(growing) = &mut here[0].growing {
             growing.give_up(self.given_up.as_ref());
         }
-        let outcome = here[0].solve(layer, task, coarse, family)?;
-        self.note(&outcome);
-        Ok(outcome)
+        let solved = here[0].solve(layer, task, coarse, family);
+        if let Ok(outcome) = &solved {
+            self.note(outcome);
+        }
+        solved
     }
 
     /// Makes the stages up to a step.
