@@ -285,21 +285,27 @@ fn listed(document: &Document, path: &[&str], names: Option<&[String]>) -> Resul
         let error = document.error(document.key(&place), "as many names as values are needed");
         return Err(error.found(format!("{} names", names.len())).expected(format!("{} of them", values.len())));
     }
-    let one = |(index, value): (usize, &toml::Spanned<DeValue>)| {
-        let value = plain(document, value)?;
-        let shown = match (names, &value) {
-            (Some(names), _) => Cell::Text(names[index].clone()),
-            (None, toml::Value::Integer(integer)) => Cell::Number(*integer as f64),
-            (None, toml::Value::Float(float)) if float.is_finite() => Cell::Number(*float),
-            (None, toml::Value::String(text)) => Cell::Text(text.clone()),
-            (None, toml::Value::Table(table)) if table.get("type").is_some_and(toml::Value::is_str) => {
-                Cell::Text(table["type"].as_str().unwrap_or_default().into())
-            }
-            (None, other) => Cell::Text(other.to_string()),
-        };
-        Ok((value.to_string(), shown))
+    let names = names.unwrap_or_default();
+    if let Some(again) = (1..names.len()).find(|index| names[..*index].contains(&names[*index])) {
+        let place: Vec<&str> = path[..path.len() - 1].iter().copied().chain(["names"]).collect();
+        let error = document.error(document.key(&place), "two values have one name");
+        return Err(error.found(format!("`{}` twice", names[again])).expected("a name of its own for each value"));
+    }
+    let values = values.iter().map(|value| plain(document, value)).collect::<Result<Vec<_>, _>>()?;
+    let type_of = |value: &toml::Value| value.get("type").and_then(toml::Value::as_str).map(str::to_owned);
+    let types: Vec<Option<String>> = values.iter().map(type_of).collect();
+    let shown = |index: usize, value: &toml::Value| match (names.get(index), value, &types[index]) {
+        (Some(name), ..) => Cell::Text(name.clone()),
+        (None, toml::Value::Integer(integer), _) => Cell::Number(*integer as f64),
+        (None, toml::Value::Float(float), _) if float.is_finite() => Cell::Number(*float),
+        (None, toml::Value::String(text), _) => Cell::Text(text.clone()),
+        // Tables of one type are told apart by all that they hold.
+        (None, _, Some(one)) if types.iter().flatten().filter(|other| *other == one).count() == 1 => {
+            Cell::Text(one.clone())
+        }
+        (None, other, _) => Cell::Text(other.to_string()),
     };
-    values.iter().enumerate().map(one).collect()
+    Ok(values.iter().enumerate().map(|(index, value)| (value.to_string(), shown(index, value))).collect())
 }
 
 /// Steps from one number to another.
@@ -327,6 +333,10 @@ fn ends(document: &Document, path: &[&str], range: Range, by_factors: bool) -> R
             let place: Vec<&str> = path.iter().copied().chain([key]).collect();
             return Err(document.not_allowed(&place, expected));
         }
+    }
+    if range.from.to_bits() == range.to.to_bits() {
+        let place: Vec<&str> = path.iter().copied().chain(["to"]).collect();
+        return Err(document.not_allowed(&place, "another number than `from`"));
     }
     Ok(())
 }

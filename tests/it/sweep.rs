@@ -1129,6 +1129,20 @@ fn the_order_of_values_stops_no_study() {
 
 /// Fields in order are no table.
 #[test]
+fn tables_of_one_type_are_told_apart() {
+    let shown = |values: &str| {
+        let study = format!("format = 1\nscene = \"good.toml\"\n[[axes]]\nfield = \"punch\"\nvalues = [{values}]\n");
+        let (_folder, _, lines) = whole(&study);
+        let punch = |line: &str| serde_json::from_str::<Value>(line).unwrap()["axes"]["punch"].to_string();
+        lines.lines().map(punch).collect::<Vec<_>>()
+    };
+    let one = "{ type = \"flat\", half_width = 1.0 }";
+    let [first, second] = shown(&format!("{one}, {}", one.replace("1.0", "2.0"))).try_into().unwrap();
+    assert!(first.contains("1.0") && second.contains("2.0"), "{first} and {second}");
+    assert_eq!(shown(one), [r#""flat""#], "the type is enough");
+}
+
+#[test]
 fn an_array_is_no_table() {
     let base = "format = 1\nscene = \"good.toml\"\n";
     let linear = "[[axes]]\nfield = \"friction.coefficient\"\nlinear = [0.2, 0.3, 3]\n";
