@@ -41,6 +41,32 @@ fn a_wedge_over_a_shallow_datum_sinks_as_the_closed_form_says() {
     }
 }
 
+/// Where the law begins with a broken power of the depth, so does what depends on the half-width: depths of flat punches told by polynomials
+/// were off by up to 23 estimates. By panels of another solver, on three meshes.
+#[test]
+fn depths_on_a_law_that_begins_with_a_broken_power_are_as_sure_as_they_say() {
+    let depth = 0.005606214902907;
+    let told = |load: &str, tolerance: f64| {
+        let text = format!(
+            "layer = {{ thickness = 1.0, poisson = 0.3, datum = 5.52, base = {{ type = \"half-plane\", shear = 0.703, poisson = 0.2 }}, \
+             grading = {{ type = \"formula\", modulus = \"1+7.96*y^0.5\" }} }}\n\
+             punch = {{ type = \"power\", coefficient = 0.02, exponent = 1.5 }}\nload = {{ {load} }}\n\
+             solver = {{ tolerance = {tolerance:?} }}\noutput = {{ quantities = [\"load\"] }}\n"
+        );
+        let solution = solved(&text);
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+        solution
+    };
+    for tolerance in [1e-5, 1e-6, 1e-8] {
+        let solution = told("force = 0.00929", tolerance);
+        let error = (solution.load.indentation.expect("a datum") / depth - 1.0).abs();
+        assert!(error < solution.error.each["load.indentation"].max(1e-12), "{error:e} at {tolerance:e}");
+    }
+    let path = told("path = { force = [0.0007742, 0.00929, 0.01548] }", 1e-4).path.expect("a curve");
+    let error = (path.indentation.expect("depths")[1].expect("a datum") / depth - 1.0).abs();
+    assert!(error < path.error.expect("an error"), "{error:e} on the way");
+}
+
 /// Deep below a wedge that is wider than the datum is deep, what sinks grows like a logarithm.
 #[test]
 fn a_wedge_is_pressed_in_however_wide_it_gets() {

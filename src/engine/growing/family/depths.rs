@@ -4,8 +4,9 @@
 //! that. But each is told by its pressure, and that by these members: so depths are taken at half-widths of their own, even in
 //! `asinh(b/datum)`, which is the half-width well within that distance and its logarithm well beyond.
 
-use super::OF_PRESSURE;
+use super::{OF_PRESSURE, blend};
 use crate::engine::growing::blend::Blend;
+use crate::engine::problem::Problem;
 use slipzone_api::Refusal;
 
 /// Half-widths per unknown of the pressure, and more of them where the datum is near.
@@ -25,6 +26,7 @@ pub(super) struct Depths {
 impl Depths {
     /// From the depth at each half-width between two, the rule of the pressure having so many unknowns.
     pub(super) fn new(
+        problem: &Problem,
         datum: f64,
         (narrowest, widest): (f64, f64),
         unknowns: usize,
@@ -33,7 +35,7 @@ impl Depths {
         let ends = (place(narrowest, datum), place(widest, datum));
         let count = unknowns as f64 * (PER_UNKNOWN + MORE_BY_NEARNESS * ends.1);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most MOST
-        let blend = Blend::new(ends, count.min(MOST) as usize, OF_PRESSURE)?;
+        let blend = blend(problem, ends, count.min(MOST) as usize, OF_PRESSURE)?;
         // What the place rounds must not leave the widest.
         let depths: Vec<f64> = blend.half_widths().iter().map(|s| depth((datum * s.sinh()).min(widest))).collect();
         let coefficients = blend.coefficients(&depths, 1);

@@ -243,7 +243,7 @@ impl Family {
         datum: f64,
     ) -> Result<Depths, Refusal> {
         let flat = member(task.problem, ends.1, false);
-        Depths::new(datum, ends, self.contact.normal.size(), |b| {
+        Depths::new(task.problem, datum, ends, self.contact.normal.size(), |b| {
             let depth = self.contact.normal.depth_of(b, self.pressed.pressure(b, &mut self.room), (layer, &flat));
             depth.map_or(0.0, |depth| depth / (b * flat.elastic.a0()) - self.on_half_plane.at(b))
         })
