@@ -42,8 +42,8 @@ pub struct Plan {
     /// Largest relative error that it makes of a number reported, by its bound: part of the errors stated. 0 of the full
     /// model; `None` before anything is solved.
     pub bound: Option<f64>,
-    /// By how much the friction that belongs to the stick ratio differs from the coupled equations', relative, as far as
-    /// that can be told: what Goodman's approximation costs. It is no part of the errors; `None` without a stick zone.
+    /// How much more friction the coupled equations take for the stick ratio, over Goodman's, as far as that can be told: what
+    /// Goodman's approximation costs. It is no part of the errors; `None` without a stick zone.
     pub coupling_neglected: Option<f64>,
     /// Why each choice was made.
     pub reasons: Vec<Cow<'static, str>>,

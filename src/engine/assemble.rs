@@ -28,9 +28,10 @@ const STRAIN: &str = "profile.strain";
 const DEEP: f64 = 0.1;
 const STEEP: f64 = 0.3;
 /// What is said where the cost of Goodman's approximation is not known.
-const COST_UNTOLD: &str = "Goodman: what it costs that q does not change p is not known: its estimate fails here, as on layers much thinner than the contact";
-/// More force than told from which that is said.
+const COST_UNTOLD: &str = "Goodman: what it costs that q does not change p is not known: its estimate fails here, as on layers much thinner than the contact, or where much friction lets little slip";
+/// More force than told from which that is said, and more of it than what is estimated to be as much as that.
 const SAID_OF_FORCE: f64 = 0.02;
+const LEAST_OF_FORCE: f64 = 0.25;
 
 /// A contact that was solved, and what tells of it.
 pub(super) struct Solved<'a> {
@@ -107,13 +108,14 @@ fn tell_of_profile(solution: &mut Solution, judged: &Judged, of_strain: Option<f
 /// Says what Goodman's approximation costs.
 fn tell_of_neglected(solution: &mut Solution, neglected: Neglected) {
     let of_friction = neglected.friction.map(|neglected| {
-        let (share, side) = (percent(neglected.abs()), if neglected < 0.0 { "large" } else { "small" });
-        format!("Goodman: that q does not change p makes the friction that belongs to this stick ratio about {share} too {side}")
+        let (share, side) = (percent(neglected.abs()), if neglected < 0.0 { "less" } else { "more" });
+        format!("Goodman: if q changed p, this stick ratio would take about {share} {side} friction")
     });
     let force = neglected.force.filter(|force| force.abs() > SAID_OF_FORCE);
     let of_force = force.map(|force| {
         let (share, side) = (percent(force.abs()), if force < 0.0 { "less" } else { "more" });
-        format!("Goodman: if q changed p, this indentation would take about {share} {side} force")
+        let about = if force > LEAST_OF_FORCE { "at least" } else { "about" };
+        format!("Goodman: if q changed p, this indentation would take {about} {share} {side} force")
     });
     for reason in of_friction.into_iter().chain(of_force) {
         solution.assumptions.push(reason.clone().into());

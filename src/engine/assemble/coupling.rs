@@ -1,12 +1,12 @@
 //! What Goodman's approximation costs, estimated.
 //!
-//! It leaves out what the shear does to the pressure, `beta q - (1/pi) int q k_uv` in the pressure's equation. Measured on
-//! half-planes (docs/planner.md, "What Goodman's approximation neglects"): at a given stick ratio `k` the friction of the
-//! coupled equations is larger by a factor of `1/(1 - c beta^2)`, where `c` depends on the ratio.
+//! It leaves out what the shear does to the pressure, `beta q - (1/pi) int q k_uv` in the pressure's equation. On half-planes
+//! a formula tells how much more friction the stick zone takes (docs/planner.md, "What Goodman's approximation neglects"), and
+//! where little slips it serves layers, too: all of it happens beside the edge, and the friction says what comes from farther away.
 //!
-//! On a layer the first step from Goodman's solution towards the coupled one is taken, under a flat punch with the contact and the
-//! stick zone of the solution, and the same on the half-plane of the layer's surface. A coarse resolution makes much the same error
-//! in either: what is neglected is as much smaller than on the half-plane as the step is, or larger by as much.
+//! On a layer where more slips the first step from Goodman's solution towards the coupled one is taken, under a flat punch with the contact
+//! and the stick zone of the solution, and the same on the half-plane of the layer's surface. A coarse resolution makes much the same
+//! error in either: what is neglected is as much smaller than on the half-plane as the step is, or larger by as much.
 
 use crate::engine::friction::rubbing::Rubbing;
 use crate::engine::friction::stick::Shear;
@@ -18,13 +18,20 @@ use crate::plan;
 use crate::scene::Scene;
 use slipzone_api::double_exponential::{self, Node};
 use slipzone_api::{Component, Edge, Quadrature, Refusal, Shelf, Station};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-/// `a/b`, and `c` there: the largest over Poisson's ratios from 0 to 0.45 (`tests/data/coupled_half_plane.csv`).
-const MEASURED: [(f64, f64); 6] = [(0.1, 0.60), (0.25, 0.66), (0.5, 0.78), (0.75, 1.0), (0.9, 1.36), (0.99, 2.32)];
-/// A share of the friction beyond which the measurements say nothing.
-const MOST: f64 = 0.9;
+/// What the fit to half-planes takes, see [`on_half_plane`].
+const FIT: [f64; 3] = [1.0 / 6.0, 0.055, 0.042];
+/// More friction than Goodman's, over it, beyond which the estimate says nothing: not much friction more, and none is enough.
+const MOST: f64 = 2.0;
+/// Slip zone, over the half-width, of which half is told as of a half-plane, and one that is as a whole.
+const NARROW: f64 = 0.03;
+const NARROWEST: f64 = 3e-3;
+/// A share of the depth beyond which the steps do not add up.
+const MOST_LIFT: f64 = 0.9;
+/// Rounds in which that fit is solved: each leaves a fifth.
+const ROUNDS: usize = 12;
 /// Fewest and most refinements of the quadrature for the steps.
 const COARSEST: f64 = 1.0;
 const FINEST: f64 = 8.0;
@@ -68,10 +75,12 @@ pub(crate) fn neglected(
     scene: &Scene,
 ) -> Result<Neglected, Untold> {
     let (zone, beta) = (rubbing.zone, problem.elastic.beta());
-    let share = (factor(zone.ratio(), zone.one_minus_ratio()) * beta * beta).min(MOST);
-    let of_half_plane = share / (1.0 - share);
+    let eta = problem.friction.ok_or(Untold)?;
+    let known = |more: f64| if more.abs() <= MOST { Ok(more) } else { Err(Untold) };
+    let narrow = on_half_plane(eta, beta);
     if layer.is_plain() {
-        return Ok(Neglected { friction: (!rubbing.is_full).then_some(of_half_plane), force: None });
+        let friction = if rubbing.is_full { None } else { Some(known(narrow)?) };
+        return Ok(Neglected { friction, force: None });
     }
     if rubbing.is_full && !tells_force(layer, problem) {
         return Ok(Neglected { friction: None, force: None });
@@ -90,17 +99,28 @@ pub(crate) fn neglected(
     if rubbing.is_full {
         return Ok(Neglected { friction: None, force: Some(force.ok_or(Untold)?) });
     }
+    // Beside the edge all slip is that of a half-plane, but outward slip comes of the layer alone.
+    let slip = zone.one_minus_ratio();
+    let is_inward = rubbing.reported().is_some_and(|root| root.branch > 0.0);
+    if slip < NARROWEST {
+        return Ok(Neglected { friction: Some(known(if is_inward { narrow } else { f64::INFINITY })?), force });
+    }
     let own = coarse.more_friction(layer, problem)?;
     // On an incompressible half-plane there is no shear.
-    let plain = if beta == 0.0 {
-        0.0
+    let (plain, of_half_plane) = if beta == 0.0 {
+        (0.0, 0.0)
     } else {
         let half_plane = Scene { layer: plan::half_plane(&scene.layer, &problem.layer), ..scene.clone() };
         let layer = PreparedLayer::of(&plan::choose(&half_plane))?;
-        Coarse::new(&layer, problem, zone, quadrature, &[])?.more_friction(&layer, problem)?
+        let coarse = Coarse::new(&layer, problem, zone, quadrature, &[])?;
+        let of_half_plane = on_half_plane(coarse.goodman, beta);
+        (coarse.more_friction(&layer, problem)?, of_half_plane)
     };
-    let friction = if own.abs() < plain.abs() { of_half_plane * own / plain } else { of_half_plane + own - plain };
-    if friction.is_finite() { Ok(Neglected { friction: Some(friction), force }) } else { Err(Untold) }
+    let wide = if own.abs() < plain.abs() { of_half_plane * own / plain } else { of_half_plane + own - plain };
+    let share = if is_inward { slip / (slip + NARROW) } else { 1.0 };
+    let is_told = wide.abs() <= MOST && (wide > 0.0 || !is_inward);
+    let friction = if is_told { share * wide + (1.0 - share) * narrow } else { narrow };
+    Ok(Neglected { friction: Some(known(if is_told || is_inward { friction } else { f64::INFINITY })?), force })
 }
 
 /// Whether the force for a depth can be told: reciprocity takes depths from what is at rest, which a datum is not.
@@ -108,13 +128,28 @@ fn tells_force(layer: &PreparedLayer, problem: &Problem) -> bool {
     problem.layer.is_grounded() && layer.kernel(Component::Depth).is_some()
 }
 
-/// `c`: between the measurements and beyond them along `ln(a/(b - a))`.
-fn factor(ratio: f64, rest: f64) -> f64 {
-    let lambda = |(ratio, _): (f64, f64)| (ratio / (1.0 - ratio)).ln();
-    let at = (ratio / rest).ln().max(lambda(MEASURED[0]));
-    let pair = MEASURED.windows(2).find(|pair| at <= lambda(pair[1])).unwrap_or(&MEASURED[MEASURED.len() - 2..]);
-    let (from, to) = (lambda(pair[0]), lambda(pair[1]));
-    pair[0].1 + (pair[1].1 - pair[0].1) * (at - from) / (to - from)
+/// By how much more friction the coupled equations ask for on a half-plane where Goodman's approximation asks for `eta`; infinite
+/// where no friction is enough.
+///
+/// Beside a stick zone the tractions turn into each other along `ln x`, by an angle in proportion to `atanh beta` where Goodman's shear grows by `beta`:
+/// that angle is `atan` of the friction, but for what the slip zone makes of it,
+///
+/// ```text
+/// atan(x) - beta g atan(beta x) = eta atanh(beta)/beta,    g = 1/6 + 0.055 beta^2 + 0.042 atan(beta x),
+/// ```
+///
+/// where `g` is a fit to coupled half-planes (`tests/data/coupled_half_plane.csv`).
+fn on_half_plane(eta: f64, beta: f64) -> f64 {
+    let turned = if beta == 0.0 { eta } else { eta * beta.atanh() / beta };
+    let mut angle = turned;
+    for _ in 0..ROUNDS {
+        if angle >= FRAC_PI_2 {
+            return f64::INFINITY;
+        }
+        let in_slip = (beta * angle.tan()).atan();
+        angle = turned + beta * (FIT[0] + FIT[1] * beta * beta + FIT[2] * in_slip) * in_slip;
+    }
+    angle.tan() / eta - 1.0
 }
 
 /// Goodman's solution under a flat punch as wide as the contact, with a unit force, at a coarse resolution.
@@ -202,7 +237,7 @@ impl Coarse {
             moved += 2.0 * half;
         }
         let share = lift / depth;
-        (share < MOST).then(|| share / (1.0 - share))
+        (share < MOST_LIFT).then(|| share / (1.0 - share))
     }
 }
 
