@@ -186,6 +186,18 @@ fn a_flat_punch_has_a_straight_curve() {
     }
 }
 
+/// Its depths were summed anew for each load: 80,000 of them took minutes.
+#[test]
+fn loads_of_a_flat_punch_cost_no_kernel() {
+    let work = |points: u32| {
+        let load = format!("until = {{ indentation = 0.1, points = {points} }}");
+        let solution = Sketch::flat(5.0, 0.125, 0.3).rubbing(0.1).loaded(&load).solve();
+        assert_eq!(curve(&solution).points(), points as usize);
+        (solution.plan.kernel_evaluations, solution.plan.work)
+    };
+    assert_eq!(work(10), work(100));
+}
+
 /// A tolerance that no resolution meets.
 #[test]
 fn a_load_that_fails_is_named() {

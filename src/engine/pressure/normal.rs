@@ -33,6 +33,8 @@ pub(crate) struct Normal {
     unknowns: Vec<f64>,
     /// The half-width at which the system of a sharp punch was solved.
     solved_at: Option<f64>,
+    /// Depths of what was solved there, of the force and of the shape, once they were asked for.
+    depths: Option<[f64; 2]>,
     /// Whether the punch is flat there: the pressure then grows with the force and does not change otherwise.
     pub(crate) is_flat: bool,
 }
@@ -51,6 +53,7 @@ impl Normal {
             system: Dense::new(n, 2),
             unknowns: vec![0.0; n],
             solved_at: None,
+            depths: None,
             is_flat: false,
         })
     }
@@ -64,7 +67,7 @@ impl Normal {
         half_width: f64,
     ) -> Result<(), Refusal> {
         if self.solved_at != Some(half_width) {
-            self.solved_at = None;
+            self.forget();
             let n = self.size();
             layer.room_for((n, 2), &*self.rule, half_width)?;
             self.stretch(half_width);
@@ -137,7 +140,7 @@ impl Normal {
     ) -> Result<(), Refusal> {
         let n = self.size();
         layer.room_for((n, 1), &*self.rule, half_width)?;
-        self.solved_at = None;
+        self.forget();
         self.stretch(half_width);
         let Self { rule, system, .. } = self;
         system.solve(|rows, columns| {
@@ -154,6 +157,7 @@ impl Normal {
 
     /// Takes the pressure of a unit force under a flat face with sharp corners for solved.
     pub(crate) fn take_flat(&mut self, half_width: f64, unknowns: impl Iterator<Item = f64>) {
+        self.forget();
         self.stretch(half_width);
         self.system.take(unknowns);
         (self.solved_at, self.is_flat) = (Some(half_width), true);
@@ -161,7 +165,7 @@ impl Normal {
 
     /// Takes what was solved for unsolved: it was with other kernels.
     pub(crate) fn forget(&mut self) {
-        self.solved_at = None;
+        (self.solved_at, self.depths) = (None, None);
     }
 
     fn stretch(&mut self, half_width: f64) {
@@ -176,15 +180,29 @@ impl Normal {
 
     /// Force that gives an indentation; `None` on a half-plane without a datum.
     fn force_at(&mut self, layer: &PreparedLayer, problem: &Problem, indentation: f64) -> Option<f64> {
-        let mut sunk = |column| sunk(&mut *self.rule, self.half_width, (layer, problem), self.system.column(column));
-        let by_force = sunk(0)?;
-        let by_shape = sunk(1)? + problem.height(0.0);
-        Some((indentation - by_shape) / by_force)
+        let [by_force, by_shape] = self.depths(layer, problem)?;
+        Some((indentation - by_shape - problem.height(0.0)) / by_force)
+    }
+
+    /// The depth under a unit force, and that of the shape: they are the same under every load.
+    fn depths(&mut self, layer: &PreparedLayer, problem: &Problem) -> Option<[f64; 2]> {
+        if self.depths.is_none() {
+            let mut sunk =
+                |column| sunk(&mut *self.rule, self.half_width, (layer, problem), self.system.column(column));
+            self.depths = Some([sunk(0)?, if self.is_flat { 0.0 } else { sunk(1)? }]);
+        }
+        self.depths
     }
 
     /// Depth of the punch, `delta = v(0) + g(0)`; `None` on a half-plane without a datum.
     pub(crate) fn depth(&mut self, layer: &PreparedLayer, problem: &Problem) -> Option<f64> {
-        Some(sunk(&mut *self.rule, self.half_width, (layer, problem), &self.unknowns)? + problem.height(0.0))
+        let sunk = if self.depths.is_some() || self.is_flat && self.solved_at.is_some() {
+            let [by_force, by_shape] = self.depths(layer, problem)?;
+            self.force * by_force + by_shape
+        } else {
+            sunk(&mut *self.rule, self.half_width, (layer, problem), &self.unknowns)?
+        };
+        Some(sunk + problem.height(0.0))
     }
 
     /// The same under a flat face.
