@@ -47,6 +47,11 @@ impl Tables {
     fn prove(&self) -> bool {
         self.kernels.iter().chain(&self.depth).all(|table| table.error().is_some())
     }
+
+    /// Wave numbers that they took.
+    fn evaluations(&self) -> usize {
+        self.kernels.iter().chain(&self.depth).map(KernelTable::flexibility_evaluations).sum()
+    }
 }
 
 /// What the kernels must serve.
@@ -127,10 +132,25 @@ impl PreparedLayer {
         let share = self.shallowness(half_width);
         let accuracy = (wanted.accuracy / share).max(FINEST);
         let depth = from_datum.map(|response| tabulate(response, &ALL[..1], accuracy)).transpose()?;
-        let evaluations = kernels.iter().chain(&depth).map(KernelTable::flexibility_evaluations).sum::<usize>();
+        let tables = Tables { kernels, depth, reach, serves: wanted };
+        let evaluations = tables.evaluations();
         self.flexibility_evaluations += evaluations;
         self.meter.count_wave_numbers(evaluations);
-        self.tables = Some(Tables { kernels, depth, reach, serves: wanted });
+        // Two that are the same agree, whatever the error.
+        let is_coarser = |before: &&Tables| before.serves.level < wanted.level && before.reach <= reach;
+        if !tables.prove()
+            && let Some(before) = self.tables.as_ref().filter(is_coarser)
+            && evaluations <= before.evaluations()
+        {
+            let fault = format!(
+                "error() = None, but refined({}) takes {evaluations} wave numbers, level {} {}",
+                wanted.level,
+                before.serves.level,
+                before.evaluations()
+            );
+            return Err(foreign::broken(strategy.typetag_name(), &fault));
+        }
+        self.tables = Some(tables);
         Ok(())
     }
 

@@ -45,7 +45,7 @@ fn a_wedge_over_a_shallow_datum_sinks_as_the_closed_form_says() {
 /// were off by up to 23 estimates. By panels of another solver, on three meshes.
 #[test]
 fn depths_on_a_law_that_begins_with_a_broken_power_are_as_sure_as_they_say() {
-    let depth = 0.005606214902907;
+    let depth = 0.005_606_214_902_907;
     let told = |load: &str, tolerance: f64| {
         let text = format!(
             "layer = {{ thickness = 1.0, poisson = 0.3, datum = 5.52, base = {{ type = \"half-plane\", shear = 0.703, poisson = 0.2 }}, \

@@ -97,6 +97,8 @@ struct OwnKernel {
     error: Option<f64>,
     /// Whether it gives no numbers.
     is_void: bool,
+    /// Whether it knows no bound.
+    is_silent: bool,
 }
 
 #[typetag::serde(name = "own-kernel")]
@@ -142,7 +144,7 @@ impl KernelTable for OwnTable {
     }
 
     fn error(&self) -> Option<f64> {
-        self.told.error
+        if self.told.is_silent { None } else { self.told.error.or(self.table.error()) }
     }
 
     fn flexibility_evaluations(&self) -> usize {
@@ -160,6 +162,12 @@ fn tables_that_tell_what_cannot_be_are_refused() {
         solve(&scene)
     };
     told(&solved(OwnKernel::default()), Status::Converged, "");
+    // One that was no finer agreed with itself, and was believed whatever its error.
+    told(
+        &solved(OwnKernel { is_silent: true, ..OwnKernel::default() }),
+        Status::Refused,
+        "own-kernel: this plugin breaks its contract: error() = None, but refined(2) takes",
+    );
     for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let (told_wrong, honest) = (Some(wrong), OwnKernel::default());
         let kernels = [
