@@ -99,11 +99,11 @@ pub(crate) fn neglected(
     if rubbing.is_full {
         return Ok(Neglected { friction: None, force: Some(force.ok_or(Untold)?) });
     }
-    // Beside the edge all slip is that of a half-plane, but outward slip comes of the layer alone.
+    // Beside the edge slip is that of a half-plane, but for outward slip and all slip of an incompressible surface: these come of the layer alone.
     let slip = zone.one_minus_ratio();
-    let is_inward = rubbing.reported().is_some_and(|root| root.branch > 0.0);
+    let is_of_edge = beta > 0.0 && rubbing.reported().is_some_and(|root| root.branch > 0.0);
     if slip < NARROWEST {
-        return Ok(Neglected { friction: Some(known(if is_inward { narrow } else { f64::INFINITY })?), force });
+        return if is_of_edge { Ok(Neglected { friction: Some(known(narrow)?), force }) } else { Err(Untold) };
     }
     let own = coarse.more_friction(layer, problem)?;
     // On an incompressible half-plane there is no shear.
@@ -117,10 +117,12 @@ pub(crate) fn neglected(
         (coarse.more_friction(&layer, problem)?, of_half_plane)
     };
     let wide = if own.abs() < plain.abs() { of_half_plane * own / plain } else { of_half_plane + own - plain };
-    let share = if is_inward { slip / (slip + NARROW) } else { 1.0 };
-    let is_told = wide.abs() <= MOST && (wide > 0.0 || !is_inward);
-    let friction = if is_told { share * wide + (1.0 - share) * narrow } else { narrow };
-    Ok(Neglected { friction: Some(known(if is_told || is_inward { friction } else { f64::INFINITY })?), force })
+    let friction = match slip / (slip + NARROW) {
+        _ if !is_of_edge => wide,
+        share if wide > 0.0 && wide <= MOST => share * wide + (1.0 - share) * narrow,
+        _ => narrow,
+    };
+    Ok(Neglected { friction: Some(known(friction)?), force })
 }
 
 /// Whether the force for a depth can be told: reciprocity takes depths from what is at rest, which a datum is not.
