@@ -13,6 +13,7 @@ use check::{check_find, check_plots, check_values};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use slipzone_api::Files;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use toml::de::DeValue;
 
@@ -280,32 +281,38 @@ fn listed(document: &Document, path: &[&str], names: Option<&[String]>) -> Resul
     if values.is_empty() {
         return Err(empty(document, path, "an axis without values"));
     }
-    if let Some(names) = names.filter(|names| names.len() != values.len()) {
+    let wrong_names = |message: &str| {
         let place: Vec<&str> = path[..path.len() - 1].iter().copied().chain(["names"]).collect();
-        let error = document.error(document.key(&place), "as many names as values are needed");
+        document.error(document.key(&place), message)
+    };
+    if let Some(names) = names.filter(|names| names.len() != values.len()) {
+        let error = wrong_names("as many names as values are needed");
         return Err(error.found(format!("{} names", names.len())).expected(format!("{} of them", values.len())));
     }
     let names = names.unwrap_or_default();
-    if let Some(again) = (1..names.len()).find(|index| names[..*index].contains(&names[*index])) {
-        let place: Vec<&str> = path[..path.len() - 1].iter().copied().chain(["names"]).collect();
-        let error = document.error(document.key(&place), "two values have one name");
-        return Err(error.found(format!("`{}` twice", names[again])).expected("a name of its own for each value"));
+    let mut seen = HashSet::new();
+    if let Some(again) = names.iter().find(|name| !seen.insert(*name)) {
+        let error = wrong_names("two values have one name");
+        return Err(error.found(format!("`{again}` twice")).expected("a name of its own for each value"));
     }
     let values = values.iter().map(|value| plain(document, value)).collect::<Result<Vec<_>, _>>()?;
-    let type_of = |value: &toml::Value| value.get("type").and_then(toml::Value::as_str).map(str::to_owned);
-    let types: Vec<Option<String>> = values.iter().map(type_of).collect();
-    let shown = |index: usize, value: &toml::Value| match (names.get(index), value, &types[index]) {
+    let mut of_type: HashMap<&str, usize> = HashMap::new();
+    values.iter().filter_map(type_of).for_each(|one| *of_type.entry(one).or_default() += 1);
+    let shown = |index: usize, value: &toml::Value| match (names.get(index), value, type_of(value)) {
         (Some(name), ..) => Cell::Text(name.clone()),
         (None, toml::Value::Integer(integer), _) => Cell::Number(*integer as f64),
         (None, toml::Value::Float(float), _) if float.is_finite() => Cell::Number(*float),
         (None, toml::Value::String(text), _) => Cell::Text(text.clone()),
         // Tables of one type are told apart by all that they hold.
-        (None, _, Some(one)) if types.iter().flatten().filter(|other| *other == one).count() == 1 => {
-            Cell::Text(one.clone())
-        }
+        (None, _, Some(one)) if of_type[one] == 1 => Cell::Text(one.into()),
         (None, other, _) => Cell::Text(other.to_string()),
     };
     Ok(values.iter().enumerate().map(|(index, value)| (value.to_string(), shown(index, value))).collect())
+}
+
+/// The `type` of a table.
+fn type_of(value: &toml::Value) -> Option<&str> {
+    value.get("type").and_then(toml::Value::as_str)
 }
 
 /// Steps from one number to another.
