@@ -6,7 +6,7 @@ use bilby::GaussLegendre;
 use faer::Mat;
 use faer::prelude::Solve;
 use slipzone::api::{Flexibility, LayerResponse, SurfaceFlexibility};
-use slipzone::engine::{Slip, Status};
+use slipzone::engine::{Slip, Solution, Status};
 use slipzone_flexibilities::Compliance;
 use std::cmp::Ordering;
 use std::f64::consts::PI;
@@ -230,20 +230,50 @@ fn what_goodman_neglects_on_layers_is_what_the_coupled_equations_say() {
         let flat = Sketch::flat(h, ratio, nu).rubbing(eta);
         let solution = if grown { flat.clone().cylinder() } else { flat.clone() }.solve();
         assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
-        let stick = solution.stick.expect("friction");
-        let signed = if stick.slip == Some(Slip::Outward) { -eta } else { eta };
         let told = solution.plan.coupling_neglected.expect("an estimate");
-
-        let (coupled, _) = Coupled::under(&flat, h, stick.ratio.expect("a stick zone"));
-        let goodman = coupled.friction(signed, false);
+        let (signed, goodman, truth) = beside(&flat, &solution, h, eta);
         assert!((goodman / signed - 1.0).abs() < 5e-3, "elements: {goodman} for {signed}");
-        let truth = coupled.friction(goodman, true) / goodman - 1.0;
         println!("h/b = {h}, mu1/mu3 = {ratio}, nu = {nu}, eta = {signed}: {told:.4} told, {truth:.4} true");
         assert!(
             (told / truth - 1.0).abs() < 0.15,
             "h/b = {h}, mu1/mu3 = {ratio}, nu = {nu}: {told} told, {truth} true"
         );
     }
+}
+
+/// The friction coefficient with its sign, what the elements find in its place for the solution's stick zone, and how much more the coupled equations
+/// take.
+fn beside(flat: &Sketch, solution: &Solution, h: f64, eta: f64) -> (f64, f64, f64) {
+    let stick = solution.stick.as_ref().expect("friction");
+    let signed = if stick.slip == Some(Slip::Outward) { -eta } else { eta };
+    let (coupled, _) = Coupled::under(flat, h, stick.ratio.expect("a stick zone"));
+    let goodman = coupled.friction(signed, false);
+    (signed, goodman, coupled.friction(goodman, true) / goodman - 1.0)
+}
+
+/// What docs/planner.md counts: nine layers, little friction and much. Where the slip zone is narrower than any element, or the elements
+/// find no friction or three times as much, there is nothing to compare with.
+#[test]
+#[ignore = "a survey, to be read"]
+fn what_goodman_neglects_on_many_layers() {
+    let layers = [(20.0, 1.0, 0.3), (5.0, 8.0, 0.3), (1.0, 1.0, 0.3), (0.5, 0.125, 0.3), (1.0, 1.0, 0.0)];
+    let more = [(2.0, 8.0, 0.1), (0.3, 1.0, 0.1), (1.0, 0.125, 0.45), (0.5, 1.0, 0.45)];
+    let mut errors = Vec::new();
+    for (h, ratio, nu) in layers.into_iter().chain(more) {
+        for eta in [0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0] {
+            let flat = Sketch::flat(h, ratio, nu).rubbing(eta);
+            let solution = flat.clone().solve();
+            let slip = solution.stick.as_ref().and_then(|stick| stick.one_minus_ratio).expect("a stick zone");
+            let Some(told) = solution.plan.coupling_neglected.filter(|_| slip > 1e-7) else { continue };
+            let (signed, _, truth) = beside(&flat, &solution, h, eta);
+            if (0.0..2.0).contains(&truth) {
+                println!("h/b = {h}, mu1/mu3 = {ratio}, nu = {nu}, eta = {signed}: {told:.4} told, {truth:.4} true");
+                errors.push(told / truth - 1.0);
+            }
+        }
+    }
+    let good = errors.iter().filter(|error| error.abs() < 0.15).count();
+    println!("{good} of {} within 15 %", errors.len());
 }
 
 /// The depth that a unit force presses a flat punch to, with the shear acting on the pressure and without: on thin layers of rubber
