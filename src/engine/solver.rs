@@ -19,6 +19,7 @@ use crate::plan::{Chosen, Plan, choose};
 use crate::scene::check::bounds;
 use crate::scene::{Load, Model, Scene};
 use slipzone_api::{Friction, Refusal};
+use std::borrow::Cow;
 
 /// A layer, a punch and the methods that solve them, with all that earlier loads left behind: kernel tables,
 /// rules, matrices, scratch.
@@ -54,8 +55,10 @@ pub struct Solver {
     aside: Option<Layer>,
     /// Work that a load may take.
     budget: u64,
-    /// What another load is solved by, where the present one took other methods.
+    /// What another load is solved by, where the present one took other methods, or the pressure alone.
     usual: Option<Box<Self>>,
+    /// The friction that is left out for the present load, and why.
+    untold: Option<(Friction, Refusal)>,
 }
 
 impl Solver {
@@ -79,8 +82,18 @@ impl Solver {
 
     /// Before anything is solved.
     fn made(chosen: Chosen, problem: Problem, layer: PreparedLayer, stand_in: Option<StandIn>) -> Self {
-        let ladder = Ladder::default();
-        Self { chosen, problem, layer, ladder, judged: None, stand_in, aside: None, budget: BUDGET, usual: None }
+        Self {
+            chosen,
+            problem,
+            layer,
+            ladder: Ladder::default(),
+            judged: None,
+            stand_in,
+            aside: None,
+            budget: BUDGET,
+            usual: None,
+            untold: None,
+        }
     }
 
     /// Why it would be refused before anything is computed.
@@ -184,12 +197,21 @@ impl Solver {
                 // Of a shape that is not defined all over the contact there may be no more to tell than that.
                 let flaw = self.problem.flaw_under_load();
                 let reason = flaw.map_or_else(|| refusal.to_string(), |flaw| self.problem.objection(&flaw));
-                return Solution::refused(&self.chosen.scene, self.chosen.plan.clone(), reason);
+                return Solution::refused(
+                    &with_friction(&self.chosen.scene, self.untold.as_ref()),
+                    self.chosen.plan.clone(),
+                    reason,
+                );
             }
         };
+        let untold = self.untold.as_ref().map(|(_, why)| format!("the shear is not told: {why}"));
+        if let Some(why) = &untold {
+            solution = solution.lacking(why);
+        }
         if let Some(path) = self.chosen.scene.path.clone() {
             let last = self.point();
-            solution.path = Some(self.curve_to(&path, last));
+            let curve = self.curve_to(&path, last);
+            solution.path = Some(untold.iter().fold(curve, |curve, why| curve.lacking(why)));
             solution.plan.work = self.layer.meter().spent();
             self.press(path.last());
             self.chosen.scene.path = Some(path);
@@ -234,8 +256,14 @@ impl Solver {
             ..self.chosen.plan.clone()
         };
         let solved = Solved { layer: &self.layer, problem: &self.problem, stage, judged };
-        assemble::solution(&self.chosen.scene, plan, solved, judgement)
+        assemble::solution(&with_friction(&self.chosen.scene, self.untold.as_ref()), plan, solved, judgement)
     }
+}
+
+/// A scene as it is reported: with the friction that was left out.
+fn with_friction<'s>(scene: &'s Scene, left_out: Option<&(Friction, Refusal)>) -> Cow<'s, Scene> {
+    let Some((friction, _)) = left_out else { return Cow::Borrowed(scene) };
+    Cow::Owned(Scene { friction: Some(*friction), ..scene.clone() })
 }
 
 /// A layer to solve a scene on, with the flat punches that are known of it: the one at hand, or a new one.

@@ -7,11 +7,8 @@ use crate::engine::accuracy::quantity::Quantity;
 use crate::engine::friction::linear_strain::SCANNED;
 use crate::engine::friction::rubbing::{Rubbing, Verdict};
 use crate::engine::friction::stick_zone::StickZone;
-use crate::engine::refine::judged::{Judged, ROUNDED};
+use crate::engine::refine::judged::{Judged, ROUNDED, UNKNOWN};
 use crate::engine::refine::stage::Stage;
-
-/// A pressure less certain than this, relative, is no ground for saying that it pulls.
-const UNRESOLVED: f64 = 0.1;
 
 /// A shape that is unsure by more than that, over its height at the contact's edge, is not the punch's.
 ///
@@ -74,7 +71,7 @@ fn objection(
             format!("estimated error {error:.1e} of {name} exceeds the tolerance {tolerance:.1e}{why}"),
         )
     };
-    if let Some(doubt) = judged.doubt.filter(|doubt| *doubt > UNRESOLVED) {
+    if let Some(doubt) = judged.doubt.filter(|doubt| *doubt > UNKNOWN) {
         let untold =
             || format!("the pressure is uncertain by {doubt:.1e} of itself: nobody can tell where the punch lifts off");
         return Some(if error > tolerance { inexact() } else { (Status::NotConverged, untold()) });

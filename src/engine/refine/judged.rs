@@ -33,6 +33,8 @@ const DRIVEN: f64 = 0.15;
 /// The atlas found three of 1,000 stick zones off by 3 to 9 of their estimates, at most by 0.35 of the tolerance, and 100,000
 /// random scenes seven, one of them by half of it; three of these estimates are 0.6 of it.
 const CLAIMED_OF_SHEAR: f64 = 0.2;
+/// A number less certain than this, relative, is not known; a pressure less certain is no ground for saying that it pulls.
+pub(crate) const UNKNOWN: f64 = 0.1;
 /// Errors that stop shrinking below this are those of rounding.
 pub(crate) const ROUNDED: f64 = 1e-9;
 
@@ -112,6 +114,12 @@ impl Judged {
     /// Its largest error.
     pub(crate) fn worst(&self) -> f64 {
         self.errors.worst().map_or(0.0, |(_, error)| error)
+    }
+
+    /// The largest error of its pressure.
+    pub(crate) fn worst_of_pressure(&self) -> f64 {
+        let of_pressure = self.errors.iter().filter(|(quantity, _)| !quantity.is_of_shear());
+        of_pressure.map(|(_, error)| error).fold(0.0, f64::max)
     }
 
     /// Whether it misses the tolerance because the shape has details that a grid over all of the contact does not resolve.

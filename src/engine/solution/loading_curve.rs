@@ -35,6 +35,13 @@ impl Curve {
         self.force.len()
     }
 
+    /// The same, of which something that was asked for is missing.
+    pub(crate) fn lacking(self, why: &str) -> Self {
+        let status = if self.status == Status::Converged { Status::NotConverged } else { self.status };
+        let note = self.note.map_or_else(|| why.to_owned(), |note| format!("{note}; {why}"));
+        Self { status, note: Some(note), ..self }
+    }
+
     pub(crate) fn of(points: &[Point], loads: &LoadPath, scene: &Scene) -> Self {
         let asks = |quantity: Quantity| scene.output.asks(quantity.path());
         let has_depth = scene.layer.has_depths() && asks(Quantity::Indentation);

@@ -4,12 +4,12 @@ use super::{Solver, prepared};
 use crate::engine::accuracy::quantity::Quantity;
 use crate::engine::culprit::culprit;
 use crate::engine::problem::{LoadInLayerUnits, Problem};
-use crate::engine::refine::judged::{Judged, ROUNDED};
+use crate::engine::refine::judged::{Judged, ROUNDED, UNKNOWN};
 use crate::engine::refine::{Aim, FlatPunches, Ladder};
 use crate::engine::stand_in;
 use crate::plan::{Chosen, choose};
-use crate::scene::Model;
 use crate::scene::check::bounded;
+use crate::scene::{Asked, Model};
 use slipzone_api::Refusal;
 
 /// Share of a budget that is left for other methods where the first used it up: `graded-panels` take longer for the same work.
@@ -19,24 +19,43 @@ const FAR_LESS: f64 = 0.1;
 
 impl Solver {
     /// Finds the numbers, and keeps them for [`Self::solve`]; writes no report. Refinement ends where its work would exceed
-    /// the [budget](crate::engine::BUDGET).
+    /// the [budget](crate::engine::BUDGET); where that is for the shear, the pressure is found without.
     pub fn find(&mut self) -> Result<(), Refusal> {
+        let found = self.find_by_any();
+        if let Some(why) = self.misses_friction(&found)
+            && let Some(other) = self.pressure_alone(why)
+        {
+            // Not to the methods that found nothing either.
+            self.go_back();
+            self.stand_aside_for(other);
+            return Ok(());
+        }
+        found
+    }
+
+    /// The same by the methods chosen, or by others.
+    fn find_by_any(&mut self) -> Result<(), Refusal> {
         self.layer.meter().begin(self.budget);
         let found = self.find_within();
         if let Some(other) = found.as_ref().err().and_then(|refusal| self.chosen.instead(refusal)) {
             self.go_on_with(other)?;
-            return self.find();
+            return self.find_by_any();
         }
         if found.is_ok()
             && self.may_be_bettered()
             && let Some(other) = self.chosen.otherwise()
-            && let Some(other) = self.bettered_by(other)
+            && let Some(other) = self.bettered_by(other, self.budget / LEFT_FOR_OTHERS)
         {
-            let usual = std::mem::replace(self, other);
-            self.usual = Some(Box::new(usual));
+            self.stand_aside_for(other);
             return Ok(());
         }
         found
+    }
+
+    /// Leaves the present load to another solver.
+    fn stand_aside_for(&mut self, other: Self) {
+        let usual = std::mem::replace(self, other);
+        self.usual = Some(Box::new(usual));
     }
 
     /// Why nothing was found: what a plugin gave in place of a number says more than what came of it.
@@ -56,16 +75,40 @@ impl Solver {
         self.judged.as_ref().map_or(f64::INFINITY, Judged::worst)
     }
 
-    /// The same scene and load by other methods, where these meet the tolerance or miss it by far less.
-    fn bettered_by(&self, chosen: Chosen) -> Option<Self> {
+    /// The same load on another scene, or by other methods, within a budget, where these meet the tolerance or miss it by far less.
+    fn bettered_by(&self, chosen: Chosen, budget: u64) -> Option<Self> {
         let mut other = Self::prepare(chosen).ok()?;
         other.problem.wishes = self.problem.wishes;
-        other.limit(self.budget / LEFT_FOR_OTHERS);
-        other.find().ok()?;
+        other.limit(budget);
+        other.find_by_any().ok()?;
         other.limit(self.budget);
         // Telling what was found has its own.
         other.begin_whole();
         (other.worst() <= self.tolerance().max(FAR_LESS * self.worst())).then_some(other)
+    }
+
+    /// Why nothing is known of the pressure, where that is the work which the shear takes.
+    fn misses_friction(&self, found: &Result<(), Refusal>) -> Option<Refusal> {
+        self.problem.friction?;
+        let refusal = match (found, &self.judged) {
+            (Err(refusal), _) => refusal,
+            (Ok(()), Some(judged)) if judged.worst_of_pressure() > UNKNOWN => judged.stopped.as_ref()?,
+            _ => return None,
+        };
+        matches!(refusal, Refusal::Limit { .. }).then(|| refusal.clone())
+    }
+
+    /// The same scene and load without friction, which the pressure does not depend on, where that meets the tolerance.
+    fn pressure_alone(&self, why: Refusal) -> Option<Self> {
+        let mut scene = self.chosen.before_model();
+        let friction = scene.friction.take()?;
+        if !Asked::NAMES.iter().any(|name| !name.starts_with("stick") && scene.output.asks(name)) {
+            return None;
+        }
+        let dry = self.bettered_by(choose(&scene), self.budget);
+        let mut other = dry.filter(|dry| dry.worst() <= self.tolerance())?;
+        (other.usual, other.untold) = (None, Some((friction, why)));
+        Some(other)
     }
 
     /// A budget of which nothing is kept for telling what is found.
@@ -121,7 +164,7 @@ impl Solver {
         if !stand_in.is_forced && found.errors.worst().is_some_and(|(_, error)| error > tolerance) {
             // Guessed too narrow a contact, or a scene that is hard for the numbers.
             self.solve_in_full()?;
-            return self.find();
+            return self.find_by_any();
         }
         self.judged = Some(found);
         Ok(())

@@ -2,7 +2,9 @@
 
 use super::{within_three_estimates, written};
 use crate::sketch::Sketch;
+use slipzone::api::Positive;
 use slipzone::engine::{BUDGET, Solver, Status, solve, solve_within};
+use slipzone::scene::Load;
 
 /// `check` and `explain` said nothing of what `solve` refuses whatever the numbers.
 #[test]
@@ -69,6 +71,54 @@ fn work_has_a_bound() {
         // What was read of the tables for the last systems is counted behind them.
         assert!(solution.plan.work < 3 * budget, "{}", solution.plan.work);
     }
+}
+
+/// A contact that grew under more friction than its budget was worth lost its pressure, too, though that takes a fiftieth of the work.
+#[test]
+fn where_the_shear_takes_too_much_the_pressure_is_told() {
+    let cylinder = |h: f64, base: f64, tolerance: f64| {
+        let grading = format!("grading = {{ type = \"linear\", surface = 1.0, base = {base:?} }}");
+        let sketch = Sketch::on(format!("thickness = {h:?}\npoisson = 0.45\n{grading}")).cylinder();
+        sketch.with(&format!("[solver]\ntolerance = {tolerance:e}"))
+    };
+    // Resolutions enough to tell numbers, if only that of these no digit is sure: as little of the pressure as of the stick zone.
+    for (unsure, budget) in [(cylinder(0.04, 100.0, 1e-4), BUDGET / 5), (cylinder(0.05, 50.0, 1e-6), BUDGET / 10)] {
+        let reason = solve_within(&unsure.rubbing(0.3).scene(), budget).reason.unwrap_or_default();
+        assert!(reason.starts_with("the shear is not told: "), "{reason}");
+    }
+    let cylinder = cylinder(0.05, 50.0, 1e-5);
+    let rubbing = cylinder.clone().rubbing(0.3);
+    let budget = BUDGET / 20;
+    let told = solve_within(&rubbing.scene(), budget);
+    let reason = told.reason.clone().unwrap_or_default();
+    assert_eq!(told.status, Status::NotConverged, "{reason}");
+    assert!(reason.contains("the shear is not told: ") && reason.contains("budget, 1e9"), "{reason}");
+    let dry = cylinder.solve();
+    for path in ["load.force", "load.indentation", "pressure.centre"] {
+        let apart = (told.number(path).unwrap() / dry.number(path).unwrap() - 1.0).abs();
+        assert!(apart <= 1e-12 && told.error.each[path] <= 1e-5, "{path}: {apart:e}");
+    }
+    assert!(told.profile.pressure.iter().any(Option::is_some));
+    assert!(told.stick.is_none() && told.profile.shear.is_none());
+    assert!(told.scene.friction.is_some() && told.assumptions.iter().any(|line| line.starts_with("Goodman")));
+
+    let path = rubbing.clone().loaded("until = { half_width = 1.0, points = 3 }");
+    let curve = solve_within(&path.scene(), budget).path.expect("a loading curve");
+    assert_eq!((curve.status, curve.points()), (Status::NotConverged, 3));
+    assert!(curve.note.is_some_and(|note| note.contains("the shear is not told")));
+
+    // Another load is solved with friction again.
+    let mut solver = Solver::new(&rubbing.scene()).expect("a scene");
+    solver.limit(budget);
+    assert!(solver.solve().stick.is_none());
+    solver.press(Load::HalfWidth(Positive::new(0.01).unwrap()));
+    let narrow = solver.solve();
+    assert_eq!(narrow.status, Status::Converged, "{:?}", narrow.reason);
+    assert!(narrow.stick.is_some());
+
+    // Who asks for nothing else is told nothing else.
+    let alone = solve_within(&rubbing.with("[output]\nquantities = [\"stick\"]").scene(), budget);
+    assert!(alone.load.force.is_none() && alone.reason.is_some_and(|reason| !reason.contains("not told")));
 }
 
 /// Found by random scenes: four loads on the way to another, without friction, took all flat punches that the contact might
@@ -306,7 +356,7 @@ fn the_strain_left_in_a_stick_zone_counts_as_work() {
 }
 
 /// On layers that stiffen steeply from their surface down, stacks of flat punches took grids for `split` that no budget allows, where
-/// `octaves` take a hundredth of the work. Other loads take the usual methods again.
+/// `octaves` take a fiftieth of the work. Other loads take the usual methods again.
 #[test]
 fn octaves_solve_what_split_has_no_budget_for() {
     let text = "format = 1\nlayer = { thickness = 1.3, poisson = 0.3, grading = { type = \"linear\", surface = 1.0, base = 100.0 } }\n\
