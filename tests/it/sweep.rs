@@ -695,6 +695,37 @@ fn the_thickness_from_which_the_half_plane_is_right() {
     assert!((strict / loose - 2.0).abs() < 3.0 / (loose * loose), "{loose}, {strict}");
 }
 
+/// Against a datum a half-plane has depths, too: they were said to have none, whether they were asked for or given.
+#[test]
+fn the_thickness_from_which_depths_are_those_of_the_half_plane() {
+    let on = |layer: &str, load: &str| {
+        format!(
+            "format = 1\nlayer = {{ {layer}, poisson = 0.3, datum = 3.0, grading = {{ type = \"homogeneous\", modulus = 1.0 }} }}\n\
+             punch = {{ type = \"cylinder\", radius = 10.0 }}\nload = {{ {load} }}\n"
+        )
+    };
+    for (load, quantity) in [("half_width = 1.0", "load.indentation"), ("indentation = 0.1", "load.force")] {
+        let layer =
+            |h: f64| format!("thickness = {h:?}, base = {{ type = \"half-plane\", shear = 2.0, poisson = 0.3 }}");
+        let find = format!(
+            "field = \"layer.thickness\"\nfrom = 5.0\nto = 100.0\nquantity = \"{quantity}\"\nhalf_plane_within = 0.01"
+        );
+        let record = found(&on(&layer(5.0), load), &find);
+        assert_eq!(record["status"], "converged", "{record}");
+        let thickness = record["found"]["value"].as_f64().unwrap();
+        let number = |layer: &str| {
+            let scene = slipzone::scene::parse("scene.toml", &on(layer, load)).unwrap();
+            slipzone::engine::solve(&scene).number(quantity).unwrap()
+        };
+        let apart = number(&layer(thickness)) / number("base = { type = \"infinite\" }") - 1.0;
+        assert!((apart.abs() - 0.01).abs() < 1e-6, "{quantity} at {thickness}: {apart}");
+    }
+    let grounded = GOOD.replace("[friction]\ntype = \"goodman\"\ncoefficient = 0.3\n", "");
+    let find = "field = \"layer.thickness\"\nfrom = 1.0\nto = 1000.0\nquantity = \"load.indentation\"\nhalf_plane_within = 0.01";
+    let reason = found(&grounded, find)["reason"].as_str().unwrap().to_owned();
+    assert!(reason.contains("load.indentation has no value on a half-plane"), "{reason}");
+}
+
 /// `f(b)` of a flat punch over Poisson's ratio has its least where its derivative changes sign: neighbours lie above.
 #[test]
 fn the_least_of_a_number() {

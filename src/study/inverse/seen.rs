@@ -3,7 +3,7 @@
 use super::Question;
 use crate::engine::{Solution, Status, solve};
 use crate::plan;
-use crate::scene::{Asked, Load, Replacement, Scene};
+use crate::scene::{Asked, Layer, Load, Replacement, Scene};
 use crate::study::find::{Find, Wanted};
 use slipzone_api::Base;
 
@@ -111,14 +111,15 @@ impl Question<'_> {
     }
 }
 
-/// The scene on a homogeneous half-plane of the surface's modulus.
+/// The scene on a homogeneous half-plane of the surface's modulus, where it has one: depths are counted from the same datum.
 fn half_plane(scene: &Scene) -> Result<Scene, String> {
-    if matches!(scene.load, Load::Indentation(_)) {
+    let datum = scene.layer.datum;
+    if matches!(scene.load, Load::Indentation(_)) && datum.is_none() {
         return Err("an indentation is undefined on a half-plane: prescribe the force or the half-width".into());
     }
     let model = scene.layer.model().map_err(|refusal| refusal.to_string())?;
     if matches!(scene.layer.base, Base::Infinite) && model.law.exponent() == Some(0.0) {
         return Err("that is the homogeneous half-plane already".into());
     }
-    Ok(Scene { layer: plan::half_plane(&scene.layer, &model), ..scene.clone() })
+    Ok(Scene { layer: Layer { datum, ..plan::half_plane(&scene.layer, &model) }, ..scene.clone() })
 }
