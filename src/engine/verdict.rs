@@ -95,6 +95,7 @@ fn of_stick(rubbing: &Rubbing, has_grown: bool) -> Option<(Status, String)> {
             let why = format!("no stick zone satisfies the conditions of friction: {what}");
             Some((Status::AssumptionViolated, why))
         }
+        Verdict::Unbuilt(how) => Some((Status::AssumptionViolated, format!("the stick zone is not told: {how}"))),
         Verdict::Untold(why) => Some((Status::NotConverged, format!("the stick zone cannot be told: {why}"))),
         Verdict::NoRoot => {
             let why = "no stick zone belongs to this friction coefficient with slip in one direction only";

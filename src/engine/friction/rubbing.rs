@@ -31,6 +31,8 @@ pub(crate) enum Verdict {
     Fails(String),
     /// It may hold: what keeps that from being told.
     Untold(String),
+    /// It may well hold, but the contact grew in a way that is not solved: how.
+    Unbuilt(String),
     /// No root; the stick zone is narrower than what was looked for.
     TooNarrow,
     /// No root; the slip zone is narrower than any that is looked for: everything sticks. The shear is that of the widest zone looked for.
@@ -79,7 +81,10 @@ impl Rubbing {
 
     /// The condition that it fails, or why nothing can be told of it.
     pub(crate) fn failure(&self) -> Option<&str> {
-        if let Verdict::Fails(what) | Verdict::Untold(what) = &self.verdict { Some(what) } else { None }
+        match &self.verdict {
+            Verdict::Fails(what) | Verdict::Untold(what) | Verdict::Unbuilt(what) => Some(what),
+            _ => None,
+        }
     }
 
     /// The same, found to fail a condition.
@@ -90,6 +95,11 @@ impl Rubbing {
     /// The same, of which nothing can be told.
     pub(crate) fn untold(self, why: String) -> Self {
         Self { verdict: Verdict::Untold(why), ..self }
+    }
+
+    /// The same, of a contact that grew in a way that is not solved.
+    pub(crate) fn unbuilt(self, how: String) -> Self {
+        Self { verdict: Verdict::Unbuilt(how), ..self }
     }
 
     /// The same with what tells its shear from that of other resolutions, see [`Traces`].

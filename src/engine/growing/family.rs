@@ -143,10 +143,10 @@ pub(crate) fn during(problem: &Problem, half_width: f64, what: &str) -> String {
 }
 
 /// What is said of a contact whose stick zone begins as all of it.
-const STUCK_BEFORE: &str = "all of the surface stuck until then, and no longer does; a stick zone that is all of the contact at first, and a \
+const STUCK_BEFORE: &str = "all of the surface stuck until about then, and no longer does; a stick zone that is all of the contact at first, and a \
                             part of it later, is not built";
 /// And where it is the other way about.
-const STUCK_AFTER: &str = "all of the surface sticks from then on, and did not before; a stick zone that becomes all of the contact is not built";
+const STUCK_AFTER: &str = "all of the surface sticks from about then on, and did not before; a stick zone that becomes all of the contact is not built";
 
 /// Why a family ends before its widest member.
 #[derive(Clone, Debug)]
@@ -273,7 +273,7 @@ impl Family {
         let stuck = Rubbing::sticking(b, self.is_checked());
         Some(match self.comes_off(b) {
             None => stuck,
-            Some(at) => stuck.failing(during(problem, at, STUCK_BEFORE)),
+            Some(at) => stuck.unbuilt(during(problem, at, STUCK_BEFORE)),
         })
     }
 

@@ -70,6 +70,7 @@ impl Growing {
         match &rubbing.verdict {
             Verdict::Fails(what) => rubbing.clone().failing(during(what)),
             Verdict::Untold(why) => rubbing.clone().untold(during(why)),
+            Verdict::Unbuilt(how) => rubbing.clone().unbuilt(during(how)),
             _ if at >= self.half_width || self.has_no_shear() => rubbing,
             Verdict::TooNarrow => rubbing.untold(during("the stick zone is narrower than any looked for")),
             Verdict::NoShear => rubbing.failing(during("no shear arises, but later")),

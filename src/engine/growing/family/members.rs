@@ -159,15 +159,15 @@ impl Family {
         task: Task,
         (mut sticks, mut slips): (f64, f64),
     ) -> Result<Unfit, Refusal> {
-        /// Said to five digits.
-        const SURE: f64 = 1e-6;
+        /// As told at this resolution, which tells a narrow slip zone by few digits.
+        const SURE: f64 = 1e-3;
         let what = if sticks < slips { STUCK_BEFORE } else { STUCK_AFTER };
         while (sticks - slips).abs() > SURE * sticks {
             let b = f64::midpoint(sticks, slips);
             self.take_pressure(b);
             *(if self.contact.stuck(layer, task)?.is_some() { &mut sticks } else { &mut slips }) = b;
         }
-        Ok(Unfit::Friction(sticks, Box::new(Rubbing::sticking(sticks, false).failing(what.into()))))
+        Ok(Unfit::Friction(sticks, Box::new(Rubbing::sticking(sticks, false).unbuilt(what.into()))))
     }
 
     /// Solves for the stick zones between the members that are told to shrink, but by less than is sure: narrow ones are told no better
