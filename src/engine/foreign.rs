@@ -5,9 +5,12 @@ use slipzone_api::{
 };
 use std::sync::Arc;
 
+/// What is said of a plugin that tells of itself what cannot be.
+pub(crate) const BREACH: &str = "this plugin breaks its contract";
+
 /// What a plugin tells of itself cannot be.
 pub(crate) fn broken(plugin: &'static str, fault: &str) -> Refusal {
-    Refusal::Unusable { plugin, why: format!("this plugin breaks its contract: {fault}; tell its author") }
+    Refusal::Unusable { plugin, why: format!("{BREACH}: {fault}; tell its author") }
 }
 
 /// A quadrature's rule on `[-1, 1]`, whose equations fit its unknowns.

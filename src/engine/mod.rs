@@ -20,7 +20,7 @@ mod accuracy;
 mod assemble;
 mod contact;
 mod culprit;
-mod foreign;
+pub(crate) mod foreign;
 mod friction;
 mod growing;
 mod layer;
