@@ -45,7 +45,7 @@ fn kinks(shape: &dyn PunchShape) -> Result<(), String> {
 }
 
 /// The depths and parts that a law and its sublayers tell, before anything is taken from them: breakpoints ascend within (0, 1), details
-/// lie within [0, 1], and the sublayers fill the layer.
+/// and probes within [0, 1], a power is above 0, and the sublayers fill the layer.
 ///
 /// # Errors
 /// The first that does not, and what it is.
@@ -58,6 +58,12 @@ pub fn parts(law: &dyn ModulusLaw) -> Result<(), String> {
     ensure(details.iter().all(|depth| (0.0..=1.0).contains(depth)), || {
         format!("details {details:?} do not lie within [0, 1]")
     })?;
+    ensure(details.is_sorted(), || format!("details {details:?} do not ascend"))?;
+    let probes = law.probes();
+    ensure(probes.is_sorted() && probes.iter().all(|depth| (0.0..=1.0).contains(depth)), || {
+        format!("probes {probes:?} do not ascend within [0, 1]")
+    })?;
+    told("broken_power", law.broken_power())?;
     let sublayers = law.sublayers();
     let whole: f64 = sublayers.iter().map(|sublayer| sublayer.thickness).sum();
     let fills = sublayers.iter().all(|sublayer| sublayer.thickness > 0.0) && (whole - 1.0).abs() <= AGREEMENT;
@@ -94,7 +100,7 @@ pub fn values(law: &dyn ModulusLaw) -> Result<(), String> {
     })
 }
 
-/// The lengths and the power that a layer's response tells of it are above 0 and finite.
+/// The lengths and the power that a layer's response tells of it are above 0 and finite, and what it tells of long waves is a number.
 ///
 /// # Errors
 /// The first that is not, and what it is.
@@ -102,6 +108,8 @@ pub fn response(response: &dyn LayerResponse) -> Result<(), String> {
     told("depth", response.depth())?;
     told("thickness", response.thickness())?;
     told("extent", response.extent())?;
+    let pole = response.pole();
+    ensure((0.0..f64::INFINITY).contains(&pole), || format!("pole() = {pole}"))?;
     told("broken_power", response.broken_power())
 }
 

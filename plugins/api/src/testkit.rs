@@ -1,8 +1,11 @@
 //! Checks that each plugin crate runs over its own plugins: `testkit::check_crate(env!("CARGO_PKG_NAME"))`.
 
 mod contracts;
+mod densities;
 mod forbidden;
+mod responses;
 mod rules;
+mod tables;
 #[cfg(test)]
 mod tests;
 
@@ -27,9 +30,14 @@ pub fn check_crate(krate: &str) {
 ///
 /// Its name is unique in its family and equals the tag; its example parses, survives writing and reading
 /// back, and refuses an unknown key; the documented keys are those that exist, required where they say so,
-/// each sample value is accepted, and what [`crate::Values`] rules out is refused. A grading, a punch or a quadrature must
-/// also keep its contract: a finite and positive modulus; an even height whose derivative is the slope; as many equations
-/// as the unknowns want, and a flat punch on a half-plane to rounding.
+/// each sample value is accepted, and what [`crate::Values`] rules out is refused. It keeps the contract of its family, too:
+///
+/// * a grading: a finite and positive modulus, and all that it tells beside its values;
+/// * a punch: an even height whose derivative is the slope;
+/// * a flexibility: what small steps through a few layers give (theory.md section 2), of which it may refuse all but one;
+/// * a kernel: the transforms of a few flexibilities, to what its tables say of their errors, likewise;
+/// * a quadrature: as many equations as the unknowns want, a flat punch on a half-plane to rounding, and densities of each edge
+///   that are known in closed form.
 pub fn check_plugin(info: &PluginInfo) -> Result<(), String> {
     let twins = plugins().iter().filter(|other| (other.family, other.name) == (info.family, info.name)).count();
     ensure(twins == 1, || format!("{twins} plugins of this family have this name"))?;
@@ -45,6 +53,13 @@ pub fn check_plugin(info: &PluginInfo) -> Result<(), String> {
     // Written back, a config shows keys with defaults that its example leaves out.
     for key in table.keys().chain(example.written.keys()).filter(|key| *key != "type") {
         ensure(info.parameters.iter().any(|p| p.name == key), || format!("key `{key}` is not documented"))?;
+    }
+    if info.family == Family::Quadrature {
+        // As it is where nothing is said of it: what may be said may be too coarse, or fit one edge alone.
+        let is_needed = |key: &String| key == "type" || info.parameters.iter().any(|p| p.name == key && p.required);
+        let least: toml::Table = table.clone().into_iter().filter(|(key, _)| is_needed(key)).collect();
+        let config: Box<dyn Quadrature> = toml::from_str(&least.to_string()).map_err(|e| e.message().to_owned())?;
+        densities::quadrature(&*config)?;
     }
     info.parameters.iter().try_for_each(|parameter| check_parameter(info.family, &table, parameter))
 }
@@ -136,11 +151,11 @@ impl Parsed {
             }
             Family::Flexibility => {
                 let (config, written) = round_trip!(dyn Flexibility);
-                (config.typetag_name(), written, Ok(()))
+                (config.typetag_name(), written, responses::flexibility(&*config))
             }
             Family::Kernel => {
                 let (config, written) = round_trip!(dyn KernelStrategy);
-                (config.typetag_name(), written, Ok(()))
+                (config.typetag_name(), written, tables::kernel(&*config))
             }
             Family::Quadrature => {
                 let (config, written) = round_trip!(dyn Quadrature);

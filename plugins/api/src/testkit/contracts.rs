@@ -43,7 +43,14 @@ fn modulus(law: &dyn ModulusLaw) -> Result<(), String> {
     ensure(series.first().is_none_or(|first| (first - 1.0).abs() < 4.0 * f64::EPSILON), || {
         format!("surface_series() begins with {}", series[0])
     })?;
-    slope("surface_series", "modulus", &law.surface_series(2), |depth| law.modulus(depth) / surface)
+    slope("surface_series", "modulus", &law.surface_series(2), |depth| law.modulus(depth) / surface)?;
+    match law.broken_power() {
+        None => {
+            let first_break = law.breakpoints().first().copied().unwrap_or(1.0);
+            higher("surface_series", "modulus", &series, (|depth| law.modulus(depth) / surface, first_break))
+        }
+        Some(power) => ensure(power.fract() != 0.0, || format!("broken_power() = {power}, which is a whole number")),
+    }
 }
 
 /// Poisson's ratio is in range, at all depths or nowhere but in sublayers, and its slope is what the law says.
@@ -61,7 +68,14 @@ fn poisson(law: &dyn ModulusLaw) -> Result<(), String> {
     ensure(series.first().is_none_or(|first| (first - surface).abs() < 4.0 * f64::EPSILON), || {
         format!("poisson_series() begins with {}, but poisson(0) = {surface}", series[0])
     })?;
-    slope("poisson_series", "poisson", &series, |depth| law.poisson(depth).unwrap_or(f64::NAN))
+    let ratio = |depth| law.poisson(depth).unwrap_or(f64::NAN);
+    slope("poisson_series", "poisson", &series, ratio)?;
+    higher(
+        "poisson_series",
+        "poisson",
+        &law.poisson_series(6),
+        (ratio, law.breakpoints().first().copied().unwrap_or(1.0)),
+    )
 }
 
 fn depths() -> impl Iterator<Item = f64> {
@@ -76,6 +90,35 @@ fn slope(series: &str, name: &str, coefficients: &[f64], value: impl Fn(f64) -> 
     let slope = (4.0 * value(d) - 3.0 * value(0.0) - value(2.0 * d)) / (2.0 * d);
     ensure((slope - gradient).abs() < 1e-4 * (1.0 + gradient.abs()), || {
         format!("{series}() has the slope {gradient}, but {name}() gives {slope}")
+    })
+}
+
+/// A series tells its function next to the surface as well as its terms let it, before the first break.
+fn higher(
+    series: &str,
+    name: &str,
+    coefficients: &[f64],
+    (value, first_break): (impl Fn(f64) -> f64, f64),
+) -> Result<(), String> {
+    /// Each term but the first is below this at the depth that is looked at, which is no deeper than that.
+    const SMALL: f64 = 0.01;
+    const DEEPEST: f64 = 0.05;
+    /// What is left of so many terms is below that power of this, or below the last two of them.
+    const LEFT: f64 = 0.05;
+    let count = coefficients.len();
+    ensure(coefficients.iter().all(|coefficient| coefficient.is_finite()), || {
+        format!("{series}({count}) is {coefficients:?}")
+    })?;
+    if count < 3 {
+        return Ok(());
+    }
+    let within = |(k, coefficient): (usize, &f64)| (SMALL / coefficient.abs()).powf((k as f64).recip());
+    let depth = coefficients.iter().enumerate().skip(1).map(within).fold(DEEPEST.min(0.5 * first_break), f64::min);
+    let told = coefficients.iter().rev().fold(0.0, |rest, coefficient| coefficient + depth * rest);
+    let term = |k: usize| (coefficients[k] * depth.powf(k as f64)).abs();
+    let left = LEFT.powf(count as f64) + term(count - 1) + term(count - 2);
+    ensure((told - value(depth)).abs() <= left, || {
+        format!("{series}({count}) gives {told} at depth {depth}, but {name}() is {}", value(depth))
     })
 }
 
@@ -113,6 +156,9 @@ pub(super) fn shape(shape: &dyn PunchShape) -> Result<(), String> {
     let half_width = shape.fixed_half_width().unwrap_or_else(|| shape.natural_length());
     let face = shape.face();
     ensure(shape.height(face) == 0.0, || format!("face() = {face}, but height({face}) = {}", shape.height(face)))?;
+    if let Some(doubt) = shape.doubt(half_width) {
+        ensure((0.0..f64::INFINITY).contains(&doubt), || format!("doubt({half_width}) = {doubt}"))?;
+    }
     if let Some(reach) = shape.reach() {
         ensure(half_width <= reach, || format!("reach() = {reach}, but natural_length() = {half_width}"))?;
     }

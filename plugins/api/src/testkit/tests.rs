@@ -330,7 +330,13 @@ enum Fault {
     Exponent,
     Gradient,
     Surface,
+    Curvature,
+    NoNumber,
+    Power,
+    WholePower,
     Breaks,
+    Details,
+    Probes,
     Incompressible,
     Ratio,
     RatioSeries,
@@ -379,7 +385,25 @@ impl ModulusLaw for Ramp {
     }
     fn surface_series(&self, terms: usize) -> Vec<f64> {
         let slope = if matches!(self.fault, Fault::Gradient) { 1.01 * self.growth } else { self.growth };
-        [1.0, slope].into_iter().chain(std::iter::repeat(0.0)).take(terms).collect()
+        let curvature = match self.fault {
+            Fault::Curvature => 1e-3,
+            Fault::NoNumber => f64::NAN,
+            _ => 0.0,
+        };
+        [1.0, slope, curvature].into_iter().chain(std::iter::repeat(0.0)).take(terms).collect()
+    }
+    fn broken_power(&self) -> Option<f64> {
+        match self.fault {
+            Fault::Power => Some(f64::NAN),
+            Fault::WholePower => Some(2.0),
+            _ => None,
+        }
+    }
+    fn details(&self) -> &[f64] {
+        if matches!(self.fault, Fault::Details) { &[0.5, 0.2] } else { &[] }
+    }
+    fn probes(&self) -> &[f64] {
+        if matches!(self.fault, Fault::Probes) { &[0.5, f64::NAN] } else { &[] }
     }
     fn breakpoints(&self) -> &[f64] {
         if matches!(self.fault, Fault::Breaks) { &[0.5, 0.2] } else { &[] }
@@ -395,7 +419,13 @@ fn a_grading_must_keep_its_contract() {
         (0.7, Fault::Exponent, "exponent() = 0.7"),
         (0.7, Fault::Gradient, "surface_series()"),
         (0.7, Fault::Surface, "surface_modulus() = 1.1"),
-        (0.7, Fault::Breaks, "do not ascend"),
+        (0.01, Fault::Curvature, "surface_series(6) gives 1.0005025 at depth 0.05, but modulus() is 1.0005"),
+        (0.7, Fault::NoNumber, "surface_series(6) is [1.0, 0.7, NaN"),
+        (0.7, Fault::Power, "broken_power() = NaN"),
+        (0.7, Fault::WholePower, "broken_power() = 2, which is a whole number"),
+        (0.7, Fault::Breaks, "breakpoints [0.5, 0.2] do not ascend"),
+        (0.7, Fault::Details, "details [0.5, 0.2] do not ascend"),
+        (0.7, Fault::Probes, "probes [0.5, NaN] do not ascend"),
         (0.7, Fault::Incompressible, "poisson(0.7) = 0.51"),
         (0.7, Fault::Ratio, "poisson_series() begins with 0.31"),
         (0.7, Fault::RatioSeries, "poisson_series() has the slope 0.2"),
@@ -403,6 +433,34 @@ fn a_grading_must_keep_its_contract() {
     ] {
         let found = verdict(growth, fault).expect_err("this law is broken");
         assert!(found.contains(words), "{fault:?}: {found}");
+    }
+}
+
+/// A parabola, unsure by so much.
+#[derive(Debug)]
+struct Doubtful(f64);
+
+impl PunchShape for Doubtful {
+    fn height(&self, x: f64) -> f64 {
+        0.5 * x * x
+    }
+    fn slope(&self, x: f64) -> f64 {
+        x
+    }
+    fn natural_length(&self) -> f64 {
+        1.0
+    }
+    fn doubt(&self, _half_width: f64) -> Option<f64> {
+        Some(self.0)
+    }
+}
+
+#[test]
+fn a_doubt_is_a_number() {
+    assert_eq!(super::contracts::shape(&Doubtful(0.1)), Ok(()));
+    for doubt in [-0.1, f64::NAN, f64::INFINITY] {
+        let found = super::contracts::shape(&Doubtful(doubt)).expect_err("no doubt");
+        assert!(found.contains("doubt(1) = "), "{found}");
     }
 }
 
