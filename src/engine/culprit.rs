@@ -5,8 +5,10 @@ use super::prepared_layer::PreparedLayer;
 use crate::plan::Methods;
 use slipzone_api::{Component, Edge, LayerResponse, Parity, Parts, Refusal, Rule};
 
-/// Wave numbers that are looked at where something failed, in units of `1/h`, and distances over what a table reaches.
-const WAVES: [f64; 6] = [0.0, 0.1, 1.0, 3.0, 10.0, 100.0];
+/// Wave numbers that are looked at where something failed: 0, and so many, evenly spaced in their logarithms within these bounds in units of `1/h`.
+const WAVES: u32 = 121;
+const BETWEEN: (f64, f64) = (1e-3, 1e3);
+/// Distances over what a table reaches.
 const DISTANCES: [f64; 4] = [0.01, 0.1, 0.5, 1.0];
 
 /// The first plugin that gives what is no number, looked for once a solve has failed.
@@ -22,11 +24,13 @@ pub(crate) fn culprit(methods: &Methods, layer: &PreparedLayer) -> Option<Refusa
 }
 
 fn of_response(response: &dyn LayerResponse) -> Option<String> {
-    let at = |s: &f64| {
-        let flexibility = response.surface(*s).ok()?;
+    let (least, most) = BETWEEN;
+    let waves = (0..WAVES).map(|i| least * (most / least).powf(f64::from(i) / f64::from(WAVES - 1)));
+    let at = |s: f64| {
+        let flexibility = response.surface(s).ok()?;
         none_of(&[flexibility.vv, flexibility.uu, flexibility.uv], &format!("surface({s})"))
     };
-    WAVES.iter().find_map(at)
+    std::iter::once(0.0).chain(waves).find_map(at)
 }
 
 fn of_tables(layer: &PreparedLayer) -> Option<String> {

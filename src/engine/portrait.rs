@@ -42,6 +42,14 @@ impl FlexibilityProfile {
             (0..=SAMPLES).map(|i| longest * (shortest / longest).powf(f64::from(i) / f64::from(SAMPLES))).collect();
         let mut flexibilities = vec![SurfaceFlexibility::default(); wave_numbers.len()];
         response.surface_into(&wave_numbers, &mut flexibilities)?;
+        if let Some(i) = flexibilities.iter().position(|f| ![f.vv, f.uu, f.uv].into_iter().all(f64::is_finite)) {
+            return Err(Refusal::WaveNumber {
+                method: "flexibility",
+                wave_number: wave_numbers[i],
+                why: format!("it gives {:?}", flexibilities[i]),
+                remedy: "take another flexibility, or check the layer's constants",
+            });
+        }
         Ok(Self { wave_numbers, flexibilities, beta: response.elastic().beta() })
     }
 }

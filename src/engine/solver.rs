@@ -102,7 +102,18 @@ impl Solver {
             Some(Model::Thin) => thin::told(&self.problem, self.layer.response()).map(|_| ()),
             _ => self.layer.serves(self.problem.wants_depth()),
         };
-        told.err()
+        told.err().or_else(|| self.lacks_depths().filter(|_| self.problem.is_pressed_by_depth()))
+    }
+
+    /// Why depths are not told though the layer names a datum: its flexibility knows none.
+    fn lacks_depths(&self) -> Option<Refusal> {
+        if self.problem.layer.datum.is_none() || self.layer.has_depths() {
+            return None;
+        }
+        Some(Refusal::NotBuilt {
+            what: format!("an indentation against a datum by flexibility `{}`", self.chosen.plan.flexibility),
+            remedy: "take `flexibility = { type = \"compliance\" }`".into(),
+        })
     }
 
     /// How it would be solved.
@@ -205,7 +216,9 @@ impl Solver {
             }
         };
         let untold = self.untold.as_ref().map(|(_, why)| format!("the shear is not told: {why}"));
-        if let Some(why) = &untold {
+        let of_depth = if self.problem.wants_depth() { self.lacks_depths() } else { None };
+        let shallow = of_depth.map(|why| format!("the indentation is not told: {why}"));
+        for why in untold.iter().chain(&shallow) {
             solution = solution.lacking(why);
         }
         if let Some(path) = self.chosen.scene.path.clone() {

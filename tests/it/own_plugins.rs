@@ -7,10 +7,10 @@ use slipzone::api::{
     LayerResponse, ModulusLaw, Parts, PartsMut, PunchProfile, PunchShape, Quadrature, Refusal, Rule, Setting, Span,
     Station, SurfaceFlexibility,
 };
-use slipzone::engine::{Solution, Status, solve};
+use slipzone::engine::{FlexibilityProfile, Solution, Status, solve};
 use slipzone::scene::Model;
 use slipzone_flexibilities::Compliance;
-use slipzone_kernels::Split;
+use slipzone_kernels::{Octaves, Split, Truncated};
 use slipzone_quadratures::{GaussChebyshev, GradedPanels};
 use std::sync::Arc;
 
@@ -190,7 +190,8 @@ fn tables_that_tell_what_cannot_be_are_refused() {
     }
 }
 
-/// `compliance`, of a layer that it says is of another depth, or with `uv` times a factor.
+/// `compliance`, of a layer that it says is of another depth, or with `uv` times a factor: by one that is no number only of the waves
+/// between 3 and 3.3.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct OwnFlexibility(Option<f64>, f64);
 
@@ -209,7 +210,9 @@ struct OwnResponse {
 impl LayerResponse for OwnResponse {
     fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
         let surface = self.response.surface(s)?;
-        Ok(SurfaceFlexibility { uv: self.told.1 * surface.uv, ..surface })
+        let factor = if self.told.1.is_nan() && !(3.0..3.3).contains(&s) { 1.0 } else { self.told.1 };
+        let [vv, uu] = [surface.vv, surface.uu].map(|entry| if factor.is_nan() { factor } else { entry });
+        Ok(SurfaceFlexibility { vv, uu, uv: factor * surface.uv })
     }
 
     fn elastic(&self) -> Elastic {
@@ -241,6 +244,43 @@ fn depths_that_cannot_be_are_refused() {
         assert!(response.is_some_and(|why| why.contains(&words)));
     }
     told(&solved(None).0, Status::Refused, "depth() = None of a layer whose base is felt");
+}
+
+/// `octaves` passed over it, as the larger of an error and no number is the error, and found a depth that was half as large again; the
+/// picture of the flexibility wrote `NaN`.
+#[test]
+fn a_flexibility_that_is_no_number_at_some_waves_is_refused_by_name() {
+    let holed = || Box::new(OwnFlexibility(Some(1.0), f64::NAN));
+    for kernel in
+        [None, Some(Box::new(Octaves::default()) as Box<dyn KernelStrategy>), Some(Box::new(Truncated::default()))]
+    {
+        let mut scene = Sketch::flat(2.0, 1.0, 0.3).scene();
+        scene.solver.flexibility = Some(holed());
+        scene.solver.kernel.clone_from(&kernel);
+        told(&solve(&scene), Status::Refused, "own-flexibility: this plugin breaks its contract: surface(3.");
+        let response = slipzone::engine::response(&scene).expect("a response");
+        let why = FlexibilityProfile::new(&*response).unwrap_err().to_string();
+        assert!(why.contains("flexibility fails at wave number s = 3."), "{kernel:?}: {why}");
+    }
+}
+
+/// The indentation was left out without a word, and as a load it was "no half-width".
+#[test]
+fn a_flexibility_that_knows_no_datum_says_so() {
+    let layer = "thickness = 2.0\npoisson = 0.3\ndatum = 3.0\ngrading = { type = \"homogeneous\", modulus = 1.0 }\n\
+        base = { type = \"half-plane\", shear = 2.0, poisson = 0.3 }";
+    let words = "an indentation against a datum by flexibility `own-flexibility` is not built yet; take `flexibility";
+    let solved = |load: &str| {
+        let mut scene = Sketch::on(layer).cylinder().loaded(load).scene();
+        scene.solver.flexibility = Some(Box::new(OwnFlexibility(Some(1.0), 1.0)));
+        (solve(&scene), slipzone::engine::refusal(&scene).map(|refusal| refusal.to_string()))
+    };
+    let (solution, known) = solved("half_width = 1.0");
+    told(&solution, Status::NotConverged, &format!("the indentation is not told: {words}"));
+    assert!(solution.load.force.is_some() && known.is_none());
+    let (solution, known) = solved("indentation = 0.1");
+    told(&solution, Status::Refused, words);
+    assert_eq!(known, solution.reason);
 }
 
 /// Another punch of the name `two-of-one-name`.
@@ -382,7 +422,7 @@ fn who_gives_no_number_is_named() {
     let scene = || Sketch::flat(5.0, 2.0, 0.3).rubbing(0.1).scene();
     let mut flexible = scene();
     flexible.solver.flexibility = Some(Box::new(OwnFlexibility(Some(1.0), f64::NAN)));
-    told(&solve(&flexible), Status::Refused, &broken("own-flexibility", "surface(0) gives NaN"));
+    told(&solve(&flexible), Status::Refused, &broken("own-flexibility", "surface(3.162277660168381) gives NaN"));
     let mut tabulated = scene();
     tabulated.solver.kernel = Some(Box::new(OwnKernel { is_void: true, ..OwnKernel::default() }));
     told(

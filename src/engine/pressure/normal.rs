@@ -290,8 +290,8 @@ impl Normal {
         let limit = if self.is_sharp() { (self.edge_factor / self.half_width).abs() } else { mean };
         let lost = self.rule.lost_between(&self.unknowns, nearest * self.half_width)?;
         let lost = lost / limit.min(mean).max(FAINT_EDGE * mean);
-        // No number is no agreement.
-        Some(if lost.is_finite() { lost.min(1.0) } else { 1.0 })
+        // No number is no agreement, nor is one below nothing.
+        Some(if lost >= 0.0 { lost.min(1.0) } else { 1.0 })
     }
 
     /// The numbers of the pressure, and the pressure at [`Traces::AT`] over its mean.

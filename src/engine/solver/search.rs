@@ -141,6 +141,11 @@ impl Solver {
     fn found_within(&mut self) -> Result<(), Refusal> {
         bounded(self.chosen.scene.load)?;
         self.layer.meter().within()?;
+        if self.problem.is_pressed_by_depth()
+            && let Some(why) = self.lacks_depths()
+        {
+            return Err(why);
+        }
         let solver = &self.chosen.scene.solver;
         if solver.model == Some(Model::Thin) {
             // Told in closed form by `solve`.

@@ -2,6 +2,7 @@
 
 use crate::integrand::Integrand;
 use crate::legendre_waves::{add_transforms, values, waves_of};
+use crate::numbers;
 use bilby::GaussLegendre;
 use num_complex::Complex64;
 use slipzone_api::{Component, KernelRequest, LayerResponse, Refusal, SurfaceFlexibility};
@@ -87,6 +88,7 @@ impl Bands {
                 continue;
             }
             let f = response.surface(upper)?;
+            numbers(&[upper], &[f])?;
             bands.evaluations += 1;
             // By the contact as a whole, and by a part of it that is as narrow as may be.
             let felt = |integrand: &Integrand| {
@@ -128,6 +130,7 @@ impl Bands {
             let at: [f64; NODES + BESIDE.len()] = std::array::from_fn(|i| middle + half * place(i));
             let mut f = [SurfaceFlexibility::default(); NODES + BESIDE.len()];
             response.surface_into(&at, &mut f)?;
+            numbers(&at, &f)?;
             self.evaluations += at.len();
             let (mut values, mut error, mut is_resolved) = (Vec::with_capacity(integrands.len()), 0.0_f64, true);
             for integrand in integrands {
