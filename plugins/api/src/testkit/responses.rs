@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// Steps through the layer. Their error goes with the fourth power of the shortest wave's, `MOST/STEPS`.
 const STEPS: u32 = 2000;
 /// Wave numbers, evenly spaced in their logarithms from `LEAST` to `MOST`, in units of `1/h`.
-const WAVE_NUMBERS: u32 = 31;
+const WAVE_NUMBERS: u32 = 121;
 const LEAST: f64 = 0.01;
 const MOST: f64 = 40.0;
 /// Largest difference allowed. That of the steps is below 1e-8 (`the_steps_are_fine_enough`).
