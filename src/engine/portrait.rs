@@ -3,7 +3,7 @@
 use crate::engine::foreign;
 use crate::plan;
 use crate::scene::{Layer, Scene};
-use slipzone_api::{Base, LayerModel, LayerResponse, Moduli, Refusal, Stretch, SurfaceFlexibility};
+use slipzone_api::{Base, LayerModel, LayerResponse, Moduli, Refusal, Stretch, SurfaceFlexibility, contract};
 use std::sync::Arc;
 
 /// How the surface of a scene's layer answers, by the flexibility that would solve it; wave numbers in units of
@@ -42,14 +42,7 @@ impl FlexibilityProfile {
             (0..=SAMPLES).map(|i| longest * (shortest / longest).powf(f64::from(i) / f64::from(SAMPLES))).collect();
         let mut flexibilities = vec![SurfaceFlexibility::default(); wave_numbers.len()];
         response.surface_into(&wave_numbers, &mut flexibilities)?;
-        if let Some(i) = flexibilities.iter().position(|f| ![f.vv, f.uu, f.uv].into_iter().all(f64::is_finite)) {
-            return Err(Refusal::WaveNumber {
-                method: "flexibility",
-                wave_number: wave_numbers[i],
-                why: format!("it gives {:?}", flexibilities[i]),
-                remedy: "take another flexibility, or check the layer's constants",
-            });
-        }
+        contract::numbers(&wave_numbers, &flexibilities)?;
         Ok(Self { wave_numbers, flexibilities, beta: response.elastic().beta() })
     }
 }

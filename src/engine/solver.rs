@@ -160,6 +160,9 @@ impl Solver {
     /// it ends, and the result says so.
     pub fn limit(&mut self, budget: u64) {
         self.budget = budget;
+        if let Some(usual) = &mut self.usual {
+            usual.limit(budget);
+        }
     }
 
     /// Takes another load; of a path, that one alone.
@@ -181,8 +184,8 @@ impl Solver {
     /// # Panics
     /// When the scene was prepared without friction: there are no kernels for it.
     pub fn rub(&mut self, friction: Friction) {
-        assert!(self.chosen.scene.friction.is_some(), "the scene was prepared without friction");
         self.go_back();
+        assert!(self.chosen.scene.friction.is_some(), "the scene was prepared without friction");
         let Friction::Goodman { coefficient, .. } = friction;
         if let Some(Friction::Goodman { coefficient: present, .. }) = &mut self.chosen.scene.friction {
             *present = coefficient;
@@ -224,8 +227,8 @@ impl Solver {
         if let Some(path) = self.chosen.scene.path.clone() {
             let last = self.point();
             let curve = self.curve_to(&path, last);
-            solution.path = Some(untold.iter().fold(curve, |curve, why| curve.lacking(why)));
-            solution.plan.work = self.layer.meter().spent();
+            solution.path = Some(untold.iter().chain(&shallow).fold(curve, |curve, why| curve.lacking(why)));
+            solution.plan.work = self.spent();
             self.press(path.last());
             self.chosen.scene.path = Some(path);
         }
@@ -234,6 +237,12 @@ impl Solver {
 
     fn tolerance(&self) -> f64 {
         self.chosen.scene.solver.tolerance.get()
+    }
+
+    /// The work so far, on friction that was left out in the end, too.
+    fn spent(&self) -> u64 {
+        let on_friction = self.usual.as_ref().filter(|_| self.untold.is_some());
+        self.layer.meter().spent() + on_friction.map_or(0, |usual| usual.layer.meter().spent())
     }
 
     /// The report of what was found; without tractions where these would take more than is left of the budget.
@@ -254,7 +263,7 @@ impl Solver {
     /// The report of what was found.
     fn report(&mut self) -> Result<Solution, Refusal> {
         let Some(judged) = &self.judged else { unreachable!("found before") };
-        let tolerance = self.tolerance();
+        let (tolerance, spent) = (self.tolerance(), self.spent());
         let work = self.ladder.work();
         let stage = self.ladder.stage(judged.step);
         let judgement = verdict(&self.layer, &self.problem, stage, judged, tolerance);
@@ -264,7 +273,7 @@ impl Solver {
             kernel_evaluations: self.layer.kernel_evaluations(),
             factorisations: work.factorisations,
             operations: work.operations,
-            work: self.layer.meter().spent(),
+            work: spent,
             bound: Some(judged.of_model),
             ..self.chosen.plan.clone()
         };

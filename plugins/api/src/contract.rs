@@ -1,6 +1,6 @@
 //! What the numbers that a run-time half tells of itself must be, in a few comparisons: before every solve, and by the testkit.
 
-use crate::{Edge, KernelTable, LayerResponse, ModulusLaw, Parity, PunchShape, Rule};
+use crate::{Edge, KernelTable, LayerResponse, ModulusLaw, Parity, PunchShape, Refusal, Rule, SurfaceFlexibility};
 
 /// Kinks that integrals can be split at.
 const MOST_KINKS: usize = 64;
@@ -111,6 +111,23 @@ pub fn response(response: &dyn LayerResponse) -> Result<(), String> {
     let pole = response.pole();
     ensure((0.0..f64::INFINITY).contains(&pole), || format!("pole() = {pole}"))?;
     told("broken_power", response.broken_power())
+}
+
+/// Flexibilities are numbers, each at its wave number: the largest of some errors passes over what is none.
+///
+/// # Errors
+/// The first that is none.
+pub fn numbers(wave_numbers: &[f64], flexibilities: &[SurfaceFlexibility]) -> Result<(), Refusal> {
+    let is_number = |f: &SurfaceFlexibility| f.vv.is_finite() && f.uu.is_finite() && f.uv.is_finite();
+    match wave_numbers.iter().zip(flexibilities).find(|(_, f)| !is_number(f)) {
+        None => Ok(()),
+        Some((s, f)) => Err(Refusal::WaveNumber {
+            method: "flexibility",
+            wave_number: *s,
+            why: format!("it gives {f:?}"),
+            remedy: "take another flexibility, or check the layer's constants",
+        }),
+    }
 }
 
 /// The lengths and the power that a kernel table tells are above 0 and finite, and its bound is none that proves nothing.

@@ -21,7 +21,7 @@ pub use octaves::Octaves;
 pub use split::Split;
 pub use truncated::Truncated;
 
-use slipzone_api::{LayerResponse, Refusal, SurfaceFlexibility};
+use slipzone_api::{LayerResponse, Refusal};
 
 /// Depth of what stands on a base down to its first break, or a refusal.
 fn depth(response: &dyn LayerResponse) -> Result<f64, Refusal> {
@@ -29,20 +29,6 @@ fn depth(response: &dyn LayerResponse) -> Result<f64, Refusal> {
         what: "a kernel of a homogeneous half-plane, which has none,".into(),
         remedy: "solve it by its Cauchy part alone".into(),
     })
-}
-
-/// Refuses a flexibility that is no number: the largest of some errors would pass over it.
-fn numbers(wave_numbers: &[f64], flexibilities: &[SurfaceFlexibility]) -> Result<(), Refusal> {
-    let is_number = |f: &SurfaceFlexibility| f.vv.is_finite() && f.uu.is_finite() && f.uv.is_finite();
-    match wave_numbers.iter().zip(flexibilities).find(|(_, f)| !is_number(f)) {
-        None => Ok(()),
-        Some((s, f)) => Err(Refusal::WaveNumber {
-            method: "flexibility",
-            wave_number: *s,
-            why: format!("it gives {f:?}"),
-            remedy: "take another flexibility, or check the layer's constants",
-        }),
-    }
 }
 
 /// Names every module that registers a plugin, so that no linker drops this crate.

@@ -116,10 +116,10 @@ impl Judged {
         self.errors.worst().map_or(0.0, |(_, error)| error)
     }
 
-    /// The largest error of its pressure.
-    pub(crate) fn worst_of_pressure(&self) -> f64 {
-        let of_pressure = self.errors.iter().filter(|(quantity, _)| !quantity.is_of_shear());
-        of_pressure.map(|(_, error)| error).fold(0.0, f64::max)
+    /// The largest error of its pressure, at the nodes and between them.
+    pub(crate) fn of_all_pressure(&self) -> f64 {
+        let of_numbers = self.errors.iter().filter(|(quantity, _)| !quantity.is_of_shear()).map(|(_, error)| error);
+        of_numbers.chain(self.of_pressure).fold(0.0, f64::max)
     }
 
     /// Whether it misses the tolerance because the shape has details that a grid over all of the contact does not resolve.

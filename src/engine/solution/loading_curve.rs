@@ -13,7 +13,7 @@ use slipzone_api::{Refusal, rounded};
 pub struct Curve {
     /// The gravest status of a load.
     pub status: Status,
-    /// How many loads are not converged, and why the first of them is not; `None` when all are.
+    /// How many loads are not converged, and why the first of them is not, or what is missing of all; `None` when all are, and nothing is.
     pub note: Option<String>,
     /// Largest relative error estimated of a number on the curve; `None` where there is none.
     pub error: Option<f64>,

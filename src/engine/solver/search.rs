@@ -92,13 +92,13 @@ impl Solver {
         self.problem.friction?;
         let refusal = match (found, &self.judged) {
             (Err(refusal), _) => refusal,
-            (Ok(()), Some(judged)) if judged.worst_of_pressure() > UNKNOWN => judged.stopped.as_ref()?,
+            (Ok(()), Some(judged)) if judged.of_all_pressure() > UNKNOWN => judged.stopped.as_ref()?,
             _ => return None,
         };
         matches!(refusal, Refusal::Limit { .. }).then(|| refusal.clone())
     }
 
-    /// The same scene and load without friction, which the pressure does not depend on, where that meets the tolerance.
+    /// The same scene and load without friction, which the pressure does not depend on, where that tells it.
     fn pressure_alone(&self, why: Refusal) -> Option<Self> {
         let mut scene = self.chosen.before_model();
         let friction = scene.friction.take()?;
@@ -106,7 +106,7 @@ impl Solver {
             return None;
         }
         let dry = self.bettered_by(choose(&scene), self.budget);
-        let mut other = dry.filter(|dry| dry.worst() <= self.tolerance())?;
+        let mut other = dry.filter(|dry| dry.worst() <= UNKNOWN)?;
         (other.usual, other.untold) = (None, Some((friction, why)));
         Some(other)
     }

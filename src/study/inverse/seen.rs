@@ -111,7 +111,7 @@ impl Question<'_> {
     }
 }
 
-/// The scene on a homogeneous half-plane of the surface's modulus, where it has one: depths are counted from the same datum.
+/// The scene on a homogeneous half-plane of the surface's modulus. Depths are counted from the same datum.
 fn half_plane(scene: &Scene) -> Result<Scene, String> {
     let datum = scene.layer.datum;
     if matches!(scene.load, Load::Indentation(_)) && datum.is_none() {

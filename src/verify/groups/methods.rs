@@ -89,8 +89,7 @@ fn against(sheet: &mut Sheet, family: Family, (method, table): (&str, &str), usu
                 sheet.relative(&name, number(&other, path)?, value, within, &format!("by {usual}"));
             }
             for (path, apart) in tractions_apart(&other, &own) {
-                // Not every quadrature tells what it is off by between its nodes.
-                let error = claimed(&own, path) + other.error.each.get(path).copied().unwrap_or(tolerance);
+                let error = claimed(&own, path) + claimed(&other, path);
                 let within = Within::new(
                     tolerance.max(3.0 * error),
                     "three times what both claim of their errors, or the tolerance",

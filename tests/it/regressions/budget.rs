@@ -100,6 +100,7 @@ fn where_the_shear_takes_too_much_the_pressure_is_told() {
     }
     assert!(told.profile.pressure.iter().any(Option::is_some));
     assert!(told.stick.is_none() && told.profile.shear.is_none());
+    assert!(told.plan.work > dry.plan.work + budget / 4, "{} of {budget}", told.plan.work);
     assert!(told.scene.friction.is_some() && told.assumptions.iter().any(|line| line.starts_with("Goodman")));
 
     let path = rubbing.clone().loaded("until = { half_width = 1.0, points = 3 }");
@@ -115,6 +116,14 @@ fn where_the_shear_takes_too_much_the_pressure_is_told() {
     let narrow = solver.solve();
     assert_eq!(narrow.status, Status::Converged, "{:?}", narrow.reason);
     assert!(narrow.stick.is_some());
+    // As it is with another friction, and another budget.
+    solver.press(Load::HalfWidth(Positive::new(1.0).unwrap()));
+    assert!(solver.solve().stick.is_none());
+    solver.limit(budget / 2);
+    let Some(friction) = rubbing.clone().rubbing(0.4).scene().friction else { unreachable!() };
+    solver.rub(friction);
+    let reason = solver.solve().reason.unwrap_or_default();
+    assert!(reason.contains("budget, 5e8"), "{reason}");
 
     // Who asks for nothing else is told nothing else.
     let alone = solve_within(&rubbing.with("[output]\nquantities = [\"stick\"]").scene(), budget);

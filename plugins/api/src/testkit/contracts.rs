@@ -45,10 +45,7 @@ fn modulus(law: &dyn ModulusLaw) -> Result<(), String> {
     })?;
     slope("surface_series", "modulus", &law.surface_series(2), |depth| law.modulus(depth) / surface)?;
     match law.broken_power() {
-        None => {
-            let first_break = law.breakpoints().first().copied().unwrap_or(1.0);
-            higher("surface_series", "modulus", &series, (|depth| law.modulus(depth) / surface, first_break))
-        }
+        None => higher("surface_series", "modulus", &series, (|depth| law.modulus(depth) / surface, smooth_to(law))),
         Some(power) => ensure(power.fract() != 0.0, || format!("broken_power() = {power}, which is a whole number")),
     }
 }
@@ -70,12 +67,16 @@ fn poisson(law: &dyn ModulusLaw) -> Result<(), String> {
     })?;
     let ratio = |depth| law.poisson(depth).unwrap_or(f64::NAN);
     slope("poisson_series", "poisson", &series, ratio)?;
-    higher(
-        "poisson_series",
-        "poisson",
-        &law.poisson_series(6),
-        (ratio, law.breakpoints().first().copied().unwrap_or(1.0)),
-    )
+    match law.broken_power() {
+        None => higher("poisson_series", "poisson", &law.poisson_series(6), (ratio, smooth_to(law))),
+        Some(_) => Ok(()),
+    }
+}
+
+/// The depth down to which a law says that it is smooth.
+fn smooth_to(law: &dyn ModulusLaw) -> f64 {
+    let first = law.breakpoints().iter().chain(law.details()).copied().filter(|depth| *depth > 0.0);
+    first.fold(1.0, f64::min)
 }
 
 fn depths() -> impl Iterator<Item = f64> {
@@ -93,16 +94,16 @@ fn slope(series: &str, name: &str, coefficients: &[f64], value: impl Fn(f64) -> 
     })
 }
 
-/// A series tells its function next to the surface as well as its terms let it, before the first break.
+/// A series tells its function next to the surface as well as its terms let it, far before it is smooth no more.
 fn higher(
     series: &str,
     name: &str,
     coefficients: &[f64],
-    (value, first_break): (impl Fn(f64) -> f64, f64),
+    (value, smooth_to): (impl Fn(f64) -> f64, f64),
 ) -> Result<(), String> {
     /// Each term but the first is below this at the depth that is looked at, which is no deeper than that.
     const SMALL: f64 = 0.01;
-    const DEEPEST: f64 = 0.05;
+    const DEEPEST: f64 = 0.005;
     /// What is left of so many terms is below that power of this, or below the last two of them.
     const LEFT: f64 = 0.05;
     let count = coefficients.len();
@@ -113,7 +114,7 @@ fn higher(
         return Ok(());
     }
     let within = |(k, coefficient): (usize, &f64)| (SMALL / coefficient.abs()).powf((k as f64).recip());
-    let depth = coefficients.iter().enumerate().skip(1).map(within).fold(DEEPEST.min(0.5 * first_break), f64::min);
+    let depth = coefficients.iter().enumerate().skip(1).map(within).fold(DEEPEST.min(0.1 * smooth_to), f64::min);
     let told = coefficients.iter().rev().fold(0.0, |rest, coefficient| coefficient + depth * rest);
     let term = |k: usize| (coefficients[k] * depth.powf(k as f64)).abs();
     let left = LEFT.powf(count as f64) + term(count - 1) + term(count - 2);

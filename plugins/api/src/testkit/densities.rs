@@ -7,19 +7,20 @@ use std::f64::consts::{FRAC_1_PI, PI};
 
 /// Half of the intervals: not 1, lest a power of it be missing.
 const HALF_WIDTH: f64 = 3.0;
-/// How many steps finer than at first the rules are.
+/// How many steps finer than at first the rules are, or as many less as they refuse.
 const FINER: u32 = 4;
-/// What they may be off by, over the largest: what is looked for is smooth, and so are the kernels.
-const WITHIN: f64 = 1e-6;
+/// What they may be off by, over the largest: what is looked for is smooth, and so are the kernels; rules of the second order have some
+/// dozens of unknowns by then.
+const WITHIN: f64 = 1e-3;
 /// Where densities are looked at, over the half-width.
 const AT: [f64; 6] = [-0.9, -0.35, 0.0, 0.2, 0.65, 0.97];
 
 /// Finds a parabola's pressure, a shear amid slip, and a flat punch's pressure under a kernel.
 pub(super) fn quadrature(config: &dyn Quadrature) -> Result<(), String> {
-    let config = config.refined(FINER);
     let rule = |parity, edge| {
-        let rule = config.rule(&Span::symmetric(HALF_WIDTH, parity, edge));
-        rule.map_err(|e| format!("refined({FINER}) has no rule for {parity:?} {edge:?}: {e}"))
+        let span = Span::symmetric(HALF_WIDTH, parity, edge);
+        let finest = (0..=FINER).rev().find_map(|level| config.refined(level).rule(&span).ok());
+        finest.ok_or_else(|| format!("there is no rule for {parity:?} {edge:?}"))
     };
     smooth(&mut *rule(Parity::Even, Edge::Smooth)?).map_err(|fault| format!("Even Smooth: {fault}"))?;
     continued(&mut *rule(Parity::Odd, Edge::Continued)?).map_err(|fault| format!("Odd Continued: {fault}"))?;

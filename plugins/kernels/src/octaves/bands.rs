@@ -2,10 +2,9 @@
 
 use crate::integrand::Integrand;
 use crate::legendre_waves::{add_transforms, values, waves_of};
-use crate::numbers;
 use bilby::GaussLegendre;
 use num_complex::Complex64;
-use slipzone_api::{Component, KernelRequest, LayerResponse, Refusal, SurfaceFlexibility};
+use slipzone_api::{Component, KernelRequest, LayerResponse, Refusal, SurfaceFlexibility, contract};
 use spec_math::cephes64::erfc;
 
 /// Gauss nodes of a band: a function that is analytic but at the origin has Legendre coefficients there that fall like `5.8^-l`.
@@ -88,7 +87,7 @@ impl Bands {
                 continue;
             }
             let f = response.surface(upper)?;
-            numbers(&[upper], &[f])?;
+            contract::numbers(&[upper], &[f])?;
             bands.evaluations += 1;
             // By the contact as a whole, and by a part of it that is as narrow as may be.
             let felt = |integrand: &Integrand| {
@@ -130,7 +129,7 @@ impl Bands {
             let at: [f64; NODES + BESIDE.len()] = std::array::from_fn(|i| middle + half * place(i));
             let mut f = [SurfaceFlexibility::default(); NODES + BESIDE.len()];
             response.surface_into(&at, &mut f)?;
-            numbers(&at, &f)?;
+            contract::numbers(&at, &f)?;
             self.evaluations += at.len();
             let (mut values, mut error, mut is_resolved) = (Vec::with_capacity(integrands.len()), 0.0_f64, true);
             for integrand in integrands {

@@ -2,8 +2,7 @@
 
 use super::bands::PHASE;
 use crate::integrand::Integrand;
-use crate::numbers;
-use slipzone_api::{Component, LayerResponse, Refusal};
+use slipzone_api::{Component, LayerResponse, Refusal, contract};
 
 /// Where the stretch ends on which they are found, over the root of the accuracy: what is analytic in the kernels counts by the square of it.
 const END: (f64, f64) = (0.3, 1e-5);
@@ -32,7 +31,7 @@ pub(super) fn of(
     let tried = std::iter::successors(Some(first), |s| Some(s * STEP)).take_while(|s| *s < LAST);
     for (count, s) in (1..).zip(tried) {
         let f = response.surface(s / length)?;
-        numbers(&[s / length], &[f])?;
+        contract::numbers(&[s / length], &[f])?;
         let size = |integrand: &Integrand| {
             let unit = if integrand.component == Component::Depth { s / length } else { 1.0 };
             (unit * integrand.weight(s / length, &f)).abs()

@@ -167,7 +167,7 @@ impl Rule for FaultyRule {
 fn every_fault_is_found() {
     assert_eq!(quadrature(&Faulty(Fault::None)), Ok(()));
     for (fault, words) in [
-        (Fault::NoFinerRule, "refined(4) has no rule for Even Smooth: this is not built yet"),
+        (Fault::NoFinerRule, "there is no rule for Even Smooth"),
         (Fault::ValuesOfShear, "Odd Continued: the density at -2.7 is -5.29"),
         (Fault::OperatorOfShear, "Odd Continued: the density at -2.7 is -3.36"),
         (Fault::OddConstant, "Odd Continued: "),
