@@ -122,9 +122,9 @@ fn wave_number(i: u32) -> f64 {
 
 /// The series in `1/s`, where there is one, tells a short wave as well as the terms of these laws let it.
 fn tail(response: &dyn LayerResponse, (s, found): (f64, SurfaceFlexibility)) -> Result<(), String> {
-    const TERMS: usize = 4;
-    /// Of these laws each coefficient is less than this to the power of its place: of `1 + 2 y` the fifth is 21 times `2^5`.
-    const GROWTH: f64 = 4.0;
+    const TERMS: usize = 8;
+    /// Of these laws each coefficient is less than this to the power of its place: of `1 + 2 y` the ninth is 1.7e6.
+    const GROWTH: f64 = 5.5;
     let terms = response.tail(TERMS);
     ensure(terms.len() <= TERMS, || format!("tail({TERMS}) has {} terms", terms.len()))?;
     if terms.is_empty() {

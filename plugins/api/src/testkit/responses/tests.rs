@@ -100,7 +100,7 @@ fn every_fault_is_found() {
         (Fault::OtherTogether, "surface_into() has SurfaceFlexibility"),
         (Fault::OtherSolid, "elastic() is Elastic"),
         (Fault::OtherSeries, "exp(1.5 y) on a rigid base: the limit and tail() give"),
-        (Fault::LongSeries, "tail(4) has 5 terms"),
+        (Fault::LongSeries, "tail(8) has 9 terms"),
         (Fault::NoDepth, "depth() = 0"),
     ] {
         let found = flexibility(&Faulty(fault)).expect_err("this response is broken");
