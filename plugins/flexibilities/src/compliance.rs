@@ -108,6 +108,17 @@ mod tests {
         }
     }
 
+    /// Found by random scenes: a sublayer of 1e26 was halved 86 times, and the parts counted in 64 bits.
+    #[test]
+    fn a_wave_however_short_feels_the_surface() {
+        let layer = bonded(Opaque { modulus: |depth| 1.0 + depth, breakpoints: &[] }, Plane::Strain, 0.3);
+        let limit = surface_tail::half_plane(layer.elastic);
+        for s in [1e6, 1e12, 1e18, 1e20, 1e26, 1e40, 1e100] {
+            let error = distance(compliance(&layer, s), limit);
+            assert!(error < 2.0 / s + 1e-14, "s = {s:e}: {error:e}");
+        }
+    }
+
     #[test]
     fn limit_and_tail_at_large_wave_numbers() {
         for (gamma, nu) in [(2.0, 0.3), (-2.0, 0.3), (1.0, 0.5), (-4.0, -0.9)] {

@@ -13,6 +13,10 @@ const KEPT_OF_EACH: usize = 8;
 /// By how much the wave number of a slice, over its thickness, may exceed that over its depth.
 const FARTHER: f64 = 1.0;
 
+/// Times as thick as deep from which on a panel is no more halved from its whole down. It is some thirty halvings from there to the thinnest
+/// slice, and 64 would be too many to count.
+const FAR: f64 = 1_048_576.0;
+
 /// Slices kept of one halving.
 type Level = OnceLock<Box<[OnceLock<Propagator>]>>;
 
@@ -45,7 +49,9 @@ impl Slices {
         (depth, least, most): (f64, f64, f64),
         mut rise: impl FnMut(&Propagator, f64),
     ) {
-        let (mut halvings, mut k) = (0_u32, 0_usize);
+        // Of a panel that is far thicker than deep its first part is enough, or there are more parts than can be counted.
+        let first = if depth > 0.0 && thickness > FAR * depth { halvings_to(thickness / (FAR * depth)) } else { 0 };
+        let (mut halvings, mut k) = (first, 0_usize);
         loop {
             let delta = thickness * (-f64::from(halvings)).exp2();
             let below_panel = k as f64 * delta;
@@ -60,7 +66,7 @@ impl Slices {
             }
             // With the upper half of a part all of it is done.
             while k % 2 == 0 {
-                if halvings == 0 {
+                if halvings == first {
                     return;
                 }
                 (halvings, k) = (halvings - 1, k / 2);
@@ -71,9 +77,9 @@ impl Slices {
 
     /// The `k`-th of `2^halvings` slices from the top, for wave numbers up to `thickest` over its thickness.
     fn get(&self, (halvings, k): (u32, usize), thickest: f64) -> Cow<'_, Propagator> {
-        let count = 1_usize << halvings;
+        let count = 1_usize.checked_shl(halvings).unwrap_or(usize::MAX);
         let make = || {
-            let width = 2.0 / count as f64;
+            let width = (1.0 - f64::from(halvings)).exp2();
             let bottom = (k + 1) as f64 * width - 1.0;
             Propagator::new(self.precision, thickest, |z| self.coefficients.at(bottom - width * z))
         };
@@ -84,4 +90,10 @@ impl Slices {
             level.get_or_init(|| std::iter::repeat_with(OnceLock::new).take(count.min(KEPT_OF_EACH)).collect());
         Cow::Borrowed(slices[k].get_or_init(make))
     }
+}
+
+/// How often a ratio of thicknesses can be halved, to 1 or just above.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // of numbers below 1e308
+fn halvings_to(ratio: f64) -> u32 {
+    ratio.log2() as u32
 }
