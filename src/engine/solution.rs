@@ -27,6 +27,14 @@ pub enum Status {
     Refused,
 }
 
+impl Status {
+    /// The status and the reason of the same, of which something that was asked for is missing.
+    fn lacking(self, reason: Option<String>, why: &str) -> (Self, String) {
+        let status = if self == Self::Converged { Self::NotConverged } else { self };
+        (status, reason.map_or_else(|| why.to_owned(), |reason| format!("{reason}; {why}")))
+    }
+}
+
 /// A solved scene. The keys of its JSON are stable: added to, never renamed.
 #[derive(Clone, Debug, Serialize)]
 pub struct Solution {
@@ -208,8 +216,7 @@ impl Solution {
 
     /// The same, of which something that was asked for is missing.
     pub(crate) fn lacking(self, why: &str) -> Self {
-        let status = if self.status == Status::Converged { Status::NotConverged } else { self.status };
-        let reason = self.reason.map_or_else(|| why.to_owned(), |reason| format!("{reason}; {why}"));
+        let (status, reason) = self.status.lacking(self.reason, why);
         Self { status, reason: Some(reason), ..self }
     }
 

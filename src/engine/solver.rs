@@ -116,6 +116,13 @@ impl Solver {
         })
     }
 
+    /// What is not told though it is asked for, and why.
+    fn missing(&self) -> Vec<String> {
+        let shear = self.untold.as_ref().map(|(_, why)| format!("the shear is not told: {why}"));
+        let depth = if self.problem.wants_depth() { self.lacks_depths() } else { None };
+        shear.into_iter().chain(depth.map(|why| format!("the indentation is not told: {why}"))).collect()
+    }
+
     /// How it would be solved.
     pub(super) fn planned(&self) -> Plan {
         self.in_closed_form().map_or_else(|| self.chosen.plan.clone(), |solution| solution.plan)
@@ -218,16 +225,12 @@ impl Solver {
                 );
             }
         };
-        let untold = self.untold.as_ref().map(|(_, why)| format!("the shear is not told: {why}"));
-        let of_depth = if self.problem.wants_depth() { self.lacks_depths() } else { None };
-        let shallow = of_depth.map(|why| format!("the indentation is not told: {why}"));
-        for why in untold.iter().chain(&shallow) {
-            solution = solution.lacking(why);
-        }
+        let missing = self.missing();
+        solution = missing.iter().fold(solution, |solution, why| solution.lacking(why));
         if let Some(path) = self.chosen.scene.path.clone() {
             let last = self.point();
             let curve = self.curve_to(&path, last);
-            solution.path = Some(untold.iter().chain(&shallow).fold(curve, |curve, why| curve.lacking(why)));
+            solution.path = Some(missing.iter().fold(curve, |curve, why| curve.lacking(why)));
             solution.plan.work = self.spent();
             self.press(path.last());
             self.chosen.scene.path = Some(path);

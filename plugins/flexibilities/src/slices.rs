@@ -77,7 +77,6 @@ impl Slices {
 
     /// The `k`-th of `2^halvings` slices from the top, for wave numbers up to `thickest` over its thickness.
     fn get(&self, (halvings, k): (u32, usize), thickest: f64) -> Cow<'_, Propagator> {
-        let count = 1_usize.checked_shl(halvings).unwrap_or(usize::MAX);
         let make = || {
             let width = (1.0 - f64::from(halvings)).exp2();
             let bottom = (k + 1) as f64 * width - 1.0;
@@ -86,8 +85,8 @@ impl Slices {
         let Some(level) = self.levels.get(halvings as usize).filter(|_| k < KEPT_OF_EACH) else {
             return Cow::Owned(make());
         };
-        let slices =
-            level.get_or_init(|| std::iter::repeat_with(OnceLock::new).take(count.min(KEPT_OF_EACH)).collect());
+        let count = KEPT_OF_EACH.min(1 << halvings);
+        let slices = level.get_or_init(|| std::iter::repeat_with(OnceLock::new).take(count).collect());
         Cow::Borrowed(slices[k].get_or_init(make))
     }
 }

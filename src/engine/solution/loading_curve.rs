@@ -37,8 +37,7 @@ impl Curve {
 
     /// The same, of which something that was asked for is missing.
     pub(crate) fn lacking(self, why: &str) -> Self {
-        let status = if self.status == Status::Converged { Status::NotConverged } else { self.status };
-        let note = self.note.map_or_else(|| why.to_owned(), |note| format!("{note}; {why}"));
+        let (status, note) = self.status.lacking(self.note, why);
         Self { status, note: Some(note), ..self }
     }
 

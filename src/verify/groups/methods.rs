@@ -4,7 +4,7 @@ use crate::engine::foreign::BREACH;
 use crate::engine::{Solution, Status};
 use crate::scene::example::least;
 use crate::verify::Case;
-use crate::verify::check::{Sheet, Within, worst};
+use crate::verify::check::{Sheet, Within, off, worst};
 use crate::verify::contact::{Contact, claimed, layer, members, number, numbers};
 use slipzone_api::Family;
 
@@ -41,26 +41,14 @@ pub(super) fn cases() -> Vec<Case> {
     [Family::Flexibility, Family::Kernel, Family::Quadrature].into_iter().flat_map(by_family).collect()
 }
 
-/// How far tractions are apart: pressures over what they are or their mean, shears over the largest.
+/// How far tractions within the contact are apart: pressures over what they are or their mean, shears over the largest.
 fn tractions_apart(found: &Solution, expected: &Solution) -> Vec<(&'static str, f64)> {
     let mean = expected.pressure.mean.unwrap_or_default();
-    let of_pressure = |p: f64| p.abs().max(mean);
-    let pressure = apart(&found.profile.pressure, &expected.profile.pressure, of_pressure);
+    let pairs = found.profile.pressure.iter().zip(expected.profile.pressure.iter().flatten());
+    let pressure = worst(pairs.map(|(p, known)| (p.unwrap_or(f64::NAN) - known) / known.abs().max(mean)));
     let shears = found.profile.shear.as_ref().zip(expected.profile.shear.as_ref());
-    let shear = shears.map(|(found, expected)| {
-        let largest = worst(expected.iter().copied().flatten());
-        ("profile.shear", apart(found, expected, |_| largest))
-    });
-    [("profile.pressure", pressure)].into_iter().chain(shear).collect()
-}
-
-/// The largest difference of two tractions over their sizes; infinite where one is missing.
-fn apart(found: &[Option<f64>], expected: &[Option<f64>], size: impl Fn(f64) -> f64) -> f64 {
-    worst(found.iter().zip(expected).map(|pair| match pair {
-        (Some(found), Some(expected)) => (found - expected) / size(*expected),
-        (None, None) => 0.0,
-        _ => f64::INFINITY,
-    }))
+    let shear = shears.map(|(q, known)| off(q, &known.iter().copied().flatten().collect::<Vec<_>>()));
+    [("profile.pressure", pressure)].into_iter().chain(shear.map(|shear| ("profile.shear", shear))).collect()
 }
 
 /// A method against the usual one of its family: a contact that fails leaves the others to be compared.

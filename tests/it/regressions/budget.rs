@@ -365,7 +365,7 @@ fn the_strain_left_in_a_stick_zone_counts_as_work() {
 }
 
 /// On layers that stiffen steeply from their surface down, stacks of flat punches took grids for `split` that no budget allows, where
-/// `octaves` take a fiftieth of the work. Other loads take the usual methods again.
+/// `octaves` take a hundredth of the work. Other loads take the usual methods again.
 #[test]
 fn octaves_solve_what_split_has_no_budget_for() {
     let text = "format = 1\nlayer = { thickness = 1.3, poisson = 0.3, grading = { type = \"linear\", surface = 1.0, base = 100.0 } }\n\

@@ -39,46 +39,41 @@ fn layers() -> [(&'static str, LayerModel); 5] {
     let [poisson, below] = [0.3, 0.4].map(|nu| Poisson::new(nu).expect("a ratio in range"));
     let solid = Solid { plane: Plane::Strain, poisson, moduli: Moduli::Shear };
     let half_plane = Base::HalfPlane { shear, poisson: below };
-    let on = |law: Law, base| LayerModel::new(Box::new(law), solid, base);
+    let exponential = |gamma, base| LayerModel::new(Box::new(Exponential(gamma)), solid, base);
     [
-        ("a homogeneous layer on a rigid base", on(Law::Exponential(0.0), Base::Rigid)),
-        ("exp(1.5 y) on a rigid base", on(Law::Exponential(1.5), Base::Rigid)),
-        ("exp(-1.5 y) on a half-plane", on(Law::Exponential(-1.5), half_plane)),
-        ("1 + 2 y on a rigid base", on(Law::Linear(2.0), Base::Rigid)),
-        ("exp(1.5 y) without a base", on(Law::Exponential(1.5), Base::Infinite)),
+        ("a homogeneous layer on a rigid base", exponential(0.0, Base::Rigid)),
+        ("exp(1.5 y) on a rigid base", exponential(1.5, Base::Rigid)),
+        ("exp(-1.5 y) on a half-plane", exponential(-1.5, half_plane)),
+        ("1 + 2 y on a rigid base", LayerModel::new(Box::new(Linear(2.0)), solid, Base::Rigid)),
+        ("exp(1.5 y) without a base", exponential(1.5, Base::Infinite)),
     ]
 }
 
-/// Laws whose surface modulus is 1.
+/// `exp(gamma y)`.
 #[derive(Debug)]
-enum Law {
-    /// `exp(gamma y)`.
-    Exponential(f64),
-    /// `1 + slope y`.
-    Linear(f64),
-}
+struct Exponential(f64);
 
-impl ModulusLaw for Law {
+impl ModulusLaw for Exponential {
     fn modulus(&self, depth: f64) -> f64 {
-        match self {
-            Self::Exponential(gamma) => (gamma * depth).exp(),
-            Self::Linear(slope) => 1.0 + slope * depth,
-        }
+        (self.0 * depth).exp()
     }
 
     fn exponent(&self) -> Option<f64> {
-        match self {
-            Self::Exponential(gamma) => Some(*gamma),
-            Self::Linear(_) => None,
-        }
+        Some(self.0)
+    }
+}
+
+/// `1 + slope y`.
+#[derive(Debug)]
+struct Linear(f64);
+
+impl ModulusLaw for Linear {
+    fn modulus(&self, depth: f64) -> f64 {
+        1.0 + self.0 * depth
     }
 
     fn surface_series(&self, terms: usize) -> Vec<f64> {
-        let next = |(k, term): (u32, f64)| match self {
-            Self::Exponential(gamma) => (k + 1, term * gamma / f64::from(k + 1)),
-            Self::Linear(slope) => (k + 1, if k == 0 { *slope } else { 0.0 }),
-        };
-        std::iter::successors(Some((0, 1.0)), |term| Some(next(*term))).map(|(_, term)| term).take(terms).collect()
+        [1.0, self.0].into_iter().chain(std::iter::repeat(0.0)).take(terms).collect()
     }
 }
 
