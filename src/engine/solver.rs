@@ -226,7 +226,10 @@ impl Solver {
             }
         };
         let missing = self.missing();
-        solution = missing.iter().fold(solution, |solution, why| solution.lacking(why));
+        // A solution is large, and stays where it is as a rule.
+        for why in &missing {
+            solution = solution.lacking(why);
+        }
         if let Some(path) = self.chosen.scene.path.clone() {
             let last = self.point();
             let curve = self.curve_to(&path, last);
