@@ -2,11 +2,10 @@
 
 use super::judge::{self, Judge};
 use super::{Charted, Effort, Errors, Measured, Method, Setting};
-use crate::engine::{Plan, Solution, Solver, Status, first_not_finite};
+use crate::engine::{Plan, Solution, Solver, Status, caught, first_not_finite};
 use crate::scene::Scene;
 use serde::Serialize;
 use slipzone_api::Refusal;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 /// How a run ended.
@@ -156,14 +155,14 @@ pub(super) fn measure(scene: &Charted, method: &Method, setting: &Setting, judge
         Err(error) => return ended(Ended::Refused, error.to_string()),
     };
     let began = Instant::now();
-    let tried = catch_unwind(AssertUnwindSafe(|| -> Result<(Solution, Solver), Refusal> {
+    let tried = caught(|| -> Result<(Solution, Solver), Refusal> {
         let mut solver = Solver::new(&scene)?;
         Ok((solver.solve(), solver))
-    }));
+    });
     let (solution, solver) = match tried {
         Ok(Ok(tried)) => tried,
         Ok(Err(refusal)) => return ended(Ended::Refused, refusal.to_string()),
-        Err(_) => return ended(Ended::Panicked, "the program panicked; its message is on standard error".into()),
+        Err(why) => return ended(Ended::Panicked, why),
     };
     let took = began.elapsed().as_secs_f64();
     let reason = solution.reason.clone();

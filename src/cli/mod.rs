@@ -20,6 +20,7 @@ mod solve;
 mod sweep;
 mod verify;
 
+use crate::engine::caught;
 use args::{Arguments, Command};
 use clap::Parser;
 use failure::Failure;
@@ -64,7 +65,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
     };
-    match dispatch(&arguments.command) {
+    match caught(|| dispatch(&arguments.command)).unwrap_or_else(|why| Err(Failure::System(why))) {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::NotConverged | Outcome::ChecksFailed) => ExitCode::from(1),
         Err(failure) => {

@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &Solve) -> Result<Outcome, Failure> {
     let targets = files.iter().map(|(_, path, writer)| Ok((Target::new(path)?, *writer)));
     let targets = targets.collect::<Result<Vec<_>, Failure>>()?;
 
-    let solution = engine::solve(&scene);
+    let solution = engine::solve_caught(&scene);
     let texts = targets.into_iter().filter_map(|(target, writer)| Some((target, writer(&solution)?)));
     output::write(&texts.collect::<Vec<_>>())?;
     if solution.status != Status::Converged {

@@ -13,11 +13,13 @@
 //! | `verdict`, `assemble`, `solution` | whether to believe it, and the result in the scene's units |
 //! | `stand_in`, `layer`, `culprit`, `solver` | a cheaper solid where one will do; what one load leaves to the next; whose numbers are none where it fails |
 //! | `portrait` | what a layer looks like, whether or not it is solved |
+//! | `caught` | panics of plugins, in words |
 //!
 //! It knows the traits of `slipzone-api` and no plugin by name, prints nothing and reads no file.
 
 mod accuracy;
 mod assemble;
+mod caught;
 mod contact;
 mod culprit;
 pub(crate) mod foreign;
@@ -38,6 +40,7 @@ mod verdict;
 mod work;
 
 pub use crate::plan::Plan;
+pub(crate) use caught::caught;
 pub use layer::Layer;
 pub use portrait::{DepthProfile, FlexibilityProfile, response};
 pub use solution::finite::first_not_finite;
@@ -69,6 +72,11 @@ pub fn solve_within(scene: &Scene, budget: u64) -> Solution {
         }
         Err((refusal, chosen)) => Solution::refused(&chosen.scene, chosen.plan, refusal.to_string()),
     }
+}
+
+/// [`solve`] for programs that go on: a panic is a refusal, too.
+pub(crate) fn solve_caught(scene: &Scene) -> Solution {
+    caught(|| solve(scene)).unwrap_or_else(|why| Solution::refused(scene, Plan::default(), why))
 }
 
 /// Solves many scenes on all cores, in the order given; each solution has the bits that [`solve`] gives it.

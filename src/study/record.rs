@@ -96,11 +96,20 @@ impl Record {
 
     /// Values that make no scene.
     pub(super) fn invalid(study: &Study, row: u64, error: &SceneError) -> Self {
+        Self::without_numbers(study, row, RecordStatus::Invalid, error.in_one_line())
+    }
+
+    /// A scene at which the program, or a plugin, panicked.
+    pub(super) fn panicked(study: &Study, row: u64, why: String) -> Self {
+        Self::without_numbers(study, row, RecordStatus::Solved(Status::Refused), why)
+    }
+
+    fn without_numbers(study: &Study, row: u64, status: RecordStatus, reason: String) -> Self {
         Self {
             index: row,
             axes: axes(study, row),
-            status: RecordStatus::Invalid,
-            reason: Some(error.in_one_line()),
+            status,
+            reason: Some(reason),
             load: LoadReport::default(),
             pressure: PressureReport::default(),
             edge: EdgeReport::default(),

@@ -2,7 +2,7 @@
 
 use super::record::Record;
 use super::{Study, inverse};
-use crate::engine::{Solution, Solver, solve};
+use crate::engine::{Solution, Solver, caught, solve};
 use crate::scene::Scene;
 use rayon::iter::{ParallelBridge, ParallelIterator};
 use std::ops::ControlFlow;
@@ -44,18 +44,10 @@ fn solve_chunk(
         if study.find.is_some() && done(row) {
             continue;
         }
-        let record = match (&study.find, study.scene(row)) {
-            (Some(find), Ok(_)) => inverse::answer(study, row, find),
-            (None, Ok(scene)) => {
-                let only_pressed = row > rows.start && study.differ_in_load(row - 1, row);
-                Record::solved(study, row, solve_after(&mut known, &scene, only_pressed))
-            }
-            (_, Err(error)) => {
-                // What comes next differs from what is known by more than from this.
-                known = None;
-                Record::invalid(study, row, &error)
-            }
-        };
+        let record = caught(|| solve_row(study, row, known.take()));
+        // What comes after a panic knows nothing of what was before it.
+        let (record, solver) = record.unwrap_or_else(|why| (Record::panicked(study, row, why), None));
+        known = solver;
         if !done(row) {
             send(record)?;
         }
@@ -63,10 +55,24 @@ fn solve_chunk(
     Some(())
 }
 
+/// The record of a scene, from what is known of the one before it, and what the next may know.
+fn solve_row(study: &Study, row: u64, known: Option<Solver>) -> (Record, Option<Solver>) {
+    match (&study.find, study.scene(row)) {
+        (Some(find), Ok(_)) => (inverse::answer(study, row, find), None),
+        (None, Ok(scene)) => {
+            let only_pressed = known.is_some() && study.differ_in_load(row - 1, row);
+            let (solution, solver) = solve_after(known, &scene, only_pressed);
+            (Record::solved(study, row, solution), solver)
+        }
+        // What comes next differs from what is known by more than from this.
+        (_, Err(error)) => (Record::invalid(study, row, &error), None),
+    }
+}
+
 /// Solves a scene with what is known of the one before it on the same layer: all, where it is only pressed or rubbed
 /// otherwise, or the layer.
-fn solve_after(known: &mut Option<Solver>, scene: &Scene, only_pressed: bool) -> Solution {
-    let prepared = match known.take() {
+fn solve_after(known: Option<Solver>, scene: &Scene, only_pressed: bool) -> (Solution, Option<Solver>) {
+    let prepared = match known {
         Some(mut solver) if only_pressed => {
             solver.press(scene.load);
             if let Some(friction) = scene.friction {
@@ -80,11 +86,10 @@ fn solve_after(known: &mut Option<Solver>, scene: &Scene, only_pressed: bool) ->
     match prepared {
         Ok(mut solver) => {
             let solution = solver.solve();
-            *known = Some(solver);
-            solution
+            (solution, Some(solver))
         }
         // Of another layer, or refused: by itself it says which.
-        Err(_) => solve(scene),
+        Err(_) => (solve(scene), None),
     }
 }
 

@@ -23,11 +23,10 @@ mod references;
 
 pub use check::{Check, Measure, Value};
 
-use crate::engine::Program;
+use crate::engine::{Program, caught};
 use check::Sheet;
 use rayon::prelude::*;
 use serde::Serialize;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// Checks of one kind.
 #[derive(Debug)]
@@ -60,11 +59,8 @@ impl Case {
     /// The checks of the case; a panic is one that failed, whatever the others say.
     fn checks(&self, group: &'static str) -> Vec<Check> {
         let mut sheet = Sheet::new(group);
-        let ended = catch_unwind(AssertUnwindSafe(|| (self.run)(&mut sheet)));
-        match ended {
-            Ok(Ok(())) => {}
-            Ok(Err(why)) => sheet.no_number(&self.name, why),
-            Err(_) => sheet.no_number(&self.name, "the program panicked; its message is on standard error".into()),
+        if let Err(why) = caught(|| (self.run)(&mut sheet)).flatten() {
+            sheet.no_number(&self.name, why);
         }
         sheet.into_checks()
     }

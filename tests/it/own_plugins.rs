@@ -4,14 +4,16 @@ use crate::sketch::Sketch;
 use serde::{Deserialize, Serialize};
 use slipzone::api::{
     Component, Densities, Edge, Elastic, Flexibility, Grading, KernelRequest, KernelStrategy, KernelTable, LayerModel,
-    LayerResponse, ModulusLaw, Parts, PartsMut, PunchProfile, PunchShape, Quadrature, Refusal, Rule, Setting, Span,
-    Station, SurfaceFlexibility,
+    LayerResponse, ModulusLaw, NoFiles, Parts, PartsMut, PunchProfile, PunchShape, Quadrature, Refusal, Rule, Setting,
+    Span, Station, SurfaceFlexibility,
 };
 use slipzone::engine::{FlexibilityProfile, Solution, Status, solve};
 use slipzone::scene::Model;
+use slipzone::study::{RecordStatus, Study};
 use slipzone_flexibilities::Compliance;
 use slipzone_kernels::{Octaves, Split, Truncated};
 use slipzone_quadratures::{GaussChebyshev, GradedPanels};
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 /// A cylinder of radius 1, but for one thing.
@@ -315,6 +317,58 @@ fn two_plugins_of_one_name_are_said_to_be_two() {
     ] {
         assert!(error.contains(words), "{words}: {error}");
     }
+}
+
+/// A cylinder that has a radius too many.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct Fragile {
+    radius: f64,
+}
+
+#[typetag::serde(name = "fragile-punch")]
+impl PunchProfile for Fragile {
+    fn shape(&self) -> Result<Box<dyn PunchShape>, Refusal> {
+        Ok(Box::new(*self))
+    }
+}
+
+impl PunchShape for Fragile {
+    fn height(&self, x: f64) -> f64 {
+        x * x / (2.0 * self.radius)
+    }
+
+    fn slope(&self, x: f64) -> f64 {
+        // At the edge, where the scene's check looks, it is well-behaved.
+        assert!(self.radius < 3.0 || self.radius > 3.0 || x > 0.3, "three is too many");
+        x / self.radius
+    }
+
+    fn natural_length(&self) -> f64 {
+        self.radius
+    }
+}
+
+/// The scenes of a study are those of a night.
+#[test]
+fn a_plugin_that_panics_costs_a_study_one_scene() {
+    let study = "format = 1\n[scene]\nformat = 1\npunch = { type = \"fragile-punch\", radius = 1.0 }\nload = { half_width = 0.5 }\n\
+                 layer = { thickness = 1.0, poisson = 0.3, grading = { type = \"homogeneous\", modulus = 1.0 } }\n\
+                 [[axes]]\nfield = \"punch.radius\"\nvalues = [1.0, 2.0, 3.0, 4.0, 5.0]\n";
+    let study = Study::parse("study", study, &NoFiles).expect("a study");
+    let mut records = Vec::new();
+    slipzone::study::sweep(&study, &|_| false, |record| {
+        records.push(record);
+        ControlFlow::Continue(())
+    });
+    records.sort_by_key(|record| record.index);
+    let forces: Vec<_> = records.iter().map(|record| record.number("load.force")).collect();
+    let [Some(one), Some(two), None, Some(four), Some(five)] = forces[..] else { panic!("{records:?}") };
+    for (radius, force) in [(2.0, two), (4.0, four), (5.0, five)] {
+        assert!((radius * force / one - 1.0).abs() < 1e-7, "{forces:?}");
+    }
+    assert_eq!(records[2].status, RecordStatus::Solved(Status::Refused));
+    let reason = records[2].reason.as_deref().unwrap_or_default();
+    assert!(reason.contains("panicked (three is too many)"), "{reason}");
 }
 
 /// `gauss-chebyshev`, but for one thing.

@@ -3,10 +3,9 @@
 use super::{Cell, Ended};
 use crate::chart::method::{table, with_middle};
 use crate::chart::{Errors, Measured, Method};
-use crate::engine::{BUDGET, Solution, Status, first_not_finite, solve_within};
+use crate::engine::{BUDGET, Solution, Status, caught, first_not_finite, solve_within};
 use crate::scene::parse;
 use slipzone_api::Family;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// What is asked of the program's own choice; the other methods stand at the middle of what makes sense for their knob.
 const TOLERANCE: f64 = 1e-8;
@@ -96,8 +95,7 @@ fn attempt(scene: &str, solver: &str) -> Result<Solution, Box<Cell>> {
     let lost = |ended, reason: String| Box::new(Cell::lost(ended, reason));
     let scene = parse("atlas", &format!("{scene}{NUMBERS}[solver]\n{solver}"))
         .map_err(|error| lost(Ended::Refused, error.to_string()))?;
-    let solution = catch_unwind(AssertUnwindSafe(|| solve_within(&scene, ENOUGH)))
-        .map_err(|_| lost(Ended::Panicked, "the program panicked; its message is on standard error".into()))?;
+    let solution = caught(|| solve_within(&scene, ENOUGH)).map_err(|why| lost(Ended::Panicked, why))?;
     if let Some(what) = first_not_finite(&solution) {
         return Err(lost(Ended::NotFinite, what));
     }
