@@ -260,12 +260,17 @@ impl Growing {
         let sizes = (half_width, room * half_width);
         // Where stick zones shrink some are not the contact's own; those at a finer resolution are looked for anew.
         let coarse = coarse.filter(|coarse| coarse.shrinks(0.0..f64::INFINITY, STEADY).is_none());
-        let made = match Family::new(layer, task, self.quadrature.as_ref(), sizes, rubs, coarse) {
+        let mut family = |sizes, rubs, coarse| Family::new(layer, task, self.quadrature.as_ref(), sizes, rubs, coarse);
+        let mut made = family(sizes, rubs, coarse);
+        if matches!(made, Err(Unfit::Friction(at, _)) if at > half_width) {
+            // What wider contacts do is none of this one's history.
+            made = family((half_width, half_width), rubs, coarse);
+        }
+        let made = match made {
             Err(Unfit::Friction(at, rubbing)) => {
                 self.broken = Some((at, *rubbing));
                 // The pressure can be told all the same.
-                let dry = || Family::new(layer, task, self.quadrature.as_ref(), sizes, false, None);
-                self.is_kinked.then(dry).transpose()
+                self.is_kinked.then(|| family(sizes, false, None)).transpose()
             }
             made => made.map(Some),
         };

@@ -407,17 +407,36 @@ fn a_face_nearly_as_wide_as_the_contact_rubs_under_a_force() {
 /// that sticks slips in no direction, so none turns.
 #[test]
 fn where_everything_sticks_at_first_nothing_turns() {
-    let wide =
-        |b: f64| Sketch::flat(1.0, 1.0, 0.5).rubbing(0.3).cylinder().loaded(&format!("half_width = {b:?}")).solve();
-    assert_eq!(wide(0.5).status, Status::Converged);
-    let solution = wide(0.7);
-    assert_eq!(solution.status, Status::AssumptionViolated);
-    let reason = solution.reason.expect("why");
-    assert!(
-        reason.starts_with("the stick zone is not told: while the contact grew, at a half-width of 0.5"),
-        "{reason}"
-    );
-    assert!(reason.contains("all of the surface stuck until about then, and no longer does"), "{reason}");
+    let wide = |ratio: f64, b: f64| {
+        let scene = Sketch::flat(1.0, ratio, 0.5).rubbing(0.3).cylinder().loaded(&format!("half_width = {b:?}"));
+        scene.solve()
+    };
+    let ends = |solution: Solution, words: [&str; 2]| {
+        assert_eq!(solution.status, Status::AssumptionViolated);
+        let reason = solution.reason.expect("why");
+        assert!(words.iter().all(|words| reason.contains(words)), "{words:?}: {reason}");
+    };
+    assert_eq!(wide(1.0, 0.5).status, Status::Converged);
+    ends(wide(1.0, 0.7), ["the stick zone is not told", "at a half-width of 0.5"]);
+    // At a third of the friction all of a flat punch 0.157 wide sticks, and of one 0.8 wide no more than 0.037.
+    let thin = Sketch::flat(1.0, 1.0, 0.5).rubbing(0.1).cylinder().loaded("half_width = 0.8").solve();
+    ends(thin, ["the stick zone shrinks", "all of the contact up to about there"]);
+    // On a layer that stiffens downwards more and more sticks.
+    ends(wide(1.0 / 9.0, 0.5), ["the stick zone is not told", "at a half-width of 0.2"]);
+    ends(wide(1.0 / 9.0, 0.5), ["the stick zone is not told", "up to there the whole contact sticks"]);
+}
+
+/// That flat punches wider than the contact slip is none of its history: they are there to leave room for a load.
+#[test]
+fn what_wider_contacts_do_is_none_of_a_contacts_history() {
+    let cylinder = |load: String| Sketch::flat(1.0, 1.0, 0.5).rubbing(0.1).cylinder().loaded(&load).solve();
+    let by_width = cylinder("half_width = 0.158".into());
+    let force = by_width.load.force.expect("a force");
+    let by_force = cylinder(format!("force = {force:?}"));
+    assert_eq!([by_width.status, by_force.status], [Status::Converged; 2], "{:?}", by_force.reason);
+    let stick = by_force.stick.expect("friction");
+    assert_eq!(stick.ratio, Some(1.0));
+    assert!(stick.half_width <= by_force.load.half_width, "{stick:?}");
 }
 
 /// Its face was not looked at, only flat punches narrower than it: up to half a percent beyond the onset all was said to stick, to 130 digits.

@@ -143,10 +143,13 @@ pub(crate) fn during(problem: &Problem, half_width: f64, what: &str) -> String {
 }
 
 /// What is said of a contact whose stick zone begins as all of it.
-const STUCK_BEFORE: &str = "all of the surface stuck until about then, and no longer does; a stick zone that is all of the contact at first, and a \
-                            part of it later, is not built";
+const STUCK_BEFORE: &str =
+    "about up to there the whole contact sticks, beyond it the edges slip: this sequence is not implemented";
 /// And where it is the other way about.
-const STUCK_AFTER: &str = "all of the surface sticks from about then on, and did not before; a stick zone that becomes all of the contact is not built";
+const STUCK_AFTER: &str =
+    "about from there on the whole contact sticks, before it the edges slip: this sequence is not implemented";
+/// Where what has slipped would stick again, and what sticks slip.
+pub(crate) const SHRINKS: &str = "the stick zone shrinks";
 
 /// Why a family ends before its widest member.
 #[derive(Clone, Debug)]

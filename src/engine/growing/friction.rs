@@ -3,7 +3,7 @@
 use super::{Growing, ROOM_BESIDE_GUESS, STEADY};
 use crate::engine::accuracy::quantity::ShearTrace;
 use crate::engine::friction::rubbing::{Rubbing, Verdict};
-use crate::engine::growing::family::{Family, during};
+use crate::engine::growing::family::{Family, SHRINKS, during};
 use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::pressure::normal::Normal;
@@ -30,7 +30,7 @@ impl Growing {
         }
         if let Some(at) = family.shrinks(problem.face()..b, STEADY) {
             // What is stacked of a zone that shrinks is no shear of this contact.
-            return Ok(rubbing.failing(during(problem, at, "the stick zone shrinks")));
+            return Ok(rubbing.failing(during(problem, at, SHRINKS)));
         }
         // The pressure has a trace of its own.
         let (friction, sliding) = (family.signed_friction(), family.lacking_to());

@@ -2,7 +2,7 @@
 
 use super::depths::Depths;
 use super::rubbed::{Member, Members, Rubbed, Seen};
-use super::{CHECKED, Family, STUCK_AFTER, STUCK_BEFORE, Unfit, during, member};
+use super::{CHECKED, Family, SHRINKS, STUCK_AFTER, STUCK_BEFORE, Unfit, during, member};
 use crate::engine::accuracy::error_estimate::apart;
 use crate::engine::accuracy::quantity::ShearTrace;
 use crate::engine::contact::Contact;
@@ -115,6 +115,7 @@ impl Family {
         // What sticks as a whole slips in no direction.
         let can_stick = flat.elastic.beta() < FrictionCurve::FLAT * PI;
         let sticks_at_times = |members: &Members| members.sticks_at_times(half_widths).filter(|_| can_stick);
+        let narrowest_zone = |members: &Members| members.narrowest_zone(half_widths, contact);
         let coarse_zones = coarse.and_then(|coarse| coarse.rubbed.as_ref());
         let mut wrong = Wrong::default();
         for (k, b) in half_widths.iter().copied().enumerate() {
@@ -137,7 +138,7 @@ impl Family {
             wrong.add_apart(coarse_zones, &member, b);
             if !members.add(member) {
                 if let Some(ends) = sticks_at_times(&members) {
-                    return Err(self.sticks_between(layer, task, ends)?);
+                    return Err(self.sticks_between(layer, task, ends, narrowest_zone(&members))?);
                 }
                 let by_then = short(half_widths[k - 1] * flat.length);
                 let turns = format!("the direction of slip turns between there and {by_then}");
@@ -145,29 +146,41 @@ impl Family {
             }
         }
         if let Some(ends) = sticks_at_times(&members) {
-            return Err(self.sticks_between(layer, Task { problem: &flat, ..task }, ends)?);
+            return Err(self.sticks_between(layer, Task { problem: &flat, ..task }, ends, narrowest_zone(&members))?);
         }
         let told = coarse_zones.map(|coarse| (coarse.told, wrong.over(blend.widest())));
         self.rubbed = Some(members.blended(blend, self.end_of_shear, told));
         Ok(self.look_closer(layer, task)?)
     }
 
-    /// What is said of contacts that stick as a whole at one of two half-widths, and not at the other: where that ends, or begins.
+    /// What is said of contacts that stick as a whole at one of two half-widths, and not at the other: where that ends, or begins. A stick zone
+    /// of a wider one that is smaller than that shrinks.
     fn sticks_between(
         &mut self,
         layer: &mut PreparedLayer,
         task: Task,
         (mut sticks, mut slips): (f64, f64),
+        narrowest_zone: f64,
     ) -> Result<Unfit, Refusal> {
         /// As told at this resolution, which tells a narrow slip zone by few digits.
         const SURE: f64 = 1e-3;
-        let what = if sticks < slips { STUCK_BEFORE } else { STUCK_AFTER };
+        /// By how much the coarsest resolution may be off, which is the one that ends here: measured up to 0.07.
+        const UNSURE: f64 = 0.1;
+        let is_at_first = sticks < slips;
         while (sticks - slips).abs() > SURE * sticks {
             let b = f64::midpoint(sticks, slips);
             self.take_pressure(b);
             *(if self.contact.stuck(layer, task)?.is_some() { &mut sticks } else { &mut slips }) = b;
         }
-        Ok(Unfit::Friction(sticks, Box::new(Rubbing::sticking(sticks, false).unbuilt(what.into()))))
+        let stuck = Rubbing::sticking(sticks, false);
+        let rubbing = match is_at_first {
+            true if narrowest_zone < sticks * (1.0 - UNSURE) => {
+                stuck.failing(format!("{SHRINKS} that was all of the contact up to about there"))
+            }
+            true => stuck.unbuilt(STUCK_BEFORE.into()),
+            false => stuck.unbuilt(STUCK_AFTER.into()),
+        };
+        Ok(Unfit::Friction(sticks, Box::new(rubbing)))
     }
 
     /// Solves for the stick zones between the members that are told to shrink, but by less than is sure: narrow ones are told no better

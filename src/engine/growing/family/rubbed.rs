@@ -197,6 +197,14 @@ impl Members {
         Some(if sticks(self.lambda[change]) { (wide, narrow) } else { (narrow, wide) })
     }
 
+    /// The smallest stick zone that is not all of its contact, of contacts up to a widest.
+    pub(super) fn narrowest_zone(&self, half_widths: &[f64], widest: f64) -> f64 {
+        let zones = half_widths.iter().zip(&self.lambda).filter(|(b, _)| **b <= widest);
+        let slips = zones.filter(|(_, lambda)| **lambda <= FrictionCurve::WIDEST);
+        let zones = slips.map(|(b, lambda)| StickZone::from_log(*lambda, *b).half_width);
+        zones.fold(f64::INFINITY, f64::min)
+    }
+
     /// Adds a member; returns false where it slips another way than those before.
     pub(super) fn add(&mut self, member: Member) -> bool {
         if self.lambda.is_empty() {
