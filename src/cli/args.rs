@@ -46,7 +46,7 @@ pub(super) enum Command {
     /// List the plugins, or describe one
     #[command(after_help = PLUGINS)]
     Plugins {
-        /// Names of plugins, as in `type = "..."`, or of families; `grading table` is what has both
+        /// Names of plugins, as in `type = "..."`, or of families; both as in `grading table`
         #[arg(value_name = "NAME")]
         names: Vec<String>,
         /// Print JSON
@@ -203,8 +203,8 @@ A page to open in a browser, a table (CSV) and figures (SVG). Times are those of
 run beside it.
 
 Exit codes:
-  0    no method that the program chooses by itself claims success where it is wrong
-  1    one does; the files are written
+  0    the methods that the program chooses by itself are nowhere silently wrong
+  1    they are somewhere; the files are written
   2    bad input: there is no scene or map of that name
   3    a file or the system failed
   130  interrupted: nothing is written";
@@ -241,7 +241,7 @@ const CHECK: &str = "Examples:
   slipzone check - < scene.toml
 
 Exit codes:
-  0  a scene, even one that solving would refuse: that is said
+  0  valid; if solving would refuse it, that is printed
   2  bad input: what is wrong, with line and column
   3  the file cannot be read";
 

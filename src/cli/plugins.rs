@@ -2,7 +2,7 @@
 
 use super::named::unknown;
 use super::{Failure, Outcome, print};
-use crate::api::{Family, Kind, Parameter, PluginInfo, Values};
+use crate::api::{Family, Kind, Parameter, PluginInfo, Values, known_elsewhere};
 use crate::scene::KEYS;
 use std::fmt::{self, Write};
 
@@ -26,7 +26,8 @@ pub(super) fn run(names: &[String], json: bool) -> Result<Outcome, Failure> {
     known.dedup();
     if let Some(name) = names.iter().find(|name| !known.contains(name)) {
         let what = if let [family] = families[..] { family } else { "plugin" };
-        return Err(unknown(what, name, &known));
+        let meant = Family::ALL.into_iter().filter(|family| is_one_of(&families, family.name()));
+        return Err(not_there(what, name, meant, &known));
     }
     chosen.retain(|info| is_one_of(&names, info.name));
     built_in.retain(|built_in| is_one_of(&names, built_in.kind.name));
@@ -90,7 +91,15 @@ impl BuiltIn {
 pub(super) fn named(family: Family, name: &str) -> Result<&'static PluginInfo, Failure> {
     let own = crate::api::plugins().into_iter().filter(|info| info.family == family);
     let known: Vec<_> = own.map(|info| info.name).collect();
-    crate::api::find(family, name).ok_or_else(|| unknown(family.name(), name, &known))
+    crate::api::find(family, name).ok_or_else(|| not_there(family.name(), name, [family], &known))
+}
+
+/// A plugin that is none of these families', which may go by another name.
+fn not_there(what: &str, name: &str, families: impl IntoIterator<Item = Family>, known: &[&str]) -> Failure {
+    match families.into_iter().find_map(|family| known_elsewhere(family, name)) {
+        Some(meant) => Failure::Usage(format!("unknown {what} `{name}`"), Some(format!("it is called `{meant}` here"))),
+        None => unknown(what, name, known),
+    }
 }
 
 /// All plugins by family, and what is built in.

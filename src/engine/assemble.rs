@@ -109,13 +109,13 @@ fn tell_of_profile(solution: &mut Solution, judged: &Judged, of_strain: Option<f
 fn tell_of_neglected(solution: &mut Solution, neglected: Neglected) {
     let of_friction = neglected.friction.map(|neglected| {
         let (share, side) = (percent(neglected.abs()), if neglected < 0.0 { "less" } else { "more" });
-        format!("Goodman: if q changed p, this stick ratio would take about {share} {side} friction")
+        format!("Goodman: with the effect of q on p, this a/b needs about {share} {side} friction")
     });
     let force = neglected.force.filter(|force| force.abs() > SAID_OF_FORCE);
     let of_force = force.map(|force| {
         let (share, side) = (percent(force.abs()), if force < 0.0 { "less" } else { "more" });
         let about = if force > LEAST_OF_FORCE { "at least" } else { "about" };
-        format!("Goodman: if q changed p, this indentation would take {about} {share} {side} force")
+        format!("Goodman: with the effect of q on p, this indentation needs {about} {share} {side} force")
     });
     for reason in of_friction.into_iter().chain(of_force) {
         solution.assumptions.push(reason.clone().into());
@@ -188,11 +188,13 @@ fn remarks(model: Model, problem: &Problem, numbers: &Numbers) -> Vec<Cow<'stati
             Some("the solid taken for a half-plane of its surface's material, with the first correction by its base")
         }
         Model::Homogeneous => Some("the layer taken for one of its surface's material throughout"),
-        Model::Thin => Some("the layer taken for thin: each point of it yields by what presses on it, edges shifted"),
+        Model::Thin => Some(
+            "the layer taken for thin: each point of its surface sinks by its own pressure alone (Winkler), edges shifted",
+        ),
     };
     let half_width = numbers.get(Quantity::HalfWidth);
     let scatter = problem.scatter(half_width, TOLD).map(Cow::Owned);
-    let narrowest = "of all contacts that sink as far against the datum, the narrowest: the force grew from zero";
+    let narrowest = "of all contacts with this indentation, the narrowest is given: the force grew from zero";
     let mut remarks: Vec<Cow<'static, str>> = stand_in.map(Cow::Borrowed).into_iter().chain(scatter).collect();
     let of_shape = half_width.map(|b| problem.remarks_on_shape(b));
     remarks.extend(half_width.and_then(|b| problem.unsure(b, TOLD)).map(Cow::Owned));
@@ -210,13 +212,13 @@ fn large_strains(problem: &Problem, numbers: &Numbers) -> Option<String> {
     let grown = numbers.get(Quantity::HalfWidth).filter(|_| problem.fixed_half_width().is_none());
     let (depth, slope) = (depth.unwrap_or(0.0), grown.map_or(0.0, |b| problem.slope(b)));
     let what = if depth > DEEP {
-        format!("the punch sinks in by {depth:.2} of the thickness")
+        format!("the indentation is {depth:.2} times the thickness")
     } else if slope > STEEP {
         format!("the punch has a slope of {slope:.2} at the contact's edge")
     } else {
         return None;
     };
-    Some(format!("{what}: strains are not small there, and what is neglected with them is of that order"))
+    Some(format!("{what}: strains are not small, and neglecting that makes an error of this order"))
 }
 
 /// A solution as it is, unless one of its numbers is not finite.

@@ -170,14 +170,14 @@ impl Problem {
         let noise = self.shape.noise()?;
         let part = half_width.map(|b| noise / self.shape.height(b * self.length)).filter(|part| *part > share);
         let by = part.map_or(String::new(), |part| format!(", {} at the contact's edge,", of_height("", part)));
-        Some(format!("the punch's heights scatter by {noise:.1e} (root mean square){by} around the smooth shape taken"))
+        Some(format!("the punch's heights scatter by {noise:.1e} (root mean square){by} around the fitted shape"))
     }
 
     /// That the shape under a contact of that half-width is unsure by more than a share of its height at the edge, in words.
     pub(crate) fn unsure(&self, half_width: f64, share: f64) -> Option<String> {
         let doubt = self.shape.doubt(half_width * self.length).filter(|doubt| *doubt > share)?;
         Some(format!(
-            "the shape made of the punch's heights is unsure under the contact, by {} at the contact's edge: give more heights \
+            "the shape fitted to the punch's heights is uncertain under the contact, by {} at the contact's edge: give more heights \
              there, or leave out those far beyond",
             of_height("up to ", doubt)
         ))

@@ -118,9 +118,9 @@ impl Solver {
 
     /// What is not told though it is asked for, and why.
     fn missing(&self) -> Vec<String> {
-        let shear = self.untold.as_ref().map(|(_, why)| format!("the shear is not told: {why}"));
+        let shear = self.untold.as_ref().map(|(_, why)| format!("the shear is not solved: {why}"));
         let depth = if self.problem.wants_depth() { self.lacks_depths() } else { None };
-        shear.into_iter().chain(depth.map(|why| format!("the indentation is not told: {why}"))).collect()
+        shear.into_iter().chain(depth.map(|why| format!("the indentation is not known: {why}"))).collect()
     }
 
     /// How it would be solved.
@@ -262,7 +262,7 @@ impl Solver {
         self.problem.wishes.profile = false;
         let numbers = self.report();
         self.problem.wishes = wishes;
-        let why = format!("the tractions are not told: {refusal}");
+        let why = format!("the tractions are not known: {refusal}");
         numbers.map(|numbers| numbers.lacking(&why))
     }
 

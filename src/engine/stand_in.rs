@@ -14,7 +14,7 @@ use slipzone_api::{Base, LayerModel};
 /// Share of the tolerance that a model may use up; the rest is the numerical error's.
 pub(super) const SHARE: f64 = 0.5;
 /// What to do about a model that does not apply.
-pub(super) const REMEDY: &str = "leave out `solver.model`: the planner takes what applies";
+pub(super) const REMEDY: &str = "leave out `solver.model`, and the planner chooses";
 /// Half-widths over the thickness up to which the constants below were measured.
 const WIDEST: f64 = 0.25;
 /// Depths over the half-width above which a gradient is not looked at.

@@ -17,6 +17,9 @@ use crate::engine::refine::stage::Stage;
 /// more than 18 %.
 const UNSURE: f64 = 0.25;
 
+/// In Goodman's approximation friction changes nothing else.
+const REST_HOLDS: &str = "; stick zone and shear do not hold, all other numbers do";
+
 /// Status and reason of a solved contact.
 pub(super) fn verdict(
     layer: &PreparedLayer,
@@ -54,7 +57,7 @@ fn objection(
             "; double precision allows no more"
         } else if judged.outcome.size.is_some_and(|size| size.missed > 0.5 * error) {
             "; so little of the half-width lies beyond the punch's face that double precision allows no more: prescribe the half-width, whose \
-             force is told better"
+             force is more accurate"
         } else if problem.layer.law.broken_power().is_some()
             && !layer.begins_with_a_power()
             && judged.outcome.numbers.get(Quantity::HalfWidth).and_then(|b| layer.kernel_error(b))
@@ -73,7 +76,7 @@ fn objection(
     };
     if let Some(doubt) = judged.doubt.filter(|doubt| *doubt > UNKNOWN) {
         let untold =
-            || format!("the pressure is uncertain by {doubt:.1e} of itself: nobody can tell where the punch lifts off");
+            || format!("the pressure is uncertain by {doubt:.1e} of itself: where the punch lifts off cannot be known");
         return Some(if error > tolerance { inexact() } else { (Status::NotConverged, untold()) });
     }
     if let Some((x, p)) = stage.tension(layer, problem, &judged.outcome) {
@@ -92,14 +95,16 @@ fn of_stick(rubbing: &Rubbing, has_grown: bool) -> Option<(Status, String)> {
     match &rubbing.verdict {
         Verdict::Holds | Verdict::Sticks | Verdict::NoShear => None,
         Verdict::Fails(what) => {
-            let why = format!("no stick zone satisfies the conditions of friction: {what}");
+            let why = format!("no stick zone satisfies the conditions of friction: {what}{REST_HOLDS}");
             Some((Status::AssumptionViolated, why))
         }
-        Verdict::Unbuilt(how) => Some((Status::AssumptionViolated, format!("the stick zone is not told: {how}"))),
-        Verdict::Untold(why) => Some((Status::NotConverged, format!("the stick zone cannot be told: {why}"))),
+        Verdict::Unbuilt(how) => {
+            Some((Status::AssumptionViolated, format!("the stick zone is not solved: {how}{REST_HOLDS}")))
+        }
+        Verdict::Untold(why) => Some((Status::NotConverged, format!("the stick zone cannot be found: {why}"))),
         Verdict::NoRoot => {
             let why = "no stick zone belongs to this friction coefficient with slip in one direction only";
-            Some((Status::AssumptionViolated, why.into()))
+            Some((Status::AssumptionViolated, format!("{why}{REST_HOLDS}")))
         }
         Verdict::NotScanned => {
             let [narrowest, widest] = [SCANNED.start(), SCANNED.end()].map(|lambda| StickZone::from_log(*lambda, 1.0));
@@ -112,10 +117,10 @@ fn of_stick(rubbing: &Rubbing, has_grown: bool) -> Option<(Status, String)> {
             Some((Status::NotConverged, why))
         }
         Verdict::TooNarrow => {
-            let shear = if has_grown { "there is no shear" } else { "the shear is that of full sliding" };
+            let shear = if has_grown { "the shear is not solved" } else { "the shear is that of full sliding" };
             let why = format!(
-                "the stick zone is narrower than {:.1e} of the contact, the narrowest looked for; the stick zone \
-                 reported is an upper bound, and {shear}",
+                "the stick zone is narrower than {:.1e} of the contact, the narrowest looked for: practically full sliding; the \
+                 stick zone reported is an upper bound, and {shear}",
                 rubbing.zone.ratio()
             );
             Some((Status::NotConverged, why))

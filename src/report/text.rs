@@ -52,7 +52,7 @@ fn status(status: Status) -> &'static str {
     match status {
         Status::Converged => "converged",
         Status::NotConverged => "NOT CONVERGED: the best numbers found miss the tolerance",
-        Status::AssumptionViolated => "ASSUMPTION VIOLATED: the numbers solve equations that do not hold here",
+        Status::AssumptionViolated => "ASSUMPTION VIOLATED: not all of the numbers hold, see the reason",
         Status::Refused => "REFUSED: no numbers",
     }
 }

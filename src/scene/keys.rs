@@ -28,7 +28,7 @@ pub const KEYS: &[Parameter] = &[
     Parameter::optional("title", "one line that names the scene in reports and figures", LABEL),
     Parameter::required("layer", "the elastic solid", Values::Table(LAYER)),
     Parameter::required("punch", "the rigid punch", Values::Plugin(Family::Punch)),
-    Parameter::optional("friction", "how the punch rubs; left out, it does not", Values::Choice(FRICTIONS)),
+    Parameter::optional("friction", "friction law; left out: frictionless", Values::Choice(FRICTIONS)),
     Parameter::required("load", "how hard the punch is pressed", Values::Table(LOAD)),
     Parameter::optional(
         "solver",
@@ -53,11 +53,7 @@ const LAYER: &[Parameter] = &[
         Values::OneOf(&["shear", "young"]),
     ),
     Parameter::optional("base", "what the layer stands on (default rigid)", Values::Choice(BASES)),
-    Parameter::optional(
-        "datum",
-        "depth at which displacements are called 0, where the base leaves that open (length)",
-        Values::Positive,
-    ),
+    Parameter::optional("datum", "depth that counts as at rest, where the base fixes none (length)", Values::Positive),
     Parameter::required("grading", "modulus over depth", Values::Plugin(Family::Grading)),
 ];
 
@@ -85,7 +81,7 @@ const FRICTIONS: &[Kind] = &[Kind {
         ),
         Parameter::optional(
             "strain",
-            "strain frozen in the stick zone: by the contact's history (default), or linear, C|x|",
+            "strain locked in the stick zone: by the loading history (default), or linear, C|x|",
             Values::OneOf(&["history", "linear"]),
         ),
     ],
@@ -134,13 +130,13 @@ const SOLVER: &[Parameter] = &[
         "relative error wanted of each number (default 1e-8)",
         Values::Between(*TOLERANCES.start(), *TOLERANCES.end()),
     ),
-    Parameter::optional("flexibility", "how the layer's flexibility is got", Values::Plugin(Family::Flexibility)),
-    Parameter::optional("kernel", "how the kernels are got from it", Values::Plugin(Family::Kernel)),
+    Parameter::optional("flexibility", "how the layer's flexibility is computed", Values::Plugin(Family::Flexibility)),
+    Parameter::optional("kernel", "how the kernels are computed from it", Values::Plugin(Family::Kernel)),
     Parameter::optional("quadrature", "how the integral equations are discretised", Values::Plugin(Family::Quadrature)),
-    Parameter::optional("model", "what stands for the solid, whatever its error", MODELS),
+    Parameter::optional("model", "model to solve, whatever its error: the full solid, or a cheaper one", MODELS),
     Parameter::optional(
         "forbid",
-        "models that are not to stand for it",
+        "models never to be chosen",
         Values::List(&Values::OneOf(&STAND_INS), 0, STAND_INS.len()),
     ),
 ];
@@ -164,7 +160,7 @@ const OUTPUT: &[Parameter] = &[
         Values::List(&ABSCISSA, *LISTED.start(), *LISTED.end()),
     )
     .in_place_of("points"),
-    Parameter::optional("strain", "the strain left in the stick zone, too (default false)", Values::Flag),
+    Parameter::optional("strain", "also the strain du/dx locked in the stick zone (default false)", Values::Flag),
     Parameter::optional(
         "quantities",
         "groups or numbers of the result that are computed; all when left out",

@@ -15,7 +15,7 @@ pub enum Model {
     CorrectedHalfPlane,
     /// The layer on its base, of the surface's material throughout: the grading is too weak to matter.
     Homogeneous,
-    /// A layer so thin that each point of its surface yields by what presses on it.
+    /// A layer so thin that each point of its surface sinks by its own pressure alone, a Winkler foundation.
     Thin,
 }
 

@@ -369,6 +369,10 @@ fn a_name_after_its_family_is_the_one_of_both() {
     let after = |text: &str| text.split_once("stdout -----\n").expect("a description").1.to_owned();
     assert_eq!(after(&both), after(&one) + "\n" + &after(&other));
     assert!(told(&["punch", "tabel"]).contains("unknown punch `tabel`"), "{}", told(&["punch", "tabel"]));
+    for words in [&["Hertz"][..], &["punch", "hertz"]] {
+        assert!(told(words).contains("it is called `cylinder` here"), "{}", told(words));
+    }
+    assert!(!told(&["grading", "hertz"]).contains("it is called"), "{}", told(&["grading", "hertz"]));
     assert!(told(&["punch", "exponential"]).starts_with("exit code: 2"), "a grading, and no punch");
 }
 

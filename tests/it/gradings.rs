@@ -63,7 +63,7 @@ fn what_needs_a_base_is_refused_without_one() {
         let solution = slipzone::engine::solve(&scene);
         assert_eq!(solution.status, slipzone::engine::Status::Refused, "{grading}");
         let reason = solution.reason.expect("a reason");
-        assert!(reason.contains("without a base is not built yet"), "{reason}");
+        assert!(reason.contains("without a base is not implemented yet"), "{reason}");
     }
 }
 

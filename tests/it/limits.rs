@@ -78,7 +78,7 @@ fn strains_that_are_not_small_are_named() {
     };
     let (flat, cylinder) = ("type = \"flat\", half_width = 1.0", "type = \"cylinder\", radius = 1.0");
     assert_eq!(said(flat, "indentation = 0.19"), None);
-    assert!(said(flat, "indentation = 0.24").unwrap().starts_with("the punch sinks in by 0.12 of the thickness"));
+    assert!(said(flat, "indentation = 0.24").unwrap().starts_with("the indentation is 0.12 times the thickness"));
     assert_eq!(said(cylinder, "half_width = 0.29"), None);
     assert!(
         said(cylinder, "half_width = 0.4").unwrap().starts_with("the punch has a slope of 0.40 at the contact's edge")

@@ -219,7 +219,7 @@ fn what_goodman_neglects_is_told_as_it_was_measured() {
         layer
             .assumptions
             .iter()
-            .any(|what| what.starts_with("Goodman: if q changed p, this stick ratio would take about"))
+            .any(|what| what.starts_with("Goodman: with the effect of q on p, this a/b needs about"))
     );
     assert!(!layer.error.each.values().any(|error| *error > 1e-6), "it is no part of the numerical error");
     assert_eq!(Sketch::flat(5.0, 0.125, 0.3).solve().plan.coupling_neglected, None);

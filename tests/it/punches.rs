@@ -240,14 +240,14 @@ fn a_curve_that_rows_beyond_the_contact_bend_is_not_believed() {
     assert_eq!(sparse.status, Status::AssumptionViolated);
     let reason = sparse.reason.as_ref().expect("why");
     assert!(
-        reason.contains("is unsure under the contact, by up to") && reason.contains("leave out those far"),
+        reason.contains("is uncertain under the contact, by up to") && reason.contains("leave out those far"),
         "{reason}"
     );
     let says = |solution: &Solution, what: &str| solution.assumptions.iter().any(|said| said.contains(what));
-    assert!(says(&sparse, "of its height at the contact's edge, around the smooth shape"), "{:?}", sparse.assumptions);
+    assert!(says(&sparse, "of its height at the contact's edge, around the fitted shape"), "{:?}", sparse.assumptions);
     let near = pressed(1.02, 7);
     assert_eq!(near.status, Status::Converged, "{:?}", near.reason);
-    assert!(says(&near, "is unsure under the contact"), "{:?}", near.assumptions);
+    assert!(says(&near, "is uncertain under the contact"), "{:?}", near.assumptions);
     let dense = pressed(2.0, 100);
     assert_eq!(dense.status, Status::Converged, "{:?}", dense.reason);
     assert!(!says(&dense, "unsure") && !says(&dense, "of its height"), "{:?}", dense.assumptions);
@@ -257,7 +257,7 @@ fn a_curve_that_rows_beyond_the_contact_bend_is_not_believed() {
         load = { half_width = 1.0 }\n";
     let tiny = solve(&slipzone::scene::parse("rows.toml", tiny).expect("a scene"));
     assert!(
-        says(&tiny, "more than its height at the contact's edge, around the smooth shape"),
+        says(&tiny, "more than its height at the contact's edge, around the fitted shape"),
         "{:?}",
         tiny.assumptions
     );

@@ -1046,7 +1046,7 @@ fn an_extreme_beside_what_cannot_be_solved_is_none() {
     let none = find("target = 3.0");
     let reason = none["reason"].as_str().unwrap();
     assert!(reason.contains("stays between") && reason.contains("; from load.force = "), "{reason}");
-    assert!(reason.contains(" on it could not be told: "), "{reason}");
+    assert!(reason.contains(" on it could not be found: "), "{reason}");
 }
 
 /// The pressure in the middle of a flat punch falls with the modulus at the base, up to where it lifts off: between two of the

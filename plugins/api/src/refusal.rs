@@ -16,8 +16,8 @@ pub enum Refusal {
         /// What to use instead.
         remedy: &'static str,
     },
-    /// A combination of plugins, base, friction and load that is not built yet.
-    #[error("{what} is not built yet; {remedy}")]
+    /// A combination of plugins, base, friction and load that is not implemented yet.
+    #[error("{what} is not implemented yet; {remedy}")]
     NotBuilt {
         /// The combination.
         what: String,

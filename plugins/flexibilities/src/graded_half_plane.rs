@@ -18,7 +18,7 @@ pub(crate) fn response(
     if gamma < 0.0 {
         return Err(Refusal::OutOfReach {
             method,
-            why: "a solid that softens without end bears no load: its curvature grows with the depth looked at".into(),
+            why: "a solid that softens without end carries no load".into(),
             remedy: "give the layer a thickness and a base",
         });
     }

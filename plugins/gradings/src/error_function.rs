@@ -18,7 +18,7 @@ slipzone_api::register!(Grading, "error-function", "two materials, their interfa
         ("above", "modulus far above the interface (stress)", true, [0.5, 1.0, 100.0], Positive),
         ("below", "modulus far below it (stress)", true, [0.25, 1.0, 4.0], Positive),
         ("centre", "depth of the interface (length)", true, [0.0, 1.0, 2.0], Number),
-        ("width", "distance from it at which erf(1) = 84 % of the change is reached (length)", true, [0.2, 0.5, 2.0], Positive),
+        ("width", "distance from `centre` at which the modulus is erf(1) = 84 % of the way from its middle value to `below` (length)", true, [0.2, 0.5, 2.0], Positive),
     ],
     source: "DLMF 7.2.1");
 

@@ -63,7 +63,7 @@ slipzone_api::register!(Grading, "exponential", "modulus growing or falling expo
     example: "type = \"exponential\"\nsurface = 1.0\nbase = 8.0",
     parameters: [
         ("surface", "modulus at the surface (stress)", true, [0.5, 1.0, 100.0], Positive),
-        ("base", "modulus at the base (stress); `gradient` (gamma, in 1/length) may stand in its place", true, [0.125, 1.0, 8.0], Positive),
+        ("base", "modulus at the layer's bottom, y = h (stress); `gradient` (gamma, in 1/length) may stand in its place", true, [0.125, 1.0, 8.0], Positive),
         ("gradient", "gamma of surface exp(gamma y) (1/length)", false, [-0.5, 0.0, 0.5], Number, in_place_of "base"),
     ],
     source: "CC13 eqs. 1, 2");

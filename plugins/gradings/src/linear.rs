@@ -19,7 +19,7 @@ slipzone_api::register!(Grading, "linear", "modulus growing or falling in propor
     example: "type = \"linear\"\nsurface = 1.0\nbase = 8.0",
     parameters: [
         ("surface", "modulus at the surface (stress)", true, [0.5, 1.0, 100.0], Positive),
-        ("base", "modulus at the base (stress)", true, [0.125, 1.0, 8.0], Positive),
+        ("base", "modulus at the layer's bottom, y = h (stress)", true, [0.125, 1.0, 8.0], Positive),
     ],
     source: "docs/plugins.md");
 

@@ -17,7 +17,7 @@ slipzone_api::register!(Grading, "sigmoid", "two materials, their interface blur
         ("above", "modulus far above the interface (stress)", true, [0.5, 1.0, 100.0], Positive),
         ("below", "modulus far below it (stress)", true, [0.25, 1.0, 4.0], Positive),
         ("centre", "depth of the interface (length)", true, [0.0, 1.0, 2.0], Number),
-        ("width", "distance from it at which tanh(1) = 76 % of the change is reached (length)", true, [0.2, 0.5, 2.0], Positive),
+        ("width", "distance from `centre` at which the modulus is tanh(1) = 76 % of the way from its middle value to `below` (length)", true, [0.2, 0.5, 2.0], Positive),
     ],
     source: "DLMF 4.28.4");
 

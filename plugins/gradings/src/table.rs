@@ -68,8 +68,8 @@ slipzone_api::register!(Grading, "table", "measured or computed moduli at depths
     parameters: [
         ("points", "[[depth, modulus], ...] or [[depth, modulus, poisson], ...], from depth 0 to the base at least, at least 4 rows (depth_unit, modulus_unit, no unit); `file`, the name of a file with such rows, may stand in its place", true, [], List(&Values::List(&Values::Number, 2, 3), 4, rows::MOST)),
         ("file", "name of a file with such rows, relative to the scene's folder", false, [], Text, in_place_of "points"),
-        ("depth_unit", "unit of the depths (length); default 1", false, [1.0, 10.0], Positive),
-        ("modulus_unit", "unit of the moduli (stress); default 1", false, [0.001, 1.0, 1000.0], Positive),
+        ("depth_unit", "what 1 in the column of depths is in the scene's unit (length); default 1", false, [1.0, 10.0], Positive),
+        ("modulus_unit", "what 1 in the column of moduli is in the scene's unit (stress); default 1", false, [0.001, 1.0, 1000.0], Positive),
     ],
     source: "M. Floater, K. Hormann, Numer. Math. 107 (2007) 315, eqs. 11, 18");
 

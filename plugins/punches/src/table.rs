@@ -94,8 +94,8 @@ slipzone_api::register!(Punch, "table", "measured or computed heights, smoothed 
     parameters: [
         ("points", "[[x, height], ...], x ascending, at least 4 rows (x_unit, height_unit); `file`, the name of a file with such rows, may stand in its place", true, [], List(&Values::List(&Values::Number, 2, 2), 4, rows::MOST)),
         ("file", "name of a file with such rows, relative to the scene's folder", false, [], Text, in_place_of "points"),
-        ("x_unit", "unit of x (length); default 1", false, [0.001, 1.0, 1000.0], Positive),
-        ("height_unit", "unit of the heights (length); default 1", false, [0.001, 1.0, 1000.0], Positive),
+        ("x_unit", "what 1 in the column of x is in the scene's unit (length); default 1", false, [0.001, 1.0, 1000.0], Positive),
+        ("height_unit", "what 1 in the column of heights is in the scene's unit (length); default 1", false, [0.001, 1.0, 1000.0], Positive),
     ],
     source: "docs/plugins.md");
 

@@ -34,8 +34,8 @@ pub(super) fn write(text: &mut String, scene: &Scene, known: &Known) -> Result {
                 let deep = exactly(deep);
                 writeln!(
                     text,
-                    "# felt below   d = {deep}  ({unit}): what the surface's own derivatives do not tell of s F decays \
-                     like exp(-2 s d)"
+                    "# felt below   d = {deep}  ({unit}): depth of the first base, jump or kink; its share of \
+                     the flexibility decays like exp(-2 s d), s the wave number"
                 )?;
             }
             None => writeln!(text, "# felt below   nothing: s F is the same at every wave number")?,
@@ -95,7 +95,7 @@ fn surface(text: &mut String, model: &LayerModel) -> Result {
         known = known.min(law.poisson_series(TERMS).len());
     }
     let derivatives = match known {
-        TERMS.. => "all derivatives known".to_owned(),
+        TERMS.. => "all derivatives of the moduli known".to_owned(),
         0 | 1 => "no derivative known: the kernel's jump and logarithm are taken from values".to_owned(),
         2 => "1 derivative known".to_owned(),
         several => format!("{} derivatives known", several - 1),

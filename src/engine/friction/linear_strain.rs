@@ -89,7 +89,7 @@ impl RateCurve<'_> {
             Ok(found) => Ok(found.at),
             Err(RootError::Evaluation(refusal)) => Err(refusal),
             Err(other) => Err(Refusal::Limit {
-                why: format!("where the strain's rate C is extremal could not be told: {other}"),
+                why: format!("where the strain's rate C is extremal could not be found: {other}"),
                 remedy: "leave out strain = \"linear\"",
             }),
         }

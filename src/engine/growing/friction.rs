@@ -72,7 +72,7 @@ impl Growing {
             Verdict::Untold(why) => rubbing.clone().untold(during(why)),
             Verdict::Unbuilt(how) => rubbing.clone().unbuilt(during(how)),
             _ if at >= self.half_width || self.has_no_shear() => rubbing,
-            Verdict::TooNarrow => rubbing.untold(during("the stick zone is narrower than any looked for")),
+            Verdict::TooNarrow => rubbing.untold(during("the stick zone was narrower than any looked for")),
             Verdict::NoShear => rubbing.failing(during("no shear arises, but later")),
             _ => rubbing.failing(during("no stick zone belongs to this friction coefficient")),
         }

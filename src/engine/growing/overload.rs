@@ -39,9 +39,9 @@ impl Moment {
         let what = overloaded(bears.max(0.0).recip(), at);
         let place = if bears < 0.0 { "" } else { " inside the stick zone" };
         let range = (widest - narrowest > APART * widest).then(|| {
-            let [narrowest, widest] = [narrowest, widest].map(|b| rounded(b * problem.length, 3));
+            let [narrowest, widest, worst] = [narrowest, widest, half_width].map(|b| rounded(b * problem.length, 3));
             format!(
-                "; friction does not bear the shear at half-widths from {narrowest} to {widest}, and least of all there"
+                "; friction does not bear the shear at half-widths from {narrowest} to {widest}, least of all at {worst}"
             )
         });
         let what = what + place + &range.unwrap_or_default();

@@ -43,7 +43,7 @@ impl Solver {
             (Status::NotConverged, Some(reason))
         };
         let reason = format!(
-            "thin: each point of the surface yields by what presses on it, edges shifted, to within {worst:.0e}; no kernel \
+            "thin: each point of the surface sinks by its own pressure alone (Winkler), edges shifted, to within {worst:.0e}; no kernel \
              and no system is needed"
         );
         let plan = Plan {

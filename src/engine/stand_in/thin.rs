@@ -1,4 +1,4 @@
-//! A layer far thinner than its contact is wide, in closed form: each point of the surface yields by what presses on it.
+//! A layer far thinner than its contact is wide, in closed form: each point of the surface sinks by its own pressure alone.
 //!
 //! The flexibility of long waves is `Fvv(0)`, so that `p = (delta - g)/Fvv(0)` but for stretches of a thickness or so at the
 //! edges. Seen from further away those only shift the edge: by Wiener and Hopf's factors of `phi(s) = Fvv(s)/Fvv(0)` the

@@ -18,15 +18,17 @@ impl Question<'_> {
         let value = |at: f64| short(self.value(at));
         match (*first <= 0.0, *last >= 1.0) {
             (false, true) if is_one_stretch => {
-                format!("; from {field} = {} on it could not be told: {why}", value(*first))
+                format!("; from {field} = {} on it could not be found: {why}", value(*first))
             }
             (true, false) if is_one_stretch => {
-                format!("; up to {field} = {} it could not be told: {why_last}", value(*last))
+                format!("; up to {field} = {} it could not be found: {why_last}", value(*last))
             }
             _ => {
                 let (count, all) = (gaps.len(), STEPS + 1);
                 let first = value(*first);
-                format!("; at {count} of {all} values it could not be told, the first of them {field} = {first}: {why}")
+                format!(
+                    "; at {count} of {all} values it could not be found, the first of them {field} = {first}: {why}"
+                )
             }
         }
     }
@@ -72,7 +74,7 @@ impl Question<'_> {
     pub(super) fn outside_at_end(&self) -> String {
         let Find { field, quantity, to, .. } = self.find;
         format!(
-            "{quantity} is not within what is wanted at the end of the range, {field} = {to:?}, or cannot be told there"
+            "{quantity} is not within what is wanted at the end of the range, {field} = {to:?}, or cannot be found there"
         )
     }
 

@@ -84,7 +84,7 @@ fn where_the_shear_takes_too_much_the_pressure_is_told() {
     // Resolutions enough to tell numbers, if only that of these no digit is sure: as little of the pressure as of the stick zone.
     for (unsure, budget) in [(cylinder(0.04, 100.0, 1e-4), BUDGET / 5), (cylinder(0.05, 50.0, 1e-6), BUDGET / 10)] {
         let reason = solve_within(&unsure.rubbing(0.3).scene(), budget).reason.unwrap_or_default();
-        assert!(reason.starts_with("the shear is not told: "), "{reason}");
+        assert!(reason.starts_with("the shear is not solved: "), "{reason}");
     }
     let cylinder = cylinder(0.05, 50.0, 1e-5);
     let rubbing = cylinder.clone().rubbing(0.3);
@@ -92,7 +92,7 @@ fn where_the_shear_takes_too_much_the_pressure_is_told() {
     let told = solve_within(&rubbing.scene(), budget);
     let reason = told.reason.clone().unwrap_or_default();
     assert_eq!(told.status, Status::NotConverged, "{reason}");
-    assert!(reason.contains("the shear is not told: ") && reason.contains("budget, 1e9"), "{reason}");
+    assert!(reason.contains("the shear is not solved: ") && reason.contains("budget, 1e9"), "{reason}");
     let dry = cylinder.solve();
     for path in ["load.force", "load.indentation", "pressure.centre"] {
         let apart = (told.number(path).unwrap() / dry.number(path).unwrap() - 1.0).abs();
@@ -106,7 +106,7 @@ fn where_the_shear_takes_too_much_the_pressure_is_told() {
     let path = rubbing.clone().loaded("until = { half_width = 1.0, points = 3 }");
     let curve = solve_within(&path.scene(), budget).path.expect("a loading curve");
     assert_eq!((curve.status, curve.points()), (Status::NotConverged, 3));
-    assert!(curve.note.is_some_and(|note| note.contains("the shear is not told")));
+    assert!(curve.note.is_some_and(|note| note.contains("the shear is not solved")));
 
     // Another load is solved with friction again.
     let mut solver = Solver::new(&rubbing.scene()).expect("a scene");
@@ -355,7 +355,7 @@ fn the_strain_left_in_a_stick_zone_counts_as_work() {
     let within = solve_within(&scene(true), ENOUGH_FOR_TRACTIONS);
     assert_eq!(within.status, Status::NotConverged);
     assert!(
-        within.reason.as_ref().is_some_and(|why| why.contains("the tractions are not told")),
+        within.reason.as_ref().is_some_and(|why| why.contains("the tractions are not known")),
         "{:?}",
         within.reason
     );

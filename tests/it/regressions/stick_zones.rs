@@ -417,6 +417,7 @@ fn slip_turns_between_the_half_widths_told() {
         let reason = to(b).reason.expect("why");
         let told = reason.split_once("a half-width of ").expect("a place").1;
         let (from, to) = told.split_once(": the direction of slip turns between there and ").expect("another");
+        let to = to.split(';').next().unwrap_or_default();
         let [from, to] = [from, to].map(|place| place.parse::<f64>().unwrap_or_else(|_| panic!("{reason}")));
         assert!(from < after && to > before && from < to && to <= b, "{reason}");
     }

@@ -93,7 +93,7 @@ fn every_fault_is_found() {
     assert_eq!(flexibility(&Faulty(Fault::None)), Ok(()));
     for (fault, words) in [
         (Fault::Refuses, "it refuses all layers that it is tried on: a homogeneous layer on a rigid base, exp("),
-        (Fault::RefusesLongWaves, "is refused: this is not built yet"),
+        (Fault::RefusesLongWaves, "is refused: this is not implemented yet"),
         (Fault::Bump, "but it is SurfaceFlexibility { vv: 0."),
         (Fault::NoNumber, "uu: NaN"),
         (Fault::Sign, "a homogeneous layer on a rigid base: surface(0.01) = "),

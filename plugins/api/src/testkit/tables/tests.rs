@@ -98,7 +98,7 @@ fn every_fault_is_found() {
         (Fault::OtherValues, "but by parts it is"),
         (Fault::NoLength, "length() = 0"),
         (Fault::NeverFiner, "over the reach by refined(2), and without by"),
-        (Fault::FinerRefused, "refined(2) is refused: this is not built yet"),
+        (Fault::FinerRefused, "refined(2) is refused: this is not implemented yet"),
     ] {
         let found = kernel(&Faulty(fault)).expect_err("this table is broken");
         assert!(found.contains(words), "{fault:?}: {found}");
