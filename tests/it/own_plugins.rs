@@ -271,7 +271,8 @@ fn a_flexibility_that_is_no_number_at_some_waves_is_refused_by_name() {
 fn a_flexibility_that_knows_no_datum_says_so() {
     let layer = "thickness = 2.0\npoisson = 0.3\ndatum = 3.0\ngrading = { type = \"homogeneous\", modulus = 1.0 }\n\
         base = { type = \"half-plane\", shear = 2.0, poisson = 0.3 }";
-    let words = "an indentation against a datum by flexibility `own-flexibility` is not implemented yet; take `flexibility";
+    let words =
+        "an indentation against a datum by flexibility `own-flexibility` is not implemented yet; take `flexibility";
     let solved = |load: &str| {
         let mut scene = Sketch::on(layer).cylinder().loaded(load).scene();
         scene.solver.flexibility = Some(Box::new(OwnFlexibility(Some(1.0), 1.0)));
