@@ -65,6 +65,13 @@ impl LoadInLayerUnits {
             Load::Indentation(depth) => Self::Indentation(depth.get() / length),
         }
     }
+
+    /// How large it is.
+    pub(crate) fn value(self) -> f64 {
+        match self {
+            Self::Force(value) | Self::HalfWidth(value) | Self::Indentation(value) => value,
+        }
+    }
 }
 
 /// Coulomb's coefficient.

@@ -16,6 +16,7 @@ use crate::engine::numerics::ways::{self, Ways};
 use crate::engine::problem::Problem;
 use force::{Made, Piece};
 use nodes::{Beyond, nodes_beyond};
+use size::Climbed;
 use slipzone_api::double_exponential::Node;
 use slipzone_api::{Refusal, Station};
 use std::f64::consts::FRAC_PI_2;
@@ -71,6 +72,7 @@ pub(crate) struct Stack {
     lost: f64,
     /// The same of a pressure exactly at a kink.
     lost_at_kinks: f64,
+    climbed: Climbed,
     room: Room,
 }
 
@@ -144,6 +146,7 @@ impl Stack {
             crowded_ways: Ways::crowded(nodes),
             lost: 0.0,
             lost_at_kinks: 0.0,
+            climbed: None,
             room: Room::default(),
         };
         stack.lost = stack.measured(problem, 2 * nodes);

@@ -6,6 +6,7 @@ use crate::engine::numerics::climb::Trail;
 use crate::engine::numerics::root;
 use crate::engine::pressure::contact_size::Size;
 use crate::engine::problem::{LoadInLayerUnits, Problem};
+use std::mem::{Discriminant, discriminant};
 
 /// By how much a half-width is narrower from which the growth of a load is measured, relative.
 const BESIDE: f64 = 1e-3;
@@ -14,22 +15,31 @@ const CLIMB: f64 = 9.0;
 /// Steps of that way.
 const CLIMB_STEPS: f64 = 45.0;
 
+/// What contacts bear at the steps that are looked at for the first rise to a load, and the kind of that.
+pub(super) type Climbed = Option<(Discriminant<LoadInLayerUnits>, Vec<f64>)>;
+
 impl Stack {
     /// Half-width of the contact under a load; `None` where no member bears it.
     pub(crate) fn under(&mut self, problem: &Problem, family: &mut Family, load: LoadInLayerUnits) -> Option<f64> {
         if let LoadInLayerUnits::HalfWidth(half_width) = load {
             return Some(half_width);
         }
-        let shrinks = may_shrink(problem, load);
-        self.first(shrinks, |stack, b| stack.excess(problem, family, load, b))
+        let (least, widest) = self.range()?;
+        let end = if may_shrink(problem, load) { self.first_rise(problem, family, load).min(widest) } else { widest };
+        root::between((least, end), 4.0 * f64::EPSILON * end, |b| self.excess(problem, family, load, b))
     }
 
     /// What a contact of that half-width bears beyond a load, relative.
     pub(crate) fn excess(&mut self, problem: &Problem, family: &mut Family, load: LoadInLayerUnits, b: f64) -> f64 {
+        self.borne(problem, family, load, b) / load.value() - 1.0
+    }
+
+    /// What it bears, as loads of that kind are counted.
+    fn borne(&mut self, problem: &Problem, family: &mut Family, load: LoadInLayerUnits, b: f64) -> f64 {
         match load {
-            LoadInLayerUnits::HalfWidth(half_width) => b / half_width - 1.0,
-            LoadInLayerUnits::Force(force) => self.force(problem, b) / force - 1.0,
-            LoadInLayerUnits::Indentation(depth) => self.depth(problem, family, b) / depth - 1.0,
+            LoadInLayerUnits::HalfWidth(_) => b,
+            LoadInLayerUnits::Force(_) => self.force(problem, b),
+            LoadInLayerUnits::Indentation(_) => self.depth(problem, family, b),
         }
     }
 
@@ -47,23 +57,8 @@ impl Stack {
 
     /// How the load grows with the half-width, both over what they are.
     fn growth(&mut self, problem: &Problem, family: &mut Family, half_width: f64) -> f64 {
-        let mut borne = |b: f64| match problem.load {
-            LoadInLayerUnits::HalfWidth(_) => b,
-            LoadInLayerUnits::Force(_) => self.force(problem, b),
-            LoadInLayerUnits::Indentation(_) => self.depth(problem, family, b),
-        };
+        let mut borne = |b: f64| self.borne(problem, family, problem.load, b);
         (borne(half_width) / borne(half_width * (1.0 - BESIDE))).ln() / -(-BESIDE).ln_1p()
-    }
-
-    /// The narrowest half-width at which something grows through zero, where it may shrink again: a stiff surface bends, and a
-    /// datum may sink as fast as the punch for a while.
-    fn first(&mut self, shrinks: bool, mut excess: impl FnMut(&mut Self, f64) -> f64) -> Option<f64> {
-        let (least, widest) = self.range()?;
-        if !shrinks {
-            return self.root((least, widest), excess);
-        }
-        let end = first_rise((least.ln(), widest.ln()), |log| excess(self, log.exp()));
-        self.root((least, end.exp().min(widest)), excess)
     }
 
     /// Half-widths between which a load is looked for.
@@ -72,31 +67,40 @@ impl Stack {
         Some((if face > 0.0 { face * (1.0 + 1e-12) } else { widest * 1e-9 }, widest))
     }
 
-    /// Half-width within a range at which something grows through zero.
-    fn root(&mut self, (least, widest): (f64, f64), mut excess: impl FnMut(&mut Self, f64) -> f64) -> Option<f64> {
-        root::between((least, widest), 4.0 * f64::EPSILON * widest, |b| excess(self, b))
-    }
-}
-
-/// A place before which something has grown above zero for the first time, as far as [`CLIMB_STEPS`] and the parabolas through them
-/// tell; the end where it has nowhere.
-fn first_rise((from, to): (f64, f64), mut excess: impl FnMut(f64) -> f64) -> f64 {
-    let from = from.max(to - CLIMB);
-    let step = (to - from) / CLIMB_STEPS;
-    let mut trail = Trail::default();
-    let mut at = from;
-    while at < to {
-        let here = excess(at);
-        if here >= 0.0 {
-            return at;
+    /// A half-width at which a load is borne that may shrink again while the contact grows, and before which it was borne nowhere, as far as
+    /// [`CLIMB_STEPS`] and the parabolas through them tell; the widest where it is borne nowhere.
+    fn first_rise(&mut self, problem: &Problem, family: &mut Family, load: LoadInLayerUnits) -> f64 {
+        let Some((least, widest)) = self.range() else { return 0.0 };
+        let to = widest.ln();
+        let from = least.ln().max(to - CLIMB);
+        let step = (to - from) / CLIMB_STEPS;
+        // The steps are those of every load of that kind.
+        let kind = discriminant(&load);
+        let mut climbed =
+            self.climbed.take().filter(|(known, _)| *known == kind).map_or_else(Vec::new, |(_, borne)| borne);
+        let mut trail = Trail::default();
+        let mut end = to;
+        let mut at = from;
+        for i in 0.. {
+            if at >= to {
+                break;
+            }
+            if i == climbed.len() {
+                climbed.push(self.borne(problem, family, load, at.exp()));
+            }
+            let here = climbed[i] / load.value() - 1.0;
+            let mut excess = |log: f64| self.excess(problem, family, load, log.exp());
+            let above = if here >= 0.0 { Some(at) } else { trail.top((at, here), &mut excess).map(|(_, top)| top) };
+            if let Some(above) = above {
+                end = above;
+                break;
+            }
+            trail.pass((at, here));
+            at += step;
         }
-        if let Some((_, top)) = trail.top((at, here), &mut excess) {
-            return top;
-        }
-        trail.pass((at, here));
-        at += step;
+        self.climbed = Some((kind, climbed));
+        end.exp()
     }
-    to
 }
 
 /// Whether a load of that kind may shrink while the contact grows: a stiff surface bends, and a datum may sink as fast as the punch.
