@@ -56,7 +56,7 @@ pub trait PunchShape: Debug + Send + Sync {
     /// What keeps the contact under `|x| <= half_width` from being one interval that grew with the load, such as a face
     /// that is not convex: what it is and at which `x`. `None` where nothing does.
     ///
-    /// By default the shape is [looked over](examine::flaw), point by point, at every contact that is told of. A shape that knows
+    /// By default the shape is [looked over](examine::flaw), point by point, at every contact that is reported. A shape that knows
     /// better says so: `None` is a promise that it is convex, and that its slope is that of its height.
     fn flaw(&self, half_width: f64) -> Option<Flaw> {
         examine::flaw(self, half_width)
