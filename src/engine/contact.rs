@@ -23,7 +23,7 @@ pub(crate) struct Contact {
     /// Made when first asked for.
     slip_check: Option<Box<SlipCheck>>,
     /// Whether it solves slices of contacts that grow. Friction bears their sum: it need not bear each of them.
-    pub(crate) of_slices: bool,
+    of_slices: bool,
     /// Of several stick zones those of slip in this direction come first: `+1` inward, `-1` outward.
     pub(crate) branch: f64,
     /// Whether friction does not bear one of those examined.
@@ -66,6 +66,12 @@ impl Contact {
             found_with: 0,
             sized: None,
         })
+    }
+
+    /// Whether friction is to bear its shear as it is, or it is a slice of a contact that grows. What was found of stick zones goes with that.
+    pub(crate) fn bears_own_shear(&mut self, bears: bool) {
+        self.of_slices = !bears;
+        self.rubbed = None;
     }
 
     /// Solves, from what a coarser resolution found of its size and its stick zone.

@@ -26,6 +26,8 @@ use stack::Stack;
 const ROOM: f64 = 1.02;
 /// By how much it is wider than one that was guessed.
 const ROOM_BESIDE_GUESS: f64 = 1.3;
+/// And where what is wider spoils it, though its size is a coarser resolution's.
+const SCANT_ROOM: f64 = 1.001;
 /// How often it is widened when that was not enough.
 const WIDENED: usize = 20;
 /// Nearer to the end of a shape, relative, a family is not widened any more.
@@ -262,9 +264,15 @@ impl Growing {
         let coarse = coarse.filter(|coarse| coarse.shrinks(0.0..f64::INFINITY, STEADY).is_none());
         let mut family = |sizes, rubs, coarse| Family::new(layer, task, self.quadrature.as_ref(), sizes, rubs, coarse);
         let mut made = family(sizes, rubs, coarse);
-        if matches!(made, Err(Unfit::Friction(at, _)) if at > half_width) {
+        let is_spoilt = match &made {
+            Err(Unfit::Friction(at, _)) => *at > half_width,
+            Err(Unfit::Refused(_)) => false,
+            Ok(family) => family.shrinks(0.0..f64::INFINITY, STEADY).is_some(),
+        };
+        if is_spoilt && room > 1.0 {
             // What wider contacts do is none of this one's history.
-            made = family((half_width, half_width), rubs, coarse);
+            let room = if self.is_kinked { room.min(SCANT_ROOM) } else { 1.0 };
+            made = family((half_width, room * half_width), rubs, coarse);
         }
         let made = match made {
             Err(Unfit::Friction(at, rubbing)) => {

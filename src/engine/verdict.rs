@@ -18,7 +18,7 @@ use crate::engine::refine::stage::Stage;
 const UNSURE: f64 = 0.25;
 
 /// In Goodman's approximation friction changes nothing else.
-const REST_HOLDS: &str = "; stick zone and shear do not hold, all other numbers do";
+const REST_HOLDS: &str = "; stick zone and shear do not hold, all other numbers do, each within its error";
 
 /// Status and reason of a solved contact.
 pub(super) fn verdict(

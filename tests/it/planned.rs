@@ -219,7 +219,8 @@ fn what_goodman_neglects_is_told_as_it_was_measured() {
         layer
             .assumptions
             .iter()
-            .any(|what| what.starts_with("Goodman: with the effect of q on p, this a/b needs about"))
+            .any(|what| what.starts_with("Goodman: with the effect of q on p, this a/b needs about")
+                && what.ends_with("more friction"))
     );
     assert!(!layer.error.each.values().any(|error| *error > 1e-6), "it is no part of the numerical error");
     assert_eq!(Sketch::flat(5.0, 0.125, 0.3).solve().plan.coupling_neglected, None);
@@ -443,4 +444,55 @@ fn kernels_too_rough_for_split_are_told_by_octaves() {
         assert_eq!(named.status, Status::Refused);
         assert!(named.reason.is_some_and(|reason| reason.contains("octaves")));
     }
+}
+
+/// What a model makes of a number differs from the full one's by no more than is claimed.
+fn claims_hold(model: &Solution, full: &Solution) {
+    assert_eq!(full.plan.model, Model::Full);
+    let compared = differences(model, full);
+    assert!(!compared.is_empty(), "{model:?}");
+    for (path, error, stated) in compared {
+        assert!(error <= stated + 1e-6, "{path} is off by {error:e}, not {stated:e}: {:?}", model.plan);
+    }
+}
+
+/// The softer a base the farther it is felt.
+#[test]
+fn bounds_hold_on_very_soft_bases() {
+    let layer = |h: f64| {
+        format!(
+            "thickness = {h:?}\npoisson = 0.3\ngrading = {{ type = \"homogeneous\", modulus = 1.0 }}\n\
+             base = {{ type = \"half-plane\", shear = 1e-3, poisson = 0.3 }}"
+        )
+    };
+    for (h, friction, quantity) in [(1000.0, Some(0.1), "stick.ratio"), (50.0, None, "edge.ratio")] {
+        let sketch = Sketch { eta: friction, ..Sketch::on(layer(h)) };
+        let solved = |model: &str| {
+            let solver = format!("[solver]\ntolerance = 1e-4\nmodel = \"{model}\"");
+            sketch.clone().with(&format!("{solver}\n[output]\nquantities = [\"{quantity}\"]")).solve()
+        };
+        claims_hold(&solved("half-plane"), &solved("full"));
+    }
+}
+
+/// The force for a depth feels the gradient in another way than that for a half-width.
+#[test]
+fn bounds_hold_of_loads_by_depth() {
+    let text = Sketch::flat(20.0, 0.5, 0.3).cylinder().loaded("indentation = 1e-6").text();
+    let text = text.replace("radius = 1.0", "radius = 1000.0");
+    let solved = |solver: &str| {
+        let asked = "[output]\nquantities = [\"load.half_width\", \"load.force\"]";
+        solve(&parsed(&format!("{text}\n[solver]\n{solver}\n{asked}\n")))
+    };
+    claims_hold(&solved("tolerance = 0.3"), &solved("tolerance = 1e-6\nmodel = \"full\""));
+}
+
+/// Where the strain is prescribed, nothing bounds it either.
+#[test]
+fn no_model_stands_for_a_solid_under_a_prescribed_strain() {
+    let text = Sketch::flat(1e5, 1.0, 0.3).cylinder().rubbing(0.3).with("[solver]\nmodel = \"half-plane\"").text();
+    let text = text.replace("coefficient", "strain = \"linear\"\ncoefficient");
+    let refused = solve(&parsed(&text));
+    assert_eq!(refused.status, Status::Refused);
+    assert!(refused.reason.is_some_and(|why| why.contains("no bound on the strain left")));
 }

@@ -312,6 +312,7 @@ fn a_line_that_is_no_record_is_named() {
         ("\"axes\":{", "\"axes\":{\"", "line 2 is no record of a sweep"),
         ("\"axes\":{\"", "\"axes\":{\"not ", "line 2 is no record of a sweep"),
         ("\"force\":1", "\"force\":1e999,\"was\":1", "line 2 is no record of a sweep"),
+        ("\"index\":0,", "\"index\":77,", "line 2 is a record of a scene that the study does not have"),
         ("\"rows\":", "\"rows\":1", "line 1 is the head of a journal of a study with another number of scenes"),
     ] {
         let damaged = text.replacen(found, instead, 1);
@@ -333,6 +334,18 @@ fn a_scene_file_that_changed_is_another_study() {
     let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(told(&output).contains("force = 2.0"), "{}", told(&output));
+}
+
+/// The table would keep the old ones.
+#[test]
+fn a_study_of_other_names_is_another_one() {
+    let (folder, ..) = whole(STUDY);
+    let swapped = STUDY.replace("[\"1/8\", \"1\", \"8\"]", "[\"8\", \"1\", \"1/8\"]");
+    assert_ne!(swapped, STUDY);
+    fs::write(folder.path().join("study.toml"), swapped).unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(2), "{}", told(&output));
+    assert!(told(&output).contains("names of"), "{}", told(&output));
 }
 
 #[test]
@@ -1047,6 +1060,38 @@ fn an_extreme_beside_what_cannot_be_solved_is_none() {
     let reason = none["reason"].as_str().unwrap();
     assert!(reason.contains("stays between") && reason.contains("; from load.force = "), "{reason}");
     assert!(reason.contains(" on it could not be found: "), "{reason}");
+}
+
+/// Where it begins, and where it ends.
+#[test]
+fn what_could_not_be_solved_is_a_part_of_the_range() {
+    let thin =
+        GOOD.replace("type = \"exponential\", surface = 1.0, base = 8.0", "type = \"homogeneous\", modulus = 1.0");
+    let thin =
+        format!("{}\n[solver]\ntolerance = 1e-4\n", thin.split("[friction]").next().unwrap()) + "[load]\nforce = 1.0\n";
+    let find = "field = \"layer.thickness\"\nfrom = 1e-8\nto = 10.0\nquantity = \"edge.ratio\"\ntarget = 5.0";
+    let record = found(&thin, find);
+    let reason = record["reason"].as_str().unwrap();
+    let told = reason.split("up to layer.thickness = ").nth(1).unwrap_or_else(|| panic!("{reason}"));
+    let last: f64 = told.split(' ').next().unwrap().parse().unwrap();
+    assert!((1e-8..1e-6).contains(&last) && last > 1.1e-8, "{reason}");
+}
+
+/// It was looked for with rougher solutions than the one that is reported.
+#[test]
+fn what_is_reported_is_as_wanted_within_its_own_error() {
+    let scene = GOOD
+        .replace("thickness = 5.0", "thickness = 100.0")
+        .replace("base = 8.0", "base = 2.0")
+        .replace("type = \"flat\"\nhalf_width = 1.0", "type = \"cylinder\"\nradius = 10.0")
+        .replace("force = 1.0", "half_width = 0.3");
+    let scene = format!("{scene}\n[solver]\ntolerance = 5e-2\n");
+    let find = "field = \"load.half_width\"\nfrom = 0.1\nto = 0.6\nquantity = \"load.force\"\ntarget = 0.02";
+    let record = found(&scene, find);
+    assert_eq!(record["status"], "converged", "{record}");
+    let force = record["load"]["force"].as_f64().unwrap();
+    let error = record["error"]["each"]["load.force"].as_f64().unwrap();
+    assert!((force / 0.02 - 1.0).abs() <= error, "{force} within {error}");
 }
 
 /// The pressure in the middle of a flat punch falls with the modulus at the base, up to where it lifts off: between two of the

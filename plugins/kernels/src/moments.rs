@@ -201,7 +201,7 @@ pub(crate) fn link() {}
 mod tests {
     use super::*;
     use crate::Split;
-    use slipzone_api::{Base, Flexibility, LayerModel, Moduli, ModulusLaw, Plane, Poisson, Solid};
+    use slipzone_api::{Base, Flexibility, LayerModel, Moduli, ModulusLaw, Plane, Poisson, Positive, Solid};
     use slipzone_flexibilities::Compliance;
     use std::sync::Arc;
 
@@ -277,5 +277,18 @@ mod tests {
         let request = KernelRequest { reach: 0.1, components: &ALL, accuracy: 1e-3 };
         let refused = Moments {}.tabulate(&*response, &request).err().expect("a refusal");
         assert!(refused.to_string().contains("homogeneous surface"), "{refused}");
+    }
+
+    /// Under long waves it moves without end, and no moment of it exists.
+    #[test]
+    fn a_half_plane_below_is_refused() {
+        let poisson = Poisson::new(0.3).expect("in range");
+        let solid = Solid { plane: Plane::Strain, poisson, moduli: Moduli::Shear };
+        let base = Base::HalfPlane { shear: Positive::new(1e-3).expect("above 0"), poisson };
+        let model = Arc::new(LayerModel::new(Box::new(Homogeneous), solid, base));
+        let response = Compliance {}.respond(&model).expect("a layer");
+        let request = KernelRequest { reach: 0.1, components: &ALL, accuracy: 1e-3 };
+        let refused = Moments {}.tabulate(&*response, &request).err().expect("a refusal");
+        assert!(refused.to_string().contains("rigid base"), "{refused}");
     }
 }

@@ -24,6 +24,12 @@ impl StickZone {
         (self.half_width / self.slip_width).ln()
     }
 
+    /// The same part of another contact.
+    pub(crate) fn of(self, b: f64) -> Self {
+        let part = b / self.contact();
+        Self { half_width: part * self.half_width, slip_width: part * self.slip_width }
+    }
+
     /// All of the contact.
     pub(crate) fn widened(self) -> Self {
         Self { half_width: self.contact(), slip_width: 0.0 }

@@ -89,6 +89,8 @@ pub(crate) struct Family {
     depths: Option<Depths>,
     /// Where the places end at which shears are told.
     end_of_shear: f64,
+    /// The face by which it was chosen how its members slip, where they could have slipped otherwise.
+    slips_by_face: Option<f64>,
     /// What friction makes of it.
     rubbed: Option<Rubbed>,
     /// Rules and room of the flat punch, and of `W`.
@@ -201,6 +203,7 @@ impl Family {
             on_half_plane: HalfPlaneDepth::new(task.problem.layer.datum, task.problem.elastic.beta()),
             depths: None,
             end_of_shear: END,
+            slips_by_face: coarse.and_then(|coarse| coarse.slips_by_face),
             rubbed: None,
             contact: Contact::new(&flat, quadrature.refined(0))?,
             rule,
@@ -208,7 +211,7 @@ impl Family {
             room: Room::default(),
             meter: Arc::clone(layer.meter()),
         };
-        family.contact.of_slices = true;
+        family.contact.bears_own_shear(false);
         // What a coarser resolution found to hold is not looked at again, and nor is how the face slides.
         family.contact.branch = coarse.map_or(1.0, |coarse| coarse.contact.branch);
         family.contact.is_overloaded = coarse.is_some_and(Family::is_overloaded);
@@ -234,6 +237,7 @@ impl Family {
             && (self.is_deep || !task.problem.wants_depth())
             && self.accuracy <= task.wanted.accuracy
             && self.pressed.blend.narrowest() <= task.problem.face()
+            && self.slips_by_face.is_none_or(|face| face.to_bits() == task.problem.face().to_bits())
             && (self.widest() / 4.0..=self.widest()).contains(&half_width)
     }
 
@@ -247,7 +251,8 @@ impl Family {
         let rubbed = self.rubbed.as_ref()?;
         let zones = &rubbed.zones;
         let shrinks = |wide: &Seen, narrow: &Seen| {
-            through.contains(&narrow.half_width) && wide.shrinks_from(narrow).start > rounding
+            let is_within = through.contains(&narrow.half_width) && wide.half_width <= through.end;
+            is_within && wide.shrinks_from(narrow).start > rounding
         };
         let first = |step: usize| {
             let mut wide = (0..zones.len().saturating_sub(step)).step_by(step).rev();

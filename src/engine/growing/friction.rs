@@ -1,6 +1,6 @@
 //! Friction of a growing contact: its stick zone, its shear, and what cannot be told of either.
 
-use super::{Growing, ROOM_BESIDE_GUESS, STEADY};
+use super::{GUESSED, Growing, ROOM_BESIDE_GUESS, STEADY};
 use crate::engine::accuracy::quantity::ShearTrace;
 use crate::engine::friction::rubbing::{Rubbing, Verdict};
 use crate::engine::growing::family::{Family, SHRINKS, during};
@@ -71,7 +71,10 @@ impl Growing {
             Verdict::Fails(what) => rubbing.clone().failing(during(what)),
             Verdict::Untold(why) => rubbing.clone().untold(during(why)),
             Verdict::Unbuilt(how) => rubbing.clone().unbuilt(during(how)),
-            _ if at >= self.half_width || self.has_no_shear() => rubbing,
+            // Of the contact itself, whose size a coarser resolution knew less well.
+            _ if !self.is_narrower(at) || self.has_no_shear() => {
+                Rubbing { zone: rubbing.zone.of(self.half_width), ..rubbing }
+            }
             Verdict::TooNarrow => rubbing.untold(during("the stick zone was narrower than any looked for")),
             Verdict::NoShear => rubbing.failing(during("no shear arises, but later")),
             _ => rubbing.failing(during("no stick zone belongs to this friction coefficient")),
@@ -148,7 +151,12 @@ impl Growing {
 
     /// Whether it is of a narrower contact that friction cannot be told: the stick zone found there is none of this one's.
     pub(super) fn was_broken(&self) -> bool {
-        self.is_broken() && self.broken.as_ref().is_some_and(|(at, _)| *at < self.half_width)
+        self.is_broken() && self.broken.as_ref().is_some_and(|(at, _)| self.is_narrower(*at))
+    }
+
+    /// Whether a contact of that half-width is one on the way, and not this one as a coarser resolution knew it.
+    fn is_narrower(&self, at: f64) -> bool {
+        at < self.half_width * (1.0 - GUESSED)
     }
 
     /// Whether no shear arises, however wide the contact grew.

@@ -36,7 +36,11 @@ impl Solver {
         let wishes = self.problem.wishes;
         self.problem.wishes = wishes.along_curve();
         self.begin_whole();
-        let last = self.point_under(loads.last());
+        self.load(loads.last());
+        let last = match self.find() {
+            Ok(()) => self.point().insisting(loads.last()),
+            Err(refusal) => Point::refused(loads.last(), &refusal),
+        };
         let curve = self.curve_to(loads, last);
         self.press(loads.last());
         self.problem.wishes = wishes;

@@ -164,8 +164,8 @@ impl Family {
     ) -> Result<Unfit, Refusal> {
         /// As told at this resolution, which tells a narrow slip zone by few digits.
         const SURE: f64 = 1e-3;
-        /// By how much the coarsest resolution may be off, which is the one that ends here: measured up to 0.07.
-        const UNSURE: f64 = 0.1;
+        /// By how much the coarsest resolution may be off, which is the one that ends here: measured up to 0.17.
+        const UNSURE: f64 = 0.2;
         let is_at_first = sticks < slips;
         while (sticks - slips).abs() > SURE * sticks {
             let b = f64::midpoint(sticks, slips);
@@ -210,23 +210,52 @@ impl Family {
         let mut outcome = self.contact.solve(layer, task, None, None)?;
         let is_one_of_several =
             |outcome: &Outcome| outcome.rubbing.as_ref().is_some_and(|found| found.found.roots.len() > 1);
-        if face > 0.0 && is_one_of_several(&outcome) {
+        let could_slip_otherwise = is_one_of_several(&outcome);
+        self.slips_by_face = could_slip_otherwise.then_some(face);
+        if face > 0.0 && could_slip_otherwise {
             self.contact.branch = self.branch_of(layer, task, face)?;
             if self.contact.branch < 0.0 {
                 outcome = self.contact.solve(layer, task, None, None)?;
             }
         }
         let found = outcome.rubbing.expect("a stick zone, or why there is none");
+        if found.verdict == Verdict::TooNarrow
+            && let Some(narrower) = self.wider_zone(layer, task, (b, face), found.zone.half_width)?
+        {
+            let rubbing =
+                found.failing(format!("{SHRINKS}, at the latest from there on, to less than can be resolved"));
+            return Err(Unfit::Friction(narrower, Box::new(rubbing)));
+        }
         let root = if found.verdict == Verdict::Sticks { self.contact.stuck(layer, task)? } else { found.reported() };
         root.ok_or_else(|| Unfit::Friction(b, Box::new(found)))
+    }
+
+    /// A contact narrower than one, on its way from a face, with a stick zone wider than that one's.
+    fn wider_zone(
+        &mut self,
+        layer: &mut PreparedLayer,
+        task: Task,
+        (b, face): (f64, f64),
+        zone: f64,
+    ) -> Result<Option<f64>, Refusal> {
+        /// Parts of the contact that are looked at.
+        const LOOKED_AT: [f64; 3] = [0.5, 0.1, 0.01];
+        for narrower in LOOKED_AT.map(|part| part * b).into_iter().filter(|narrower| *narrower > face) {
+            let flat = member(task.problem, narrower, true);
+            let found = self.contact.solve(layer, Task { problem: &flat, ..task }, None, None)?.rubbing;
+            if found.is_some_and(|found| found.solved().is_some() && found.zone.half_width > zone) {
+                return Ok(Some(narrower));
+            }
+        }
+        Ok(None)
     }
 
     /// The direction of slip under the face of a punch, which bears its own shear.
     fn branch_of(&mut self, layer: &mut PreparedLayer, task: Task, face: f64) -> Result<f64, Refusal> {
         let flat = member(task.problem, face, true);
-        self.contact.of_slices = false;
+        self.contact.bears_own_shear(true);
         let outcome = self.contact.solve(layer, Task { problem: &flat, ..task }, None, None);
-        self.contact.of_slices = true;
+        self.contact.bears_own_shear(false);
         Ok(outcome?.rubbing.and_then(|found| found.reported()).map_or(self.contact.branch, |root| root.branch))
     }
 
