@@ -490,3 +490,16 @@ fn where_the_stick_zone_begins_to_shrink_is_the_same_for_every_load() {
         }
     }
 }
+
+/// Of a contact that grew the shear is unknown; of one that did not all slides but a hair.
+#[test]
+fn beside_a_zone_too_narrow_the_shear_is_that_of_full_sliding_if_nothing_grew() {
+    let flat = Sketch::flat(5.0, 1.0, 0.3).rubbing(2e-4);
+    for (sketch, words) in
+        [(flat.clone(), "the shear is that of full sliding"), (flat.cylinder(), "the shear is not solved")]
+    {
+        let solution = sketch.solve();
+        let reason = solution.reason.unwrap_or_default();
+        assert!(reason.starts_with("the stick zone is narrower than 5.1e-131") && reason.ends_with(words), "{reason}");
+    }
+}

@@ -260,3 +260,15 @@ fn beside_the_kink_of_a_linear_strain_the_shear_is_as_sure_as_told() {
     println!("{error:.1e} for {:.1e}", coarse.error.each["profile.shear"]);
     assert!(error < coarse.error.each["profile.shear"], "{error:e}");
 }
+
+/// The strain is made of pressure and shear: it is no surer than either lets it be.
+#[test]
+fn it_is_no_surer_than_the_tractions() {
+    let solution =
+        Sketch::flat(5.0, 0.125, 0.3).cylinder().rubbing(0.1).with(ASKED).with("[solver]\ntolerance = 1e-3").solve();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+    let error = |path: &str| solution.error.each[path];
+    // beta = (kappa - 1)/(kappa + 1) = 2/7.
+    let least = error("profile.shear") + 2.0 / 7.0 / 0.1 * error("pressure.centre");
+    assert!(error("profile.strain") >= least, "{:?}", solution.error.each);
+}

@@ -474,3 +474,20 @@ fn a_peak_beside_the_middle() {
         }
     }
 }
+
+/// A quadrature that is pinned sees a tip as narrow as its nodes are far apart no better for its twin.
+#[test]
+#[cfg(feature = "formula")]
+fn what_hides_from_a_pinned_quadrature_is_in_its_error() {
+    let solved = |solver: &str| {
+        let layer = "thickness = 5.0, poisson = 0.3, grading = { type = \"homogeneous\", modulus = 1.0 }";
+        let punch = "type = \"formula\", height = \"sqrt(x^2 + 1e-6)/10 - 1e-4\"";
+        written(layer, punch, "half_width = 1.0", &format!("[solver]\ntolerance = 1e-3\n{solver}"))
+    };
+    let pinned = solved("quadrature = { type = \"gauss-chebyshev\", n = 16 }");
+    let exact = solved("");
+    assert_eq!(exact.status, Status::Converged, "{:?}", exact.reason);
+    let [found, truth] = [&pinned, &exact].map(|solution| solution.number("pressure.centre").expect("a number"));
+    let claimed = pinned.error.each["pressure.centre"];
+    assert!((found / truth - 1.0).abs() <= claimed, "{found} for {truth}, {claimed:e} claimed");
+}

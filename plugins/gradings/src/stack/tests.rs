@@ -1,7 +1,8 @@
 #![allow(clippy::float_cmp)] // where equality is asserted, it is exact by construction
 
 use super::*;
-use crate::{Exponential, Homogeneous, Linear};
+use crate::volume_fraction::{MixingRule, Phase};
+use crate::{Exponential, Homogeneous, Linear, VolumeFraction};
 use slipzone_api::{Finite, NoFiles};
 
 fn positive(value: f64) -> Positive {
@@ -107,4 +108,15 @@ fn ten_thousand_sublayers() {
     let law = law(&Stack { layers });
     assert_eq!((law.sublayers().len(), law.breakpoints().len()), (10_000, 9_999));
     assert_eq!(law.modulus(0.500_05), 5001.0);
+}
+
+/// How a law begins at the surface is how its uppermost sublayer does.
+#[test]
+fn a_stack_begins_as_its_top_does() {
+    let phase = |modulus: f64| Phase { modulus: positive(modulus), poisson: Poisson::new(0.3).unwrap() };
+    let [surface, base] = [1.0, 3.0].map(phase);
+    let broken = VolumeFraction { surface, base, exponent: positive(0.3), rule: MixingRule::Mixture };
+    let stacked = |layers| law(&Stack { layers }).broken_power();
+    assert_eq!(stacked(vec![piece(1.0, None, broken.clone()), piece(1.0, Some(0.3), level(3.0))]), Some(0.3));
+    assert_eq!(stacked(vec![piece(1.0, Some(0.3), level(1.0)), piece(1.0, None, broken)]), None);
 }
