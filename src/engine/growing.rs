@@ -261,13 +261,15 @@ impl Growing {
         self.inherited = Work::default();
         let sizes = (half_width, room * half_width);
         // Where stick zones shrink some are not the contact's own; those at a finer resolution are looked for anew.
-        let coarse = coarse.filter(|coarse| coarse.shrinks(0.0..f64::INFINITY, STEADY).is_none());
+        let shrinks = |family: &Family| family.shrinks(0.0..f64::INFINITY, STEADY).is_some();
+        let shrank = coarse.is_some_and(shrinks);
+        let coarse = coarse.filter(|_| !shrank);
         let mut family = |sizes, rubs, coarse| Family::new(layer, task, self.quadrature.as_ref(), sizes, rubs, coarse);
         let mut made = family(sizes, rubs, coarse);
         let is_spoilt = match &made {
             Err(Unfit::Friction(at, _)) => *at > half_width,
             Err(Unfit::Refused(_)) => false,
-            Ok(family) => family.shrinks(0.0..f64::INFINITY, STEADY).is_some(),
+            Ok(family) => !shrank && shrinks(family),
         };
         if is_spoilt && room > 1.0 {
             // What wider contacts do is none of this one's history.

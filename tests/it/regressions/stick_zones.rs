@@ -635,3 +635,19 @@ fn no_stick_zone_is_wider_than_its_contact() {
     let [stick, contact] = ["stick.half_width", "load.half_width"].map(|path| number(&solution, path));
     assert!(stick <= contact, "{stick} of {contact}");
 }
+
+/// The twin that tells the error of a pinned quadrature knows no size before: flat punches a third wider than the contact, whose zones jump, were
+/// 110 times the error of the slip zone.
+#[test]
+fn a_twins_room_is_no_error() {
+    let layer = "thickness = 0.17628182539333784\npoisson = 0.48\n\
+                 grading = { type = \"exponential\", surface = 1.0, base = 0.929594490480947 }\ndatum = 5.483480810816814\n\
+                 base = { type = \"half-plane\", shear = 3.413218409811005, poisson = 0.3 }";
+    let solver = "tolerance = 1e-3\nquadrature = { type = \"de-sinc\", n = 24 }";
+    let mut scene = rounded(layer, 0.0, 0.116_053_436_886_426_22, "force = 0.9685274527229055", solver);
+    let wedge = "type = \"rounded-wedge\"\nslope = 0.1\nradius = 3.0";
+    let text = Sketch::on(layer).text().replace("type = \"flat\"\nhalf_width = 1.0", wedge);
+    scene.punch = slipzone::scene::parse("wedge.toml", &text).expect("a scene").punch;
+    let solution = solve(&scene);
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+}
