@@ -259,28 +259,13 @@ impl Growing {
         }
         self.stack = None;
         self.inherited = Work::default();
-        let sizes = (half_width, room * half_width);
-        // Where stick zones shrink some are not the contact's own; those at a finer resolution are looked for anew.
-        let shrinks = |family: &Family| family.shrinks(0.0..f64::INFINITY, STEADY).is_some();
-        let shrank = coarse.is_some_and(shrinks);
-        let coarse = coarse.filter(|_| !shrank);
-        let mut family = |sizes, rubs, coarse| Family::new(layer, task, self.quadrature.as_ref(), sizes, rubs, coarse);
-        let mut made = family(sizes, rubs, coarse);
-        let is_spoilt = match &made {
-            Err(Unfit::Friction(at, _)) => *at > half_width,
-            Err(Unfit::Refused(_)) => false,
-            Ok(family) => !shrank && shrinks(family),
-        };
-        if is_spoilt && room > 1.0 {
-            // What wider contacts do is none of this one's history.
-            let room = if self.is_kinked { room.min(SCANT_ROOM) } else { 1.0 };
-            made = family((half_width, room * half_width), rubs, coarse);
-        }
-        let made = match made {
+        let made = match self.family_beside(layer, task, (half_width, room), rubs, coarse) {
             Err(Unfit::Friction(at, rubbing)) => {
                 self.broken = Some((at, *rubbing));
                 // The pressure can be told all the same.
-                self.is_kinked.then(|| family(sizes, false, None)).transpose()
+                let sizes = (half_width, room * half_width);
+                let dry = || Family::new(layer, task, self.quadrature.as_ref(), sizes, false, None);
+                self.is_kinked.then(dry).transpose()
             }
             made => made.map(Some),
         };
@@ -289,6 +274,33 @@ impl Growing {
             Unfit::Friction(..) => unreachable!("no friction was asked for"),
         })?;
         self.stacked_on(task, f64::INFINITY)
+    }
+
+    /// A family that reaches beyond a half-width by so much room, or by less where what is wider spoils it: that is none of a contact's
+    /// history.
+    fn family_beside(
+        &self,
+        layer: &mut PreparedLayer,
+        task: Task,
+        (half_width, room): (f64, f64),
+        rubs: bool,
+        coarse: Option<&Family>,
+    ) -> Result<Family, Unfit> {
+        let shrinks = |family: &Family| family.shrinks(0.0..f64::INFINITY, STEADY).is_some();
+        let shrank = coarse.is_some_and(shrinks);
+        // Where stick zones shrink some are not the contact's own; those at a finer resolution are looked for anew.
+        let coarse = coarse.filter(|_| !shrank);
+        let mut up_to = |room: f64| {
+            let sizes = (half_width, room * half_width);
+            Family::new(layer, task, self.quadrature.as_ref(), sizes, rubs, coarse)
+        };
+        let made = up_to(room);
+        let is_spoilt = match &made {
+            Err(Unfit::Friction(at, _)) => *at > half_width,
+            Err(Unfit::Refused(_)) => false,
+            Ok(family) => !shrank && shrinks(family),
+        };
+        if is_spoilt && room > 1.0 { up_to(if self.is_kinked { room.min(SCANT_ROOM) } else { 1.0 }) } else { made }
     }
 
     /// Makes the stack over the members of the family, of those up to a half-width.

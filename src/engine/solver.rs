@@ -225,15 +225,13 @@ impl Solver {
                 );
             }
         };
-        let missing = self.missing();
         // A solution is large, and stays where it is as a rule.
-        for why in &missing {
-            solution = solution.lacking(why);
+        for why in self.missing() {
+            solution = solution.lacking(&why);
         }
         if let Some(path) = self.chosen.scene.path.clone() {
             let last = self.point();
-            let curve = self.curve_to(&path, last);
-            solution.path = Some(missing.iter().fold(curve, |curve, why| curve.lacking(why)));
+            solution.path = Some(self.curve_to(&path, last));
             solution.plan.work = self.spent();
             self.press(path.last());
             self.chosen.scene.path = Some(path);

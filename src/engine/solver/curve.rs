@@ -9,6 +9,7 @@ use crate::engine::solution::Status;
 use crate::engine::solution::loading_curve::{Curve, Point};
 use crate::engine::verdict::verdict;
 use crate::scene::{Load, LoadPath};
+use slipzone_api::Refusal;
 
 /// Loads on the way to another that are found one by one, where nothing asks for a stack of flat punches.
 const FEW: usize = 8;
@@ -37,21 +38,21 @@ impl Solver {
         self.problem.wishes = wishes.along_curve();
         self.begin_whole();
         self.load(loads.last());
-        let last = match self.find() {
-            Ok(()) => self.point().insisting(loads.last()),
-            Err(refusal) => Point::refused(loads.last(), &refusal),
-        };
+        let found = self.find();
+        let last = self.point_of(found);
         let curve = self.curve_to(loads, last);
         self.press(loads.last());
         self.problem.wishes = wishes;
         curve
     }
 
-    /// The curve that ends in the load found last. The solver is left pressed by some load on the way.
+    /// The curve that ends in the load found last, and what of it is asked for and missing. The solver is left pressed by some load on the way.
     pub(super) fn curve_to(&mut self, loads: &LoadPath, last: Point) -> Curve {
+        let missing = self.missing();
         let mut points = self.on_the_way(loads);
         points.push(last);
-        Curve::of(&points, loads, &self.chosen.scene)
+        let curve = Curve::of(&points, loads, &self.chosen.scene);
+        missing.iter().fold(curve, |curve, why| curve.lacking(why))
     }
 
     /// All points but the last, whose load was found before: by the stack of flat punches that found it, or one by one.
@@ -70,7 +71,14 @@ impl Solver {
     /// One load, with what earlier ones left behind.
     fn point_under(&mut self, load: Load) -> Point {
         self.load(load);
-        match self.find_within() {
+        let found = self.find_within();
+        self.point_of(found)
+    }
+
+    /// What came of the present load.
+    fn point_of(&mut self, found: Result<(), Refusal>) -> Point {
+        let load = self.chosen.scene.load;
+        match found {
             Ok(()) => self.point().insisting(load),
             Err(refusal) => Point::refused(load, &refusal),
         }

@@ -4,7 +4,7 @@ use super::{within_three_estimates, written};
 use crate::sketch::Sketch;
 use slipzone::api::Positive;
 use slipzone::engine::{BUDGET, Solver, Status, solve, solve_within};
-use slipzone::scene::Load;
+use slipzone::scene::{Load, LoadPath};
 
 /// `check` and `explain` said nothing of what `solve` refuses whatever the numbers.
 #[test]
@@ -106,7 +106,12 @@ fn where_the_shear_takes_too_much_the_pressure_is_told() {
     let path = rubbing.clone().loaded("until = { half_width = 1.0, points = 3 }");
     let curve = solve_within(&path.scene(), budget).path.expect("a loading curve");
     assert_eq!((curve.status, curve.points()), (Status::NotConverged, 3));
-    assert!(curve.note.is_some_and(|note| note.contains("the shear is not solved")));
+    assert!(curve.note.as_ref().is_some_and(|note| note.contains("the shear is not solved")));
+    // The same where a curve is asked for and no solution.
+    let mut solver = Solver::new(&rubbing.scene()).expect("a scene");
+    solver.limit(budget);
+    let loads = LoadPath::until(Load::HalfWidth(Positive::new(1.0).unwrap()), 3).expect("loads");
+    assert_eq!(solver.curve(&loads), curve);
 
     // Another load is solved with friction again.
     let mut solver = Solver::new(&rubbing.scene()).expect("a scene");

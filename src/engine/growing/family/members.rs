@@ -114,8 +114,10 @@ impl Family {
         let half_widths = blend.half_widths();
         // What sticks as a whole slips in no direction.
         let can_stick = flat.elastic.beta() < FrictionCurve::FLAT * PI;
-        let sticks_at_times = |members: &Members| members.sticks_at_times(half_widths).filter(|_| can_stick);
-        let narrowest_zone = |members: &Members| members.narrowest_zone(half_widths, contact);
+        let sticks_at_times = |members: &Members| {
+            let ends = members.sticks_at_times(half_widths).filter(|_| can_stick);
+            ends.map(|ends| (ends, members.narrowest_zone(half_widths, contact)))
+        };
         let coarse_zones = coarse.and_then(|coarse| coarse.rubbed.as_ref());
         let mut wrong = Wrong::default();
         for (k, b) in half_widths.iter().copied().enumerate() {
@@ -137,16 +139,16 @@ impl Family {
             let root = member.root;
             wrong.add_apart(coarse_zones, &member, b);
             if !members.add(member) {
-                if let Some(ends) = sticks_at_times(&members) {
-                    return Err(self.sticks_between(layer, task, ends, narrowest_zone(&members))?);
+                if let Some(found) = sticks_at_times(&members) {
+                    return Err(self.sticks_between(layer, task, found)?);
                 }
                 let by_then = short(half_widths[k - 1] * flat.length);
                 let turns = format!("the direction of slip turns between there and {by_then}");
                 return Err(Unfit::Friction(b, Box::new(Rubbing::expected(root, b, false).failing(turns))));
             }
         }
-        if let Some(ends) = sticks_at_times(&members) {
-            return Err(self.sticks_between(layer, Task { problem: &flat, ..task }, ends, narrowest_zone(&members))?);
+        if let Some(found) = sticks_at_times(&members) {
+            return Err(self.sticks_between(layer, Task { problem: &flat, ..task }, found)?);
         }
         let told = coarse_zones.map(|coarse| (coarse.told, wrong.over(blend.widest())));
         self.rubbed = Some(members.blended(blend, self.end_of_shear, told));
@@ -159,8 +161,7 @@ impl Family {
         &mut self,
         layer: &mut PreparedLayer,
         task: Task,
-        (mut sticks, mut slips): (f64, f64),
-        narrowest_zone: f64,
+        ((mut sticks, mut slips), narrowest_zone): ((f64, f64), f64),
     ) -> Result<Unfit, Refusal> {
         /// As told at this resolution, which tells a narrow slip zone by few digits.
         const SURE: f64 = 1e-3;

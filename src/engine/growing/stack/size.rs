@@ -25,7 +25,11 @@ impl Stack {
             return Some(half_width);
         }
         let (least, widest) = self.range()?;
-        let end = if may_shrink(problem, load) { self.first_rise(problem, family, load).min(widest) } else { widest };
+        let end = if may_shrink(problem, load) {
+            self.first_rise(problem, family, load, (least, widest)).min(widest)
+        } else {
+            widest
+        };
         root::between((least, end), 4.0 * f64::EPSILON * end, |b| self.excess(problem, family, load, b))
     }
 
@@ -68,38 +72,56 @@ impl Stack {
     }
 
     /// A half-width at which a load is borne that may shrink again while the contact grows, and before which it was borne nowhere, as far as
-    /// [`CLIMB_STEPS`] and the parabolas through them tell; the widest where it is borne nowhere.
-    fn first_rise(&mut self, problem: &Problem, family: &mut Family, load: LoadInLayerUnits) -> f64 {
-        let Some((least, widest)) = self.range() else { return 0.0 };
+    /// [`CLIMB_STEPS`] and the parabolas through them tell; the widest of the range where it is borne nowhere.
+    fn first_rise(
+        &mut self,
+        problem: &Problem,
+        family: &mut Family,
+        load: LoadInLayerUnits,
+        (least, widest): (f64, f64),
+    ) -> f64 {
         let to = widest.ln();
         let from = least.ln().max(to - CLIMB);
         let step = (to - from) / CLIMB_STEPS;
-        // The steps are those of every load of that kind.
-        let kind = discriminant(&load);
-        let mut climbed =
-            self.climbed.take().filter(|(known, _)| *known == kind).map_or_else(Vec::new, |(_, borne)| borne);
         let mut trail = Trail::default();
-        let mut end = to;
-        let mut at = from;
-        for i in 0.. {
-            if at >= to {
-                break;
+        let (mut steps, mut at) = (0, from);
+        while at < to {
+            let here = self.borne_on_the_way(problem, family, load, (steps, at.exp())) / load.value() - 1.0;
+            if here >= 0.0 {
+                return at.exp();
             }
-            if i == climbed.len() {
-                climbed.push(self.borne(problem, family, load, at.exp()));
-            }
-            let here = climbed[i] / load.value() - 1.0;
-            let mut excess = |log: f64| self.excess(problem, family, load, log.exp());
-            let above = if here >= 0.0 { Some(at) } else { trail.top((at, here), &mut excess).map(|(_, top)| top) };
-            if let Some(above) = above {
-                end = above;
-                break;
+            let excess = |log: f64| self.excess(problem, family, load, log.exp());
+            if let Some((_, top)) = trail.top((at, here), excess) {
+                return top.exp();
             }
             trail.pass((at, here));
             at += step;
+            steps += 1;
         }
-        self.climbed = Some((kind, climbed));
-        end.exp()
+        to.exp()
+    }
+
+    /// What the contact after so many steps bears: they are the same for all loads of a kind, one after another.
+    fn borne_on_the_way(
+        &mut self,
+        problem: &Problem,
+        family: &mut Family,
+        load: LoadInLayerUnits,
+        (steps, b): (usize, f64),
+    ) -> f64 {
+        let kind = discriminant(&load);
+        let known = match &self.climbed {
+            Some((known, borne)) if *known == kind => borne.get(steps).copied(),
+            _ => {
+                self.climbed = Some((kind, Vec::new()));
+                None
+            }
+        };
+        known.unwrap_or_else(|| {
+            let borne = self.borne(problem, family, load, b);
+            self.climbed.iter_mut().for_each(|(_, all)| all.push(borne));
+            borne
+        })
     }
 }
 
