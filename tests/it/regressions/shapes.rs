@@ -204,6 +204,43 @@ fn smooth_details_are_seen_however_fast_they_fade() {
     }
 }
 
+/// Of a faint detail the slope alone was looked at, where it begins: under a step the pressure was off by up to 9 tolerances, and under a bump
+/// by 3. Others were too large for a grid and too small for a stack.
+#[test]
+fn faint_details_are_seen_as_far_as_the_pressure_feels_them() {
+    let solved = |slope: &str, tolerance: f64| {
+        let scene = format!(
+            "format = 1\nlayer = {{ poisson = 0.3, base = {{ type = \"infinite\" }}, \
+             grading = {{ type = \"homogeneous\", modulus = 0.7 }} }}\n\
+             punch = {{ type = \"formula\", slope = \"{slope}\" }}\n\
+             load = {{ half_width = 1.0 }}\nsolver = {{ tolerance = {tolerance} }}"
+        );
+        let found = solve(&slipzone::scene::parse("faint.toml", &scene).expect("a good scene"));
+        assert_eq!(found.status, Status::Converged, "{slope}: {:?}", found.reason);
+        found.number("pressure.centre").expect("a pressure")
+    };
+    for tolerance in [1e-3, 1e-5, 1e-7] {
+        let check = |slope: &str, exact: f64| {
+            let centre = solved(slope, tolerance);
+            assert!((centre / exact - 1.0).abs() < tolerance, "{slope} at {tolerance}: {centre} for {exact}");
+        };
+        for part in [0.3, 1.0] {
+            // A slope x f(x) makes the mean of f(sin t), over all t, of the pressure in the middle.
+            for width in [0.06_f64, 0.02, 0.001] {
+                let (bump, k) = (2.0 * part * tolerance / width, width.powi(-2));
+                let exact = 1.0 + bump * (1.0 + 0.5 * k) / (1.0 + k).powf(1.5);
+                check(&format!("x + {bump}*x/(1 + (x/{width})^2)^2"), exact);
+            }
+            // Of a step x/sqrt(x^2 + w^2) it is 2/pi ln(4/w), up to a share of w^2.
+            for width in [1e-4_f64, 1e-9] {
+                let step = part * tolerance;
+                let exact = 1.0 + step * std::f64::consts::FRAC_2_PI * (4.0 / width).ln();
+                check(&format!("x + {step}*x/sqrt(x^2 + {width}^2)"), exact);
+            }
+        }
+    }
+}
+
 /// Close to its tip `1 - exp(-x^2)` is of rounding. A series over the force's share of the height took that for a wave all over the
 /// contact: loads on the way to the last were off by up to 40 of their estimates.
 #[test]

@@ -145,9 +145,7 @@ impl Graph {
         };
         let steepest = self.steepness(self.natural_length).abs();
         if kink == 0.0 {
-            // Nothing is lost beside 0: of |x|^1.0000001 five millionths go, and of a corner nothing, however small it is.
-            let (far, near) = (difference(1e-100), difference(1e-120));
-            return near.abs() > 1e-12 * steepest && (near / far - 1.0).abs() < 1e-9;
+            return jumps_at_tip(steepest, [1e-60, 1e-80, 1e-100, 1e-120].map(difference));
         }
         let (far, near) = (difference(1e-6), difference(1e-10));
         // |x - kink|^1.01 would keep nine tenths.
@@ -312,6 +310,19 @@ impl PunchShape for Graph {
     fn corners(&self) -> &[f64] {
         &self.corners
     }
+}
+
+/// Whether slopes at places of which each is as much nearer to the tip as the one before leave a jump there: the limit of a jump and one
+/// power of the distance, by any three of them (Aitken). Of `|x|^1.0000001` it leaves nothing, and of `|x| + |x|^1.05` the jump.
+fn jumps_at_tip(steepest: f64, beside: [f64; 4]) -> bool {
+    let limit = |places: &[f64]| {
+        let (before, last) = (places[1] - places[0], places[2] - places[1]);
+        // Nothing but rounding shrinks.
+        if last.abs() <= 1e-12 * places[2].abs() { places[2] } else { places[2] - last * last / (last - before) }
+    };
+    let (far, near) = (limit(&beside[..3]), limit(&beside[1..]));
+    // What is left of a power is of rounding; two powers, or logarithms, leave what three nearer ones do not confirm.
+    near.abs() > 1e-12 * steepest && near.abs() > 1e-3 * beside[3].abs() && (near / far - 1.0).abs() < 1e-3
 }
 
 /// A punch given by its slope, with a height that has the right sign as long as the slope has not begun to fall: enough
