@@ -6,6 +6,8 @@ use super::journal::Journal;
 use super::output::{self, Target};
 use super::{Failure, Outcome, interrupt, print, progress};
 use crate::report::{self, StudyTable};
+#[cfg(feature = "plot")]
+use crate::study::Plot;
 use crate::study::{Study, sweep};
 use std::fs;
 use std::ops::ControlFlow;
@@ -40,6 +42,11 @@ pub(super) fn run(arguments: &Sweep) -> Result<Outcome, Failure> {
     #[cfg(feature = "plot")]
     let figures =
         study.plots.iter().map(|plot| Target::new(&folder.join(&plot.file))).collect::<Result<Vec<_>, _>>()?;
+    if study.scene.path.is_some() {
+        print::note(
+            "the scenes of a study are solved under their last load only: the loads on the way are those of `slipzone solve`",
+        );
+    }
     let mut journal = Journal::open(&folder.join(JOURNAL), &mut study, arguments.fresh)?;
     if arguments.fresh {
         discard(written.iter().filter(|path| !path.ends_with(JOURNAL)))?;
@@ -49,7 +56,13 @@ pub(super) fn run(arguments: &Sweep) -> Result<Outcome, Failure> {
     #[cfg_attr(not(feature = "plot"), allow(unused_mut))]
     let mut results = vec![TABLE, LINES];
     #[cfg(feature = "plot")]
-    results.extend(draw(&study, &journal, figures)?);
+    {
+        results.extend(draw(&study, &journal, figures)?);
+        // An old one in place of a figure that was not drawn would show other results.
+        let is_old = |plot: &&Plot| !results.contains(&plot.file.as_str());
+        let old: Vec<_> = study.plots.iter().filter(is_old).map(|plot| folder.join(&plot.file)).collect();
+        discard(old.iter())?;
+    }
     let failed = journal.tally().failed;
     print::result(&summary(&study, &folder, &results, failed))?;
     Ok(if failed == 0 { Outcome::Done } else { Outcome::NotConverged })

@@ -393,7 +393,7 @@ fn quantities(document: &Document, scene: &Scene) -> Result<(), SceneError> {
 }
 
 /// Lengths must be comparable: beyond these ratios no digit of the smaller one is left.
-fn ratios(document: &Document, _scene: &Scene) -> Result<(), SceneError> {
+fn ratios(document: &Document, scene: &Scene) -> Result<(), SceneError> {
     let last = match document.value(&["load", "path", "half_width"]).map(Spanned::get_ref) {
         Some(DeValue::Array(path)) => path.len().saturating_sub(1).to_string(),
         _ => String::new(),
@@ -409,16 +409,24 @@ fn ratios(document: &Document, _scene: &Scene) -> Result<(), SceneError> {
         &["load", "path", "half_width", &last],
         &["layer", "datum"],
     ];
-    let lengths: Vec<_> = places
-        .iter()
-        .filter_map(|path| Some((path, document.value(path).and_then(|value| number(value.get_ref()))?)))
-        .collect();
-    for (index, (path, length)) in lengths.iter().enumerate() {
-        for (other, reference) in &lengths[..index] {
+    let mut lengths: Vec<(&[&str], f64, String)> = Vec::new();
+    if let (Some(thickness), None) = (scene.layer.thickness, document.value(places[0])) {
+        // Of a stack.
+        lengths.push((
+            &["layer", "grading"],
+            thickness.get(),
+            format!("the thickness of the stack, which is {:?}", thickness.get()),
+        ));
+    }
+    lengths.extend(places.into_iter().filter_map(|path| {
+        let length = document.value(path).and_then(|value| number(value.get_ref()))?;
+        Some((path, length, format!("`{}`, which is {}", dotted(path), document.found(path))))
+    }));
+    for (index, (path, length, _)) in lengths.iter().enumerate() {
+        for (_, reference, named) in &lengths[..index] {
             if !(1e-9..=1e9).contains(&(length / reference)) {
-                let (name, value) = (dotted(other), document.found(other));
                 return Err(document
-                    .not_allowed(path, format!("between 1e-9 and 1e9 times `{name}`, which is {value}"))
+                    .not_allowed(path, format!("between 1e-9 and 1e9 times {named}"))
                     .hint("are both in the same unit? A layer without end is `base = { type = \"infinite\" }`"));
             }
         }

@@ -94,7 +94,7 @@ impl Column {
             Cell::Text(text) => Some(text.as_str()),
             Cell::Number(_) => None,
         });
-        names.collect::<Option<Vec<_>>>().map(|names| names.join(", "))
+        names.collect::<Option<Vec<_>>>().map(|names| format!("{names:?}"))
     }
 
     /// Of values that are not listed.
@@ -107,7 +107,10 @@ impl Column {
                 } else if step == last {
                     to
                 } else {
-                    short(between(from, to, step as f64 / last as f64, by_factors))
+                    let value = short(between(from, to, step as f64 / last as f64, by_factors));
+                    // What is left of 0 by rounding is no step.
+                    let least = if by_factors { 0.0 } else { 1e-15 * from.abs().max(to.abs()) };
+                    if value.abs() <= least { 0.0 } else { value }
                 };
                 if whole { value.round() } else { value }
             }
@@ -180,6 +183,8 @@ mod tests {
         assert_eq!([0, 1, 3].map(|step| whole.toml(step)), ["1", "4", "10"]);
         let tenths = column(Values::Steps { from: 0.0, to: 0.4, count: 5, by_factors: false, whole: false });
         assert_eq!(tenths.toml(3), "0.3");
+        let across = column(Values::Steps { from: -0.2, to: 0.5, count: 8, by_factors: false, whole: false });
+        assert_eq!(across.toml(2), "0.0");
     }
 
     /// Draws fill their interval evenly: the mean of n is off by `0.29/sqrt(n)` in the root mean square.

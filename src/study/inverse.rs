@@ -176,6 +176,9 @@ impl Question<'_> {
                 points.windows(2).filter_map(|pair| Some((pair, pair.iter().find(|point| point.may_be_hit())?)));
             found.extend(nearly.map(|(pair, hit)| (hit.at, by_slope([pair[0].place(), pair[1].place()]))));
         }
+        if matches!(self.find.wanted, Wanted::Target(_)) {
+            found.extend(hit_at_ends(points, &found));
+        }
         found.sort_by(|one, other| one.0.total_cmp(&other.0));
         found.dedup_by(|one, other| one.0.to_bits() == other.0.to_bits());
         if found.is_empty() {
@@ -251,6 +254,22 @@ impl Question<'_> {
 }
 
 /// The slope from one place to another.
+/// The ends of the range at which the number is as wanted, but for less than its error: beside one a root may be lost to rounding. Not where one
+/// was found between it and its neighbour, nor where that is as wanted as the end.
+fn hit_at_ends(points: &[Point], found: &[(f64, Moved)]) -> Vec<(f64, Moved)> {
+    let [first, second, ..] = points else { return Vec::new() };
+    let [.., last_but_one, last] = points else { return Vec::new() };
+    let is_hit = |end: &Point, beside: &Point| {
+        let between = end.at.min(beside.at)..=end.at.max(beside.at);
+        end.may_be_hit() && !beside.may_be_hit() && !found.iter().any(|(at, _)| between.contains(at))
+    };
+    [(first, second), (last, last_but_one)]
+        .into_iter()
+        .filter(|(end, beside)| (end.at <= 0.0 || end.at >= 1.0) && is_hit(end, beside))
+        .map(|(end, beside)| (end.at, by_slope([end.place(), beside.place()])))
+        .collect()
+}
+
 fn by_slope([one, other]: [Place; 2]) -> Moved {
     Moved::BySlope((other.1 - one.1) / (other.0 - one.0))
 }

@@ -116,6 +116,18 @@ impl Study {
         self.made(self.chosen(row), Some(more), &self.files)
     }
 
+    /// The scene of a record: with what was found, where the study looks for something.
+    ///
+    /// # Errors
+    /// As of [`Self::scene`].
+    #[cfg(feature = "plot")]
+    pub(crate) fn scene_answered(&self, row: u64, found: Option<f64>) -> Result<Scene, SceneError> {
+        let path = self.find.as_ref().map(Find::path);
+        let more =
+            path.as_ref().zip(found).map(|(path, found)| Replacement { path, value: format!("{found:?}").into() });
+        self.made(self.chosen(row), more, &self.files)
+    }
+
     /// The steps of the axes in one scene.
     fn chosen(&self, row: u64) -> impl Iterator<Item = (&Axis, u64)> {
         self.axes.iter().zip(self.steps(row))
@@ -132,6 +144,8 @@ impl Study {
         let replaced = columns.map(|(column, step)| Replacement { path: &column.path, value: column.toml(step) });
         let replaced: Vec<Replacement> = replaced.chain(more).collect();
         let mut scene = self.base.with(&replaced, files)?;
+        // A record holds one contact.
+        scene.path = None;
         scene.output.quantities.get_or_insert_with(|| self.quantities());
         Ok(scene)
     }
@@ -179,7 +193,7 @@ impl Study {
         }
         for (index, axis) in self.axes.iter().enumerate() {
             let labels: Vec<&str> = axis.columns.iter().map(|column| column.label.as_str()).collect();
-            let _ = writeln!(text, "axis {index} = {} x {}", labels.join(" with "), axis.count);
+            let _ = writeln!(text, "axis {index} = {labels:?} x {}", axis.count);
         }
         let _ = writeln!(text, "tractions = {}", self.asks("profile"));
         if let Some(find) = &self.find {

@@ -9,7 +9,7 @@ use super::plot::Plot;
 use super::{ANSWER, LARGEST_STUDY, Study};
 use crate::scene::document::Document;
 use crate::scene::{Asked, SceneError, Template, decode, overlap, plain};
-use check::{check_find, check_plots, check_values};
+use check::{check_find, check_plots, check_texts, check_values};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use slipzone_api::Files;
@@ -89,6 +89,7 @@ pub(super) fn study(name: &str, text: &str, files: &dyn Files) -> Result<Study, 
     for (index, axis) in table.axes.into_iter().enumerate() {
         axes.push(read_axis(&document, &["axes", &index.to_string()], axis)?);
     }
+    check_texts(&document)?;
     distinct(&document, &axes)?;
     let rows = axes.iter().try_fold(1_u64, |rows, axis| rows.checked_mul(axis.count));
     if rows.is_none_or(|rows| rows > LARGEST_STUDY) {
@@ -230,7 +231,7 @@ fn stepped(document: &Document, path: &[&str], column: ColumnTable) -> Result<(C
             .found("`names` beside a range")
             .expected("no `names`, or `values = [...]` in place of the range"));
     }
-    Ok((column_of(document, path, field, label, values)?, count))
+    Ok((column_of(document, path, &field, label, values)?, count))
 }
 
 /// A field that is drawn at random.
@@ -255,13 +256,13 @@ fn drawn(document: &Document, path: &[&str], column: ColumnTable, seed: u64) -> 
     let by_factors = key == "log";
     ends(document, &within(key), range, by_factors)?;
     let values = Values::Drawn { from: range.from, to: range.to, by_factors, seed };
-    column_of(document, path, field, label, values)
+    column_of(document, path, &field, label, values)
 }
 
 fn column_of(
     document: &Document,
     path: &[&str],
-    field: String,
+    field: &str,
     label: Option<String>,
     values: Values,
 ) -> Result<Column, SceneError> {
@@ -270,6 +271,7 @@ fn column_of(
         let place: Vec<&str> = path.iter().copied().chain(["field"]).collect();
         return Err(document.not_allowed(&place, "the path of a field of the scene, such as `layer.grading.base`"));
     }
+    let field = keys.join(".");
     Ok(Column { label: label.unwrap_or_else(|| field.clone()), path: keys, field, values })
 }
 

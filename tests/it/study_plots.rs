@@ -62,6 +62,19 @@ fn a_figure_that_does_not_fit_is_refused_with_its_line() {
             4,
             "points that cannot be drawn",
         ),
+        (
+            format!("{FILE}x = \"eta\"\ny = [\"stick.ratio\", \"edge.ratio\"]\ny_label = \"a\"\n"),
+            3,
+            "several ordinates",
+        ),
+        (
+            format!(
+                "{FILE}x = \"eta\"\ny = [\"stick.ratio\", \"edge.ratio\"]\npoints = [{{ label = \"a\", x = [0.1], y = [0.1] }}]\n"
+            ),
+            3,
+            "several ordinates",
+        ),
+        (format!("{FILE}kind = \"tractions\"\nonly = {{ eta = 0.1 }}\ny_label = \"a\"\n"), 3, "several ordinates"),
         (CURVES.replace("a.svg", "b/a.svg"), 0, "not the name of a figure"),
         (CURVES.replace("a.svg", "results.csv"), 0, "not the name of a figure"),
         (format!("{FILE}kind = \"tractions\"\n"), 1, "too many curves to be told apart"),

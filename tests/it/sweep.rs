@@ -346,6 +346,12 @@ fn a_study_of_other_names_is_another_one() {
     let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
     assert_eq!(output.status.code(), Some(2), "{}", told(&output));
     assert!(told(&output).contains("names of"), "{}", told(&output));
+    // Where one ends and the next begins is a part of them.
+    let (folder, ..) = whole(&STUDY.replace("[\"1/8\", \"1\", \"8\"]", "[\"1/8, 1\", \"8\", \"9\"]"));
+    let other = STUDY.replace("[\"1/8\", \"1\", \"8\"]", "[\"1/8\", \"1, 8\", \"9\"]");
+    fs::write(folder.path().join("study.toml"), other).unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(2), "{}", told(&output));
 }
 
 #[test]
@@ -1024,6 +1030,10 @@ fn a_figure_that_is_not_drawn_is_no_result() {
     assert!(told(&output).contains("none.svg was not drawn"), "{}", told(&output));
     let summary = String::from_utf8(output.stdout).unwrap();
     assert!(summary.contains("drawn.svg") && !summary.contains("none.svg"), "{summary}");
+    // Nor is an older one that bears its name.
+    fs::write(folder.path().join("out/none.svg"), "of other results").unwrap();
+    run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert!(folder.path().join("out/drawn.svg").exists() && !folder.path().join("out/none.svg").exists());
 }
 
 /// Heights of a tip as wide as 4: a larger force needs more of it.
@@ -1165,6 +1175,45 @@ fn the_end_of_a_range_answers_to_within_its_error() {
         let value = record["found"]["value"].as_f64().unwrap_or_else(|| panic!("{record}"));
         assert!((value / force - 1.0).abs() < 1e-8, "{value} for {force}");
     }
+}
+
+/// The end answers beside another answer, too: `edge.ratio` falls and rises again.
+#[test]
+fn the_end_of_a_range_is_one_of_several_answers() {
+    let scene = |thickness: f64| {
+        format!(
+            "format = 1\nlayer = {{ thickness = {thickness:?}, poisson = 0.3, grading = {{ type = \"exponential\", surface = 1.0, \
+             base = 0.125 }} }}\npunch = {{ type = \"flat\", half_width = 1.0 }}\nload = {{ force = 1.0 }}\n"
+        )
+    };
+    let at_end = slipzone::engine::solve(&slipzone::scene::parse("scene.toml", &scene(1.0)).unwrap());
+    let ratio = at_end.number("edge.ratio").unwrap();
+    for off in [-1e-10, 1e-10] {
+        let target = ratio * (1.0 + off);
+        let question = format!(
+            "field = \"layer.thickness\"\nfrom = 1.0\nto = 100.0\nquantity = \"edge.ratio\"\ntarget = {target:?}"
+        );
+        let answer = &found(&scene(1.0), &question)["found"];
+        let [value, other] = [&answer["value"], &answer["others"][0]].map(|value| value.as_f64().unwrap_or(f64::NAN));
+        assert!((value - 1.0).abs() < 1e-6 && (other - 8.516).abs() < 1e-3, "{answer}");
+    }
+}
+
+/// A record holds one contact: that the loads on the way are left out is told, and they cost nothing.
+#[test]
+fn a_study_of_a_loading_curve_solves_the_last_load() {
+    let study = STUDY.replace("good.toml", "curve.toml").replace("count = 20", "count = 2");
+    let folder = folder_with(&study);
+    let curve = GOOD.replace("force = 1.0", "path = { force = [0.5, 1.0] }");
+    assert_ne!(curve, GOOD);
+    fs::write(folder.path().join("curve.toml"), curve).unwrap();
+    fs::write(folder.path().join("good.toml"), GOOD).unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "out"]);
+    assert!(output.status.success() && told(&output).contains("last load only"), "{}", told(&output));
+    fs::write(folder.path().join("study.toml"), study.replace("curve.toml", "good.toml")).unwrap();
+    let output = run(folder.path(), ["sweep", "study.toml", "--out", "plain"]);
+    assert!(output.status.success() && !told(&output).contains("last load only"), "{}", told(&output));
+    assert_eq!(read(folder.path(), "out/results.csv"), read(folder.path(), "plain/results.csv"));
 }
 
 #[test]

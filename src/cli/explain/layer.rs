@@ -34,8 +34,8 @@ pub(super) fn write(text: &mut String, scene: &Scene, known: &Known) -> Result {
                 let deep = exactly(deep);
                 writeln!(
                     text,
-                    "# felt below   d = {deep}  ({unit}): depth of the first base, jump or kink; its share of \
-                     the flexibility decays like exp(-2 s d), s the wave number"
+                    "# felt below   d = {deep}  ({unit}): depth of the first base, jump or kink, or else over which the \
+                     modulus changes; its share of the flexibility goes like exp(-2 s d), s the wave number"
                 )?;
             }
             None => writeln!(text, "# felt below   nothing: s F is the same at every wave number")?,

@@ -99,7 +99,7 @@ fn methods(chart: &Chart) -> Vec<String> {
 fn legend(methods: &[String]) -> Vec<Entry> {
     let methods = methods.iter().enumerate().map(|(index, name)| Entry {
         name: name.clone().into(),
-        style: Style::of(index, &[index]),
+        style: Style::of(index, &[]),
         is_line: true,
         is_marked: true,
     });
@@ -126,7 +126,7 @@ fn panel(chart: &Chart, methods: &[String], runs: &[&Run], measured: Measured, o
         curves.push(Curve { style: Style::frontier(), stretches, marks: Vec::new() });
     }
     for (index, name) in methods.iter().enumerate() {
-        let style = Style::of(index, &[index]);
+        let style = Style::of(index, &[]);
         let own = || runs.iter().filter(|run| run.method.name() == *name);
         let points: Vec<(f64, f64)> = own().filter_map(|run| point(run)).collect();
         let line = if over == Over::Asked { points } else { frontier(points) };
@@ -198,7 +198,7 @@ impl Ground for Strips {
             text(left + 6.0, height, (*name).into(), TextAnchor::Start, INK, false);
             for (index, count) in counts.iter().enumerate().filter(|(_, count)| **count > 0) {
                 let x = left + 86.0 + (width - 96.0) * (index as f64 + 0.5) / counts.len() as f64;
-                let color = Style::of(index, &[index]).color;
+                let color = Style::of(index, &[]).color;
                 text(x, height, format!("{count} \u{d7}"), TextAnchor::Middle, color, true);
             }
         }

@@ -1,6 +1,6 @@
 //! Tractions between the edge of the contact and the sample next to it.
 
-/// The bounded points, with the curve between each edge and the sample next to it.
+/// The bounded points over `x/b`, with the curve between each edge that is sampled and the sample next to it.
 ///
 /// Tractions end as the inverse square root of the distance to a sharp edge (an unbounded sample) and as the
 /// square root at a smooth one (a sample of 0). So drawn, the curve leaves the frame instead of stopping short
@@ -12,7 +12,10 @@ pub(super) fn to_the_edges(points: &[(f64, Option<f64>)]) -> Vec<(f64, f64)> {
     let bounded = |points: &[(f64, Option<f64>)]| -> Vec<(f64, f64)> {
         points.iter().filter_map(|(x, y)| Some((*x, (*y)?))).collect()
     };
-    let [first, inner @ .., last] = points else { return bounded(points) };
+    let is_edge = |point: &&(f64, Option<f64>)| (point.0.abs() - 1.0).abs() < 1e-9;
+    let first = points.first().filter(is_edge);
+    let last = points.get(1..).and_then(<[_]>::last).filter(is_edge);
+    let inner = &points[usize::from(first.is_some())..points.len() - usize::from(last.is_some())];
     // From the two samples beside the corner.
     let towards_corner = |corner: f64, near: Option<&(f64, Option<f64>)>, far: Option<&(f64, Option<f64>)>| {
         let (Some((x, Some(y))), Some((beyond, Some(lower)))) = (near, far) else { return Vec::new() };
@@ -42,7 +45,27 @@ pub(super) fn to_the_edges(points: &[(f64, Option<f64>)]) -> Vec<(f64, f64)> {
             Some(value) => vec![(edge.0, value)],
         }
     };
-    curve.splice(..0, towards(first, left).into_iter().rev());
-    curve.extend(towards(last, right));
+    curve.splice(..0, first.into_iter().flat_map(|edge| towards(edge, left)).rev());
+    curve.extend(last.into_iter().flat_map(|edge| towards(edge, right)));
     curve
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where samples begin in the middle nothing ends, and to a tip there they go like a logarithm.
+    #[test]
+    fn samples_of_one_half_begin_in_the_middle() {
+        let half = [(0.0, Some(0.0)), (0.5, Some(0.1)), (1.0, Some(0.0))];
+        let curve = to_the_edges(&half);
+        assert_eq!(curve[..2], [(0.0, 0.0), (0.5, 0.1)]);
+        assert!(curve.len() == 12 && curve.last() == Some(&(1.0, 0.0)), "{curve:?}");
+        // 1 - ln x
+        let tip = [(0.0, None), (0.25, Some(1.0 + 4_f64.ln())), (0.5, Some(1.0 + 2_f64.ln())), (0.75, Some(1.2))];
+        let curve = to_the_edges(&tip);
+        assert!(curve[..9].iter().all(|(x, y)| (y - 1.0 + x.ln()).abs() < 1e-12), "{curve:?}");
+        assert_eq!(curve[9..].len(), 3, "nothing beyond the last sample");
+        assert_eq!(to_the_edges(&[(1.0, None)]), []);
+    }
 }

@@ -30,10 +30,11 @@ impl Style {
         Self { color, dashes, width, mark: 0, filled: false }
     }
 
-    /// Of a member, by its places in the axes of its family: of two axes one has the colours, the other the dashes.
-    pub(super) fn of(member: usize, places: &[usize]) -> Self {
+    /// Of a member, by its places in the axes of its family, each among so many: of two axes one has the colours, the other the dashes,
+    /// where these do for all members.
+    pub(super) fn of(member: usize, places: &[(usize, usize)]) -> Self {
         let (color, dashes) = match places {
-            [one, other] if *one < COLORS.len() && *other < DASHES.len() => (*one, *other),
+            [(one, ones), (other, others)] if *ones <= COLORS.len() && *others <= DASHES.len() => (*one, *other),
             // The second round has other dashes with the same colours.
             _ => (member % COLORS.len(), (member + member / COLORS.len() * 3) % DASHES.len()),
         };
@@ -114,9 +115,16 @@ mod tests {
 
     #[test]
     fn no_two_of_twelve_look_the_same() {
-        let looks: BTreeSet<_> = (0..12).map(|i| Style::of(i, &[i])).map(|s| (s.color, s.dashes)).collect();
-        assert_eq!(looks.len(), 12);
-        let looks: BTreeSet<_> = (0..12).map(|i| Style::of(i, &[i / 4, i % 4])).map(|s| (s.color, s.dashes)).collect();
-        assert_eq!(looks.len(), 12);
+        let looks =
+            |style: fn(usize) -> Style| (0..12).map(style).map(|s| (s.color, s.dashes)).collect::<BTreeSet<_>>();
+        for style in [
+            |i| Style::of(i, &[]),
+            |i| Style::of(i, &[(i, 12)]),
+            |i| Style::of(i, &[(i / 4, 3), (i % 4, 4)]),
+            |i| Style::of(i, &[(0, 1), (i, 12)]),
+            |i| Style::of(i, &[(i, 12), (0, 1)]),
+        ] {
+            assert_eq!(looks(style).len(), 12);
+        }
     }
 }

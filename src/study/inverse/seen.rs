@@ -89,7 +89,6 @@ impl Question<'_> {
     pub(super) fn solution(&self, value: f64, alone: bool) -> Result<Solution, String> {
         let replacement = Replacement { path: self.path, value: format!("{value:?}").into() };
         let mut scene = self.study.scene_where(self.row, replacement).map_err(|error| error.in_one_line())?;
-        scene.path = None;
         if alone {
             scene.output.quantities = Asked::named(&self.find.quantity).map(|asked| vec![asked]);
             scene.output.strain = false;

@@ -6,6 +6,36 @@ use crate::study::Study;
 use crate::study::axis::{Axis, Column, Values};
 use crate::study::find::Wanted;
 use slipzone_api::Files;
+use toml::de::DeValue;
+
+/// What goes into tables, figures and messages can be printed; that it is spread over lines does no harm.
+pub(super) fn check_texts(document: &Document) -> Result<(), SceneError> {
+    fn look(document: &Document, path: &[String], value: &DeValue) -> Result<(), SceneError> {
+        let within = |key: String| path.iter().cloned().chain([key]).collect::<Vec<_>>();
+        match value {
+            DeValue::String(text) => match text.chars().find(|c| c.is_control() && !"\n\r\t".contains(*c)) {
+                None => Ok(()),
+                Some(control) => {
+                    let path: Vec<&str> = path.iter().map(String::as_str).collect();
+                    let message = format!("`{}` holds a control character", dotted(&path));
+                    let error = document.error(document.best(&path), message);
+                    Err(error.found(format!("`{}`", control.escape_debug())).expected("printable text"))
+                }
+            },
+            DeValue::Array(values) => values
+                .iter()
+                .enumerate()
+                .try_for_each(|(index, value)| look(document, &within(index.to_string()), value.get_ref())),
+            DeValue::Table(table) => table
+                .iter()
+                .try_for_each(|(key, value)| look(document, &within(key.get_ref().to_string()), value.get_ref())),
+            _ => Ok(()),
+        }
+    }
+    ["title", "axes", "plots"].into_iter().try_for_each(|section| {
+        document.value(&[section]).map_or(Ok(()), |value| look(document, &[section.into()], value.get_ref()))
+    })
+}
 
 /// Each value makes a scene of the base: with the other axes at their first values, as the base has them, or at their last
 /// values. What is wrong only together is a line of the results.
@@ -28,7 +58,7 @@ pub(super) fn check_values(document: &Document, study: &Study, files: &dyn Files
                     continue;
                 }
                 // Fields zipped change together: the one that the error names.
-                let c = if step == 0 { blamed(axis, &error).unwrap_or(c) } else { c };
+                let c = blamed(axis, &error).unwrap_or(c);
                 let column = &axis.columns[c];
                 let (a, c) = (a.to_string(), c.to_string());
                 let mut place = vec!["axes", a.as_str()];

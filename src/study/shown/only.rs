@@ -37,7 +37,7 @@ impl Study {
         #[expect(clippy::cast_precision_loss, reason = "a name for a value, not a count")]
         let number = value.as_float().or_else(|| value.as_integer().map(|integer| integer as f64));
         let is_meant = |step: &u64| match column.cell(*step) {
-            Cell::Text(text) => value.as_str() == Some(&text),
+            Cell::Text(text) => value.as_str().map_or_else(|| value.to_string() == text, |value| value == text),
             Cell::Number(own) => number.is_some_and(|n| (n - own).abs() <= SAME * own.abs()),
         };
         let steps: Vec<u64> = (0..axis.count.min(MOST_STEPS)).filter(is_meant).collect();

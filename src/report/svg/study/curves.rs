@@ -197,7 +197,7 @@ fn curve(groups: &Groups, member: usize, points: &[Option<(f64, f64)>], few: boo
     let lonely = points.split(Option::is_none).filter(|stretch| stretch.len() == 1).flatten().flatten().copied();
     let is_cloud = groups.shown.is_cloud;
     Curve {
-        style: Style::of(member, &groups.member_steps(member)),
+        style: Style::of(member, &groups.places(member)),
         marks: if few || is_cloud { thinned_marks(known()) } else { lonely.collect() },
         stretches: if is_cloud { Vec::new() } else { stretches.filter(|s: &Vec<_>| s.len() > 1).collect() },
     }
@@ -226,7 +226,7 @@ pub(super) fn legend(groups: &Groups, is_marked: bool, has_violated: bool) -> Ve
     let is_cloud = groups.shown.is_cloud;
     let members = (0..groups.members()).map(|member| Entry {
         name: groups.member_name(member).into(),
-        style: Style::of(member, &groups.member_steps(member)),
+        style: Style::of(member, &groups.places(member)),
         is_line: !is_cloud,
         is_marked: is_marked || is_cloud,
     });

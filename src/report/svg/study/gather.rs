@@ -57,23 +57,23 @@ impl<'a> Groups<'a> {
 
     /// What a curve is called; nothing where there is one only.
     pub(super) fn member_name(&self, member: usize) -> String {
-        let steps = self.family.iter().zip(self.member_steps(member));
+        let steps = self.family.iter().zip(self.places(member));
         let names: Vec<String> =
-            steps.map(|((place, steps), at)| names::value(self.study, *place, steps[at], steps)).collect();
+            steps.map(|((place, steps), (at, _))| names::value(self.study, *place, steps[at], steps)).collect();
         names.join(", ")
     }
 
-    /// A member's place in each axis of the family.
-    pub(super) fn member_steps(&self, member: usize) -> Vec<usize> {
+    /// A member's place in each axis of the family, and among how many.
+    pub(super) fn places(&self, member: usize) -> Vec<(usize, usize)> {
         let mut rest = member;
-        let mut places: Vec<usize> = self
+        let mut places: Vec<_> = self
             .family
             .iter()
             .rev()
             .map(|(_, steps)| {
                 let place = rest % steps.len();
                 rest /= steps.len();
-                place
+                (place, steps.len())
             })
             .collect();
         places.reverse();

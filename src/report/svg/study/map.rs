@@ -97,7 +97,9 @@ impl Grid {
         };
         let mut middles: Vec<(u64, f64)> = all.iter().filter_map(value).collect();
         middles.sort_by(|one, other| one.1.total_cmp(&other.1));
-        middles.dedup_by(|one, other| one.1.total_cmp(&other.1).is_eq());
+        if middles.windows(2).any(|pair| pair[0].1.total_cmp(&pair[1].1).is_eq()) {
+            return Err(refused("has each value once"));
+        }
         if middles.len() < 2 {
             return Err(refused("has at least two values"));
         }

@@ -78,7 +78,9 @@ pub(super) fn value(study: &Study, place: Place, step: u64, others: &[u64]) -> S
     /// What reminds of a number; what makes two of them that differ.
     const DIGITS: std::ops::Range<usize> = 4..15;
     let column = column(study, place);
-    let text = match column.cell(step) {
+    let cell = column.cell(step);
+    let is_named = matches!(cell, Cell::Text(_));
+    let text = match cell {
         Cell::Number(number) => {
             let others =
                 || others.iter().map(|other| column.cell(*other)).filter(|other| *other != Cell::Number(number));
@@ -88,17 +90,20 @@ pub(super) fn value(study: &Study, place: Place, step: u64, others: &[u64]) -> S
         }
         Cell::Text(text) => with_symbols(&text),
     };
-    let is_number = text.starts_with(|c: char| c.is_ascii_digit() || "−-+.".contains(c));
-    if !is_number {
+    // A name such as 1/8 is a number, 2 mm says all by itself.
+    if is_named && !text.chars().all(|c| c.is_ascii_digit() || "−-+./".contains(c)) {
         return text;
     }
     let labels = Labels::new(&study.scene.units);
     let (name, unit) = match field(&column.field, &labels).filter(|_| column.label == column.field) {
         // Of `thickness h` the symbol is enough.
-        Some((name, unit)) => (name.rsplit_once(' ').map_or(name, |(_, symbol)| symbol).to_owned(), unit),
+        Some((name, unit)) => {
+            let symbol = name.rsplit_once(' ').map(|(_, last)| last).filter(|last| last.chars().count() == 1);
+            (symbol.unwrap_or(name).to_owned(), unit)
+        }
         None => (with_symbols(&column.label), String::new()),
     };
-    let unit = if unit.is_empty() { unit } else { format!(" {unit}") };
+    let unit = if unit.is_empty() || is_named { String::new() } else { format!(" {unit}") };
     format!("{name} = {text}{unit}")
 }
 

@@ -254,6 +254,44 @@ fn tractions_have_a_curve_for_each_scene() {
     assert!(matches!(study_svg(&study, &study.plots[0], bare), Err(FigureError::NothingToShow(_))));
 }
 
+/// What a question found is the modulus that tractions are divided by.
+#[test]
+fn tractions_over_the_modulus_found() {
+    let plot = "kind = 'tractions'\ny = 'pressure'\nover = 'modulus'\n[find]\nfield = 'layer.grading.surface'\nfrom = 1.0\n\
+                to = 50.0\nquantity = 'load.indentation'\ntarget = 0.05\n";
+    let question = study("", plot);
+    let drawn = |found: f64| {
+        let mut record = record(&question, 0);
+        record["found"] = json!({ "value": found });
+        figure(&question, [record])
+    };
+    let written =
+        study("[[axes]]\nfield = 'layer.grading.surface'\nvalues = [40.0]\n", &plot[..plot.find("[find]").unwrap()]);
+    let told = ticks(&figure(&written, records(&written)), "end");
+    assert!(told.len() > 1);
+    assert_eq!(ticks(&drawn(40.0), "end"), told);
+    assert_ne!(ticks(&drawn(2.0), "end"), told);
+}
+
+/// Samples of one half stand for those of the other.
+#[test]
+fn tractions_have_the_samples_of_both_halves() {
+    let study = study("", "kind = 'tractions'\ny = 'pressure'\n");
+    let mut record = record(&study, 0);
+    record["profile"] = json!({ "x": [-1.0, -0.9, 0.1, 0.2, 0.3], "pressure": [null, 2.0, 1.0, 1.1, 1.2], "shear": [null, -0.2, 0.1, 0.1, 0.2] });
+    // Four that are bounded, and the way to the edge.
+    assert_eq!(lengths(&figure(&study, [record])), [4 + 9]);
+}
+
+#[test]
+fn names_of_numbers_are_whole() {
+    let axes = "[[axes]]\nfield = 'punch.half_width'\nvalues = [1.0, 2.0]\n[[axes]]\nfield = 'layer.thickness'\nvalues = [3.0, 5.0]\n\
+                names = ['2 in', '5 in']\n[[axes]]\nfield = 'friction.coefficient'\nvalues = [0.1, 0.2]\n";
+    let study = study(axes, "x = 'friction.coefficient'\ny = 'stick.ratio'\n");
+    let found = texts(&figure(&study, records(&study)));
+    assert!(found.contains(&"half-width of the punch = 1 mm, 2 in".to_owned()), "{found:?}");
+}
+
 const GRID: &str = "[[axes]]\nfield = 'layer.thickness'\nlabel = 'h/b'\nlog = { from = 1.0, to = 100.0, count = 7 }\n\
                     [[axes]]\nfield = 'layer.grading.base'\nvalues = [0.5, 1.0, 4.0, 5.0]\n";
 const MAP: &str = "kind = 'map'\nx = 'h/b'\ny = 'layer.grading.base'\nz = 'stick.ratio'\nx_scale = 'log'\n";
@@ -288,6 +326,14 @@ fn a_map_marks_each_scene_and_crosses_out_what_is_missing() {
 }
 
 /// A plateau at the largest value has no line around it: where it begins is where numbers round to its height.
+/// Of two scenes in one cell one would not be seen.
+#[test]
+fn a_map_has_each_value_once() {
+    let study = study(&GRID.replace("[0.5, 1.0, 4.0, 5.0]", "[0.5, 1.0, 4.0, 1.0]"), MAP);
+    let drawn = study_svg(&study, &study.plots[0], records(&study));
+    assert!(matches!(drawn, Err(FigureError::Plot(why)) if why.contains("each value once")));
+}
+
 #[test]
 fn a_plateau_of_a_map_has_no_line() {
     let study = study(GRID, MAP);

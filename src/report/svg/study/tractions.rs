@@ -1,14 +1,14 @@
 //! Pressure and shear over the contact, a curve for each scene.
 
 use super::gather::{Groups, Shot, number};
-use super::{ABREAST, Drawing, curves};
+use super::{ABREAST, Drawing, curves, names};
 use crate::report::labels::Labels;
 use crate::report::svg::FigureError;
 use crate::report::svg::edges::to_the_edges;
 use crate::report::svg::panel::{Curve, MARKED, Panel};
 use crate::report::svg::scale::Scale;
 use crate::report::svg::style::Style;
-use crate::study::{Over, Source};
+use crate::study::{FOUND, Over, Source};
 use serde_json::Value;
 
 /// Samples of a profile that are kept.
@@ -59,7 +59,8 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
             let sharp = profile.tractions[0].last().is_some_and(|point| point.1.is_none());
             points.iter().filter(move |point| !sharp || point.0 <= SHOWN).filter_map(|point| point.1)
         });
-        let label = plot.y_label.clone().unwrap_or_else(|| format!("{name} {over}").trim().to_owned());
+        let label =
+            plot.y_label.as_deref().map_or_else(|| format!("{name} {over}").trim().to_owned(), names::with_symbols);
         let seen = seen.chain([0.0]).chain(plot.lines.iter().map(|line| line.y));
         let scale = curves::scale(seen, plot.y_scale, &label, unit, true);
         kinds.push((which, scale.ok_or_else(|| FigureError::NothingToShow("no tractions".into()))?));
@@ -67,14 +68,19 @@ pub(super) fn draw(groups: &Groups, records: impl IntoIterator<Item = Value>) ->
     if profiles.is_empty() {
         return Err(FigureError::NothingToShow("none converged, or the results hold no tractions".into()));
     }
-    let x = Scale::spanning((0.0, 1.0), [false, false], plot.x_label.as_deref().unwrap_or("x / b"), "");
+    let x = Scale::spanning(
+        (0.0, 1.0),
+        [false, false],
+        &plot.x_label.as_deref().map_or("x / b".into(), names::with_symbols),
+        "",
+    );
     let mut panels = Vec::new();
     for panel in 0..groups.panels() {
         for (which, y) in &kinds {
             let of_panel = profiles.iter().filter(|profile| profile.panel == panel);
             let drawn = of_panel.map(|profile| {
                 let points = &profile.tractions[*which];
-                let style = Style::of(profile.member, &groups.member_steps(profile.member));
+                let style = Style::of(profile.member, &groups.places(profile.member));
                 let style = if profile.violated { style.crossed().with_width(DOUBTFUL) } else { style };
                 Curve { style, stretches: vec![line(points, y)], marks: marks(profile, points, y) }
             });
@@ -112,7 +118,10 @@ fn profile(groups: &Groups, shot: &Shot) -> Option<Profile> {
     let b = of("load.half_width")?;
     let divisor = match groups.plot.over {
         Over::Mean => of("pressure.mean")?,
-        Over::Modulus => groups.study.scene(shot.index).ok()?.layer.model().ok()?.surface_shear,
+        Over::Modulus => {
+            let scene = groups.study.scene_answered(shot.index, number(record, FOUND)).ok()?;
+            scene.layer.model().ok()?.surface_shear
+        }
         Over::One => 1.0,
     };
     let x: Vec<f64> = record.pointer("/profile/x")?.as_array()?.iter().filter_map(Value::as_f64).collect();
@@ -126,10 +135,10 @@ fn profile(groups: &Groups, shot: &Shot) -> Option<Profile> {
             kept.map(|(_, (x, value))| (x / b, value.as_f64().map(|value| value / divisor))).collect();
         // Both halves are the same, but for the sign of the shear.
         let mirrored = |(x, value): &(f64, Option<f64>)| (-x, value.map(|value| parity * value));
-        let right: Vec<_> = all.iter().filter(|point| point.0 >= 0.0).copied().collect();
-        let left: Vec<_> = all.iter().filter(|point| point.0 <= 0.0).map(mirrored).collect();
-        let mut half = if right.len() >= left.len() { right } else { left };
+        let right = all.iter().filter(|point| point.0 >= 0.0).copied();
+        let mut half: Vec<_> = right.chain(all.iter().filter(|point| point.0 < 0.0).map(mirrored)).collect();
         half.sort_by(|one, other| one.0.total_cmp(&other.0));
+        half.dedup_by(|next, before| next.0 - before.0 < 1e-9);
         half
     };
     let tractions = [column("pressure", 1.0), column("shear", -1.0)];
