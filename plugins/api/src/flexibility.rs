@@ -96,6 +96,11 @@ pub trait LayerResponse: Send + Sync {
         self.thickness()
     }
 
+    /// Whether the solid is the same at every depth, down to its base.
+    fn is_homogeneous(&self) -> bool {
+        false
+    }
+
     /// Whether [`Self::depth`] is where the law breaks, and not only how far it is known to be smooth.
     fn breaks(&self) -> bool {
         false

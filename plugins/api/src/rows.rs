@@ -100,9 +100,10 @@ impl<R: AsRef<[f64]>> Source<R> {
         }
     }
 
-    /// A fault of all rows, with its place.
+    /// A fault of all rows, with its place; one that names its own keeps that.
     pub fn fault(&self, fault: Fault) -> Fault {
         match self {
+            _ if !fault.path.is_empty() => fault,
             Self::File(name) => Fault { path: vec!["file".into()], ..fault }.at(whole(name)),
             Self::Points(_) => Fault { path: vec!["points".into()], ..fault },
         }

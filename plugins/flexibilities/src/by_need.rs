@@ -65,6 +65,10 @@ impl LayerResponse for ByNeed {
         self.rough.thickness()
     }
 
+    fn is_homogeneous(&self) -> bool {
+        self.rough.is_homogeneous()
+    }
+
     fn breaks(&self) -> bool {
         self.rough.breaks()
     }

@@ -45,4 +45,8 @@ impl LayerResponse for Exponential {
     fn depth(&self) -> Option<f64> {
         Some(1.0)
     }
+
+    fn is_homogeneous(&self) -> bool {
+        self.gamma == 0.0
+    }
 }

@@ -200,6 +200,10 @@ impl LayerResponse for Layered {
         self.layer.law.broken_power()
     }
 
+    fn is_homogeneous(&self) -> bool {
+        self.layer.exponent() == Some(0.0)
+    }
+
     fn breaks(&self) -> bool {
         self.depth() == Some(self.panels.first_break) && self.panels.first_break < 1.0
     }
@@ -264,6 +268,10 @@ impl LayerResponse for AgainstDatum {
 
     fn broken_power(&self) -> Option<f64> {
         self.layer.broken_power()
+    }
+
+    fn is_homogeneous(&self) -> bool {
+        self.layer.is_homogeneous()
     }
 
     fn breaks(&self) -> bool {

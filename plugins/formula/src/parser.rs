@@ -13,6 +13,8 @@ pub const LONGEST: usize = 2000;
 
 /// The deepest nesting of brackets, signs and powers.
 pub const DEEPEST: usize = 50;
+/// The formula itself is in none of them.
+const OUTERMOST: usize = 1;
 
 /// Characters of a name that a message shows, at most.
 const SHOWN: usize = 40;
@@ -140,7 +142,7 @@ impl<'t> Parser<'t> {
 
     fn sum(&mut self) -> Result<(), Fault> {
         self.depth += 1;
-        if self.depth > DEEPEST {
+        if self.depth > OUTERMOST + DEEPEST {
             let deep =
                 fault(self.span(), "the formula is nested too deeply").found(format!("more than {DEEPEST} levels"));
             return Err(deep.expected(format!("at most {DEEPEST} levels of brackets, signs and powers")));
@@ -204,7 +206,7 @@ impl<'t> Parser<'t> {
         self.atom()?;
         if self.eat('^') {
             self.depth += 1;
-            if self.depth > DEEPEST {
+            if self.depth > OUTERMOST + DEEPEST {
                 return Err(
                     fault(self.span(), "the formula is nested too deeply").found(format!("more than {DEEPEST} levels"))
                 );

@@ -13,7 +13,7 @@ pub(crate) struct Samples {
     pub(crate) cutoff: f64,
 }
 
-/// Where the refinement towards `s = 0` stops, in `1/depth`.
+/// Where the refinement towards `s = 0` stops, over the depth of all that is felt.
 ///
 /// A strongly graded layer has structure there (docs/theory.md section 3); below this its flexibility
 /// is a Taylor polynomial even at modulus ratios of 1e6.
@@ -40,11 +40,13 @@ impl Samples {
         // Gauss with n nodes takes cos(k x) on [-1, 1] to round-off for k up to about n/2.
         let widest = per_panel as f64 / reach;
         let rule = GaussLegendre::new(per_panel).expect("at least one node");
+        // A base far below the first interface is felt by long waves.
+        let extent = response.extent().map_or(depth, |extent| extent.max(depth));
         let (beta, tail) = (response.elastic().beta(), response.tail(1).first().copied().unwrap_or_default());
         let mut samples = Self::default();
         while samples.cutoff < cutoff {
             let lower = samples.cutoff;
-            let doubled = if lower == 0.0 { SMALLEST_PANEL / depth } else { lower };
+            let doubled = if lower == 0.0 { SMALLEST_PANEL / extent } else { lower };
             let upper = (lower + doubled.min(widest)).min(cutoff);
             if samples.s.len() > MOST_SAMPLES {
                 return Err(too_wide(reach, cutoff));

@@ -99,11 +99,16 @@ const MOST_STEPS: usize = 2048;
 const LEAST_REACH: f64 = 1.0;
 /// Largest `u`: the last gap is then 1e-275 of the half-width.
 const MOST_REACH: f64 = 6.0;
+/// The same where a density vanishes at the end, by as much as the root of the gap: systems were singular from 4.8 on.
+const MOST_SMOOTH_REACH: f64 = 4.7;
 
 impl DeSinc {
     fn resolution(&self, edge: Edge) -> Resolution {
         let n = self.n.map_or_else(|| ladder(self.level), |n| finer(n.0, self.level));
-        Resolution { n, u_max: self.u_max.map_or_else(|| reach(n, edge), f64::from) }
+        let own = reach(n, edge);
+        // What a grid that ends too soon misses shows beside one that does not.
+        let u_max = self.u_max.map_or(own, |u_max| if self.level == 0 { u_max.0 } else { u_max.0.max(own) });
+        Resolution { n, u_max }
     }
 }
 
@@ -118,6 +123,16 @@ impl Quadrature for DeSinc {
                 method: "de-sinc",
                 why: format!("{} steps asked for, {MOST_STEPS} are the most it takes", resolution.n),
                 remedy: "ask for a coarser tolerance or fewer steps",
+            });
+        }
+        if span.edge == Edge::Smooth && resolution.u_max > MOST_SMOOTH_REACH {
+            return Err(Refusal::OutOfReach {
+                method: "de-sinc",
+                why: format!(
+                    "a density that vanishes at its end has no digits left at u = {}, {MOST_SMOOTH_REACH} is the largest there",
+                    resolution.u_max
+                ),
+                remedy: "take a smaller `u_max`, or leave it out",
             });
         }
         let grid = resolution::grid(resolution, odd, span.edge);

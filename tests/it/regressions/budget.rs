@@ -28,7 +28,7 @@ fn what_solving_refuses_is_known_before() {
         (&soft, cylinder, &format!("{thin}\n{dry}"), "rigid base"),
         (&exponential, path, &format!("{thin}\n{dry}"), "loading curve"),
         (&exponential, narrow, &format!("{thin}\n{dry}"), "four thicknesses"),
-        (&exponential, flat, moments, "homogeneous surface"),
+        (&exponential, flat, moments, "homogeneous layer"),
         (&homogeneous, flat, transfer, "double depth exponents"),
         (&incompressible, flat, transfer, "incompressible"),
     ] {

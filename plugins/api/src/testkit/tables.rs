@@ -134,6 +134,11 @@ impl LayerResponse for Known {
         Elastic::of(Plane::Strain, 0.3)
     }
 
+    /// As far as kernels can tell.
+    fn is_homogeneous(&self) -> bool {
+        self.jump == 0.0
+    }
+
     /// Of `s/(1 + s^2)` and `1/(1 + s^2)`.
     fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
         let term = |k: usize| {

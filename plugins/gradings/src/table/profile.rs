@@ -74,6 +74,11 @@ impl Profile {
             let fault = Fault::new(&["depth_unit"], "a unit in which depths cannot be told apart").found(found);
             return Err(fault.expected("depths between 1e-100 and 1e100"));
         }
+        if let Some(modulus) = rows.moduli.iter().map(|m| m * modulus_unit).find(|modulus| !MODERATE.contains(modulus))
+        {
+            let fault = Fault::new(&["modulus_unit"], "a unit in which moduli are too large or too small");
+            return Err(fault.found(format!("a modulus of {modulus:e}")).expected("moduli between 1e-100 and 1e100"));
+        }
         let logarithms: Vec<f64> = rows.moduli.iter().map(|modulus| (modulus * modulus_unit).ln()).collect();
         let of_degree = |degree: usize| {
             let curve = Interpolant::new(depths.clone(), degree);

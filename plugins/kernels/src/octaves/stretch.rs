@@ -14,6 +14,9 @@ const SMALL: f64 = 0.1;
 const STEP: f64 = 32.0;
 const LAST: f64 = 1e11;
 
+/// And up to which anything is known of a response: shorter waves are for none.
+const SHORTEST: f64 = 1e30;
+
 /// Distances between which they are found, and how many wave numbers it took to say so.
 pub(super) struct Stretch {
     pub(super) ends: (f64, f64),
@@ -39,7 +42,8 @@ pub(super) fn of(
         if integrands.iter().map(size).fold(0.0, f64::max) < SMALL {
             let end = length / s;
             let ends = (BEGINNING.powf(power.recip()) * end, end);
-            return Ok(Some(Stretch { ends, tried: count }));
+            let stretch = Stretch { ends, tried: count };
+            return Ok(Some(stretch).filter(|stretch| stretch.waves() * length < SHORTEST));
         }
     }
     Ok(None)

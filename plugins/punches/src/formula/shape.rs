@@ -3,7 +3,7 @@
 use super::Gives;
 use slipzone_api::{Fault, Flaw, PunchShape, details, double_exponential, examine, short};
 use slipzone_formula::Formula;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// The most places at which integrals are to be split.
 const MOST_KINKS: usize = 64;
@@ -17,8 +17,16 @@ const STEEP: f64 = 0.5;
 /// Difference between both sides that is no rounding.
 const ASYMMETRIC: f64 = 1e-9;
 
+/// Where between two places beside a detail the shape is looked at.
+const BESIDE: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
+
 /// Points at which both sides are compared.
 const COMPARED: u32 = 64;
+
+/// Loss of digits, relative, from which a height is not taken as it is written.
+const LOST: f64 = 1e-11;
+/// How often the natural length is halved to look for that.
+const HALVED: i32 = 40;
 
 /// How far out, in natural lengths, the tip is looked over before there is any load.
 const TIP: f64 = 1e-3;
@@ -38,8 +46,10 @@ pub(super) struct Graph {
     face: f64,
     /// The length over which details were looked for last, and these.
     details: Arc<Mutex<(f64, Vec<f64>)>>,
-    /// Fixed places, ascending as far as they were needed, and the heights there of a punch that is given by its slope.
+    /// Fixed places, ascending as far as they were needed, and the heights there by the slope.
     heights: Arc<Mutex<Vec<(f64, f64)>>>,
+    /// The length up to which the height as written has lost digits, known when first asked for.
+    lossy: OnceLock<f64>,
 }
 
 impl Graph {
@@ -59,6 +69,7 @@ impl Graph {
             face: 0.0,
             details: Arc::default(),
             heights: Arc::default(),
+            lossy: OnceLock::new(),
         };
         if !tip.is_finite() {
             return Err(Fault::new(&[], "the formula has no finite value at x = 0")
@@ -74,10 +85,10 @@ impl Graph {
         graph.kinks = graph.formula.singular_points(graph.natural_length, MOST_KINKS, &narrow);
         graph.corners = graph.kinks.iter().copied().filter(|&kink| graph.jumps(kink)).collect();
         graph.face = graph.level();
-        if let Some((x, right, left)) = graph.asymmetry(2.0 * graph.natural_length) {
+        if let Some((x, right, left)) = graph.asymmetry(2.0 * graph.natural_length, &[]) {
             return Err(graph.asymmetric(x, right, left));
         }
-        if let Some(flaw) = graph.flaw(TIP * graph.natural_length) {
+        if let Some(flaw) = graph.flaw_among(TIP * graph.natural_length, &graph.kinks) {
             return Err(Fault::new(&[], format!("{} from its tip on", flaw.what))
                 .found(format!(
                     "height({0}) = {1}, slope({0}) = {2}",
@@ -123,9 +134,9 @@ impl Graph {
             let middle = face + 0.5 * (kink - face);
             // Where two branches meet in between two numbers, the other one is higher there, by rounding.
             let rounding = 4.0 * f64::EPSILON * (self.tip.abs() + kink * self.steepness(kink * (1.0 + 1e-9)).abs());
-            let is_level = self.steepness(middle) == 0.0 && self.height(middle) == 0.0;
             // No number is not level.
-            let is_level = is_level && self.height(kink).abs() <= rounding;
+            let is_at_tip = |x: f64| self.written(x).abs() <= rounding;
+            let is_level = self.steepness(middle) == 0.0 && is_at_tip(middle) && is_at_tip(kink);
             if !is_level {
                 break;
             }
@@ -144,18 +155,39 @@ impl Graph {
             self.steepness(to) - left
         };
         let steepest = self.steepness(self.natural_length).abs();
-        if kink == 0.0 {
-            return jumps_at_tip(steepest, [1e-60, 1e-80, 1e-100, 1e-120].map(difference));
-        }
-        let (far, near) = (difference(1e-6), difference(1e-10));
-        // |x - kink|^1.01 would keep nine tenths.
-        far != 0.0 && (near / far) > 0.95 && near.abs() > 1e-9 * steepest
+        // Nothing is lost beside 0.
+        let (least, distances) = if kink == 0.0 {
+            (1e-12, [1e-60, 1e-80, 1e-100, 1e-120])
+        } else {
+            (1e-9, [1e-6, 4.64e-8, 2.154e-9, 1e-10])
+        };
+        leave_a_jump(least * steepest, distances.map(difference))
+    }
+
+    /// The first flaw up to a half-width, looked for at places of its own and at those given.
+    fn flaw_among(&self, half_width: f64, places: &[f64]) -> Option<Flaw> {
+        // Terms that cancel round by their sizes: heights by that of the tip as written, slopes by that where the contact ends.
+        let steepest = Some(self.steepness(half_width).abs()).filter(|slope| slope.is_finite()).unwrap_or(0.0);
+        let known = (self.tip.abs(), steepest);
+        let found = match self.gives {
+            Gives::Height => examine::first_flaw_beside(known, &Written(self), half_width, places),
+            Gives::Slope => examine::first_flaw_beside((0.0, 0.0), &Rising(self), half_width, places),
+        };
+        let nearest = found.as_ref().map_or(half_width, |flaw| flaw.x);
+        let uneven = self.asymmetry(half_width, places).filter(|(x, ..)| *x < nearest);
+        let uneven = uneven.map(|(x, ..)| Flaw::new("the punch is not symmetric", x));
+        uneven.or(found)
     }
 
     /// The first point up to `x` at which the formula as written differs from its mirror image, and both values.
-    fn asymmetry(&self, x: f64) -> Option<(f64, f64, f64)> {
+    fn asymmetry(&self, x: f64, also: &[f64]) -> Option<(f64, f64, f64)> {
         let sign = if self.gives == Gives::Height { 1.0 } else { -1.0 };
-        (1..=COMPARED).map(|i| f64::from(i) / f64::from(COMPARED) * x).find_map(|x| {
+        let mut compared: Vec<f64> = (1..=COMPARED).map(|i| f64::from(i) / f64::from(COMPARED) * x).collect();
+        // Nearer to the tip both sides may be of rounding.
+        let compared_first = compared[0];
+        compared.extend(also.iter().filter(|place| (compared_first..=x).contains(*place)));
+        compared.sort_unstable_by(f64::total_cmp);
+        compared.into_iter().find_map(|x| {
             let (right, left) = (self.formula.at(x).value, self.formula.at(-x).value);
             let allowed = ASYMMETRIC * right.abs().max(left.abs());
             // Written so that a left side without a value counts; a right side without one is no matter of symmetry.
@@ -187,7 +219,37 @@ impl Graph {
             .hint(hint)
     }
 
-    /// The height of a punch that is given by its slope, at `x > 0`: from the last of fixed places before it, up to which it is known.
+    /// The height as written, from the tip.
+    fn written(&self, x: f64) -> f64 {
+        self.formula.at(x).value - self.tip
+    }
+
+    /// Up to where the height as written has lost digits: of `R - sqrt(R^2 - x^2)` few are left where `x` is far smaller than `R`, and all of
+    /// the slope.
+    fn lossy(&self) -> f64 {
+        *self.lossy.get_or_init(|| {
+            let is_lossy = |halved: &i32| {
+                let x = self.natural_length * 0.5_f64.powi(*halved);
+                let (height, by_parts) = (self.rise(0.0, x), self.rise(0.0, 0.4 * x) + self.rise(0.4 * x, x));
+                let lost = (self.written(x) - height).abs();
+                // Where the integral is no better, nothing is to be gained.
+                lost > LOST * height.abs() && (height - by_parts).abs() < 0.1 * lost
+            };
+            if !is_lossy(&HALVED) {
+                return 0.0;
+            }
+            // The nearer to the tip the more is lost.
+            let (mut lossy, mut exact) = (HALVED, -1);
+            while lossy - exact > 1 {
+                let between = i32::midpoint(lossy, exact);
+                *(if is_lossy(&between) { &mut lossy } else { &mut exact }) = between;
+            }
+            // What is between this one and the next may lose as much.
+            self.natural_length * 0.5_f64.powi(lossy - 1)
+        })
+    }
+
+    /// The height by the slope, at `x > 0`: from the last of fixed places before it, up to which it is known.
     fn integral(&self, x: f64) -> f64 {
         /// The first of them, over the natural length, and each over the one before.
         const FIRST: f64 = 1.0 / 256.0;
@@ -249,8 +311,8 @@ impl PunchShape for Graph {
     fn height(&self, x: f64) -> f64 {
         match self.gives {
             _ if x == 0.0 => 0.0,
-            Gives::Height => self.formula.at(x.abs()).value - self.tip,
-            Gives::Slope => self.integral(x.abs()),
+            Gives::Height if x.abs() > self.lossy() => self.written(x.abs()),
+            Gives::Height | Gives::Slope => self.integral(x.abs()),
         }
     }
 
@@ -274,17 +336,11 @@ impl PunchShape for Graph {
     }
 
     fn flaw(&self, half_width: f64) -> Option<Flaw> {
-        // Terms that cancel round by their sizes: heights by that of the tip as written, slopes by that where the contact ends.
-        let steepest = Some(self.steepness(half_width).abs()).filter(|slope| slope.is_finite()).unwrap_or(0.0);
-        let known = (self.tip.abs(), steepest);
-        let found = match self.gives {
-            Gives::Height => examine::first_flaw_beside(known, self, half_width, &self.kinks),
-            Gives::Slope => examine::first_flaw(&Rising(self), half_width, &self.kinks),
-        };
-        let nearest = found.as_ref().map_or(half_width, |flaw| flaw.x);
-        let uneven = self.asymmetry(half_width).filter(|(x, ..)| *x < nearest);
-        let uneven = uneven.map(|(x, ..)| Flaw::new("the punch is not symmetric", x));
-        uneven.or(found)
+        // A dent may be narrower than the steps of a first look.
+        let details = self.details(half_width);
+        let begins = std::iter::once(&0.0).chain(&details);
+        let beside = begins.zip(&details).flat_map(|(from, to)| BESIDE.map(|part| from + part * (to - from)));
+        self.flaw_among(half_width, &self.kinks.iter().copied().chain(beside).collect::<Vec<_>>())
     }
 
     fn face(&self) -> f64 {
@@ -312,9 +368,27 @@ impl PunchShape for Graph {
     }
 }
 
-/// Whether slopes at places of which each is as much nearer to the tip as the one before leave a jump there: the limit of a jump and one
-/// power of the distance, by any three of them (Aitken). Of `|x|^1.0000001` it leaves nothing, and of `|x| + |x|^1.05` the jump.
-fn jumps_at_tip(steepest: f64, beside: [f64; 4]) -> bool {
+/// A punch with the height as it is written.
+#[derive(Debug)]
+struct Written<'g>(&'g Graph);
+
+impl PunchShape for Written<'_> {
+    fn height(&self, x: f64) -> f64 {
+        self.0.written(x.abs())
+    }
+
+    fn slope(&self, x: f64) -> f64 {
+        self.0.slope(x)
+    }
+
+    fn natural_length(&self) -> f64 {
+        self.0.natural_length
+    }
+}
+
+/// Whether differences of slopes, each as much nearer to a place as the one before, leave a jump there: the limit of a jump and one power of
+/// the distance, by any three of them (Aitken). Of `|x|^1.0000001` it leaves nothing, and of `|x| + |x|^1.05` the jump.
+fn leave_a_jump(least: f64, beside: [f64; 4]) -> bool {
     let limit = |places: &[f64]| {
         let (before, last) = (places[1] - places[0], places[2] - places[1]);
         // Nothing but rounding shrinks.
@@ -322,7 +396,7 @@ fn jumps_at_tip(steepest: f64, beside: [f64; 4]) -> bool {
     };
     let (far, near) = (limit(&beside[..3]), limit(&beside[1..]));
     // What is left of a power is of rounding; two powers, or logarithms, leave what three nearer ones do not confirm.
-    near.abs() > 1e-12 * steepest && near.abs() > 1e-3 * beside[3].abs() && (near / far - 1.0).abs() < 1e-3
+    near.abs() > least && near.abs() > 1e-3 * beside[3].abs() && (near / far - 1.0).abs() < 1e-3
 }
 
 /// A punch given by its slope, with a height that has the right sign as long as the slope has not begun to fall: enough

@@ -90,6 +90,9 @@ fn corners_are_kinks_where_the_slope_jumps() {
         (height("x^2 + max(0, abs(x)-1)"), vec![1.0], vec![1.0]),
         (height("x^2 + 0.1*(abs(x-1) + abs(x+1))"), vec![1.0], vec![1.0]),
         (height("x^2 + max(0, abs(x)-1)^1.5"), vec![1.0], vec![]),
+        (height("x^2 + max(0, abs(x)-1)^1.004"), vec![1.0], vec![]),
+        (height("x^2 + 1e-6*max(0, abs(x)-1)"), vec![1.0], vec![1.0]),
+        (height("0.001*(abs(x-0.16)+abs(x+0.16)+abs(x-0.32)+abs(x+0.32))"), vec![0.16, 0.32], vec![0.16, 0.32]),
         (slope("0.1*x + 0.05*(x-1)/abs(x-1) + 0.05*(x+1)/abs(x+1)"), vec![1.0], vec![1.0]),
     ] {
         let shape = good(shape);

@@ -6,7 +6,7 @@ use super::rows::Rows;
 use super::scatter;
 use super::spline::{Piece, at, finer};
 use super::strays::strays;
-use slipzone_api::{Fault, Flaw, PunchShape, of_height, short};
+use slipzone_api::{Fault, Flaw, MODERATE, PunchShape, of_height, short};
 
 /// Of slopes, what need not be told from a smooth function.
 const SMOOTH: f64 = 1e-10;
@@ -63,6 +63,13 @@ impl Profile {
         let residuals: Vec<f64> = points.iter().map(|point| point.height - fitted(point.x)).collect();
         let flaws = scatter::flaws(&points, &residuals, (rounding, decimal));
         let (reach, rise) = (reach * x_unit, range * height_unit);
+        for (key, what, length) in [("x_unit", "the half-width of the table", reach), ("height_unit", "the rise", rise)]
+        {
+            if !MODERATE.contains(&length) {
+                let fault = Fault::new(&[key], "a unit in which the punch is too large or too small");
+                return Err(fault.found(format!("{what} {length:e}")).expected("lengths between 1e-100 and 1e100"));
+            }
+        }
         let noise = (left_over / points.len() as f64).sqrt() * rise;
         let sags = deepest(&points, fitted).map(|Sag { from, at, depth }| Sag {
             from: from * reach,

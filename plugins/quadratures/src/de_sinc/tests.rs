@@ -119,5 +119,7 @@ fn the_widest_and_the_narrowest_grid_hold() {
         let p = value(rule.as_ref(), &unknowns, 0.5, 0.5) * std::f64::consts::PI * 0.75_f64.sqrt();
         // Exact for F = const by construction; entries span 250 orders of magnitude.
         assert_close(p, 1.0, 1e-12, &format!("flat punch at n = {n}, u_max = {u_max}"));
+        let smooth = quadrature.rule(&Span::symmetric(1.0, Parity::Even, Edge::Smooth));
+        assert_eq!(smooth.is_ok(), u_max == LEAST_REACH, "singular systems at u_max = {u_max}");
     }
 }
