@@ -24,6 +24,9 @@ use std::sync::Arc;
 
 /// Times that the first piece may be cut.
 const MOST_CUTS: usize = 12;
+/// And where the force is a sum of powers; what each cut is to leave of what was missed.
+const MOST_AT_SINGULAR: usize = 30;
+const GAINED: f64 = 0.95;
 /// Points closer to the middle than that, over the half-width, are taken to be there: `cosh` has an end.
 const CLOSEST: f64 = 1e-290;
 
@@ -99,15 +102,21 @@ impl Stack {
             nodes = (MORE_NODES * nodes as f64).ceil() as usize;
             stack = Self::empty(problem, widest, digits, nodes);
         }
-        let mut cuts = 0;
+        let (mut cuts, mut missed_before) = (0, f64::INFINITY);
         while stack.pieces.len() + 1 < stack.breaks.len() {
             let i = stack.pieces.len();
             let (from, to) = (stack.breaks[i], stack.breaks[i + 1]);
             let Made { piece, missed, at_kink } = stack.piece(problem, family, (from, to), digits);
-            if from == 0.0 && cuts < MOST_CUTS && missed > digits.max(ROUNDING) {
+            // Of a sum of powers the lower outgrows the other, if slowly; noise stays.
+            let is_worth_it = if piece.is_singular_at_tip() {
+                cuts < MOST_AT_SINGULAR && missed < GAINED * missed_before
+            } else {
+                cuts < MOST_CUTS
+            };
+            if from == 0.0 && is_worth_it && missed > digits.max(ROUNDING) {
                 // A formula loses digits towards its tip. The nearer to it, the less it matters.
                 stack.breaks.insert(1, to * (-LONGEST_PIECE).exp());
-                cuts += 1;
+                (cuts, missed_before) = (cuts + 1, missed);
                 continue;
             }
             stack.pieces.push(piece);

@@ -109,6 +109,26 @@ impl Series {
         self.last() + rounding * largest(&self.0)
     }
 
+    /// What those left out may add up to where they fall off like a power, as beside a singularity; `None` where they do so geometrically, or
+    /// are of rounding. (Through points the last ones are too small: what is beyond them is taken off.)
+    pub(crate) fn left_of_power(&self) -> Option<f64> {
+        const ROUNDING: f64 = 1e-14;
+        /// Of a power they fall by more than a half; those that hardly fall are of noise.
+        const MOST: f64 = 0.55;
+        /// Over the last octave those of a power fall as over the one before, those of a geometric series by the square of that.
+        const BETWEEN: f64 = 1.5;
+        let count = self.len();
+        if count < 8 || self.last() <= ROUNDING * largest(&self.0) {
+            return None;
+        }
+        let [early, middle, late] = [(count / 8, count / 4), (count / 4, count / 2), (count / 2, count)]
+            .map(|(from, to)| largest(&self.0[from..to]));
+        let (before, falls) = (middle / early, late / middle);
+        // From the middle to the end, and as much less over the next half.
+        let each = falls.sqrt();
+        (falls > before.powf(BETWEEN) && falls < MOST).then(|| late * falls * count as f64 * each / (1.0 - each))
+    }
+
     /// How large the last few are.
     pub(crate) fn last(&self) -> f64 {
         largest(&self.0[self.0.len().saturating_sub(3)..])

@@ -13,6 +13,8 @@ const OF_FEWER: f64 = 1e-7;
 /// Most of them; fewer where twice as many from so many on are no better.
 const MOST_COEFFICIENTS: usize = 384;
 const STALLING: usize = 48;
+/// What twice as many leave of what a series misses that is singular at the tip: more of them are worth less than a cut nearer to it.
+const SLOW: f64 = 0.1;
 /// What a pressure exactly at a kink misses, over what the series does of the rate there: one that goes with a low power of the distance has
 /// most of it nearest to the kink.
 const AT_KINK: f64 = 4.0;
@@ -49,6 +51,14 @@ enum Force {
     Plain { series: Series, feigned: f64 },
 }
 
+impl Force {
+    /// Whether a series from a tip is not analytic there.
+    fn is_singular_at_tip(&self) -> bool {
+        let Self::OfHeight { rho, kappa } = self else { return false };
+        [rho, kappa].into_iter().any(|series| series.left_of_power().is_some())
+    }
+}
+
 /// A piece, what its series leaves out of the force, relative, and what of the pressure at a kink where it begins.
 pub(super) struct Made {
     pub(super) piece: Piece,
@@ -76,7 +86,8 @@ impl Stack {
             // A kink at the beginning feels the rate of the force, which a plain series misses by so much more than the force.
             let felt = if matches!(force, Force::Plain { .. }) { (count * count) as f64 } else { 1.0 };
             let is_enough = missed < (digits / felt).max(ROUNDING);
-            let is_vain = missed.is_nan() || count >= STALLING && missed > 0.5 * before;
+            let slow = if force.is_singular_at_tip() { SLOW } else { 0.5 };
+            let is_vain = missed.is_nan() || count >= STALLING && missed > slow * before;
             // Where more coefficients tell no more of the force they tell less of its rate.
             if is_enough || best.as_ref().is_none_or(|(least, ..)| felt * missed < *least) {
                 best = Some((felt * missed, missed, force));
@@ -128,7 +139,8 @@ impl Stack {
         }
         let (rho, kappa) = (points.through(&rhos), points.through(&kappas));
         // Beside what both are at the end: close to the tip they may be of rounding.
-        let tail = (rho.last() / rhos[0]).abs().max((kappa.last() / kappas[0]).abs());
+        let left = |series: &Series| series.left_of_power().unwrap_or_else(|| series.last());
+        let tail = (left(&rho) / rhos[0]).abs().max((left(&kappa) / kappas[0]).abs());
         // Of all that is pressed on the middle, so much is while the contact grows to the end of this piece.
         let widest = self.breaks.last().map_or(0.0, |widest| problem.slope(*widest));
         let share = (problem.slope(to) / widest).abs().min(1.0);
@@ -177,6 +189,11 @@ impl Stack {
 }
 
 impl Piece {
+    /// Whether it begins at a tip where no series is analytic.
+    pub(super) fn is_singular_at_tip(&self) -> bool {
+        self.force.is_singular_at_tip()
+    }
+
     /// What the series leaves out of the force at a half-width, relative to that force. A series of the force itself is as good as its
     /// largest coefficient has digits; beside the force close to where the piece begins that may be anything.
     ///
