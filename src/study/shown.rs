@@ -78,6 +78,7 @@ impl Study {
         let only = self.only(plot)?;
         let panels = plot.panels.as_deref().map(|name| self.place(&["panels"], name)).transpose()?;
         let (x, y, z) = self.sources(plot)?;
+        self.one_ordinate(plot, &y)?;
         let mut shown = Shown { x, y, z, family: Vec::new(), panels, is_cloud: false, only };
         shown.family = match &plot.family {
             Some(_) if plot.kind == PlotKind::Map => {
@@ -107,6 +108,22 @@ impl Study {
 
     fn shown_count(&self, shown: &Shown, axis: usize) -> u64 {
         shown.only.iter().find(|only| only.0.axis == axis).map_or(self.axes[axis].count, |only| only.1.len() as u64)
+    }
+
+    /// A name of the ordinate, and numbers from elsewhere, belong to one.
+    fn one_ordinate(&self, plot: &Plot, y: &[Source]) -> Result<(), Fault> {
+        let is_dry = self.scene.friction.is_none() && self.columns().all(|column| column.path[0] != "friction");
+        // Without friction there is no shear to be drawn.
+        if y.len() < 2 || plot.kind == PlotKind::Tractions && is_dry {
+            return Ok(());
+        }
+        for (key, is_given) in [("y_label", plot.y_label.is_some()), ("points", !plot.points.is_empty())] {
+            if is_given {
+                let message = format!("`{key}` beside several ordinates: whose would it be?");
+                return Err(wrong(&[key], message, format!("no `{key}`, or a figure for each `y`")));
+            }
+        }
+        Ok(())
     }
 
     /// What a figure takes its numbers from.

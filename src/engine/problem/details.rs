@@ -61,6 +61,7 @@ impl Problem {
             narrowest = narrowest.min(to - from);
             most = LOOKED_AT.iter().map(|part| missed(from + part * (to - from))).fold(most, f64::max);
         }
+        let narrowest = narrowest.max(f64::EPSILON * half_width);
         most * (FELT + FRAC_2_PI * (half_width / narrowest).ln()) / self.slope(half_width).abs()
     }
 

@@ -47,18 +47,6 @@ pub(super) fn marks(plot: &Plot) -> Result<(), Fault> {
             }
         }
     }
-    let is_one = match (&plot.y, plot.kind) {
-        (Some(y), _) => y.names().len() <= 1,
-        (None, kind) => kind != PlotKind::Tractions,
-    };
-    if !is_one {
-        for (key, is_given) in [("y_label", plot.y_label.is_some()), ("points", !plot.points.is_empty())] {
-            if is_given {
-                let message = format!("`{key}` beside several ordinates: whose would it be?");
-                return Err(wrong(&[key], message, format!("no `{key}`, or a figure for each `y`")));
-            }
-        }
-    }
     if plot.kind == PlotKind::Tractions {
         let (middle, ends) = ("go from the middle", "end at 0");
         for (key, scale, what) in [("x_scale", plot.x_scale, middle), ("y_scale", plot.y_scale, ends)] {
