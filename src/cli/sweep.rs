@@ -6,8 +6,6 @@ use super::journal::Journal;
 use super::output::{self, Target};
 use super::{Failure, Outcome, interrupt, print, progress};
 use crate::report::{self, StudyTable};
-#[cfg(feature = "plot")]
-use crate::study::Plot;
 use crate::study::{Study, sweep};
 use std::fs;
 use std::ops::ControlFlow;
@@ -56,13 +54,7 @@ pub(super) fn run(arguments: &Sweep) -> Result<Outcome, Failure> {
     #[cfg_attr(not(feature = "plot"), allow(unused_mut))]
     let mut results = vec![TABLE, LINES];
     #[cfg(feature = "plot")]
-    {
-        results.extend(draw(&study, &journal, figures)?);
-        // An old one in place of a figure that was not drawn would show other results.
-        let is_old = |plot: &&Plot| !results.contains(&plot.file.as_str());
-        let old: Vec<_> = study.plots.iter().filter(is_old).map(|plot| folder.join(&plot.file)).collect();
-        discard(old.iter())?;
-    }
+    results.extend(draw(&study, &journal, &folder, figures)?);
     let failed = journal.tally().failed;
     print::result(&summary(&study, &folder, &results, failed))?;
     Ok(if failed == 0 { Outcome::Done } else { Outcome::NotConverged })
@@ -158,7 +150,7 @@ fn write_results(study: &Study, journal: &Journal, table: &Target, lines: &Targe
 
 /// The figures that the study asks for, and the names of those that were drawn; one that cannot be drawn is a note.
 #[cfg(feature = "plot")]
-fn draw<'a>(study: &'a Study, journal: &Journal, figures: Vec<Target>) -> Result<Vec<&'a str>, Failure> {
+fn draw<'a>(study: &'a Study, journal: &Journal, folder: &Path, figures: Vec<Target>) -> Result<Vec<&'a str>, Failure> {
     let (mut drawn, mut names) = (Vec::new(), Vec::new());
     for (target, plot) in figures.into_iter().zip(&study.plots) {
         let mut lines = journal.in_order().map_err(of_journal)?;
@@ -182,7 +174,11 @@ fn draw<'a>(study: &'a Study, journal: &Journal, figures: Vec<Target>) -> Result
                 drawn.push((target, figure.svg));
                 names.push(plot.file.as_str());
             }
-            Err(error) => print::note(&format!("{} was not drawn: {error}", plot.file)),
+            Err(error) => {
+                print::note(&format!("{} was not drawn: {error}", plot.file));
+                // An old one in its place would show other results.
+                discard(std::iter::once(&folder.join(&plot.file)))?;
+            }
         }
     }
     output::write(&drawn)?;

@@ -6,6 +6,7 @@ use super::error::{Kind, SceneError};
 use super::keys::{ABSCISSAE, LISTED, LONGEST_LABEL, MOST_FRICTION, POINTS, STAND_INS, TOLERANCES};
 use super::{Load, Model, Scene};
 use slipzone_api::{Base, Friction, LawFlaw, MODERATE, PunchShape, Refusal, short};
+use std::ops::Range;
 use toml::Spanned;
 use toml::de::DeValue;
 
@@ -68,49 +69,29 @@ fn labels(document: &Document, scene: &Scene) -> Result<(), SceneError> {
             let error = document.error(document.key(path), format!("`{}` is too long", path.join(".")));
             return Err(error.found(format!("{length} characters")).expected(format!("at most {LONGEST_LABEL}")));
         }
-        if let Some(control) = label.chars().find(|c| c.is_control()) {
-            let error = document.error(document.key(path), format!("`{}` holds a control character", path.join(".")));
-            return Err(error.found(format!("`{}`", control.escape_debug())).expected("one line of printable text"));
-        }
+        printable(document, (path, document.key(path)), (label, "one line of printable text"), &[])?;
     }
     Ok(())
+}
+
+/// A text that is to be printed holds no control character but those allowed.
+pub(crate) fn printable(
+    document: &Document,
+    (path, place): (&[&str], Range<usize>),
+    (text, expected): (&str, &str),
+    allowed: &[char],
+) -> Result<(), SceneError> {
+    let Some(control) = text.chars().find(|c| c.is_control() && !allowed.contains(c)) else { return Ok(()) };
+    let error = document.error(place, format!("`{}` holds a control character", dotted(path)));
+    Err(error.found(format!("`{}`", control.escape_debug())).expected(expected))
 }
 
 /// Products of a few numbers, of some sections, must neither overflow nor vanish.
 pub(super) fn magnitudes(document: &Document, sections: &[&str]) -> Result<(), SceneError> {
-    for section in sections {
-        if let Some(value) = document.value(&[section]) {
-            magnitude(document, &mut vec![(*section).into()], value.get_ref())?;
-        }
-    }
-    Ok(())
-}
-
-fn magnitude(document: &Document, path: &mut Vec<String>, value: &DeValue) -> Result<(), SceneError> {
-    // Depth is bounded by the parser.
-    match value {
-        DeValue::Table(table) => {
-            for (key, value) in table {
-                // Poisson's ratio has no unit, and may be as near to zero as one likes.
-                if key.get_ref() != "poisson" {
-                    path.push(key.get_ref().to_string());
-                    magnitude(document, path, value.get_ref())?;
-                    path.pop();
-                }
-            }
-            Ok(())
-        }
-        DeValue::Array(array) => {
-            for (index, value) in array.iter().enumerate() {
-                path.push(index.to_string());
-                magnitude(document, path, value.get_ref())?;
-                path.pop();
-            }
-            Ok(())
-        }
-        _ => match number(value) {
-            // What is no finite number is told where it is read.
-            Some(number) if number.is_finite() && !in_scale(number) => {
+    sections.iter().try_for_each(|section| {
+        document.each_within(&[section], |path, value| match number(value) {
+            // Poisson's ratio has no unit, and may be as near to zero as one likes. What is no finite number is told where it is read.
+            Some(number) if number.is_finite() && !in_scale(number) && path[1..].iter().all(|key| key != "poisson") => {
                 let path: Vec<_> = path.iter().map(String::as_str).collect();
                 let sign = if number < 0.0 { ", or its negative" } else { "" };
                 Err(document
@@ -118,8 +99,8 @@ fn magnitude(document: &Document, path: &mut Vec<String>, value: &DeValue) -> Re
                     .hint("choose units in which the numbers are moderate"))
             }
             _ => Ok(()),
-        },
-    }
+        })
+    })
 }
 
 /// Whether a number is 0 (then its type has its say) or of a size that can be computed with.

@@ -77,6 +77,39 @@ impl<'a> Document<'a> {
         })
     }
 
+    /// Shows each value at a path and within it that is no table and no array, with the keys and indices that lead there. Depth is bounded by
+    /// the parser.
+    pub(crate) fn each_within(
+        &self,
+        path: &[&str],
+        visit: impl FnMut(&[String], &DeValue) -> Result<(), SceneError>,
+    ) -> Result<(), SceneError> {
+        fn look(
+            path: &mut Vec<String>,
+            value: &DeValue,
+            visit: &mut impl FnMut(&[String], &DeValue) -> Result<(), SceneError>,
+        ) -> Result<(), SceneError> {
+            let mut within = |key: String, value: &DeValue| {
+                path.push(key);
+                look(path, value, visit)?;
+                path.pop();
+                Ok(())
+            };
+            match value {
+                DeValue::Table(table) => {
+                    table.iter().try_for_each(|(key, value)| within(key.get_ref().to_string(), value.get_ref()))
+                }
+                DeValue::Array(array) => (0..)
+                    .zip(array.iter())
+                    .try_for_each(|(index, value): (usize, _)| within(index.to_string(), value.get_ref())),
+                _ => visit(path, value),
+            }
+        }
+        let mut visit = visit;
+        let Some(value) = self.value(path) else { return Ok(()) };
+        look(&mut path.iter().map(|key| (*key).to_owned()).collect(), value.get_ref(), &mut visit)
+    }
+
     /// Where the key at the end of a path stands; an element of an array stands for itself, and the end
     /// of the text for the root.
     pub(crate) fn key(&self, path: &[&str]) -> Range<usize> {

@@ -28,6 +28,7 @@ mod template;
 mod text;
 
 pub use asked::Asked;
+pub(crate) use check::printable;
 pub(crate) use error::Kind;
 pub use error::SceneError;
 pub use keys::KEYS;

@@ -28,6 +28,13 @@ pub(crate) struct Replacement<'a> {
     pub(crate) value: Cow<'a, str>,
 }
 
+impl<'a> Replacement<'a> {
+    /// A number, with all its digits.
+    pub(crate) fn number(path: &'a [String], number: f64) -> Self {
+        Self { path, value: format!("{number:?}").into() }
+    }
+}
+
 impl Template {
     /// A scene file.
     pub(crate) fn parse(name: &str, text: String, files: &dyn Files) -> Result<Self, SceneError> {

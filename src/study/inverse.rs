@@ -253,7 +253,6 @@ impl Question<'_> {
     }
 }
 
-/// The slope from one place to another.
 /// The ends of the range at which the number is as wanted, but for less than its error: beside one a root may be lost to rounding. Not where one
 /// was found between it and its neighbour, nor where that is as wanted as the end.
 fn hit_at_ends(points: &[Point], found: &[(f64, Moved)]) -> Vec<(f64, Moved)> {
@@ -270,6 +269,7 @@ fn hit_at_ends(points: &[Point], found: &[(f64, Moved)]) -> Vec<(f64, Moved)> {
         .collect()
 }
 
+/// The slope from one place to another.
 fn by_slope([one, other]: [Place; 2]) -> Moved {
     Moved::BySlope((other.1 - one.1) / (other.0 - one.0))
 }

@@ -122,10 +122,10 @@ impl Study {
     /// As of [`Self::scene`].
     #[cfg(feature = "plot")]
     pub(crate) fn scene_answered(&self, row: u64, found: Option<f64>) -> Result<Scene, SceneError> {
-        let path = self.find.as_ref().map(Find::path);
-        let more =
-            path.as_ref().zip(found).map(|(path, found)| Replacement { path, value: format!("{found:?}").into() });
-        self.made(self.chosen(row), more, &self.files)
+        match self.find.as_ref().map(Find::path).zip(found) {
+            Some((path, found)) => self.scene_where(row, Replacement::number(&path, found)),
+            None => self.scene(row),
+        }
     }
 
     /// The steps of the axes in one scene.

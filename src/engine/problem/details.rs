@@ -2,6 +2,7 @@
 
 use super::Problem;
 use crate::engine::numerics::chebyshev::{Points, Series};
+use slipzone_api::details;
 use std::f64::consts::FRAC_2_PI;
 
 /// Chebyshev points all over the contact that tell whether a slope is smooth. What they do not resolve no grid does whose nodes crowd
@@ -10,9 +11,6 @@ const SLOPES: usize = 40;
 
 /// Chebyshev points that tell what a grid of an unknown more could: three times as dense in the middle, where a grid is coarsest.
 const POINTS_PER_UNKNOWN: usize = 2;
-/// Where between two places beside a detail its slope is looked at: where one begins a grid may agree with it by chance, and it is not at
-/// its largest.
-const LOOKED_AT: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
 /// How much of a missed slope the pressure is at most, beside the share `2/pi ln(b/w)` of a step of the width `w`: under a bump
 /// `x/(1 + x^2)^2` it is 1.54 times the largest slope.
 const FELT: f64 = 1.6;
@@ -55,13 +53,9 @@ impl Problem {
         }
         let series = self.slopes(half_width, POINTS_PER_UNKNOWN * unknowns);
         let missed = |x: f64| (self.slope(x) - series.value_and_slope(0.5 + 0.5 * x / half_width).0).abs();
-        let begins = std::iter::once(&0.0).chain(&details);
-        let (mut most, mut narrowest) = (0.0_f64, half_width);
-        for (from, to) in begins.zip(&details) {
-            narrowest = narrowest.min(to - from);
-            most = LOOKED_AT.iter().map(|part| missed(from + part * (to - from))).fold(most, f64::max);
-        }
-        let narrowest = narrowest.max(f64::EPSILON * half_width);
+        let most = details::looked_at(&details).map(missed).fold(0.0, f64::max);
+        let widths = details.windows(2).map(|pair| pair[1] - pair[0]);
+        let narrowest = widths.fold(details[0], f64::min).max(f64::EPSILON * half_width);
         most * (FELT + FRAC_2_PI * (half_width / narrowest).ln()) / self.slope(half_width).abs()
     }
 

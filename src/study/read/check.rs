@@ -1,39 +1,20 @@
 //! What a study says, tried: its values make scenes, its question can be asked, its figures can be drawn.
 
 use crate::scene::document::{Document, dotted, one_of};
-use crate::scene::{Asked, Kind, Replacement, SceneError, overlap};
+use crate::scene::{Asked, Kind, Replacement, SceneError, overlap, printable};
 use crate::study::Study;
 use crate::study::axis::{Axis, Column, Values};
 use crate::study::find::Wanted;
 use slipzone_api::Files;
-use toml::de::DeValue;
 
 /// What goes into tables, figures and messages can be printed; that it is spread over lines does no harm.
 pub(super) fn check_texts(document: &Document) -> Result<(), SceneError> {
-    fn look(document: &Document, path: &[String], value: &DeValue) -> Result<(), SceneError> {
-        let within = |key: String| path.iter().cloned().chain([key]).collect::<Vec<_>>();
-        match value {
-            DeValue::String(text) => match text.chars().find(|c| c.is_control() && !"\n\r\t".contains(*c)) {
-                None => Ok(()),
-                Some(control) => {
-                    let path: Vec<&str> = path.iter().map(String::as_str).collect();
-                    let message = format!("`{}` holds a control character", dotted(&path));
-                    let error = document.error(document.best(&path), message);
-                    Err(error.found(format!("`{}`", control.escape_debug())).expected("printable text"))
-                }
-            },
-            DeValue::Array(values) => values
-                .iter()
-                .enumerate()
-                .try_for_each(|(index, value)| look(document, &within(index.to_string()), value.get_ref())),
-            DeValue::Table(table) => table
-                .iter()
-                .try_for_each(|(key, value)| look(document, &within(key.get_ref().to_string()), value.get_ref())),
-            _ => Ok(()),
-        }
-    }
     ["title", "axes", "plots"].into_iter().try_for_each(|section| {
-        document.value(&[section]).map_or(Ok(()), |value| look(document, &[section.into()], value.get_ref()))
+        document.each_within(&[section], |path, value| {
+            let Some(text) = value.as_str() else { return Ok(()) };
+            let path: Vec<&str> = path.iter().map(String::as_str).collect();
+            printable(document, (&path, document.best(&path)), (text, "printable text"), &['\n', '\r', '\t'])
+        })
     })
 }
 
@@ -97,7 +78,7 @@ fn check_end(
     files: &dyn Files,
 ) -> Result<(), SceneError> {
     let column = &study.axes[a].columns[c];
-    let value = || Some(Replacement { path: &column.path, value: format!("{end:?}").into() });
+    let value = || Some(Replacement::number(&column.path, end));
     let Err(error) = study.made(std::iter::empty(), value(), files) else { return Ok(()) };
     let with_others =
         |of: fn(&Axis) -> u64| study.made(study.axes.iter().map(|axis| (axis, of(axis))), value(), files).is_ok();
@@ -224,7 +205,7 @@ pub(super) fn check_find(document: &Document, study: &Study, files: &dyn Files) 
         if !end.is_finite() {
             return Err(document.not_allowed(&["find", key], "a finite number"));
         }
-        let value = Replacement { path: &path, value: format!("{end:?}").into() };
+        let value = Replacement::number(&path, end);
         if let Err(error) = study.made(study.axes.iter().map(|axis| (axis, 0)), Some(value), files) {
             if error.kind == Kind::NotWhole {
                 return Err(of_whole_numbers(document, &["find", "field"], &find.field));

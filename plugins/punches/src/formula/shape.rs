@@ -17,9 +17,6 @@ const STEEP: f64 = 0.5;
 /// Difference between both sides that is no rounding.
 const ASYMMETRIC: f64 = 1e-9;
 
-/// Where between two places beside a detail the shape is looked at.
-const BESIDE: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
-
 /// Points at which both sides are compared.
 const COMPARED: u32 = 64;
 
@@ -168,11 +165,8 @@ impl Graph {
     fn flaw_among(&self, half_width: f64, places: &[f64]) -> Option<Flaw> {
         // Terms that cancel round by their sizes: heights by that of the tip as written, slopes by that where the contact ends.
         let steepest = Some(self.steepness(half_width).abs()).filter(|slope| slope.is_finite()).unwrap_or(0.0);
-        let known = (self.tip.abs(), steepest);
-        let found = match self.gives {
-            Gives::Height => examine::first_flaw_beside(known, &Written(self), half_width, places),
-            Gives::Slope => examine::first_flaw_beside((0.0, 0.0), &Rising(self), half_width, places),
-        };
+        let known = if self.gives == Gives::Height { (self.tip.abs(), steepest) } else { (0.0, 0.0) };
+        let found = examine::first_flaw_beside(known, &Written(self), half_width, places);
         let nearest = found.as_ref().map_or(half_width, |flaw| flaw.x);
         let uneven = self.asymmetry(half_width, places).filter(|(x, ..)| *x < nearest);
         let uneven = uneven.map(|(x, ..)| Flaw::new("the punch is not symmetric", x));
@@ -184,8 +178,8 @@ impl Graph {
         let sign = if self.gives == Gives::Height { 1.0 } else { -1.0 };
         let mut compared: Vec<f64> = (1..=COMPARED).map(|i| f64::from(i) / f64::from(COMPARED) * x).collect();
         // Nearer to the tip both sides may be of rounding.
-        let compared_first = compared[0];
-        compared.extend(also.iter().filter(|place| (compared_first..=x).contains(*place)));
+        let nearest = compared[0];
+        compared.extend(also.iter().filter(|place| (nearest..=x).contains(*place)));
         compared.sort_unstable_by(f64::total_cmp);
         compared.into_iter().find_map(|x| {
             let (right, left) = (self.formula.at(x).value, self.formula.at(-x).value);
@@ -228,21 +222,21 @@ impl Graph {
     /// the slope.
     fn lossy(&self) -> f64 {
         *self.lossy.get_or_init(|| {
-            let is_lossy = |halved: &i32| {
-                let x = self.natural_length * 0.5_f64.powi(*halved);
+            let is_lossy = |halved: i32| {
+                let x = self.natural_length * 0.5_f64.powi(halved);
                 let (height, by_parts) = (self.rise(0.0, x), self.rise(0.0, 0.4 * x) + self.rise(0.4 * x, x));
                 let lost = (self.written(x) - height).abs();
                 // Where the integral is no better, nothing is to be gained.
                 lost > LOST * height.abs() && (height - by_parts).abs() < 0.1 * lost
             };
-            if !is_lossy(&HALVED) {
+            if !is_lossy(HALVED) {
                 return 0.0;
             }
             // The nearer to the tip the more is lost.
             let (mut lossy, mut exact) = (HALVED, -1);
             while lossy - exact > 1 {
                 let between = i32::midpoint(lossy, exact);
-                *(if is_lossy(&between) { &mut lossy } else { &mut exact }) = between;
+                *(if is_lossy(between) { &mut lossy } else { &mut exact }) = between;
             }
             // What is between this one and the next may lose as much.
             self.natural_length * 0.5_f64.powi(lossy - 1)
@@ -337,10 +331,9 @@ impl PunchShape for Graph {
 
     fn flaw(&self, half_width: f64) -> Option<Flaw> {
         // A dent may be narrower than the steps of a first look.
-        let details = self.details(half_width);
-        let begins = std::iter::once(&0.0).chain(&details);
-        let beside = begins.zip(&details).flat_map(|(from, to)| BESIDE.map(|part| from + part * (to - from)));
-        self.flaw_among(half_width, &self.kinks.iter().copied().chain(beside).collect::<Vec<_>>())
+        let mut places = self.kinks.clone();
+        places.extend(details::looked_at(&self.details(half_width)));
+        self.flaw_among(half_width, &places)
     }
 
     fn face(&self) -> f64 {
@@ -368,24 +361,6 @@ impl PunchShape for Graph {
     }
 }
 
-/// A punch with the height as it is written.
-#[derive(Debug)]
-struct Written<'g>(&'g Graph);
-
-impl PunchShape for Written<'_> {
-    fn height(&self, x: f64) -> f64 {
-        self.0.written(x.abs())
-    }
-
-    fn slope(&self, x: f64) -> f64 {
-        self.0.slope(x)
-    }
-
-    fn natural_length(&self) -> f64 {
-        self.0.natural_length
-    }
-}
-
 /// Whether differences of slopes, each as much nearer to a place as the one before, leave a jump there: the limit of a jump and one power of
 /// the distance, by any three of them (Aitken). Of `|x|^1.0000001` it leaves nothing, and of `|x| + |x|^1.05` the jump.
 fn leave_a_jump(least: f64, beside: [f64; 4]) -> bool {
@@ -399,14 +374,17 @@ fn leave_a_jump(least: f64, beside: [f64; 4]) -> bool {
     near.abs() > least && near.abs() > 1e-3 * beside[3].abs() && (near / far - 1.0).abs() < 1e-3
 }
 
-/// A punch given by its slope, with a height that has the right sign as long as the slope has not begun to fall: enough
-/// to be looked over, and no integral at each point.
+/// A punch as it is written, to be looked over without an integral at each point: where the slope is given, the height has the right sign as long
+/// as that has not begun to fall.
 #[derive(Debug)]
-struct Rising<'g>(&'g Graph);
+struct Written<'g>(&'g Graph);
 
-impl PunchShape for Rising<'_> {
+impl PunchShape for Written<'_> {
     fn height(&self, x: f64) -> f64 {
-        x * self.0.slope(x)
+        match self.0.gives {
+            Gives::Height => self.0.written(x.abs()),
+            Gives::Slope => x * self.0.slope(x),
+        }
     }
 
     fn slope(&self, x: f64) -> f64 {
