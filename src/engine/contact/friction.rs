@@ -75,7 +75,7 @@ impl Contact {
                 let root = Root { lambda, branch, slope: f64::NAN, doubt: f64::NAN };
                 let rubbing = Rubbing::expected(root, b, true);
                 let rubbing = rubbing.traced(curve.shear.trace(curve.normal.mean()));
-                let Some((x, load)) = checks::overload(layer, curve.normal, curve.shear, eta) else {
+                let Some((x, load)) = checks::overload(layer, curve.normal, curve.shear, eta, true) else {
                     return Ok(rubbing);
                 };
                 let what = format!("{} inside the stick zone", checks::overloaded(load, x));
@@ -229,6 +229,8 @@ impl Contact {
             }
             rubbing.verdict = Verdict::Fails(what);
         }
+        // So coarse a resolution may see nothing of what a zone fails: it is checked again once it is known.
+        rubbing.checked = false;
         Ok(rubbing)
     }
 
@@ -388,7 +390,7 @@ impl Contact {
 
     /// Where the shear solved last is more than a friction coefficient bears, though everything sticks.
     pub(crate) fn overload(&mut self, layer: &PreparedLayer, eta: f64) -> Option<String> {
-        let (x, load) = checks::overload(layer, &self.normal, self.shear.as_deref()?, eta)?;
+        let (x, load) = checks::overload(layer, &self.normal, self.shear.as_deref()?, eta, self.of_slices)?;
         self.is_overloaded = true;
         (!self.of_slices).then(|| format!("where everything sticks {}", checks::overloaded(load, x)))
     }
@@ -398,7 +400,7 @@ impl Contact {
         let (normal, shear) = (&mut self.normal, self.shear.as_deref()?);
         let direction = if shear.friction < 0.0 { "outward" } else { "inward" };
         let zone = shear.zone.words();
-        if let Some((x, load)) = checks::overload(layer, normal, shear, shear.friction.abs()) {
+        if let Some((x, load)) = checks::overload(layer, normal, shear, shear.friction.abs(), self.of_slices) {
             self.is_overloaded = true;
             if !self.of_slices {
                 return Some(format!(
