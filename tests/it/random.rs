@@ -1,6 +1,6 @@
 //! Random scenes over the whole region that is served, each against another quadrature at a finer resolution.
 //!
-//! `PROPTEST_CASES=2000 cargo test --release --test it random -- --nocapture` is the long run; `PROPTEST_RNG_SEED`, which each
+//! `SLIPZONE_CASES=2000 cargo test --release --test it random -- --nocapture` is the long run; `SLIPZONE_SEED`, which each
 //! test prints, has it again.
 
 use crate::sketch::{Sketch, numbers, shear_apart};
@@ -130,7 +130,7 @@ fn growing() -> impl Strategy<Value = Sketch> {
         .prop_map(|(h, ratio, nu, eta)| Sketch::flat(h, ratio, nu).cylinder().rubbing(eta))
 }
 
-/// Cases unless `PROPTEST_CASES` asks for others, and the seed of those.
+/// Cases unless `SLIPZONE_CASES` asks for others, and the seed of those.
 const CASES: u32 = 24;
 const SEED: u64 = 3;
 
@@ -139,11 +139,11 @@ const ROUNDING: f64 = 1e-13;
 /// Ten times the default tolerance: both tractions meet where the stick zone ends.
 const SLACK: f64 = 1e-7;
 
-/// Checks scenes that are always the same, unless `PROPTEST_CASES` asks for a number of others, and that so large a share of
+/// Checks scenes that are always the same, unless `SLIPZONE_CASES` asks for a number of others, and that so large a share of
 /// them converges: of a solver that gives up nothing else would be held. What fails is shrunk.
 fn hold<S: Strategy>(scenes: &S, share: f64, check: impl Fn(S::Value) -> Result<Status, TestCaseError>) {
     let asked = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
-    let (cases, seed) = (asked("PROPTEST_CASES"), asked("PROPTEST_RNG_SEED"));
+    let (cases, seed) = (asked("SLIPZONE_CASES"), asked("SLIPZONE_SEED"));
     let other = cases.and_then(|_| SystemTime::UNIX_EPOCH.elapsed().ok()?.as_secs().into());
     let seed = seed.or(other).unwrap_or(SEED);
     let cases = cases.and_then(|cases| cases.try_into().ok()).unwrap_or(CASES);
@@ -160,7 +160,7 @@ fn hold<S: Strategy>(scenes: &S, share: f64, check: impl Fn(S::Value) -> Result<
         }
         Ok(())
     });
-    println!("PROPTEST_CASES={cases} PROPTEST_RNG_SEED={seed}: {} converged", converged.get());
+    println!("SLIPZONE_CASES={cases} SLIPZONE_SEED={seed}: {} converged", converged.get());
     outcome.unwrap_or_else(|why| panic!("{why}"));
     // Of few cases anything may be so.
     let least = if cases < CASES { 0.0 } else { share * f64::from(cases) };

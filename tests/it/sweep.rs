@@ -160,7 +160,7 @@ fn a_killed_sweep_loses_no_finished_scene() {
 #[cfg(unix)]
 #[test]
 fn an_interrupted_sweep_says_how_far_it_came() {
-    let folder = folder_with(&STUDY.replace("count = 20", "count = 2000"));
+    let folder = folder_with(&STUDY.replace("count = 20", "count = 20000"));
     fs::create_dir(folder.path().join("out")).unwrap();
     fs::write(folder.path().join("out/results.csv"), "of a journal thrown away").unwrap();
     let mut child = program(folder.path())
@@ -173,11 +173,12 @@ fn an_interrupted_sweep_says_how_far_it_came() {
     while fs::metadata(&journal).map_or(0, |found| found.len()) < 20_000 && child.try_wait().unwrap().is_none() {
         std::thread::yield_now();
     }
-    assert!(std::process::Command::new("kill").args(["-TERM", &child.id().to_string()]).status().unwrap().success());
+    let kill = format!("kill -TERM {}", child.id());
+    assert!(std::process::Command::new("sh").args(["-c", &kill]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(130));
     let words = told(&output);
-    assert!(words.contains("of 6000 scenes are safe in out; the same command goes on from there"), "{words}");
+    assert!(words.contains("of 60000 scenes are safe in out; the same command goes on from there"), "{words}");
     assert!(!folder.path().join("out/results.csv").exists());
 }
 
@@ -587,9 +588,9 @@ fn every_broken_study_says_what_is_wrong_and_where() {
 #[test]
 fn the_studies_among_the_examples_run() {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/studies");
-    for name in files(&examples) {
+    for name in files(&examples).iter().filter(|name| name.extension().is_some_and(|is| is == "toml")) {
         let out = tempfile::tempdir().unwrap();
-        let study = examples.join(&name);
+        let study = examples.join(name);
         let output = run(out.path(), ["sweep".as_ref(), study.as_os_str(), "--out".as_ref(), "out".as_ref()]);
         assert_eq!(output.status.code(), Some(0), "{}: {}", name.display(), told(&output));
         #[cfg(feature = "plot")]
