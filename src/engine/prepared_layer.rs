@@ -92,7 +92,7 @@ impl PreparedLayer {
 
     /// Whether its kernels can be told, as far as that is known without tabulating any; `deep` is whether the depth's are wanted.
     pub(super) fn serves(&self, deep: bool) -> Result<(), Refusal> {
-        let response = Some(&*self.response).filter(|_| !self.is_plain());
+        let response = (!self.is_plain()).then_some(&*self.response);
         let from_datum = self.against_datum.as_deref().filter(|_| deep);
         response.into_iter().chain(from_datum).try_for_each(|response| self.strategy.serves(response))
     }
@@ -241,6 +241,12 @@ impl PreparedLayer {
     pub(crate) fn depth_error(&self, half_width: f64) -> Option<f64> {
         let Some(tables) = &self.tables else { return Some(0.0) };
         Some(self.shallowness(half_width) * proven(tables.depth.as_ref())?)
+    }
+
+    /// What is wrong beside it of the singularity at an edge.
+    pub(crate) fn edge_error(&self) -> f64 {
+        let kernels = self.tables.as_ref().and_then(|tables| tables.kernels.as_ref());
+        kernels.map_or(0.0, Counted::edge_error)
     }
 
     /// Whether all its tables prove their error.

@@ -138,7 +138,8 @@ pub fn table(table: &dyn KernelTable) -> Result<(), String> {
     length("length", table.length())?;
     told("nearest", table.nearest())?;
     told("power", table.power())?;
-    ensure(table.error().is_none_or(|error| error >= 0.0), || format!("error() = {:?}", table.error()))
+    ensure(table.error().is_none_or(|error| error >= 0.0), || format!("error() = {:?}", table.error()))?;
+    ensure(table.edge_error() >= 0.0, || format!("edge_error() = {:?}", table.edge_error()))
 }
 
 /// A length, or a power, where one is told.

@@ -214,6 +214,11 @@ pub trait KernelTable: Send + Sync {
         None
     }
 
+    /// What is wrong beside that of nothing but what is as narrow as may be, the singularity at the edge of a contact: over its size.
+    fn edge_error(&self) -> f64 {
+        0.0
+    }
+
     /// The shortest length over which the parts vary, in units of the thickness: what a sum over points must resolve. Their nearest
     /// complex singularity may be at [`NEAREST_POLE`] of it.
     fn length(&self) -> f64;

@@ -110,7 +110,7 @@ fn flaw(stretch: &Stretch) -> Option<LawFlaw> {
     let Stretch { law, from, to, .. } = *stretch;
     let within = (1..LOOKS).map(|i| from + (to - from) * f64::from(i) / f64::from(LOOKS));
     // The ends of the whole law belong to it; those of a stretch may belong to the next.
-    let surface = Some(0.0).filter(|_| from == 0.0);
+    let surface = (from == 0.0).then_some(0.0);
     let mut looks = surface.into_iter().chain(within).chain(Some(1.0).filter(|end| to >= *end));
     looks.find_map(|at| {
         let (modulus, depth) = (law.modulus(at), stretch.in_whole(at));

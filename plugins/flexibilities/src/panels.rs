@@ -91,7 +91,7 @@ const SHRINKING: f64 = 0.1;
 const THINNEST: f64 = 1e-13;
 
 /// The same over the depth, of laws that begin with a broken power of it, down to here.
-const NEAREST: f64 = 1e-24;
+const NEAREST: f64 = 1e-36;
 
 /// Most panels: a law that asks for more is noise.
 const MOST_PANELS: usize = 1 << 15;

@@ -110,10 +110,10 @@ fn rivals(tape: &Tape) -> Vec<(Range<usize>, Option<Range<usize>>)> {
             let (first, second) = tape.operands(end);
             (is_steep(tape, end - 1) || is_steep(tape, first.end - 1)).then_some((first, Some(second)))
         }
-        Step::Power => Some((tape.operands(end).1, None)).filter(|_| is_steep(tape, end - 1)),
+        Step::Power => is_steep(tape, end - 1).then_some((tape.operands(end).1, None)),
         Step::Of(
             Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh | Function::Atan | Function::Asinh,
-        ) => Some((tape.operand(end), None)).filter(|_| is_steep(tape, end - 1)),
+        ) => is_steep(tape, end - 1).then_some((tape.operand(end), None)),
         _ => None,
     };
     tape.steps().iter().enumerate().filter_map(of).collect()

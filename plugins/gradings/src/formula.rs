@@ -69,11 +69,11 @@ impl Grading for Formula {
             formula.singular_points(0.25 * thickness, MOST_KINKS, narrow)
         };
         let singular: Vec<_> = formulas.iter().zip(&narrow).map(singular).collect();
+        let refused = |why: String| Err(Refusal::Unusable { plugin: "formula", why });
         if let Some(depth) = pole(&formulas[0], &singular[0], thickness) {
             let value = formulas[0].at(depth).value;
             let found = if value.is_finite() { short(value) } else { "infinite".into() };
-            let why = format!("the modulus is {found} at depth {}", short(depth));
-            return Err(Refusal::Unusable { plugin: "formula", why });
+            return refused(format!("the modulus is {found} at depth {}", short(depth)));
         }
         let kinks = singular.iter().flatten().map(|depth| depth / thickness);
         let mut breakpoints: Vec<f64> = kinks.filter(|d| *d > 0.0 && *d < 1.0).collect();
@@ -82,7 +82,13 @@ impl Grading for Formula {
         let narrow = narrow.into_iter().flatten().map(|(depth, width)| (depth / thickness, width / thickness));
         let details = cuts(narrow);
         let probes = (0..PROBES).map(|i| (f64::from(i) + SHIFT) / f64::from(PROBES)).collect();
-        Ok(Box::new(Law { formulas, thickness, breakpoints, details, probes }))
+        let law = Law { formulas, thickness, breakpoints, details, probes };
+        for (formula, what) in law.formulas.iter().zip(["modulus", "Poisson's ratio"]) {
+            if law.value(formula, 0.0).is_nan() {
+                return refused(format!("the {what} tends to no value at the surface, depth 0, or too slowly to tell"));
+            }
+        }
+        Ok(Box::new(law))
     }
 }
 
@@ -100,6 +106,17 @@ fn pole(modulus: &formula::Formula, singular: &[f64], thickness: f64) -> Option<
         // What has no value at all here has one close by.
         !here.is_nan() && !near.into_iter().any(is_like)
     })
+}
+
+/// Where it tends to towards the surface, if that can be told: no number otherwise.
+///
+/// It was taken for its value at 1e-12 of the thickness, where what is like `y^0.3 ln(y)^2` is far from 0: edge factors were 9 % off.
+fn limit(at: impl Fn(f64) -> f64) -> f64 {
+    /// Depths over the thickness, and how much the values there may differ.
+    const DEPTHS: [f64; 2] = [1e-150, 1e-280];
+    const ALIKE: f64 = 1e-12;
+    let [near, nearest] = DEPTHS.map(at);
+    if (nearest - near).abs() <= ALIKE * near.abs() { nearest } else { f64::NAN }
 }
 
 /// The power of the depth in what is left at the surface, from those measured at ever smaller depths.
@@ -139,11 +156,18 @@ impl Law {
         const DEPTHS: [f64; 3] = [1e-4, 1e-3, 1e-2];
         /// Less than that of the first term is left to rounding.
         const TOLD: f64 = 1e-11;
-        /// Least power that is told.
-        const LEAST: f64 = 0.05;
-        let series = self.series(formula, DERIVATIVES).into_finite();
+        /// Least power that is told: where a law goes on like a logarithm it is none, and this so small that no wave is too short for it.
+        const LEAST: f64 = 0.02;
+        /// What is no nearer to a whole power is broken, where no series tells.
+        const WHOLE: f64 = 1e-3;
+        let mut series = self.series(formula, DERIVATIVES).into_finite();
+        // The limit of what has no value there.
+        let is_limit = series.is_empty();
+        if is_limit {
+            series.push(self.value(formula, 0.0));
+        }
         let count = series.len();
-        if count >= DERIVATIVES || count == 0 {
+        if count >= DERIVATIVES {
             return None;
         }
         let least = (count - 1) as f64;
@@ -157,15 +181,31 @@ impl Law {
             None => first_power(|depth| between(depth, TOLD * series[0].abs())),
             Some(longer) => DEPTHS.get(longer).map_or(f64::NAN, |depth| between(*depth, 0.0)),
         };
+        if is_limit && !((power - power.round()).abs() > WHOLE) {
+            return None;
+        }
         Some(if power.is_finite() { power.clamp(least + LEAST, least + 1.0) } else { least + 0.5 })
     }
 
-    /// A value where there is one; where there is none but one close by, that.
+    /// A value where there is one; where there is none what its series begins with, as that of `(exp(y) - 1)/y` does; else the limit at the
+    /// surface, or a value close by.
     fn value(&self, formula: &formula::Formula, depth: f64) -> f64 {
         /// Beside a depth, in units of the thickness.
-        const NEAR: [f64; 3] = [0.0, 1e-12, -1e-12];
-        let mut values = NEAR.into_iter().map(|near| formula.at((depth + near).max(0.0) * self.thickness).value);
-        values.find(|value| !value.is_nan()).unwrap_or(f64::NAN)
+        const NEAR: [f64; 2] = [1e-12, -1e-12];
+        /// Common factors that may be divided out.
+        const FACTORS: usize = 6;
+        let at = |depth: f64| formula.at(depth * self.thickness).value;
+        let here = at(depth);
+        if !here.is_nan() {
+            return here;
+        }
+        let begins = Taylor::new(formula.series(depth * self.thickness, FACTORS)).into_finite();
+        begins.first().copied().unwrap_or_else(|| {
+            if depth == 0.0 {
+                return limit(at);
+            }
+            NEAR.into_iter().map(|near| at((depth + near).max(0.0))).find(|value| !value.is_nan()).unwrap_or(f64::NAN)
+        })
     }
 
     fn series(&self, formula: &formula::Formula, terms: usize) -> Taylor {
@@ -300,6 +340,34 @@ mod tests {
         let sine = law("sin(y)/y + 1");
         assert!((sine.modulus(0.0) - 2.0).abs() < 1e-12);
         assert!(sine.surface_series(3).iter().zip([1.0, 0.0, -4.0 / 3.0]).all(|(a, b)| (a - b).abs() < 1e-12));
+        // At 1e-12 of the thickness it is 1.0001, by rounding.
+        let exponential = law("(exp(y) - 1)/y + (exp(y - 1) - 1)/(y - 1)");
+        assert!((exponential.modulus(0.0) - 2.0 + (-1.0_f64).exp()).abs() < 1e-15);
+        assert!((exponential.modulus(0.25) - 2.0 - 1.0_f64.exp() + 2.0).abs() < 1e-15);
+    }
+
+    /// What is like a power times a logarithm is not yet 0 at any depth that a layer has.
+    #[test]
+    fn the_surface_has_the_value_that_the_law_tends_to() {
+        for (formula, power) in [("2 + sqrt(y/h)*ln(y/h)", 0.5), ("2 + (y/h)^0.3*ln(y/h)^2", 0.3)] {
+            let law = law(formula);
+            assert!(law.modulus(0.0) == 2.0, "{formula}: {}", law.modulus(0.0));
+            // Near it, as far as there is one.
+            let found = law.broken_power().unwrap();
+            assert!((found - power).abs() < 0.15, "{formula}: {found}");
+        }
+        for smooth in ["3/y*y", "2 + y/y*y", "(y/y)*exp(y)"] {
+            let law = law(smooth);
+            assert!(law.modulus(0.0) > 0.9 && law.broken_power().is_none(), "{smooth}: {:?}", law.broken_power());
+        }
+        let slow = law("1 + 1/(50 - ln(y/h))");
+        assert!(slow.modulus(0.0) == 1.0 && slow.broken_power() == Some(0.02), "{:?}", slow.broken_power());
+        for none in ["2 + sin(ln(y))", "2 + sin(1/y^0.3)/2", "1 + sqrt(y - 1e-13)", "2 + y^0.01*ln(y)"] {
+            let refusal = formula(none, None, &[]).law(&thick(4.0)).unwrap_err().to_string();
+            assert!(refusal.contains("the modulus tends to no value at the surface"), "{none}: {refusal}");
+        }
+        let refusal = formula("2", Some("0.3 + 0.1*sin(ln(y))"), &[]).law(&thick(4.0)).unwrap_err().to_string();
+        assert!(refusal.contains("Poisson's ratio tends to no value"), "{refusal}");
     }
 
     /// One of both may be a constant, but not both.

@@ -23,7 +23,7 @@ use slipzone_api::{KernelRequest, KernelStrategy, KernelTable, LayerResponse, Re
 ///
 /// Nearest to the origin, where the law begins with a known power of the depth below 1, the kernels are series in that power of the distance,
 /// which go on where wave numbers end. Else `S` stays what it is there: past it, contacts feel nothing. A density that is as singular as a contact's may be has
-/// a spectrum like `1/sqrt(s)`, so that what is left out is `W(S)/S` over the contact's width.
+/// a spectrum like `1/sqrt(s)`, so that what is left out is `W(S)/S` over the contact's width, and `W(S)` at its edge.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Octaves {}
@@ -44,7 +44,7 @@ impl KernelStrategy for Octaves {
         let extent = response.extent().unwrap_or(depth);
         let length = if response.breaks() { depth } else { response.thickness().unwrap_or(depth) };
         let integrands: Vec<Integrand> = request.components.iter().map(|c| Integrand::new(*c, response)).collect();
-        let mut in_vain = 0;
+        let mut in_vain = None;
         if let Some(power) = response.broken_power().filter(|power| *power < 1.0)
             && let Some(stretch) = stretch::of(&integrands, response, (power, length), request.accuracy)?
         {
@@ -52,13 +52,20 @@ impl KernelStrategy for Octaves {
             bands.evaluations += stretch.tried;
             let faded = bands.faded(stretch.ends.0);
             let transforms_at = |t: f64, out: &mut [Complex64]| faded.at(t, out);
-            if let Some(origin) = Origin::new(&integrands, transforms_at, stretch.ends, power, request.accuracy) {
+            let origin = Origin::new(&integrands, transforms_at, stretch.ends, power);
+            if origin.is_within(request.accuracy) {
                 return Ok(told(&integrands, &bands, Some(origin), request, length));
             }
-            in_vain = bands.evaluations;
+            in_vain = Some((bands, origin));
         }
         let mut bands = Bands::new(&integrands, response, extent, request, None)?;
-        bands.evaluations += in_vain;
+        if let Some((mut others, origin)) = in_vain {
+            if origin.error.max(origin.edge_error) < bands.edge_error {
+                others.evaluations += bands.evaluations;
+                return Ok(told(&integrands, &others, Some(origin), request, length));
+            }
+            bands.evaluations += others.evaluations;
+        }
         Ok(told(&integrands, &bands, None, request, length))
     }
 
@@ -82,7 +89,8 @@ fn told(
     let (pieces, error) = octave::tabulated(integrands, bands, origin.as_ref(), request);
     let error = error + bands.error + origin.as_ref().map_or(0.0, |origin| origin.error);
     let lengths = (length, pieces.ends.first().copied());
-    let table = Table::new(request.components, pieces, request.reach, lengths, error, bands.evaluations);
+    let table = Table::new(request.components, pieces, request.reach, lengths, error, bands.evaluations)
+        .missing_at_edges(origin.as_ref().map_or(bands.edge_error, |origin| origin.edge_error));
     Box::new(match origin {
         Some(origin) => table.beginning_with(origin),
         None => table,

@@ -29,7 +29,11 @@ pub(crate) struct Origin {
     /// Up to which distance.
     pub(crate) end: f64,
     /// By how much the kernels were missed where they were found, in the terms of the request.
+    missed: f64,
+    /// The same of all that is told by them.
     pub(crate) error: f64,
+    /// And at the origin, over what an edge feels.
+    pub(crate) edge_error: f64,
     /// Of `z` where it was found: the middle, and half of the width.
     within: (f64, f64),
     beside: Beside,
@@ -77,14 +81,13 @@ impl Series {
 }
 
 impl Origin {
-    /// Found from their transforms between two distances; `None` where the kernels are no such series to within the accuracy, in the terms of the request.
+    /// Found from their transforms between two distances.
     pub(crate) fn new(
         integrands: &[Integrand],
         mut transforms_at: impl FnMut(f64, &mut [Complex64]),
         (beginning, end): (f64, f64),
         power: f64,
-        accuracy: f64,
-    ) -> Option<Self> {
+    ) -> Self {
         let (first, last) = (beginning.powf(power), end.powf(power));
         let within = (f64::midpoint(first, last), 0.5 * (last - first));
         let between = |i: usize| (PI * i as f64 / POWERS as f64).cos();
@@ -103,7 +106,8 @@ impl Origin {
             }
         }
         let beside = Beside::new(power);
-        let mut origin = Self { power, end, error: 0.0, within, beside, series: Vec::with_capacity(integrands.len()) };
+        let series = Vec::with_capacity(integrands.len());
+        let mut origin = Self { power, end, missed: 0.0, error: 0.0, edge_error: 0.0, within, beside, series };
         let of_distance: Vec<f64> = at.iter().map(|(t, z)| beside.at(*t) / z).collect();
         let distance = chebyshev(&of_distance[..POWERS]);
         for (values, integrand) in values.iter().zip(integrands) {
@@ -123,13 +127,19 @@ impl Origin {
             let there = off_at_origin * if is_depth { beginning } else { first };
             // What an even kernel makes of a density there is in proportion to it, however near that is.
             let of_all = if beside_it { there / power } else { 0.0 };
-            if !(here <= SHARE.mul_add(accuracy, 10.0 * NOISE) && there < 1e-4) {
-                return None;
+            if !is_depth {
+                origin.edge_error = origin.edge_error.max(there);
             }
+            origin.missed = origin.missed.max(here);
             origin.error = origin.error.max(here).max(of_all);
             origin.series.push(series);
         }
-        Some(origin)
+        origin
+    }
+
+    /// Whether the kernels are such series, to within the accuracy in the terms of the request.
+    pub(crate) fn is_within(&self, accuracy: f64) -> bool {
+        self.missed <= SHARE.mul_add(accuracy, 10.0 * NOISE) && self.edge_error <= accuracy
     }
 
     fn place(&self, z: f64) -> f64 {

@@ -59,6 +59,7 @@ pub(crate) struct Table {
     /// What stands in the place of the first piece.
     origin: Option<Origin>,
     error: f64,
+    edge_error: f64,
     flexibility_evaluations: usize,
 }
 
@@ -114,8 +115,14 @@ impl Table {
             nearest,
             origin: None,
             error,
+            edge_error: 0.0,
             flexibility_evaluations,
         }
+    }
+
+    /// The same of kernels that end where edges would feel more of them.
+    pub(crate) fn missing_at_edges(self, edge_error: f64) -> Self {
+        Self { edge_error, ..self }
     }
 
     /// The same with powers of the distance in the place of the first piece.
@@ -262,6 +269,10 @@ impl KernelTable for Table {
 
     fn error(&self) -> Option<f64> {
         Some(self.error)
+    }
+
+    fn edge_error(&self) -> f64 {
+        self.edge_error
     }
 
     fn length(&self) -> f64 {

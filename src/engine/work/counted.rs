@@ -31,6 +31,10 @@ impl KernelTable for Counted {
         self.table.error()
     }
 
+    fn edge_error(&self) -> f64 {
+        self.table.edge_error()
+    }
+
     fn length(&self) -> f64 {
         self.table.length()
     }

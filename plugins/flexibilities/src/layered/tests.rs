@@ -102,7 +102,9 @@ impl ModulusLaw for Power {
 fn a_broken_power_is_followed_to_where_the_shortest_waves_are() {
     for power in [0.2, 0.5, 0.8] {
         let near = bonded(Power { factor: 7.0, power }, Plane::Strain, 0.3);
-        for scale in [1e6, 1e10, 1e13, 1e16] {
+        // What is left of a law in its twelfth digit is none.
+        let is_told = |scale: &f64| 7.0 * scale.powf(-power) > 1e-12;
+        for scale in [1e6, 1e10, 1e13, 1e16, 1e28].into_iter().filter(is_told) {
             let far = bonded(Power { factor: 7.0 * f64::powf(scale, -power), power }, Plane::Strain, 0.3);
             for s in [60.0, 1e3] {
                 let difference = distance(at(&Compliance {}, &near, s * scale), at(&Compliance {}, &far, s));

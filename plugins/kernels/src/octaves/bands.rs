@@ -26,8 +26,8 @@ const MOST_SAMPLES: usize = 1 << 14;
 /// What is faded out is felt by this part of the accuracy at most: by contacts, and by what is as narrow as may be, slip zones and rounded
 /// corners.
 const FELT: (f64, f64) = (1e-3, 0.1);
-/// Highest wave number over the inverse of the extent: no law is followed nearer to the surface than 1e-13.
-const HIGHEST: f64 = 1e11;
+/// Highest wave number over the inverse of the extent: shorter waves are for none.
+pub(super) const HIGHEST: f64 = 1e30;
 /// Steepness of the window over the logarithm of the wave number, and where nothing is left of it.
 const STEEP: f64 = 3.0;
 const GONE: f64 = 7.2;
@@ -42,6 +42,8 @@ pub(super) struct Bands {
     pub(super) highest: f64,
     /// In the terms of the request.
     pub(super) error: f64,
+    /// What an edge feels of waves that are shorter still.
+    pub(super) edge_error: f64,
     pub(super) evaluations: usize,
 }
 
@@ -67,7 +69,8 @@ impl Bands {
         request: &KernelRequest,
         known: Option<f64>,
     ) -> Result<Self, Refusal> {
-        let mut bands = Self { all: Vec::new(), rule: Rule::new(), highest: f64::INFINITY, error: 0.0, evaluations: 0 };
+        let (highest, error) = (f64::INFINITY, 0.0);
+        let mut bands = Self { all: Vec::new(), rule: Rule::new(), highest, error, edge_error: 0.0, evaluations: 0 };
         // For the end of each octave: what a wave there adds to all that is felt.
         let mut ends: Vec<(f64, [f64; 2])> = Vec::new();
         let mut lower = 0.0;
@@ -109,6 +112,7 @@ impl Bands {
             if is_enough || upper * extent >= HIGHEST {
                 bands.highest = upper;
                 bands.error += whole;
+                bands.edge_error = if is_enough { 0.0 } else { narrow };
             }
         }
         Ok(bands)

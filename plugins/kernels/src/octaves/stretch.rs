@@ -1,6 +1,6 @@
 //! From where to where the kernels next to the origin are looked at.
 
-use super::bands::PHASE;
+use super::bands::{HIGHEST, PHASE};
 use crate::integrand::Integrand;
 use slipzone_api::{Component, LayerResponse, Refusal, contract};
 
@@ -10,12 +10,8 @@ const END: (f64, f64) = (0.3, 1e-5);
 const BEGINNING: f64 = 0.1;
 /// `W` at the wave number that belongs to its end: powers of it are as small.
 const SMALL: f64 = 0.1;
-/// From one wave number to the next that is tried, and up to which, over the inverse of the length.
+/// From one wave number to the next that is tried.
 const STEP: f64 = 32.0;
-const LAST: f64 = 1e11;
-
-/// And up to which anything is known of a response: shorter waves are for none.
-const SHORTEST: f64 = 1e30;
 
 /// Distances between which they are found, and how many wave numbers it took to say so.
 pub(super) struct Stretch {
@@ -30,8 +26,9 @@ pub(super) fn of(
     (power, length): (f64, f64),
     accuracy: f64,
 ) -> Result<Option<Stretch>, Refusal> {
+    let narrowest = BEGINNING.powf(power.recip());
     let first = 1.0 / (END.0 * accuracy.sqrt()).min(END.1);
-    let tried = std::iter::successors(Some(first), |s| Some(s * STEP)).take_while(|s| *s < LAST);
+    let tried = std::iter::successors(Some(first), |s| Some(s * STEP)).take_while(|s| PHASE * s / narrowest < HIGHEST);
     for (count, s) in (1..).zip(tried) {
         let f = response.surface(s / length)?;
         contract::numbers(&[s / length], &[f])?;
@@ -41,9 +38,9 @@ pub(super) fn of(
         };
         if integrands.iter().map(size).fold(0.0, f64::max) < SMALL {
             let end = length / s;
-            let ends = (BEGINNING.powf(power.recip()) * end, end);
+            let ends = (narrowest * end, end);
             let stretch = Stretch { ends, tried: count };
-            return Ok(Some(stretch).filter(|stretch| stretch.waves() * length < SHORTEST));
+            return Ok(Some(stretch));
         }
     }
     Ok(None)

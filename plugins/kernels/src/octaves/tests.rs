@@ -63,7 +63,7 @@ impl Broken {
             let y = if component.is_odd() { 1.0 + u } else { 1.0 };
             u * y * (u * (2.0 + u)).powf(-self.q) * (-t * (1.0 + u)).exp()
         };
-        (PI * self.q).sin() * step * (-20_000..3000).map(term).sum::<f64>()
+        (PI * self.q).sin() * step * (-20_000..3600).map(term).sum::<f64>()
     }
 }
 
@@ -84,6 +84,16 @@ fn kernels_like_a_broken_power_are_told_down_to_the_smallest_distances() {
                 assert!((mirrored - expected).abs() <= 1e-15 * found.abs(), "{component:?} at {t:e}");
             }
         }
+    }
+}
+
+/// `W` is 1e-6 where wave numbers end, and fades out before. A kernel that goes on says how well, and one that ends where nothing is felt nothing.
+#[test]
+fn what_an_edge_feels_of_waves_beyond_the_last_is_told() {
+    let told = |q: f64, is_known: bool| table(&Broken { q, is_known }, 2.0, &ALL[..2], 1e-8).edge_error();
+    assert!((2e-7..2e-6).contains(&told(0.6, false)), "{:e}", told(0.6, false));
+    for (q, is_known, most) in [(0.6, true, 1e-10), (0.75, false, 0.0), (0.85, false, 0.0)] {
+        assert!(told(q, is_known) <= most, "q = {q}: {:e}", told(q, is_known));
     }
 }
 

@@ -1,20 +1,26 @@
 //! How many terms of a series are told by its coefficients, and what is beside them.
 
+use crate::even_table::clenshaw;
+
 /// Fewest terms that may do, and how many are left over for what is beside them.
 const FEWEST: usize = 4;
 const LEFT: usize = 2;
+/// So many terms more and fewer tell the error.
+const MORE: usize = 2;
 
 /// A Chebyshev series that is to be true at the origin, beyond the places where it was found.
 pub(super) struct Told {
     pub(super) coefficients: Vec<f64>,
     /// Of what is beside it.
     pub(super) analytic: f64,
-    /// What its last terms are at the origin.
+    /// By how much series of some terms more and fewer differ from it at the origin.
     pub(super) off_at_origin: f64,
 }
 
 impl Told {
     /// So many terms that the last of them are least at the `origin`, a place beyond `[-1, 1]`: fewer miss what is there, and more are noise, which grows towards it.
+    /// One of them may be small by chance, so that others tell the error: no less than what is off where the function is no such series, but one
+    /// in other powers or with logarithms.
     ///
     /// `beside` are the coefficients of what no series tells. The coefficients left over meet it: next to the places of a whole
     /// interpolant it would differ from that by less than the noise.
@@ -26,10 +32,14 @@ impl Told {
             let coefficient = |k: usize| all[k] - beside.map_or(0.0, |beside| analytic * beside[k]);
             let coefficients: Vec<f64> = (0..terms).map(coefficient).collect();
             let last = (terms - 2..terms).map(|k| coefficients[k].abs() * (k as f64 * growth).cosh());
-            Self { off_at_origin: last.fold(0.0, f64::max), coefficients, analytic }
+            (last.fold(0.0, f64::max), clenshaw(&coefficients, origin), analytic, coefficients)
         };
-        let all = (FEWEST..=all.len() - LEFT).map(told);
-        all.min_by(|one, other| one.off_at_origin.total_cmp(&other.off_at_origin)).expect("a few")
+        let all: Vec<_> = (FEWEST..=all.len() - LEFT).map(told).collect();
+        let least = (0..all.len()).min_by(|one, other| all[*one].0.total_cmp(&all[*other].0)).expect("a few");
+        let others = &all[least.saturating_sub(MORE)..(least + MORE + 1).min(all.len())];
+        let (_, there, analytic, coefficients) = all[least].clone();
+        let off_at_origin = others.iter().map(|(_, other, ..)| (other - there).abs()).fold(0.0, f64::max);
+        Self { coefficients, analytic, off_at_origin }
     }
 }
 
@@ -42,7 +52,7 @@ fn met(all: &[f64], of: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::even_table::{chebyshev, clenshaw};
+    use crate::even_table::chebyshev;
     use std::f64::consts::PI;
 
     /// Found from 0.1 to 1, with noise in the last digits.
