@@ -208,8 +208,10 @@ pub(crate) fn with_the_rest(
     let rest = moves(outcome) * of_load + left_out + between_members(outcome);
     let mut errors = errors.plus(rest);
     errors.add(Quantity::Indentation, of_depth);
-    for quantity in [Quantity::StressIntensity, Quantity::EdgeRatio] {
-        errors.add(quantity, layer.edge_error());
+    let of_edge = layer.edge_error();
+    if of_edge > 0.0 {
+        errors.add(Quantity::StressIntensity, of_edge);
+        errors.add(Quantity::EdgeRatio, of_edge);
     }
     let of_zone = of_kernels * (1.0 / share_in_shear(outcome) - 1.0);
     for quantity in Quantity::ALL.into_iter().filter(|quantity| quantity.is_of_shear()) {
