@@ -60,7 +60,7 @@ impl KernelStrategy for Octaves {
         }
         let mut bands = Bands::new(&integrands, response, extent, request, None)?;
         if let Some((mut others, origin)) = in_vain {
-            if origin.error.max(origin.edge_error) < bands.edge_error {
+            if origin.felt() < bands.edge_error {
                 others.evaluations += bands.evaluations;
                 return Ok(told(&integrands, &others, Some(origin), request, length));
             }
