@@ -564,7 +564,6 @@ fn edges_of_laws_that_begin_with_more_than_a_power_are_as_sure_as_they_say() {
             let methods = format!("[solver]\ntolerance = {tolerance:e}");
             let solution = Sketch::on(lines(thickness, &grading)).with(&methods).solve();
             let (found, claimed) = (solution.number("edge.ratio").unwrap(), solution.error.each["edge.ratio"]);
-            // The first was found with a stress intensity, which has this digit more.
             let off = (found / exact - 1.0).abs();
             assert!(off < 3.0 * claimed, "{law}, {tolerance:e}: {off:.1e} off, {claimed:.1e} claimed");
             assert!(claimed < *tolerance || !converges, "{law}, {tolerance:e}: {:?}", solution.reason);

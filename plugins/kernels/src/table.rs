@@ -120,7 +120,7 @@ impl Table {
         }
     }
 
-    /// The same of kernels that end where edges would feel more of them.
+    /// The same with what is wrong for edges alone.
     pub(crate) fn missing_at_edges(self, edge_error: f64) -> Self {
         Self { edge_error, ..self }
     }

@@ -75,6 +75,7 @@ impl Contact {
                 let root = Root { lambda, branch, slope: f64::NAN, doubt: f64::NAN };
                 let rubbing = Rubbing::expected(root, b, true);
                 let rubbing = rubbing.traced(curve.shear.trace(curve.normal.mean()));
+                // As near to its end as a slice: nearer, contacts that grow end on their budget for it.
                 let Some((x, load)) = checks::overload(layer, curve.normal, curve.shear, eta, true) else {
                     return Ok(rubbing);
                 };

@@ -38,9 +38,7 @@ pub(super) fn of(
         };
         if integrands.iter().map(size).fold(0.0, f64::max) < SMALL {
             let end = length / s;
-            let ends = (narrowest * end, end);
-            let stretch = Stretch { ends, tried: count };
-            return Ok(Some(stretch));
+            return Ok(Some(Stretch { ends: (narrowest * end, end), tried: count }));
         }
     }
     Ok(None)

@@ -15,6 +15,7 @@ enum Fault {
     Even,
     OtherValues,
     NoLength,
+    NoEdgeError,
     NeverFiner,
     FinerRefused,
 }
@@ -77,6 +78,10 @@ impl KernelTable for FaultyTable {
         if matches!(self.fault, Fault::NeverFiner | Fault::FinerRefused) { None } else { Some(1e-9) }
     }
 
+    fn edge_error(&self) -> f64 {
+        if self.fault == Fault::NoEdgeError { f64::NAN } else { 0.0 }
+    }
+
     fn length(&self) -> f64 {
         if self.fault == Fault::NoLength { 0.0 } else { 1.0 }
     }
@@ -97,6 +102,7 @@ fn every_fault_is_found() {
         (Fault::Even, "but by the distance's mirror image it is"),
         (Fault::OtherValues, "but by parts it is"),
         (Fault::NoLength, "length() = 0"),
+        (Fault::NoEdgeError, "edge_error() = NaN"),
         (Fault::NeverFiner, "over the reach by refined(2), and without by"),
         (Fault::FinerRefused, "refined(2) is refused: this is not implemented yet"),
     ] {
