@@ -37,17 +37,14 @@ pub(crate) struct Layered {
 }
 
 impl Layered {
-    /// Refuses a law that varies too fast.
+    /// Refuses a law that varies too fast, or is no finite number somewhere.
     pub(crate) fn new(
         layer: Arc<LayerModel>,
         precision: &'static Precision,
         method: &'static str,
     ) -> Result<Self, Refusal> {
-        let panels = Panels::new(&layer, precision).ok_or(Refusal::OutOfReach {
-            method,
-            why: "the grading varies too fast over the depth, or is no number somewhere".into(),
-            remedy: "smooth it",
-        })?;
+        let panels =
+            Panels::new(&layer, precision).map_err(|why| Refusal::OutOfReach { method, why, remedy: "smooth it" })?;
         let membrane = (layer.base == Base::Frictionless).then(|| panels.membrane());
         Ok(Self { layer, panels, method, membrane })
     }

@@ -6,7 +6,7 @@ use crate::propagator::Propagator;
 use crate::slices::Slices;
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::chebyshev::in_powers;
-use slipzone_api::{LayerModel, Material, ModulusLaw, Stretch};
+use slipzone_api::{LayerModel, Material, ModulusLaw, Stretch, short};
 use std::f64::consts::PI;
 use std::sync::{Arc, OnceLock};
 
@@ -104,8 +104,8 @@ const PROBED: f64 = 1e-12;
 const BESIDE: [f64; 2] = [-0.991, 0.983];
 
 impl Panels {
-    /// `None` for a law that varies too fast, or is not finite.
-    pub(crate) fn new(layer: &LayerModel, precision: &'static Precision) -> Option<Self> {
+    /// Says where a law varies too fast, or is no finite number.
+    pub(crate) fn new(layer: &LayerModel, precision: &'static Precision) -> Result<Self, String> {
         let mut panels = Self { precision, all: Vec::new(), contrast: 0.0, first_break: 1.0 };
         let mut extremes = (f64::INFINITY, 0.0_f64);
         for stretch in layer.law.stretches() {
@@ -115,11 +115,14 @@ impl Panels {
             panels.add(layer, &stretch, |shear| extremes = (extremes.0.min(shear), extremes.1.max(shear)))?;
         }
         panels.contrast = (extremes.1 / extremes.0).ln();
-        panels.contrast.is_finite().then_some(panels)
+        if !panels.contrast.is_finite() {
+            return Err(format!("the modulus goes from {} to {}", short(extremes.0), short(extremes.1)));
+        }
+        Ok(panels)
     }
 
     /// Adds a stretch, and shows `see` the moduli that it meets.
-    fn add(&mut self, layer: &LayerModel, stretch: &Stretch, mut see: impl FnMut(f64)) -> Option<()> {
+    fn add(&mut self, layer: &LayerModel, stretch: &Stretch, mut see: impl FnMut(f64)) -> Result<(), String> {
         let Stretch { law, thickness, from, to, .. } = *stretch;
         if let Some(gamma) = law.exponent() {
             let (material, span) = (layer.material(law, from), to - from);
@@ -132,14 +135,16 @@ impl Panels {
             };
             let top = stretch.in_whole(from);
             self.all.push(Panel { top, thickness: span * thickness, unit: material.shear, matter });
-            return Some(());
+            return Ok(());
         }
         let is_broken = law.broken_power().is_some_and(|power| power < 1.0);
         // Depths over the law's own range, deepest on the stack first.
         let mut stack = vec![(from, to - from, f64::INFINITY)];
         while let Some((start, width, before)) = stack.pop() {
-            let fit = Fit::of(layer, law, (start, width), self.precision)?;
             let (top, wide) = (stretch.in_whole(start), width * thickness);
+            let fit = Fit::of(layer, law, (start, width), self.precision).ok_or_else(|| {
+                format!("constants of the solid are no finite numbers somewhere from y = {} h on", short(top))
+            })?;
             let thinnest = if is_broken { (THINNEST * (start + width)).max(NEAREST) } else { THINNEST };
             let is_thinnest = wide <= thinnest || width <= thinnest;
             // A depth is rounded, too, and a law that varies over the panel with it; so thin a panel hardly matters,
@@ -174,10 +179,11 @@ impl Panels {
             };
             self.all.push(Panel { top, thickness: wide, unit, matter });
             if self.all.len() > MOST_PANELS {
-                return None;
+                let reached = short(top);
+                return Err(format!("the grading varies too fast: {MOST_PANELS} slices only reach y = {reached} h"));
             }
         }
-        Some(())
+        Ok(())
     }
 
     /// Of a slice of a material in units of its own modulus: that of a panel above which is made of the like.

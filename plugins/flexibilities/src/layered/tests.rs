@@ -130,10 +130,16 @@ fn a_steep_but_smooth_law_is_resolved() {
 
 #[test]
 fn noise_and_no_numbers_are_refused() {
-    let laws: [Law; 2] = [|y| 2.0 + (1e7 * y).sin(), |_| f64::NAN];
-    for modulus in laws {
-        let refusal = Compliance {}.respond(&general(modulus, &[], 0.3)).err();
-        assert!(matches!(refusal, Some(Refusal::OutOfReach { .. })), "{refusal:?}");
+    let laws: [(Law, &str); 3] = [
+        (|y| 2.0 + (1e7 * y).sin(), "too fast: 32768 slices only reach y = 0.0"),
+        (|y| if y < 0.5 { 1.0 } else { f64::NAN }, "no finite numbers somewhere from y = 0 h on"),
+        (|y| 1.0 - 1.9 * y, "reach y = 0.52632 h"),
+    ];
+    for (modulus, told) in laws {
+        match (Compliance {}).respond(&general(modulus, &[], 0.3)).err() {
+            Some(Refusal::OutOfReach { why, .. }) => assert!(why.contains(told), "{why}"),
+            other => panic!("{other:?}"),
+        }
     }
 }
 
