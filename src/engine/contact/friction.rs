@@ -316,11 +316,19 @@ impl Contact {
             return Ok(false); // each is checked when it is found
         }
         self.refresh(layer);
+        let before = rubbing.zone;
         if rubbing.found.roots.is_empty() {
             self.settle_without_root(layer, task, rubbing)?;
-            return Ok(false);
+            if !matches!(rubbing.verdict, Verdict::Fails(_)) || rubbing.scanned {
+                return Ok(false);
+            }
+            // The coarse resolution that was scanned may have turned down the zone that holds.
+            self.look_again(layer, task, rubbing)?;
+            if rubbing.found.roots.is_empty() {
+                self.curve(layer, task).at_or_near(before.log(), KNOWN)?;
+                return Ok(false);
+            }
         }
-        let before = rubbing.zone;
         let mut failure = self.judge(layer, task, task.tolerance, rubbing)?;
         if failure.is_some() && !rubbing.scanned {
             self.look_again(layer, task, rubbing)?;

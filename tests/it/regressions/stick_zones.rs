@@ -42,6 +42,21 @@ fn a_slip_zone_narrower_than_the_nodes_tell_is_as_good_as_its_estimate() {
     }
 }
 
+/// The coarsest resolution turned down the one zone that holds and took all to stick, the finer ones believed it, and the finest found that
+/// friction does not bear that: no stick zone was said to hold.
+#[test]
+fn a_stick_zone_turned_down_by_the_coarsest_resolution_is_found_again() {
+    for ((h, ratio), eta) in [((0.2, 1.0), 0.5), ((0.2, 1.0), 0.53), ((0.1, 0.5), 0.5)] {
+        let [found, other] = ["", "quadrature = { type = \"graded-panels\" }\nkernel = { type = \"octaves\" }"]
+            .map(|methods| Sketch::flat(h, ratio, 0.498).rubbing(eta).with(&format!("[solver]\n{methods}")).solve());
+        assert_eq!(found.status, Status::Converged, "{:?}: eta = {eta}", found.reason);
+        let slip = |solution: &Solution| solution.stick.as_ref().unwrap().one_minus_ratio.unwrap();
+        let error = found.error.each["stick.one_minus_ratio"] + other.error.each["stick.one_minus_ratio"];
+        let apart = (slip(&found) / slip(&other) - 1.0).abs();
+        assert!(apart <= error && error < 1e-7, "{apart:e}, {error:e} claimed: eta = {eta}"); // two tolerances, told by 1 - a/b
+    }
+}
+
 /// The difference between two resolutions was small by chance; the ratio was off by 4 tolerances.
 #[test]
 fn a_stick_ratio_is_not_believed_by_one_lucky_difference() {
