@@ -8,6 +8,7 @@ use crate::engine::outcome::Outcome;
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use slipzone_api::Refusal;
+use std::f64::consts::FRAC_2_PI;
 
 /// Error of the shear, over the tolerance, from which it takes finer steps. Of 700 random contacts the true one was below a tenth of the estimate in
 /// three of four, above all of it in one of fifty.
@@ -25,8 +26,12 @@ pub(crate) const SAID: f64 = 3.0;
 const STACKED: f64 = 1e-3;
 /// Drive of the shear, over the pressure, below which its zone feels errors of the kernels more than the pressure does.
 ///
-/// Measured where the drive was 1e-5 to 1e-2: zones off by 0.4 to 1.2 times what follows from it.
-const DRIVEN: f64 = 0.15;
+/// Measured where the drive was 1e-5 to 1e-2: zones off by 0.2 to 0.6 times what follows from it; where it was 0.03 to 0.1 by 0.4 to 5
+/// times, the worst of 9,000.
+const DRIVEN: f64 = 0.3;
+/// A share below this of what was thought to be the least wants kernels finer by as much: of the pressure's mean in its middle, or of
+/// what drives the shear.
+pub(crate) const FAINT: f64 = 0.25;
 /// Share of the tolerance below which no error of the shear's numbers is claimed: what a few coarse resolutions show of a
 /// stick zone may agree by chance.
 ///
@@ -258,13 +263,14 @@ pub(crate) fn moves(outcome: &Outcome) -> f64 {
 ///
 /// In the stick zone `beta p`, less what the kernel of the coupling makes of `p`, drives the shear. A half-plane's of that strength has
 /// the friction `eta = f beta`, `f = K(k)/K(k')`. Where what is left is little, as on a thick, nearly incompressible layer over a base that
-/// gives way, errors of the kernels are much beside it. And where the zone is narrow, or the slip zone is, it goes with `exp(-1/f)` or
-/// `exp(-f)`.
+/// gives way, errors of the kernels are much beside it. And where the zone is narrow, or the slip zone is, it goes with `exp(-pi/(2 f))` or
+/// `exp(-pi f/2)`. A narrow one feels what the kernel of the coupling is off by so much more, however strong it is: `pi/(2 f)` times.
 pub(crate) fn share_in_shear(outcome: &Outcome) -> f64 {
     let Some(rubbing) = &outcome.rubbing else { return 1.0 };
     let Some(ShearTrace { friction, .. }) = rubbing.shear else { return 1.0 };
     let of_unit = HalfPlaneShear::new(rubbing.zone).friction(1.0);
-    let share = friction.abs() / (DRIVEN * (of_unit * of_unit).max(0.5));
+    let driven = friction.abs() / (DRIVEN * (of_unit * of_unit).max(0.5));
+    let share = driven.min(FRAC_2_PI * of_unit);
     if share > 0.0 { share.min(1.0) } else { 1.0 }
 }
 

@@ -7,7 +7,8 @@ use crate::engine::friction::rubbing::Rubbing;
 use crate::engine::growing::family::Family;
 use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::{PreparedLayer, Wanted};
-use crate::engine::refine::judged::{moves, share_in_middle, share_in_shear};
+use crate::engine::problem::Problem;
+use crate::engine::refine::judged::{FAINT, moves, share_in_middle, share_in_shear};
 use crate::engine::refine::stage::Stage;
 use crate::engine::work::Work;
 use slipzone_api::Refusal;
@@ -17,9 +18,6 @@ use std::ops::Add;
 const USUAL_STEPS: usize = 8;
 /// Share of the tolerance that the kernels may use up.
 const KERNEL_SHARE: f64 = 0.2;
-/// A pressure in the middle below this share of the mean, or of what it was thought to be, wants kernels finer by as much; so does what
-/// drives the shear.
-pub(super) const FAINT: f64 = 0.25;
 /// No kernels are asked to be finer for that.
 const FINEST_KERNELS: f64 = 1e-14;
 
@@ -94,18 +92,24 @@ impl Ladder {
         let wanted = Wanted {
             frictional: problem.friction.is_some(),
             deep: problem.wants_depth(),
-            accuracy: accuracy.min((accuracy * self.least_share.unwrap_or(1.0)).max(FINEST_KERNELS)),
+            accuracy: accuracy.min((accuracy * self.least_share(problem)).max(FINEST_KERNELS)),
             level,
         };
         Task { problem, wanted, tolerance }
     }
 
     /// Takes note of a pressure that is faint in the middle, of a shear that is, or of a load that hardly tells the contact, each of which wants finer kernels.
-    fn note(&mut self, outcome: &Outcome) {
+    fn note(&mut self, problem: &Problem, outcome: &Outcome) {
         let share = share_in_middle(outcome).min(share_in_shear(outcome)).min(moves(outcome).recip());
-        if share < FAINT * self.least_share.unwrap_or(1.0) {
+        if share < FAINT * self.least_share(problem) {
             self.least_share = Some(share);
         }
+    }
+
+    /// The least share seen, or the one to expect: under friction a faint one, for to make kernels a little finer from the beginning costs
+    /// less than to make them again.
+    fn least_share(&self, problem: &Problem) -> f64 {
+        self.least_share.unwrap_or(if problem.friction.is_some() { FAINT } else { 1.0 })
     }
 
     /// Solves at a step, whose stage is made when first asked for.
@@ -125,7 +129,7 @@ impl Ladder {
         }
         let solved = here[0].solve(layer, task, coarse, family);
         if let Ok(outcome) = &solved {
-            self.note(outcome);
+            self.note(task.problem, outcome);
         }
         solved
     }

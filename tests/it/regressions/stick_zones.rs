@@ -57,6 +57,34 @@ fn a_stick_zone_turned_down_by_the_coarsest_resolution_is_found_again() {
     }
 }
 
+/// Narrow stick zones feel all that couples shear to pressure, and zones where little of it is left feel what the kernels are off by: the
+/// first was off by 61 estimates, 37 tolerances, the others by 23, 4, and 3.
+#[test]
+fn zones_that_feel_what_the_kernels_are_off_by_want_finer_ones() {
+    let steep = "thickness = 3.23\npoisson = 0.49\nbase = { type = \"half-plane\", shear = 0.127, poisson = 0.0 }\n\
+                 grading = { type = \"table\", points = [[0, 1], [0.807, 0.506], [1.61, 0.174], [2.42, 0.0473], [3.23, 0.0108]] }";
+    let sliding = "thickness = 6.1\npoisson = 0.4999\nbase = { type = \"frictionless\" }\n\
+                   grading = { type = \"exponential\", surface = 1.0, base = 0.00312 }";
+    let thick = "thickness = 9.39\npoisson = 0.498\ngrading = { type = \"exponential\", surface = 1.0, base = 12.4 }";
+    let thin = "thickness = 0.122\npoisson = 0.5\nbase = { type = \"half-plane\", shear = 15.9, poisson = 0.4 }\n\
+                grading = { type = \"power-law\", surface = 1.0, length = 0.0889, exponent = -1.54 }";
+    for (layer, eta, tolerance, path) in [
+        (steep, 0.442, 1e-2, "stick.ratio"),
+        (sliding, 0.381, 1e-5, "stick.ratio"),
+        (thick, 0.184, 1e-3, "stick.one_minus_ratio"),
+        (thin, 0.0386, 1e-3, "stick.one_minus_ratio"),
+    ] {
+        let [coarse, fine] = [tolerance, tolerance / 300.0].map(|tolerance| {
+            let rest = format!("[output]\nquantities = [\"stick\"]\n[solver]\ntolerance = {tolerance:e}");
+            Sketch::on(layer).rubbing(eta).with(&rest).solve()
+        });
+        assert_eq!((coarse.status, fine.status), (Status::Converged, Status::Converged), "{layer}");
+        let apart = (coarse.number(path).unwrap() / fine.number(path).unwrap() - 1.0).abs();
+        let claimed = coarse.error.each[path] + fine.error.each[path];
+        assert!(apart <= claimed, "{path} is off by {apart:e}, {claimed:e} claimed: {layer}");
+    }
+}
+
 /// The difference between two resolutions was small by chance; the ratio was off by 4 tolerances.
 #[test]
 fn a_stick_ratio_is_not_believed_by_one_lucky_difference() {
