@@ -37,11 +37,10 @@ impl Aim<'_> {
     /// The levels of kernels and quadrature at a step.
     pub(super) fn levels(self, step: usize) -> [u32; 2] {
         let methods = [self.methods.kernel.is_pinned(), self.methods.quadrature.is_pinned()];
-        let levels = methods.map(|is_pinned| match is_pinned {
-            _ if !self.is_pinned() => self.level(step),
-            true => step,
-            false => BESIDE_PINNED + step,
-        });
+        let levels = match methods {
+            [false, false] => [self.level(step); 2],
+            _ => methods.map(|is_pinned| if is_pinned { step } else { BESIDE_PINNED + step }),
+        };
         levels.map(|level| u32::try_from(level).expect("a few steps"))
     }
 
