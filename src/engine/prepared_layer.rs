@@ -154,10 +154,14 @@ impl PreparedLayer {
         Ok(())
     }
 
-    /// Whether its kernels vary with the distance itself down to the origin, as a power of it does: those that take any power know from
-    /// where on.
+    /// Whether its kernels vary with the distance itself down to the origin, as a power of it does.
     pub(crate) fn begins_with_a_power(&self) -> bool {
-        self.kernel(Component::NormalSlope).is_some_and(|(table, _)| table.nearest().is_some())
+        self.nearest().is_some()
+    }
+
+    /// Down to which distance, over the thickness, they do.
+    pub(crate) fn nearest(&self) -> Option<f64> {
+        self.kernel(Component::NormalSlope).and_then(|(table, _)| table.nearest())
     }
 
     /// The power of the distance with which its kernels begin, over the distance itself, where they do and it is known.

@@ -101,17 +101,18 @@ fn it_stays_while_the_load_goes_on() {
 }
 
 /// Kernels that begin with a power of the distance are felt from as near as `1e-40` of the contact: what was left of the strain there made
-/// up to 15 % of it.
+/// up to 15 % of it. Where the law begins with two powers the kernels are no series in one: it was off by 4 %, 25 times the error told.
 #[test]
 fn it_stays_on_laws_that_begin_with_a_broken_power() {
-    for power in [0.3, 0.5] {
-        let grading = format!("{{ type = \"formula\", modulus = \"1 + 3*(y/2)^{power}\" }}");
+    let laws = [("3*(y/2)^0.3", 1e-8, 1e-4), ("3*(y/2)^0.5", 1e-8, 1e-4), ("(y/2)^0.3 + (y/2)^0.4", 1e-6, 2e-3)];
+    for (law, tolerance, most) in laws {
+        let grading = format!("{{ type = \"formula\", modulus = \"1 + {law}\" }}");
         let seen = |b: f64| {
             let solution = Sketch::on(format!("thickness = 2.0\npoisson = 0.3\ngrading = {grading}"))
                 .cylinder()
                 .rubbing(0.4)
                 .loaded(&format!("half_width = {b}"))
-                .with(&format!("[output]\nx = [{:?}]\nstrain = true", 0.1 / b))
+                .with(&format!("[output]\nx = [{:?}]\nstrain = true\n[solver]\ntolerance = {tolerance:e}", 0.1 / b))
                 .solve();
             assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
             let told = solution.error.each["profile.strain"];
@@ -119,9 +120,9 @@ fn it_stays_on_laws_that_begin_with_a_broken_power() {
             (strains(&solution)[0].1, told * scale)
         };
         let ((early, early_error), (late, late_error)) = (seen(0.3), seen(3.0));
-        println!("y^{power}: {early:e} and {late:e}, {early_error:.0e} and {late_error:.0e} told");
-        assert!((early - late).abs() < early_error + late_error, "y^{power}: {early:e} {late:e}");
-        assert!(early_error + late_error < 1e-4 * early.abs(), "y^{power}: {early_error:e} {late_error:e}");
+        println!("{law}: {early:e} and {late:e}, {early_error:.0e} and {late_error:.0e} told");
+        assert!((early - late).abs() < early_error + late_error, "{law}: {early:e} {late:e}");
+        assert!(early_error + late_error < most * early.abs(), "{law}: {early_error:e} {late_error:e}");
     }
 }
 
