@@ -75,6 +75,7 @@ pub fn solve_within(scene: &Scene, budget: u64) -> Solution {
 }
 
 /// [`solve`] for programs that go on: a panic is a refusal, too.
+#[cfg(feature = "cli")]
 pub(crate) fn solve_caught(scene: &Scene) -> Solution {
     caught(|| solve(scene)).unwrap_or_else(|why| Solution::refused(scene, Plan::default(), why))
 }
