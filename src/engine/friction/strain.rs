@@ -76,10 +76,11 @@ impl Sampling<'_> {
     ) -> Result<Option<Strains<f64>>, Refusal> {
         // Every so many of them are compared.
         let every = at.len().div_ceil(COMPARED).max(1);
+        let left_out = left_out(layer);
         let (mut share, mut apart) = (FIRST_SHARE, f64::INFINITY);
         let mut before: Option<Vec<f64>> = None;
         loop {
-            let Some(mut strain) = Strain::new(self, (share, left_out(layer)), &mut tractions) else { return Ok(None) };
+            let Some(mut strain) = Strain::new(self, (share, left_out), &mut tractions) else { return Ok(None) };
             let now = at.iter().step_by(every).map(|x| strain.at(layer, beta, *x)).collect::<Result<Vec<f64>, _>>()?;
             if let Some(before) = before {
                 let moved = before.iter().zip(&now).map(|(before, now)| (before - now).abs()).fold(0.0, f64::max);
@@ -250,7 +251,8 @@ impl Strain {
     }
 }
 
-/// How much of a piece may be left out beside a point: of kernels that are not told down to it, where they are flat.
+/// How much of a piece may be left out beside a point: of kernels that are not told down to it, where they are flat, and so little that
+/// pieces may be far wider than the layer is thick.
 fn left_out(layer: &PreparedLayer) -> f64 {
     match layer.kernel_power() {
         Some(power) => LEFT_OUT.powf(power.recip()),

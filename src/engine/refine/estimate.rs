@@ -2,13 +2,14 @@
 
 use super::FINEST;
 use super::aim::Aim;
+use super::ladder::FAINT;
 use crate::engine::accuracy::error_estimate::{Fastest, ROUNDING, SLIP_ROUNDING, Seen, extrapolated};
 use crate::engine::accuracy::quantity::{Numbers, Quantity};
 use crate::engine::outcome::Outcome;
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use crate::engine::refine::judged::{
-    FAINT, ROUNDED, hidden_details, meets, mended, share_in_middle, with_the_rest, worst_judged,
+    ROUNDED, hidden_details, meets, mended, share_in_middle, with_the_rest, worst_judged,
 };
 use arrayvec::ArrayVec;
 

@@ -29,9 +29,6 @@ const STACKED: f64 = 1e-3;
 /// Measured where the drive was 1e-5 to 1e-2: zones off by 0.2 to 0.6 times what follows from it; where it was 0.03 to 0.1 by 0.4 to 5
 /// times, the worst of 9,000.
 const DRIVEN: f64 = 0.3;
-/// A share below this of what was thought to be the least wants kernels finer by as much: of the pressure's mean in its middle, or of
-/// what drives the shear.
-pub(crate) const FAINT: f64 = 0.25;
 /// Share of the tolerance below which no error of the shear's numbers is claimed: what a few coarse resolutions show of a
 /// stick zone may agree by chance.
 ///

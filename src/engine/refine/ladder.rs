@@ -8,7 +8,7 @@ use crate::engine::growing::family::Family;
 use crate::engine::outcome::{Outcome, Task};
 use crate::engine::prepared_layer::{PreparedLayer, Wanted};
 use crate::engine::problem::Problem;
-use crate::engine::refine::judged::{FAINT, moves, share_in_middle, share_in_shear};
+use crate::engine::refine::judged::{moves, share_in_middle, share_in_shear};
 use crate::engine::refine::stage::Stage;
 use crate::engine::work::Work;
 use slipzone_api::Refusal;
@@ -18,6 +18,9 @@ use std::ops::Add;
 const USUAL_STEPS: usize = 8;
 /// Share of the tolerance that the kernels may use up.
 const KERNEL_SHARE: f64 = 0.2;
+/// A pressure in the middle below this share of the mean, or of what it was thought to be, wants kernels finer by as much; so does what
+/// drives the shear.
+pub(super) const FAINT: f64 = 0.25;
 /// No kernels are asked to be finer for that.
 const FINEST_KERNELS: f64 = 1e-14;
 
