@@ -206,6 +206,12 @@ pub trait Rule: Send + Sync {
     /// with whatever the rule needs to know of it.
     fn sample_potential(&mut self, unknowns: &[f64], kernel: (&dyn KernelTable, Component), samples: &mut Vec<f64>);
 
+    /// About how far [`Self::potential_into`] is off between places where it is exact, of a potential of that component; `None` where the rule
+    /// does not tell.
+    fn lost_between_samples(&self, _samples: &[f64], _component: Component) -> Option<f64> {
+        None
+    }
+
     /// `(1/pi) int f(r) k(-r) dr`: the potential in the middle alone.
     fn potential_at_centre(&mut self, unknowns: &[f64], kernel: (&dyn KernelTable, Component)) -> f64 {
         let (mut samples, mut out) = (Vec::new(), [0.0]);

@@ -10,7 +10,7 @@ use crate::engine::accuracy::error_estimate::{FASTEST_SHARPENED, SAFETY, SLIP_RO
 use crate::engine::accuracy::quantity::ShearTrace;
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::pressure::normal::Normal;
-use slipzone_api::{Refusal, Station};
+use slipzone_api::{Component, Refusal, Station};
 
 /// Points of the stick zone at which two grids are compared; how far the first is from its end, over the half-width; how far the
 /// last, over the width of the slip zone, for that is how fast the shear varies there.
@@ -36,8 +36,9 @@ pub(crate) fn sharpen(
     let points = points(zone);
     let mut before = sampled(shear, &points);
     let largest = largest(shear, normal, zone, &before);
-    // The shear is driven by `beta p`.
-    let driven = of_pressure * (beta * normal.mean() / largest).abs();
+    // The shear is driven by `beta p`, and by the potential of the coupling, which no grid of its own sharpens.
+    let lost = normal.lost_between_samples(layer, Component::Coupling, shear.coupling()) / largest;
+    let driven = of_pressure * (beta * normal.mean() / largest).abs() + SAFETY * lost;
     let enough = tolerance.max(driven).max(SLIP_ROUNDING);
     let between = |shear: &Shear| SAFETY * shear.lost_between() / largest;
     let is_known = |along: f64, between: f64| along.max(between) <= enough;

@@ -282,6 +282,12 @@ impl Normal {
         }
     }
 
+    /// About how far a potential of that component is off between its samples.
+    pub(crate) fn lost_between_samples(&self, layer: &PreparedLayer, component: Component, samples: &[f64]) -> f64 {
+        let lost = layer.kernel(component).and_then(|_| self.rule.lost_between_samples(samples, component));
+        lost.unwrap_or(0.0)
+    }
+
     /// About how far it is off between the nodes, over the pressure there or its mean, up to a distance from the edge over the half-width;
     /// `None` where the rule does not tell.
     pub(crate) fn lost_between(&self, nearest: f64) -> Option<f64> {

@@ -9,7 +9,7 @@ use crate::engine::outcome::Outcome;
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::problem::Problem;
 use crate::engine::refine::judged::{
-    ROUNDED, hidden_details, meets, mended, share_in_middle, with_the_rest, worst_judged,
+    ROUNDED, hidden_details, is_pressure_known, meets, mended, share_in_middle, with_the_rest, worst_judged,
 };
 use arrayvec::ArrayVec;
 
@@ -84,7 +84,8 @@ impl Estimate {
             now < ROUNDED && worst_judged(problem, &self.errors).is_some_and(|(_, before)| now > 0.5 * before);
         self.errors = estimate;
         let all = with_the_rest(problem, layer, outcome, tolerance, estimate);
-        self.met = meets(problem, &all, tolerance) || now <= 2.0 * ROUNDING;
+        // Stick zones may agree under a pressure that is none.
+        self.met = (meets(problem, &all, tolerance) || now <= 2.0 * ROUNDING) && is_pressure_known(problem, &all);
         self.stalled = if is_stalled { self.stalled + 1 } else { 0 };
         let is_done = self.met || self.stalled >= STALLED;
         is_done || is_vain(problem, outcome, tolerance, (&estimate, &all), has_kernels)

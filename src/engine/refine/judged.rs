@@ -102,7 +102,7 @@ impl Judged {
         // A bound does not change with the resolution, or does by chance: differences say nothing of its error. Under a pressure of which
         // nothing is known it is no bound.
         if let Some(bound) = bound_of_stick(&self.outcome, self.errors.get(Quantity::HalfWidth).unwrap_or(0.0)) {
-            let unknown = doubt(problem, &self.errors).filter(|doubt| *doubt >= 1.0).unwrap_or(0.0);
+            let unknown = doubt(problem, &self.errors).filter(|doubt| *doubt > UNKNOWN).unwrap_or(0.0);
             bound.iter().for_each(|(quantity, error)| self.errors.set(quantity, error.max(unknown)));
         }
         self.errors = self.errors.telling();
@@ -170,6 +170,11 @@ fn doubt(problem: &Problem, errors: &Numbers) -> Option<f64> {
     }
     let of_pressure = errors.iter().filter(|(quantity, _)| !quantity.is_of_shear());
     of_pressure.map(|(_, error)| error).reduce(f64::max)
+}
+
+/// Whether the pressure is known well enough to judge by it what is made of it, asked for or not.
+pub(crate) fn is_pressure_known(problem: &Problem, errors: &Numbers) -> bool {
+    doubt(problem, errors).is_none_or(|doubt| doubt <= UNKNOWN)
 }
 
 /// What the forces of flat punches told between those solved may be off by, relative.

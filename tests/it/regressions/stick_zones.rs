@@ -563,6 +563,21 @@ fn under_an_unknown_pressure_a_bound_of_the_stick_zone_is_none() {
     assert!(!is_told || error("stick.one_minus_ratio") >= error("pressure.centre"), "{:?}", solution.error.each);
 }
 
+/// Three resolutions of a pressure of which nothing was known yet agreed that everything sticks. Asked for the stick zone alone, these were
+/// enough: `a/b = 1`, to 5e-131, and not converged.
+#[test]
+fn a_stick_zone_under_an_unknown_pressure_is_none_to_end_with() {
+    let layer = "thickness = 0.079\npoisson = 0.4995\nbase = { type = \"rigid\" }\n\
+        grading = { type = \"linear\", surface = 1.0, base = 25.3 }";
+    for tolerance in [1e-5, 9e-6, 1.1e-5] {
+        let scene = format!("[output]\nquantities = [\"stick\"]\n[solver]\ntolerance = {tolerance:e}");
+        let found = Sketch::on(layer).flat_again().rubbing(0.00966).with(&scene).solve();
+        assert_eq!(found.status, Status::Converged, "{:?}", found.reason);
+        let ratio = number(&found, "stick.ratio");
+        assert!((ratio / 0.245_835_832_96 - 1.0).abs() <= tolerance, "{ratio}");
+    }
+}
+
 /// Two resolutions agreed on slip zones that the next took back, by ten estimates: contacts that grew, asked for nothing but their zone.
 #[test]
 fn narrow_slip_zones_of_contacts_that_grew_are_as_sure_as_told() {

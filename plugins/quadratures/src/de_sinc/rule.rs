@@ -5,7 +5,7 @@ use super::fold::Folding;
 use super::grid::Grid;
 use super::potential::Potential;
 use super::resolution::{Resolution, fine_grid};
-use super::series::alternating;
+use super::series::{Series, alternating};
 use super::shape::Shape;
 use super::sums::{dot, dots};
 use pulp::Arch;
@@ -217,6 +217,11 @@ impl Rule for DeSincRule {
         for (i, (sample, v)) in samples.iter_mut().zip(&self.grid.staggered).enumerate() {
             *sample = alternating(i) * (*sample - edge * if odd { v.x } else { 1.0 });
         }
+    }
+
+    fn lost_between_samples(&self, samples: &[f64], component: Component) -> Option<f64> {
+        let (_, signed) = samples.split_last()?;
+        Some(Series { signed, odd: self.grid.odd != component.is_odd(), offset: 0.5 }.lost_between())
     }
 
     fn potential_at_centre(&mut self, unknowns: &[f64], (table, component): (&dyn KernelTable, Component)) -> f64 {

@@ -1,8 +1,12 @@
 //! Sums of sinc functions over a grid that is its own mirror image.
 
+use num_complex::Complex64;
 use pulp::Simd;
 use slipzone_api::elementary::{ROUND, sin_pi};
-use std::f64::consts::FRAC_2_PI;
+use std::f64::consts::{FRAC_2_PI, PI};
+
+/// Frequencies at which a spectrum is looked at, from the highest down, as far apart as so many samples tell.
+const LOOKED_AT: u32 = 8;
 
 /// Points that are evaluated at a time.
 pub(super) const BATCH: usize = 64;
@@ -21,6 +25,37 @@ pub(super) struct Series<'a> {
 }
 
 impl Series<'_> {
+    /// About how far it is off between its samples: by what of its spectrum they do not tell apart from lower frequencies.
+    ///
+    /// With the frequency the spectrum falls like `Y exp(-d w)` per radian and step, to `w = pi`, the highest that the samples tell; there
+    /// `(-1)^j y_h` sums to half of it. As much as lies beyond, `int_pi^inf`, is taken for something lower: about
+    /// `2 Y exp(-pi d)/(pi d)` is lost. It waves as it falls, and may vanish at one frequency by chance: several tell it.
+    pub(super) fn lost_between(&self) -> f64 {
+        let Self { signed, odd, offset } = *self;
+        let (count, whole) = (signed.len() as f64, signed.iter().map(|y| y.abs()).sum::<f64>());
+        // The sample in the middle counts once.
+        let middle = if offset == 0.0 { -0.5 * signed[0] } else { 0.0 };
+        // Half way between, what is odd is seen where what is even would be.
+        let by_sine = odd == (offset == 0.0);
+        // `-pi d`, by a frequency so far below the highest.
+        let fallen = |below: f64| {
+            let turn = below * PI / count;
+            let (mut wave, turn) = (Complex64::cis(offset * turn), Complex64::cis(turn));
+            let mut sum = Complex64::new(middle, 0.0);
+            for y in signed {
+                sum += wave * y;
+                wave *= turn;
+            }
+            let size = if by_sine { sum.im } else { sum.re };
+            (size.abs() / whole).ln() * count / (count - below)
+        };
+        // Of a sine nothing is seen at the highest itself.
+        let first = if by_sine { 0.5 } else { 0.0 };
+        let looked_at = (0..LOOKED_AT).map(|m| f64::from(m) + first).take_while(|below| *below <= 0.5 * count);
+        let fallen = looked_at.map(fallen).fold(f64::NEG_INFINITY, f64::max);
+        2.0 * whole * fallen.exp() / (-fallen).max(1.0)
+    }
+
     /// Writes the sums at the first `count` of the points `t >= 0`; what the others hold must be numbers.
     #[inline(always)]
     pub(super) fn sums_into<S: Simd>(&self, simd: S, t: &[f64; BATCH], count: usize, out: &mut [f64; BATCH]) {

@@ -3,14 +3,9 @@
 use super::grid::Grid;
 use super::series::{BATCH, Series};
 use super::sums::dot;
-use num_complex::Complex64;
 use pulp::{Arch, Simd, WithSimd};
 use slipzone_api::double_exponential::locate;
 use slipzone_api::{Edge, Station};
-use std::f64::consts::PI;
-
-/// Frequencies at which a spectrum is looked at, from the highest down, as far apart as so many samples tell.
-const LOOKED_AT: u32 = 8;
 
 /// A density made ready for evaluation, with `s = sqrt(1 - x^2)` and `y` a sum of sinc functions:
 /// `f = (limit + y)/s` at sharp edges, `s limit + sqrt(s) y` at smooth ones, `s limit + y` at continued
@@ -43,30 +38,10 @@ impl<'a> Shape<'a> {
         Self { grid, limit, signed: y.as_slice() }
     }
 
-    /// About how far it is off between the nodes: by what of its spectrum they do not tell apart from lower frequencies.
-    ///
-    /// With the frequency the spectrum falls like `Y exp(-d w)` per radian and step, to `w = pi`, the highest that the nodes tell; there
-    /// `(-1)^j y_j` sums to half of it. As much as lies beyond, `int_pi^inf`, is taken for something lower: about
-    /// `2 Y exp(-pi d)/(pi d)` is lost. It waves as it falls, and may vanish at one frequency by chance: several tell it.
+    /// About how far it is off between the nodes.
     pub(super) fn lost_between(&self) -> f64 {
-        let Self { grid, signed, .. } = *self;
-        let (count, whole) = (signed.len() as f64, signed.iter().map(|y| y.abs()).sum::<f64>());
-        // `-pi d`, by a frequency so far below the highest.
-        let fallen = |below: f64| {
-            let turn = Complex64::cis(below * PI / count);
-            let (mut wave, mut sum) = (Complex64::ONE, Complex64::new(-0.5 * signed[0], 0.0));
-            for y in signed {
-                sum += wave * y;
-                wave *= turn;
-            }
-            let size = if grid.odd { sum.im } else { sum.re };
-            (size.abs() / whole).ln() * count / (count - below)
-        };
-        // Of what is odd nothing is seen at the highest itself.
-        let first = if grid.odd { 0.5 } else { 0.0 };
-        let looked_at = (0..LOOKED_AT).map(|m| f64::from(m) + first).take_while(|below| *below <= 0.5 * count);
-        let fallen = looked_at.map(fallen).fold(f64::NEG_INFINITY, f64::max);
-        2.0 * whole * fallen.exp() / (-fallen).max(1.0)
+        let Self { grid: Grid { odd, .. }, signed, .. } = *self;
+        Series { signed, odd: *odd, offset: 0.0 }.lost_between()
     }
 
     /// About how far it is off as close to a sharp end as that, over the half-width: past the last node but one it is on its way to

@@ -84,6 +84,42 @@ fn what_is_lost_between_the_nodes_is_told() {
     }
 }
 
+/// The same of potentials, known at the staggered points alone, whose own features a density does not tell.
+#[test]
+fn what_potentials_lose_between_their_samples_is_told() {
+    let c = 2.0;
+    let peak = |d: f64, t: f64| d / (d * d + t * t);
+    let kernel =
+        |component: Component, d: f64, t: f64| if component.is_odd() { t / d * peak(d, t) } else { peak(d, t) };
+    for d in [0.3, 0.5] {
+        let told = |component: Component| move |t: f64| Parts { smooth: kernel(component, d, t), ..Parts::default() };
+        for (parity, edge, n) in
+            [(Parity::Even, Edge::Sharp, 16), (Parity::Even, Edge::Smooth, 24), (Parity::Odd, Edge::Continued, 24)]
+        {
+            for component in [Component::Coupling, Component::NormalSlope] {
+                let table = Made { parts: told(component), length: d };
+                let potential = |n: usize, at: &[Station]| {
+                    let mut rule = rule(c, parity, edge, n);
+                    let power = if edge == Edge::Sharp { 0 } else { 2 };
+                    let odd = |x: f64| if parity == Parity::Odd { x } else { 1.0 };
+                    let density = nodes(parity, edge, n).into_iter().map(|(x, s)| odd(x) * s.powi(power));
+                    let unknowns: Vec<f64> = density.collect();
+                    let (mut samples, mut out) = (Vec::new(), vec![0.0; at.len()]);
+                    rule.sample_potential(&unknowns, (&table, component), &mut samples);
+                    rule.potential_into(&samples, (&table, component), at, &mut out);
+                    (out, rule.lost_between_samples(&samples, component).expect("told"))
+                };
+                let gaps = (1..400).map(|i| c * f64::from(i) / 400.0);
+                let at: Vec<Station> = gaps.map(|gap| Station { x: c - gap, gap }).collect();
+                let ((found, lost), (exact, _)) = (potential(n, &at), potential(120, &at));
+                let off = found.iter().zip(&exact).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);
+                let case = format!("{parity:?} {edge:?} {component:?}, peaks of {d}, {n} steps");
+                assert!(off <= 3.0 * lost && lost <= 10.0 * off, "{off:.1e} off, {lost:.1e} told: {case}");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_continued_density_is_a_root_and_more() {
     // f = t (1 - t^2)^(1/2) (1 + (1 - t^2)^(1/2)/2): both parts of what is left in a stick zone.
