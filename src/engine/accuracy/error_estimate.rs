@@ -91,8 +91,7 @@ pub(crate) fn extrapolated(history: &[Seen], fastest: Fastest) -> Option<Numbers
     }
     let [early, late] = Differences::last_two(history)?;
     let pace = Pace::of(&early, &late, fastest);
-    let share = if late.is_stacked { STACKED_SHARE } else { SHARES[1] };
-    let least_of_shear = share * late.of_shear.max(late.of_pressure);
+    let apart = late.of_shear.max(late.of_pressure);
     let mut errors = Numbers::default();
     let part = |quantity: Quantity| history.last().and_then(|seen| seen.numbers.get(quantity)).unwrap_or(1.0);
     let is_crowded = part(Quantity::OneMinusRatio) < CROWDED;
@@ -103,6 +102,8 @@ pub(crate) fn extrapolated(history: &[Seen], fastest: Fastest) -> Option<Numbers
             errors.set(quantity, of_traces((d1, d2), FASTEST_TRACED));
             continue;
         }
+        let is_doubted = late.is_stacked && !is_steady(history, quantity);
+        let least_of_shear = apart * if is_doubted { STACKED_SHARE } else { SHARES[1] };
         let (of_all, least, floor) = pace.of_quantity(quantity, &late, least_of_shear);
         let rate = of_all.max(relative(d2, d1).min(SLOWER));
         let is_by_chance = is_crowded && quantity == Quantity::OneMinusRatio
@@ -114,6 +115,18 @@ pub(crate) fn extrapolated(history: &[Seen], fastest: Fastest) -> Option<Numbers
         errors.set(quantity, (SAFETY * remains).max(floor));
     }
     Some(errors)
+}
+
+/// Whether a number came closer three times in a row, each time by as much as is expected of it at least: hardly by chance.
+fn is_steady(history: &[Seen], quantity: Quantity) -> bool {
+    let [.., first, second, third, last] = history else { return false };
+    let scale = last.numbers.get(quantity);
+    let apart = |one: &Seen, other: &Seen| {
+        let [one, other] = [one, other].map(|seen| seen.numbers.get(quantity));
+        one.zip(other).zip(scale).map_or(1.0, |((one, other), scale)| relative(one - other, scale)).max(SLIP_ROUNDING)
+    };
+    let [d0, d1, d2] = [apart(first, second), apart(second, third), apart(third, last)];
+    d1 <= SLOWER * d0 && d2 <= (SLOWER * d1).max(SLIP_ROUNDING)
 }
 
 /// Relative error estimates of the finer of two results, where the kernels prove theirs and there is no stick zone to be found, which may
@@ -353,6 +366,27 @@ mod tests {
         }
         let told = extrapolated(&history, Fastest::PROVEN).unwrap().get(Quantity::Force).unwrap();
         assert!(told > 1e-6 && told > 5.0 * least, "{told} against {least}");
+    }
+
+    /// What the shear between its points differs by is no reason to doubt a zone that came closer each time, and by far.
+    #[test]
+    fn a_stacked_zone_that_came_closer_three_times_is_no_chance() {
+        let told = |apart: &[f64]| {
+            let ratios: Vec<f64> = apart.iter().map(|apart| 0.5 * (1.0 + apart)).collect();
+            let mut history = history(&[&vec![1.0; apart.len()]]);
+            for ((seen, ratio), k) in history.iter_mut().zip(ratios).zip(0_i32..) {
+                seen.numbers.set(Quantity::StickRatio, ratio);
+                let at = [1.0 + 2e-5 * f64::from(k % 2); ShearTrace::POINTS];
+                seen.traces.shear = Some(ShearTrace::new(at, at, 0.0));
+                seen.traces.is_stacked = true;
+            }
+            extrapolated(&history, Fastest::PROVEN).unwrap().get(Quantity::StickRatio).unwrap()
+        };
+        let steady = [1e-3, 1e-6, 1e-9, 1e-12];
+        assert!(told(&steady) < 3e-6, "{:e}", told(&steady));
+        assert!(told(&steady[1..]) > 1e-5, "two times may be chance: {:e}", told(&steady[1..]));
+        let lucky = [1e-3, 1e-6, 1e-6 + 1e-9, 1e-6];
+        assert!(told(&lucky) > 1e-5, "once more no closer: {:e}", told(&lucky));
     }
 
     #[test]
