@@ -78,6 +78,14 @@ pub(crate) struct Seen {
     pub(crate) traces: Traces,
 }
 
+impl Seen {
+    /// What a number is not known better than: of the shear what it loses between its nodes, for a few points may be right by chance.
+    fn lost(&self, quantity: Quantity) -> f64 {
+        let of_shear = self.traces.shear.filter(|_| quantity == Quantity::Shear);
+        of_shear.map_or(0.0, |shear| shear.lost_between())
+    }
+}
+
 /// Relative error estimates of the last of a sequence of results, each by one step finer; `None` where they are too few: with
 /// fewer than three results, or than two where [`told_by_two`] is enough.
 ///
@@ -99,7 +107,8 @@ pub(crate) fn extrapolated(history: &[Seen], fastest: Fastest) -> Option<Numbers
     for (quantity, d2) in late.numbers.iter() {
         let d1 = early.numbers.get(quantity).unwrap_or(1.0);
         if quantity == Quantity::Shear {
-            errors.set(quantity, of_traces((d1, d2), FASTEST_TRACED));
+            let lost = history.last().map_or(0.0, |last| last.lost(quantity));
+            errors.set(quantity, of_traces((d1, d2), FASTEST_TRACED).max(lost));
             continue;
         }
         let is_doubted = late.is_stacked && !is_steady(history, quantity);
@@ -143,7 +152,7 @@ fn told_by_two(coarse: &Seen, fine: &Seen, fastest: Fastest) -> Option<Numbers> 
     for (quantity, own) in late.numbers.iter() {
         // Where everything sticks there is no zone, but a shear, which may differ by more than the pressure.
         let apart = if quantity == Quantity::Shear { own.max(late.of_pressure) } else { late.of_pressure };
-        errors.set(quantity, (SAFETY * apart).max(ROUNDING));
+        errors.set(quantity, (SAFETY * apart).max(ROUNDING).max(fine.lost(quantity)));
     }
     Some(errors)
 }
@@ -198,7 +207,7 @@ impl Pace {
         let apart = late.of_shear.max(late.of_pressure).max(self.shear_apart);
         if late.numbers.get(Quantity::StickRatio).is_some() {
             let remains = left(apart.max(self.traces_apart), self.of_shear.max(FASTEST_TRACED));
-            errors.set(Quantity::Shear, (SAFETY * remains).max(SLIP_ROUNDING));
+            errors.set(Quantity::Shear, (SAFETY * remains).max(SLIP_ROUNDING).max(fine.lost(Quantity::Shear)));
         }
         for (quantity, difference) in late.numbers.iter() {
             let (rate, least, floor) = self.of_quantity(quantity, &late, STACKED_SHARE * apart);
@@ -284,7 +293,7 @@ pub(crate) fn judged_by_twin(result: &Seen, twin: &Seen) -> Numbers {
         // One difference may be small by chance, of the pressure's beside the largest of them.
         let least = if quantity.is_of_shear() { 0.0 } else { SHARES[0] * between.of_pressure };
         let difference = difference.max(least);
-        errors.set(quantity, (SAFETY * difference).max(ROUNDING));
+        errors.set(quantity, (SAFETY * difference).max(ROUNDING).max(result.lost(quantity)));
     }
     errors
 }

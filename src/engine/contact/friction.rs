@@ -390,6 +390,11 @@ impl Contact {
         sharpen((shear, coarser), layer, &mut self.normal, beta, found.zone, wanted)
     }
 
+    /// What the shear solved last loses between its nodes, over the mean pressure.
+    pub(crate) fn lost_of_shear(&self) -> f64 {
+        self.shear.as_ref().map_or(0.0, |shear| shear.lost_between() / self.normal.mean().abs())
+    }
+
     /// By how much the shear under a flat punch differs from that of a twin; `None` where one of them has none.
     pub(crate) fn shear_apart(&self, twin: &Self) -> Option<f64> {
         let both = self.shear.as_ref().zip(twin.shear.as_ref());

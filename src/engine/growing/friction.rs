@@ -24,6 +24,7 @@ impl Growing {
         let family = self.family.as_mut().expect("provided before");
         let zone = family.zone(b);
         let solved = family.rubbing(layer, task, b)?;
+        let lost = solved.as_ref().map_or(0.0, |_| family.lost_of_shear());
         let rubbing = solved.or_else(|| family.rubbing_between(problem, b)).expect("a family with friction");
         if rubbing.failure().is_some() {
             return Ok(rubbing);
@@ -43,9 +44,9 @@ impl Growing {
             // Beside what slides with much friction what sticks may be little, and so may be the errors of what is lacking.
             let at = ShearTrace::NEAR_MIDDLE.map(|part| zone.in_contact(own(part)));
             let inner = self.shear_traced(problem, normal, at, inner);
-            return Ok(rubbing.traced(ShearTrace { inner, sliding, ..ShearTrace::new(shear, shear, friction) }));
+            return Ok(rubbing.traced(ShearTrace { inner, sliding, lost, ..ShearTrace::new(shear, shear, friction) }));
         }
-        Ok(rubbing.traced(ShearTrace { inner, ..ShearTrace::new(lack, shear, friction) }))
+        Ok(rubbing.traced(ShearTrace { inner, lost, ..ShearTrace::new(lack, shear, friction) }))
     }
 
     /// The shear at some points, where it lacks so much to what slides; both over the mean pressure.

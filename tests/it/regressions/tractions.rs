@@ -122,7 +122,12 @@ fn a_shear_is_not_believed_for_a_phase_that_suits_it() {
     // by 6.7 estimates), the other the bound of the rate (15).
     let led = Sketch::flat(3.369, 0.14, 0.327).rubbing(1.575);
     let hurried = Sketch::flat(1.345, 4.86, 0.41).rubbing(1.415);
-    let grown = [(&grown, 1e-6, 4.0), (&grown, 1e-5, 3.0)];
+    // Right at all seven points, and off by 3 to 6 estimates between.
+    let between = Sketch::flat(92.231_166_174_214_56, 5.894_979_302_941_883, 0.373_023_930_727_574_7)
+        .loaded("half_width = 1.0")
+        .cylinder()
+        .rubbing(0.731_738_910_534_295);
+    let grown = [(&grown, 1e-6, 4.0), (&grown, 1e-5, 3.0), (&between, 1e-7, 1.0), (&between, 5.7e-8, 1.0)];
     let flat = [(&flat, 1e-6, 4.0), (&led, 1e-8, 3.0), (&hurried, 1e-7, 3.0)];
     for (sketch, tolerance, most) in grown.into_iter().chain(flat) {
         let solved = |tolerance: f64| sketch.clone().with(&format!("[solver]\ntolerance = {tolerance:e}")).solve();

@@ -422,6 +422,11 @@ impl Family {
         Ok(None)
     }
 
+    /// What the shear of the flat punch solved last loses between its nodes, over its mean pressure.
+    pub(crate) fn lost_of_shear(&self) -> f64 {
+        self.contact.lost_of_shear()
+    }
+
     /// The stick zone of a contact of that half-width, solved for itself: what is told between the members is but its
     /// beginning, and narrow ones are told no better than wide ones ask for. `None` where it is not near that.
     pub(crate) fn rubbing(
