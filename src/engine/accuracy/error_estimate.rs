@@ -1,6 +1,6 @@
 //! How far a sequence of refined results is from its limit.
 
-use super::quantity::{Numbers, Quantity, Traces};
+use super::quantity::{Numbers, Quantity, ShearTrace, Traces};
 
 /// A difference that shrinks by less than this factor says nothing of the next one.
 const NOT_SHRINKING: f64 = 0.5;
@@ -81,8 +81,8 @@ pub(crate) struct Seen {
 impl Seen {
     /// What a number is not known better than: of the shear what it loses between its nodes, for a few points may be right by chance.
     fn lost(&self, quantity: Quantity) -> f64 {
-        let of_shear = self.traces.shear.filter(|_| quantity == Quantity::Shear);
-        of_shear.map_or(0.0, |shear| shear.lost_between())
+        let of_shear = if quantity == Quantity::Shear { self.traces.shear.as_ref() } else { None };
+        of_shear.map_or(0.0, ShearTrace::lost_between)
     }
 }
 
@@ -111,9 +111,10 @@ pub(crate) fn extrapolated(history: &[Seen], fastest: Fastest) -> Option<Numbers
             errors.set(quantity, of_traces((d1, d2), FASTEST_TRACED).max(lost));
             continue;
         }
-        let is_doubted = late.is_stacked && !is_steady(history, quantity);
-        let least_of_shear = apart * if is_doubted { STACKED_SHARE } else { SHARES[1] };
-        let (of_all, least, floor) = pace.of_quantity(quantity, &late, least_of_shear);
+        let (of_all, mut least, floor) = pace.of_quantity(quantity, &late, SHARES[1] * apart);
+        if late.is_stacked && quantity.is_of_shear() && !is_steady(history, quantity) {
+            least = STACKED_SHARE * apart;
+        }
         let rate = of_all.max(relative(d2, d1).min(SLOWER));
         let is_by_chance = is_crowded && quantity == Quantity::OneMinusRatio
             || is_narrow && matches!(quantity, Quantity::StickRatio | Quantity::StickHalfWidth);
@@ -311,7 +312,6 @@ fn relative(difference: f64, scale: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::quantity::ShearTrace;
     use super::*;
 
     fn history(sequences: &[&[f64]]) -> Vec<Seen> {

@@ -40,7 +40,8 @@ impl Series<'_> {
         // `-pi d`, by a frequency so far below the highest.
         let fallen = |below: f64| {
             let turn = below * PI / count;
-            let (mut wave, turn) = (Complex64::cis(offset * turn), Complex64::cis(turn));
+            let mut wave = if offset == 0.0 { Complex64::ONE } else { Complex64::cis(offset * turn) };
+            let turn = Complex64::cis(turn);
             let mut sum = Complex64::new(middle, 0.0);
             for y in signed {
                 sum += wave * y;
