@@ -21,7 +21,7 @@ const SLOWER: f64 = 0.25;
 /// Shares of the largest of all differences that a number's own is not believed to be below, among those of the pressure
 /// and of the shear. A stick zone is known far better than the shear beside its ends.
 const SHARES: [f64; 2] = [0.5, 1e-4];
-/// That of the shear where it is stacked: it is asked for as well as the zone.
+/// That of the shear where it is stacked: it is asked for as well as the zone. Not where that came closer three times in a row.
 const STACKED_SHARE: f64 = 0.5;
 /// Differences of a shear at the points of its traces, all that is known of one that is stacked, are not taken to shrink any faster: sinc series wave between their nodes, by what has a phase that goes with
 /// the step, and one resolution may be right by chance where the next is not.
@@ -128,6 +128,8 @@ pub(crate) fn extrapolated(history: &[Seen], fastest: Fastest) -> Option<Numbers
 }
 
 /// Whether a number came closer three times in a row, each time by as much as is expected of it at least: hardly by chance.
+///
+/// Of 1,321 random contacts that grew none that was believed for it was off by more than 0.6 of what it claims.
 fn is_steady(history: &[Seen], quantity: Quantity) -> bool {
     let [.., first, second, third, last] = history else { return false };
     let scale = last.numbers.get(quantity);

@@ -285,7 +285,8 @@ impl Normal {
     /// About how far a potential of that component is off between its samples.
     pub(crate) fn lost_between_samples(&self, layer: &PreparedLayer, component: Component, samples: &[f64]) -> f64 {
         let lost = layer.kernel(component).and_then(|_| self.rule.lost_between_samples(samples, component));
-        lost.unwrap_or(0.0)
+        // No number is no agreement.
+        lost.map_or(0.0, |lost| if lost >= 0.0 { lost } else { self.mean().abs() })
     }
 
     /// About how far it is off between the nodes, over the pressure there or its mean, up to a distance from the edge over the half-width;
