@@ -98,6 +98,21 @@ fn the_figures_of_the_documents_are_what_the_program_draws() {
     assert_eq!(compared, 24, "nine punches, the flat one again in the README, a loading curve, thirteen layers");
 }
 
+/// Line by line, in that order; between `...` whatever there is.
+#[cfg(feature = "cli")]
+#[test]
+fn the_readme_shows_what_the_program_prints() {
+    let readme = include_str!("../../README.md");
+    let (_, shown) = readme.split_once("```text\n").expect("an output");
+    let (shown, _) = shown.split_once("```").expect("its end");
+    let output = crate::run::run(env!("CARGO_MANIFEST_DIR").as_ref(), ["solve", "examples/flat.toml"]);
+    let printed = String::from_utf8(output.stdout).expect("the program writes UTF-8");
+    let mut printed = printed.lines().map(str::trim_end);
+    for line in shown.lines().filter(|line| !line.ends_with("...")) {
+        assert!(printed.any(|printed| printed == line), "not printed, or not there: {line}");
+    }
+}
+
 #[test]
 fn the_messages_in_the_documents_are_what_the_program_says() {
     let document = include_str!("../../docs/punches.md");
