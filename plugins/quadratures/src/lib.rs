@@ -2,6 +2,8 @@
 
 mod count;
 mod de_sinc;
+#[cfg(test)]
+mod fixtures;
 mod gauss_chebyshev;
 mod graded_panels;
 

@@ -5,29 +5,10 @@ mod integrals;
 mod values;
 
 use super::*;
+use crate::fixtures::{Made, assert_close, operator};
 use slipzone_api::testkit::solve;
-use slipzone_api::{Component, KernelTable, Parts, PartsMut, Station};
+use slipzone_api::{Component, KernelTable, Parts, Station};
 use sums::dot;
-
-/// A made-up kernel.
-struct Made<P: Fn(f64) -> Parts + Send + Sync> {
-    parts: P,
-    length: f64,
-}
-
-impl<P: Fn(f64) -> Parts + Send + Sync> KernelTable for Made<P> {
-    fn parts_into(&self, _: Component, distances: &[f64], out: PartsMut) {
-        out.fill(distances, &self.parts);
-    }
-
-    fn length(&self) -> f64 {
-        self.length
-    }
-
-    fn flexibility_evaluations(&self) -> usize {
-        0
-    }
-}
 
 /// As over a graded layer of thickness `h`: a smooth part, a jump and a logarithm, poles at `h` and `2 h`.
 fn graded(h: f64) -> Made<impl Fn(f64) -> Parts + Send + Sync> {
@@ -42,12 +23,6 @@ fn graded(h: f64) -> Made<impl Fn(f64) -> Parts + Send + Sync> {
 fn rule(c: f64, parity: Parity, edge: Edge, n: usize) -> Box<dyn Rule> {
     let quadrature = DeSinc { n: Some(Count(n)), ..DeSinc::default() };
     quadrature.rule(&Span::symmetric(c, parity, edge)).expect("a symmetric span")
-}
-
-fn operator(rule: &mut dyn Rule, kernel: Option<(&dyn KernelTable, Component)>) -> Vec<f64> {
-    let mut rows = vec![0.0; rule.unknowns() * rule.collocation().len()];
-    rule.operator_into(kernel, &mut rows);
-    rows
 }
 
 /// The nodes' `x/c` and `sqrt(1 - (x/c)^2)`, those of the unknowns only.
@@ -70,11 +45,6 @@ fn flat_punch(rule: &mut dyn Rule, kernel: Option<&dyn KernelTable>) -> Vec<f64>
 
 fn value(rule: &dyn Rule, unknowns: &[f64], x: f64, gap: f64) -> f64 {
     rule.value(unknowns, Station { x, gap })
-}
-
-#[track_caller]
-fn assert_close(got: f64, expected: f64, tolerance: f64, what: &str) {
-    assert!((got - expected).abs() <= tolerance, "{what}: {got:e} instead of {expected:e}");
 }
 
 #[test]

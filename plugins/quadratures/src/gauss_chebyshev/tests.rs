@@ -1,42 +1,11 @@
 //! The rule against integrals in closed form.
 
 use super::*;
-use slipzone_api::PartsMut;
-
-/// A kernel `smooth(t) + sign(t) sign_part + log|t| log_part`.
-struct Made {
-    smooth: fn(f64) -> f64,
-    sign: f64,
-    log: f64,
-}
-
-impl KernelTable for Made {
-    fn parts_into(&self, _: Component, distances: &[f64], out: PartsMut) {
-        out.fill(distances, |t| Parts { smooth: (self.smooth)(t), sign: self.sign, log: self.log });
-    }
-
-    fn length(&self) -> f64 {
-        1.0
-    }
-
-    fn flexibility_evaluations(&self) -> usize {
-        0
-    }
-}
+use crate::fixtures::{self, Made, apply, assert_close, jump, logarithm, operator};
 
 fn rule(c: f64, parity: Parity, edge: Edge, n: usize) -> Box<dyn Rule> {
     let quadrature = GaussChebyshev { n: Some(EvenCount(n)), level: 0 };
     quadrature.rule(&Span::symmetric(c, parity, edge)).expect("a symmetric span")
-}
-
-fn apply(rows: &[f64], unknowns: &[f64]) -> Vec<f64> {
-    rows.chunks(unknowns.len()).map(|row| row.iter().zip(unknowns).map(|(a, u)| a * u).sum()).collect()
-}
-
-fn operator(rule: &mut dyn Rule, kernel: Option<(&dyn KernelTable, Component)>) -> Vec<f64> {
-    let mut rows = vec![0.0; rule.unknowns() * rule.collocation().len()];
-    rule.operator_into(kernel, &mut rows);
-    rows
 }
 
 /// Angles of the positive nodes: of the first kind for sharp edges, of the second for others.
@@ -46,10 +15,6 @@ fn angles(edge: Edge, n: usize) -> Vec<f64> {
         Edge::Smooth | Edge::Continued => PI * j as f64 / (n + 1) as f64,
     };
     (1..=n / 2).map(angle).collect()
-}
-
-fn assert_close(got: f64, expected: f64, tolerance: f64, what: &str) {
-    assert!((got - expected).abs() <= tolerance, "{what}: {got} instead of {expected}");
 }
 
 #[test]
@@ -91,20 +56,8 @@ fn values_between_the_nodes_are_those_of_the_polynomial() {
 
 #[test]
 fn the_kernel_is_applied_to_what_is_finite_at_the_ends() {
-    let (c, n) = (2.0, 200);
-    let mut rule = rule(c, Parity::Odd, Edge::Continued, n);
-    // With k(t) = t^3, int_-c^c r (x - r)^3 dr = -2 c^3 x^2 - 2 c^5/5.
-    let cubic = Made { smooth: |t| t * t * t, sign: 0.0, log: 0.0 };
-    let mut applied = vec![[0.0; 2]; rule.collocation().len()];
-    let line = |at: &[Station], out: &mut [[f64; 2]]| {
-        out.iter_mut().zip(at).for_each(|(out, at)| *out = [at.x, -2.0 * at.x]);
-    };
-    rule.applied_into((&cubic, Component::ShearStrain), &[], &line, &mut applied);
-    for ([one, other], at) in applied.iter().zip(rule.collocation()) {
-        let exact = -2.0 * c.powi(3) * (at.x * at.x + 0.2 * c * c) / PI;
-        assert_close(*one, exact, 1e-11, "one density");
-        assert_close(*other, -2.0 * exact, 1e-11, "the other");
-    }
+    let mut rule = rule(2.0, Parity::Odd, Edge::Continued, 200);
+    fixtures::applies_a_kernel_to_what_is_finite_at_the_ends(rule.as_mut(), 1e-11);
 }
 
 #[test]
@@ -113,8 +66,7 @@ fn potentials_of_jump_and_logarithm_are_exact_anywhere() {
     let targets = [-c, -0.31, 0.0, 0.123, 0.499, c];
     // Sharp, F = 1: int log|x - r|/sqrt(c^2 - r^2) dr = pi ln(c/2); int sign = pi - 2 acos(x/c). Smooth,
     // F = 1: int sqrt(1 - t^2) log|x - ct| c dt = c pi/2 (ln(c/2) + t^2 - 1/2).
-    let logarithm = Made { smooth: |_| 0.0, sign: 0.0, log: 1.0 };
-    let jump = Made { smooth: |_| 0.0, sign: 1.0, log: 0.0 };
+    let (jump, logarithm) = (jump(1.0), logarithm(1.0));
     for edge in [Edge::Sharp, Edge::Smooth] {
         let mut rule = rule(c, Parity::Even, edge, 10);
         let unknowns = vec![1.0; rule.unknowns()];
@@ -142,7 +94,7 @@ fn potentials_of_jump_and_logarithm_are_exact_anywhere() {
 #[test]
 fn a_kernel_with_a_jump_converges_to_second_order() {
     // The operator sums a jump at staggered points: int_-1^1 sign(x - r)/sqrt(1 - r^2) dr = pi - 2 acos x.
-    let jump = Made { smooth: |_| 0.0, sign: 1.0, log: 0.0 };
+    let jump = jump(1.0);
     let errors: Vec<f64> = [16, 32, 64]
         .iter()
         .map(|&n| {

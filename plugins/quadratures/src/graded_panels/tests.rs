@@ -7,6 +7,7 @@ mod solved;
 
 use super::mesh::Mesh;
 use super::*;
+use crate::fixtures::{Made, apply, assert_close, jump, logarithm, operator, row_scale};
 use slipzone_api::testkit::solve;
 use slipzone_api::{Component, Edge, KernelTable, Parity, Parts, PartsMut, Station};
 use std::f64::consts::PI;
@@ -24,53 +25,9 @@ fn unknowns(parity: Parity, edge: Edge, nodes: usize, panels: usize, polynomial:
     kept.map(|i| polynomial(mesh.node(i))).collect()
 }
 
-fn operator(rule: &mut dyn Rule, kernel: Option<(&dyn KernelTable, Component)>) -> Vec<f64> {
-    let mut rows = vec![0.0; rule.unknowns() * rule.collocation().len()];
-    rule.operator_into(kernel, &mut rows);
-    rows
-}
-
-/// Factor of each row.
-fn row_scale(rule: &dyn Rule) -> Vec<f64> {
-    rule.row_scale().map_or_else(|| vec![1.0; rule.collocation().len()], <[f64]>::to_vec)
-}
-
-fn apply(rows: &[f64], unknowns: &[f64]) -> Vec<f64> {
-    rows.chunks(unknowns.len()).map(|row| row.iter().zip(unknowns).map(|(a, u)| a * u).sum()).collect()
-}
-
 fn value(rule: &dyn Rule, unknowns: &[f64], at: Station) -> f64 {
     rule.value(unknowns, at)
 }
-
-#[track_caller]
-fn assert_close(got: f64, expected: f64, tolerance: f64, what: &str) {
-    assert!((got - expected).abs() <= tolerance, "{what}: {got:e} instead of {expected:e}");
-}
-
-/// A kernel of three parts, by functions of the distance and its own length.
-#[derive(Clone, Copy)]
-struct Made {
-    parts: fn(f64, f64) -> Parts,
-    length: f64,
-}
-
-impl KernelTable for Made {
-    fn parts_into(&self, _: Component, distances: &[f64], out: PartsMut) {
-        out.fill(distances, |t| (self.parts)(t, self.length));
-    }
-
-    fn length(&self) -> f64 {
-        self.length
-    }
-
-    fn flexibility_evaluations(&self) -> usize {
-        0
-    }
-}
-
-const JUMP: Made = Made { parts: |_, _| Parts { smooth: 0.0, sign: 1.0, log: 0.0 }, length: 1.0 };
-const LOGARITHM: Made = Made { parts: |_, _| Parts { smooth: 0.0, sign: 0.0, log: 1.0 }, length: 1.0 };
 
 #[test]
 fn counts_out_of_range_are_refused_with_the_range() {

@@ -1,6 +1,7 @@
 //! Whole equations: against closed forms and against themselves at twice the resolution.
 
 use super::*;
+use crate::fixtures;
 use slipzone_api::reference::partial_slip::Stick;
 use spec_math::cephes64::ellpk;
 use std::f64::consts::PI;
@@ -148,22 +149,8 @@ fn shear_in_the_stick_zone_converges_up_to_its_end() {
 
 #[test]
 fn the_kernel_is_applied_to_what_is_finite_at_the_ends() {
-    // With k(t) = t^3, int_-c^c r (x - r)^3 dr = -2 c^3 x^2 - 2 c^5/5.
-    let c = 2.0;
-    let cubic = Made { parts: |t| Parts { smooth: t * t * t, ..Parts::default() }, length: 10.0 };
-    let mut rule = rule(c, Parity::Odd, Edge::Continued, 40);
-    let kernel = (&cubic as &dyn KernelTable, Component::ShearStrain);
-    let rows = operator(rule.as_mut(), Some(kernel));
-    let mut applied = vec![[0.0; 2]; rule.collocation().len()];
-    let line = |at: &[Station], out: &mut [[f64; 2]]| {
-        out.iter_mut().zip(at).for_each(|(out, at)| *out = [at.x, -2.0 * at.x]);
-    };
-    rule.applied_into(kernel, &rows, &line, &mut applied);
-    for (([one, other], at), scale) in applied.iter().zip(rule.collocation()).zip(rule.row_scale().expect("scaled")) {
-        let exact = -2.0 * c.powi(3) * (at.x * at.x + 0.2 * c * c) / PI;
-        assert_close(one / scale, exact, 1e-9, "one density");
-        assert_close(other / scale, -2.0 * exact, 1e-9, "the other");
-    }
+    let mut rule = rule(2.0, Parity::Odd, Edge::Continued, 40);
+    fixtures::applies_a_kernel_to_what_is_finite_at_the_ends(rule.as_mut(), 1e-9);
 }
 
 #[test]

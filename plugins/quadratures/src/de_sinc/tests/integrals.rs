@@ -1,14 +1,11 @@
 //! The operator's rows applied to densities whose integrals are known.
 
 use super::*;
+use crate::fixtures::{apply, jump, logarithm};
 use std::f64::consts::PI;
 
 /// Steps at which only rounding is left for polynomials of low degree over the root.
 const FINE: usize = 56;
-
-fn apply(rows: &[f64], unknowns: &[f64]) -> Vec<f64> {
-    rows.chunks(unknowns.len()).map(|row| dot(row, unknowns)).collect()
-}
 
 #[test]
 fn cauchy_integrals_of_chebyshev_polynomials() {
@@ -45,17 +42,14 @@ fn cauchy_integrals_of_chebyshev_polynomials() {
 fn jump_and_logarithm_are_integrated_exactly() {
     // With F = T_k: int sign(x - r) f dr = -2 c sin(k a)/k, int log|x - r| f dr = -pi c cos(k a)/k, cos a = x/c.
     let c = 2.5;
-    let jump = Made { parts: |_| Parts { sign: 1.0, ..Parts::default() }, length: 10.0 };
-    let logarithm = Made { parts: |_| Parts { log: 1.0, ..Parts::default() }, length: 10.0 };
-    // The same kernels said to be short: summed on a finer grid.
-    let short_jump = Made { parts: jump.parts, length: 0.8 };
-    let short_logarithm = Made { parts: logarithm.parts, length: 0.8 };
+    // Said to be short, they are summed on a finer grid.
+    let (long_jump, short_jump, long_log, short_log) = (jump(10.0), jump(0.8), logarithm(10.0), logarithm(0.8));
     for (parity, k) in [(Parity::Even, 4.0), (Parity::Odd, 5.0)] {
         let unknowns: Vec<f64> = nodes(parity, Edge::Sharp, FINE).iter().map(|(x, _)| (k * x.acos()).cos()).collect();
         let mut rule = rule(c, parity, Edge::Sharp, FINE);
         let cauchy = apply(&operator(rule.as_mut(), None), &unknowns);
         let kernels: [(&dyn KernelTable, bool); 4] =
-            [(&jump, true), (&short_jump, true), (&logarithm, false), (&short_logarithm, false)];
+            [(&long_jump, true), (&short_jump, true), (&long_log, false), (&short_log, false)];
         for (kernel, jumps) in kernels {
             let got = apply(&operator(rule.as_mut(), Some((kernel, Component::NormalSlope))), &unknowns);
             for (i, at) in rule.collocation().iter().enumerate() {
@@ -78,8 +72,6 @@ fn jump_and_logarithm_are_integrated_exactly() {
 #[test]
 fn a_density_goes_on_beyond_the_last_node() {
     let (c, n, u_max) = (2.5, 32, 2.2);
-    let jump = |length| Made { parts: |_| Parts { sign: 1.0, ..Parts::default() }, length };
-    let logarithm = |length| Made { parts: |_| Parts { log: 1.0, ..Parts::default() }, length };
     let (long_jump, short_jump, long_log, short_log) = (jump(10.0), jump(0.8), logarithm(10.0), logarithm(0.8));
     let kernels: [(&dyn KernelTable, bool); 4] =
         [(&long_jump, true), (&short_jump, true), (&long_log, false), (&short_log, false)];
@@ -132,8 +124,7 @@ fn potentials_of_jump_and_logarithm_anywhere() {
     // Sharp, F = 1: int log|x - r| f dr = pi c ln(c/2), int sign(x - r) f dr = 2 c asin(x/c). Smooth, f = s:
     // int log|x - r| f dr = (pi/2) c (ln(c/2) + t^2 - 1/2), int sign(x - r) f dr = c (t s + asin t).
     for length in [5.0, 0.2] {
-        let logarithm = Made { parts: |_| Parts { log: 1.0, ..Parts::default() }, length };
-        let jump = Made { parts: |_| Parts { sign: 1.0, ..Parts::default() }, length };
+        let (jump, logarithm) = (jump(length), logarithm(length));
         for edge in [Edge::Sharp, Edge::Smooth] {
             let mut rule = rule(c, Parity::Even, edge, FINE);
             let unknowns: Vec<f64> = nodes(Parity::Even, edge, FINE)

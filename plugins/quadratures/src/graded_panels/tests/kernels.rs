@@ -5,7 +5,13 @@ use super::*;
 /// Targets for potentials: ends, middle, and places on and off the nodes.
 const TARGETS: [f64; 7] = [-0.5, -0.31, 0.0, 0.123, 0.499, 0.499_999_999, 0.5];
 
-fn potential(rule: &mut dyn Rule, unknowns: &[f64], kernel: &Made, component: Component, c: f64) -> Vec<f64> {
+fn potential(
+    rule: &mut dyn Rule,
+    unknowns: &[f64],
+    kernel: &dyn KernelTable,
+    component: Component,
+    c: f64,
+) -> Vec<f64> {
     let (mut samples, mut out) = (Vec::new(), vec![0.0; TARGETS.len()]);
     let at = TARGETS.map(|x: f64| Station { x, gap: c - x.abs() });
     rule.sample_potential(unknowns, (kernel, component), &mut samples);
@@ -21,7 +27,7 @@ fn potentials_of_jump_and_logarithm() {
     // int t log|x - ct|/sqrt(1 - t^2) dt = -pi t.
     // Lengths below the half-width cut the panels into pieces.
     for length in [1.0, 0.07] {
-        let (jump, logarithm) = (Made { length, ..JUMP }, Made { length, ..LOGARITHM });
+        let (jump, logarithm) = (jump(length), logarithm(length));
         for (parity, edge) in [(Parity::Even, Edge::Sharp), (Parity::Even, Edge::Smooth), (Parity::Odd, Edge::Sharp)] {
             let (nodes, panels) = (14, 4);
             let mut rule = rule(c, parity, edge, nodes, panels);
@@ -55,13 +61,14 @@ fn rows_of_jump_and_logarithm_are_exact() {
     let plain = operator(rule.as_mut(), None);
     let stations = rule.collocation().to_vec();
     let scale = row_scale(rule.as_ref());
-    let mut share = |kernel: &Made| {
-        let rows = operator(rule.as_mut(), Some((kernel, Component::NormalSlope)));
+    let mut share = |kernel: Made| {
+        let rows = operator(rule.as_mut(), Some((&kernel, Component::NormalSlope)));
         let only: Vec<f64> = rows.iter().zip(&plain).map(|(all, plain)| all - plain).collect();
         apply(&only, &unknowns)
     };
     // T_2/sqrt: int T_k sign(x - r)/sqrt = -2 sin(k alpha)/k, int T_k log|x - r|/sqrt = -pi cos(k alpha)/k.
-    for (((by_jump, by_log), at), scale) in share(&JUMP).iter().zip(share(&LOGARITHM)).zip(&stations).zip(scale) {
+    for (((by_jump, by_log), at), scale) in share(jump(1.0)).iter().zip(share(logarithm(1.0))).zip(&stations).zip(scale)
+    {
         let alpha = 2.0 * (0.5 * at.gap / c).sqrt().asin();
         assert_close(*by_jump, -scale * c * (2.0 * alpha).sin() / PI, 1e-13, "jump");
         assert_close(by_log, -scale * c * (2.0 * alpha).cos() / 2.0, 1e-13, "logarithm");
@@ -73,7 +80,8 @@ fn rows_of_jump_and_logarithm_are_exact() {
 #[test]
 fn a_kernel_shorter_than_the_panels_is_resolved() {
     for length in [2.0, 0.3, 0.01] {
-        let made = Made { parts: |t, l| Parts { smooth: l * l / (l * l + t * t), ..Parts::default() }, length };
+        let parts = |t: f64| Parts { smooth: length * length / (length * length + t * t), ..Parts::default() };
+        let made = Made { parts, length };
         let mut rule = rule(1.0, Parity::Even, Edge::Sharp, 8, 3);
         let plain = operator(rule.as_mut(), None);
         let rows = operator(rule.as_mut(), Some((&made, Component::Coupling)));
@@ -93,10 +101,12 @@ fn a_kernel_shorter_than_the_panels_is_resolved() {
 /// What the rows say at the collocation points, the samples say between the nodes.
 #[test]
 fn potentials_between_the_nodes_agree_with_the_rows() {
-    let made = Made {
-        parts: |t, l| Parts { smooth: (t / l).cos(), sign: l / (l * l + t * t), log: t / (l * l + t * t) },
-        length: 0.6,
+    let length = 0.6;
+    let parts = |t: f64| {
+        let square = length * length + t * t;
+        Parts { smooth: (t / length).cos(), sign: length / square, log: t / square }
     };
+    let made = Made { parts, length };
     let (nodes, panels) = (16, 6);
     for (parity, edge) in [(Parity::Even, Edge::Sharp), (Parity::Odd, Edge::Continued), (Parity::Even, Edge::Smooth)] {
         let mut rule = rule(1.0, parity, edge, nodes, panels);
@@ -122,7 +132,7 @@ fn potentials_between_the_nodes_agree_with_the_rows() {
 
 #[test]
 fn a_stretched_rule_is_a_new_one() {
-    let made = Made { parts: |t, l| Parts { smooth: t / l, sign: 1.0, log: t }, length: 0.4 };
+    let made = Made { parts: |t| Parts { smooth: t / 0.4, sign: 1.0, log: t }, length: 0.4 };
     for (parity, edge) in [(Parity::Even, Edge::Sharp), (Parity::Odd, Edge::Continued), (Parity::Even, Edge::Smooth)] {
         let mut fresh = rule(3.1, parity, edge, 6, 4);
         let mut stretched = rule(0.2, parity, edge, 6, 4);
@@ -149,7 +159,7 @@ fn the_middle_is_on_one_side_whatever_the_pieces() {
     for i in 0..40 {
         // |t| = sign(t) t; (1/pi) int |r|/sqrt(1 - (r/c)^2) dr = 2 c^2/pi.
         let length = 0.08 + 0.01 * f64::from(i);
-        let distance = Made { parts: |t, _| Parts { smooth: 0.0, sign: t, log: 0.0 }, length };
+        let distance = Made { parts: |t| Parts { sign: t, ..Parts::default() }, length };
         let mut rule = rule(c, Parity::Even, Edge::Sharp, 8, 3);
         let got = rule.potential_at_centre(&unknowns, (&distance, Component::Depth));
         assert_close(got, 2.0 * c * c / PI, 1e-13, &format!("length {length}"));
@@ -265,7 +275,7 @@ fn jumps_and_logarithms_are_integrated_in_a_root_of_the_angle() {
         let mut rule = quadrature.rule(&Span::symmetric(1.0, Parity::Even, Edge::Sharp)).unwrap();
         let unknowns = vec![1.0; rule.unknowns()];
         let plain = apply(&operator(rule.as_mut(), None), &unknowns);
-        for (table, component) in [(JUMP, Component::NormalSlope), (LOGARITHM, Component::Coupling)] {
+        for (table, component) in [(jump(1.0), Component::NormalSlope), (logarithm(1.0), Component::Coupling)] {
             let all = apply(&operator(rule.as_mut(), Some((&table, component))), &unknowns);
             let places = rule.collocation().iter().zip(row_scale(rule.as_ref()));
             for ((all, plain), (place, scale)) in all.iter().zip(&plain).zip(places) {
