@@ -41,9 +41,39 @@ pub fn link() {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
+    use slipzone_api::{Component, Elastic, KernelRequest, KernelStrategy, Plane, Poisson, SurfaceFlexibility};
+
     #[test]
     fn plugins_conform() {
-        super::link();
+        link();
         slipzone_api::testkit::check_crate(env!("CARGO_PKG_NAME"));
+    }
+
+    #[test]
+    fn a_half_plane_has_no_kernel() {
+        struct HalfPlane;
+        impl LayerResponse for HalfPlane {
+            fn surface(&self, _: f64) -> Result<SurfaceFlexibility, Refusal> {
+                unreachable!("nothing to ask")
+            }
+
+            fn elastic(&self) -> Elastic {
+                Elastic::new(Plane::Strain, Poisson::new(0.3).expect("in range"))
+            }
+
+            fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
+                vec![SurfaceFlexibility::default(); terms]
+            }
+
+            fn depth(&self) -> Option<f64> {
+                None
+            }
+        }
+        let strategies: [&dyn KernelStrategy; 4] =
+            [&Moments::default(), &Octaves::default(), &Split::default(), &Truncated::default()];
+        let request = KernelRequest { reach: 1.0, components: &[Component::NormalSlope], accuracy: 1e-8 };
+        assert!(strategies.iter().all(|strategy| strategy.tabulate(&HalfPlane, &request).is_err()));
+        assert!(Moments::default().serves(&HalfPlane).is_err() && Octaves::default().serves(&HalfPlane).is_err());
     }
 }

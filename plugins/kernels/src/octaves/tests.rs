@@ -224,28 +224,3 @@ fn what_fades_out_is_not_felt() {
         .sum();
     assert!(missing.abs() < 3.0 * nearest && nearest < 1e-3 * reach, "{missing:e} at {nearest:e}");
 }
-
-#[test]
-fn a_half_plane_has_no_kernel() {
-    struct Plain;
-    impl LayerResponse for Plain {
-        fn surface(&self, _: f64) -> Result<SurfaceFlexibility, Refusal> {
-            Ok(SurfaceFlexibility { vv: 1.0, uu: 1.0, uv: -self.elastic().beta() })
-        }
-
-        fn elastic(&self) -> Elastic {
-            Elastic::new(Plane::Strain, Poisson::new(0.3).expect("in range"))
-        }
-
-        fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
-            vec![SurfaceFlexibility::default(); terms]
-        }
-
-        fn depth(&self) -> Option<f64> {
-            None
-        }
-    }
-    let request = KernelRequest { reach: 1.0, components: &ALL[..1], accuracy: 1e-8 };
-    assert!(Octaves::default().tabulate(&Plain, &request).is_err());
-    assert!(Octaves::default().serves(&Plain).is_err());
-}

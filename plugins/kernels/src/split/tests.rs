@@ -181,27 +181,6 @@ fn few_wave_numbers_are_enough_and_all_are_counted() {
     }
 }
 
-#[test]
-fn a_half_plane_has_no_kernel() {
-    struct HalfPlane;
-    impl LayerResponse for HalfPlane {
-        fn surface(&self, _: f64) -> Result<SurfaceFlexibility, Refusal> {
-            unreachable!("nothing to ask")
-        }
-        fn elastic(&self) -> Elastic {
-            Elastic::new(Plane::Strain, Poisson::new(0.3).expect("in range"))
-        }
-        fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
-            vec![SurfaceFlexibility::default(); terms]
-        }
-        fn depth(&self) -> Option<f64> {
-            None
-        }
-    }
-    let request = KernelRequest { reach: 1.0, components: &NORMAL, accuracy: 1e-6 };
-    assert!(Split::default().tabulate(&HalfPlane, &request).is_err());
-}
-
 /// `1 + y^2 log(y + 1e-5)` over a depth of 0.3.
 #[derive(Debug)]
 struct Rough;
