@@ -141,7 +141,6 @@ impl Map {
 }
 
 /// Whether nothing that the program chooses by itself claims success and is wrong.
-#[must_use]
 pub fn is_sound(sheets: &[Sheet]) -> bool {
     let own = |sheet: &Sheet| sheet.methods.iter().filter(|mapped| mapped.is_default).all(|mapped| mapped.wrong() == 0);
     sheets.iter().all(own)
@@ -149,14 +148,12 @@ pub fn is_sound(sheets: &[Sheet]) -> bool {
 
 impl Mapped {
     /// Cells that claim success and are wrong.
-    #[must_use]
     pub fn wrong(&self) -> usize {
         self.cells.iter().filter(|cell| cell.wrong).count()
     }
 }
 
 /// In a table: of each map and method how many cells converged, are flagged, have no numbers, and are wrong.
-#[must_use]
 pub fn summary(sheets: &[Sheet]) -> String {
     let mut text = String::new();
     for sheet in sheets {

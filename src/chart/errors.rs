@@ -23,7 +23,6 @@ impl Measured {
     pub const ALL: [Self; 5] = [Self::Edge, Self::Stick, Self::Load, Self::Pressure, Self::Shear];
 
     /// Name of its panel.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Edge => "edge stress intensity",
@@ -52,7 +51,6 @@ pub struct Errors {
 
 impl Errors {
     /// One of them.
-    #[must_use]
     pub fn of(&self, measured: Measured) -> Option<f64> {
         match measured {
             Measured::Edge => self.edge,
@@ -64,7 +62,6 @@ impl Errors {
     }
 
     /// How far `solution` is from `expected`; profiles at the same points of the contact.
-    #[must_use]
     pub fn between(solution: &Solution, expected: &Solution) -> Self {
         let both = |number: &dyn Fn(&Solution) -> Option<f64>| relative(number(solution)?, number(expected)?);
         let ratio = both(&|s| s.stick.as_ref()?.ratio);
@@ -79,7 +76,6 @@ impl Errors {
     }
 
     /// The errors that a solution claims of itself; none of its tractions.
-    #[must_use]
     pub fn claimed(solution: &Solution) -> Self {
         let each = |path: &str| solution.error.each.get(path).copied();
         let stick = each("stick.ratio").zip(each("stick.one_minus_ratio")).map(|(one, other)| one.max(other));
@@ -93,7 +89,6 @@ impl Errors {
     }
 
     /// The largest.
-    #[must_use]
     pub fn worst(&self) -> Option<f64> {
         worst(Measured::ALL.map(|measured| self.of(measured)))
     }

@@ -30,13 +30,11 @@ pub enum Ended {
 
 impl Ended {
     /// Whether there are numbers to chart.
-    #[must_use]
     pub fn has_numbers(self) -> bool {
         matches!(self, Self::Converged | Self::Flagged)
     }
 
     /// In a word or two.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Converged => "converged",
@@ -130,7 +128,6 @@ impl Run {
 
     /// Wave numbers, kernels read and multiplications: one number for what it did, the same on every machine. Each counts
     /// alike, though a wave number is a few hundred multiplications and a kernel about ten.
-    #[must_use]
     pub fn work(&self) -> u64 {
         self.flexibility_evaluations as u64 + self.kernel_evaluations + self.operations
     }

@@ -36,7 +36,6 @@ const PINNED: f64 = 1e-8;
 
 impl Method {
     /// What the program chooses, then every quadrature with every kernel strategy that has a knob.
-    #[must_use]
     pub fn all() -> Vec<Self> {
         let names = |family| plugins().into_iter().filter(move |info| info.family == family).map(|info| info.name);
         let pairs = names(Family::Quadrature).flat_map(|quadrature| {
@@ -48,7 +47,6 @@ impl Method {
     }
 
     /// Its name in a legend.
-    #[must_use]
     pub fn name(&self) -> String {
         match (self.quadrature, self.kernel) {
             (Some(quadrature), Some(kernel)) => format!("{quadrature}, {kernel}"),
@@ -57,7 +55,6 @@ impl Method {
     }
 
     /// From coarse to fine: by tolerance, then by its own knobs.
-    #[must_use]
     pub fn settings(&self, effort: Effort) -> Vec<Setting> {
         let (quadrature, kernel) = (self.quadrature, self.kernel);
         let quadrature_with = |knob| quadrature.map(|name| table(Family::Quadrature, name, knob));

@@ -103,13 +103,11 @@ pub fn run(scenes: &[&'static Charted], effort: Effort, tell: &mut dyn FnMut(Pro
 }
 
 /// Whether nothing that the program chooses by itself claims success and is wrong.
-#[must_use]
 pub fn is_sound(charts: &[Chart]) -> bool {
     charts.iter().flat_map(|chart| &chart.runs).all(|run| !run.wrong || run.method.quadrature.is_some())
 }
 
 /// In a table: of each scene how far the judges are apart, and how its runs ended.
-#[must_use]
 pub fn summary(charts: &[Chart]) -> String {
     let mut text = format!(
         "{:22}{:>12}{:>11}{:>9}{:>11}{:>7}\n",

@@ -51,13 +51,11 @@ impl Layer {
     }
 
     /// Wave numbers at which the flexibility was evaluated so far.
-    #[must_use]
     pub fn flexibility_evaluations(&self) -> usize {
         self.prepared.flexibility_evaluations()
     }
 
     /// Distances at which its kernels were read so far.
-    #[must_use]
     pub fn kernel_evaluations(&self) -> u64 {
         self.prepared.kernel_evaluations()
     }

@@ -194,7 +194,6 @@ impl LoadReport {
 impl Solution {
     /// A number by its path in the result, one of [`Asked::NUMBERS`](crate::scene::Asked::NUMBERS) such as `stick.ratio`;
     /// `None` where it does not exist or was not asked for.
-    #[must_use]
     pub fn number(&self, path: &str) -> Option<f64> {
         let stick = self.stick.as_ref();
         match path {

@@ -152,7 +152,6 @@ impl Solver {
     }
 
     /// The layer, to be used under another punch.
-    #[must_use]
     pub fn into_layer(mut self) -> Layer {
         self.go_back();
         let scene = &self.chosen.scene;

@@ -4,7 +4,6 @@ use super::csv::{cell, line};
 use crate::chart::atlas::Sheet;
 
 /// All cells as CSV, with a heading.
-#[must_use]
 pub fn atlas_csv(sheets: &[Sheet]) -> String {
     let mut text = "map,method,x_name,x,y_name,y,ended,wrong,digits,claimed,reason\n".to_owned();
     for sheet in sheets {

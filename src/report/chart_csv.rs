@@ -4,7 +4,6 @@ use super::csv::{cell, line};
 use crate::chart::{Chart, Errors, Measured, Run, Spread};
 
 /// All runs as CSV, with a heading.
-#[must_use]
 pub fn chart_csv(charts: &[Chart]) -> String {
     let head = "scene,method,resolution,cutoff,tolerance,ended,wrong,seconds_fresh,seconds_fresh_least,seconds_fresh_most,\
                 seconds_on_known_layer,unknowns,wave_numbers,kernels_read,systems,multiplications,\

@@ -45,19 +45,16 @@ impl Asked {
     };
 
     /// The quantity or group of that name.
-    #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Self::NAMES.into_iter().find(|known| *known == name).map(Self)
     }
 
     /// Its name.
-    #[must_use]
     pub fn name(self) -> &'static str {
         self.0
     }
 
     /// Whether it is, or holds, what stands at a path of the result.
-    #[must_use]
     pub fn covers(self, path: &str) -> bool {
         path.strip_prefix(self.0).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
     }

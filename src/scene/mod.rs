@@ -4,9 +4,6 @@
 //! files. All say what is wrong in a [`SceneError`] that knows the line; none opens a file. Start with [`parse`].
 //! [`schema()`] describes a scene for editors, [`KEYS`] for forms and templates.
 
-// An error ends the reading of a scene: its size costs nothing.
-#![allow(clippy::result_large_err)]
-
 mod asked;
 pub(crate) mod check;
 mod complaint;
@@ -323,7 +320,6 @@ pub struct Output {
 
 impl Output {
     /// Whether what stands at a path of the result is asked for, such as `edge.ratio` or `profile`.
-    #[must_use]
     pub fn asks(&self, path: &str) -> bool {
         self.quantities.as_ref().is_none_or(|asked| asked.iter().any(|asked| asked.covers(path)))
     }

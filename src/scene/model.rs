@@ -24,7 +24,6 @@ impl Model {
     pub const ALL: [Self; 5] = [Self::HalfPlane, Self::Thin, Self::CorrectedHalfPlane, Self::Homogeneous, Self::Full];
 
     /// Its name in a scene.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Full => "full",

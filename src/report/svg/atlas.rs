@@ -20,7 +20,6 @@ const UNJUDGED: &str = "#dddddd";
 const WRONG: &str = "#d0021b";
 
 /// A map as SVG (UTF-8).
-#[must_use]
 pub fn atlas_svg(sheet: &Sheet) -> String {
     let scale = |axis: Axis, most: usize| Scale::of_names(written(axis.values), axis.name, most);
     let (x, y) = (scale(sheet.x, 7), scale(sheet.y, 30));

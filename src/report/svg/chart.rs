@@ -53,7 +53,6 @@ impl Over {
 }
 
 /// The charts of a scene as SVG (UTF-8).
-#[must_use]
 pub fn chart_svg(chart: &Chart) -> String {
     let methods = methods(chart);
     let mut panels = Vec::new();

@@ -34,7 +34,6 @@ impl Study {
         /// Numbers written with ten digits are meant to be those of a range.
         const SAME: f64 = 1e-9;
         let (axis, column) = (&self.axes[place.axis], &self.axes[place.axis].columns[place.column]);
-        #[expect(clippy::cast_precision_loss, reason = "a name for a value, not a count")]
         let number = value.as_float().or_else(|| value.as_integer().map(|integer| integer as f64));
         let is_meant = |step: &u64| match column.cell(*step) {
             Cell::Text(text) => value.as_str().map_or_else(|| value.to_string() == text, |value| value == text),
