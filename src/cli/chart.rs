@@ -81,7 +81,7 @@ impl Place {
         output::write(&self.targets.into_iter().zip(texts).collect::<Vec<_>>())?;
         interrupt::be_silent();
         print::result(&format!("{summary}{}: open index.html in a browser\n", self.folder.display()))?;
-        Ok(if is_sound { Outcome::Done } else { Outcome::ChecksFailed })
+        Ok(if is_sound { Outcome::Done } else { Outcome::Failed })
     }
 }
 

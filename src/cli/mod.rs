@@ -32,10 +32,8 @@ use std::process::ExitCode;
 enum Outcome {
     /// Everything asked for was done.
     Done,
-    /// The result is written; its status is not `converged`.
-    NotConverged,
-    /// The report is written; a check in it failed.
-    ChecksFailed,
+    /// The result or the report is written; its status is not `converged`, or a check in it failed.
+    Failed,
 }
 
 /// Runs one command, as the program `slipzone` does: arguments in, the program's name first; exit code out (the
@@ -67,7 +65,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     match caught(|| dispatch(&arguments.command)).unwrap_or_else(|why| Err(Failure::System(why))) {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
-        Ok(Outcome::NotConverged | Outcome::ChecksFailed) => ExitCode::from(1),
+        Ok(Outcome::Failed) => ExitCode::from(1),
         Err(failure) => {
             failure.print();
             ExitCode::from(failure.exit_code())

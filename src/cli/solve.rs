@@ -53,7 +53,7 @@ pub(super) fn run(arguments: &Solve) -> Result<Outcome, Failure> {
     print::result(&if to_stdout { report::json(&solution) } else { report::text(&solution) })?;
     let of_curve = solution.path.as_ref().map(|curve| curve.status);
     let converged = [Some(solution.status), of_curve].into_iter().flatten().all(|status| status == Status::Converged);
-    Ok(if converged { Outcome::Done } else { Outcome::NotConverged })
+    Ok(if converged { Outcome::Done } else { Outcome::Failed })
 }
 
 /// Options that ask for the tractions.

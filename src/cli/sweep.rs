@@ -57,7 +57,7 @@ pub(super) fn run(arguments: &Sweep) -> Result<Outcome, Failure> {
     results.extend(draw(&study, &journal, &folder, figures)?);
     let failed = journal.tally().failed;
     print::result(&summary(&study, &folder, &results, failed))?;
-    Ok(if failed == 0 { Outcome::Done } else { Outcome::NotConverged })
+    Ok(if failed == 0 { Outcome::Done } else { Outcome::Failed })
 }
 
 /// Removes results that belong to no journal any more; links and devices stay.

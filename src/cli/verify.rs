@@ -29,7 +29,7 @@ pub(super) fn run(arguments: &Verify) -> Result<Outcome, Failure> {
 
 /// How the run ends.
 fn outcome(report: &Report) -> Outcome {
-    if report.passed { Outcome::Done } else { Outcome::ChecksFailed }
+    if report.passed { Outcome::Done } else { Outcome::Failed }
 }
 
 /// Every check or the failed ones, then the groups in numbers, then the verdict.

@@ -35,7 +35,7 @@ fn written(report: &Report, all: bool) -> String {
 #[test]
 fn a_failed_check_is_told_in_full_and_ends_the_run_badly() {
     let report = one_failed();
-    assert_eq!(outcome(&report), Outcome::ChecksFailed);
+    assert_eq!(outcome(&report), Outcome::Failed);
     let text = written(&report, false);
     assert!(text.starts_with("FAIL [made up] wrong\n     computed 1.1, expected 1\n"), "{text}");
     assert!(text.contains("relative error 1.0e-1, allowed 1.0e-9: for a test"), "{text}");
