@@ -46,7 +46,7 @@ impl Curve {
         let has_depth = scene.layer.has_depths() && asks(Quantity::Indentation);
         let sticks = |quantity: Quantity| scene.friction.is_some() && asks(quantity);
         let column = |of: fn(&Point) -> Option<f64>| points.iter().map(of).collect::<Vec<_>>();
-        let status = points.iter().map(|point| point.status).max_by_key(|status| gravity(*status));
+        let status = points.iter().map(|point| point.status).max();
         Self {
             status: status.unwrap_or(Status::Refused),
             note: note(points, loads),
@@ -104,16 +104,6 @@ impl Point {
             remedy: "check the sizes of the scene's numbers against each other",
         };
         Self::refused(load, &refusal)
-    }
-}
-
-/// Which of two statuses a curve takes.
-fn gravity(status: Status) -> u8 {
-    match status {
-        Status::Converged => 0,
-        Status::NotConverged => 1,
-        Status::AssumptionViolated => 2,
-        Status::Refused => 3,
     }
 }
 
