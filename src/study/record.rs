@@ -79,37 +79,25 @@ impl Record {
         let Solution { scene, status, reason, load, pressure, edge, stick, error, profile, .. } = solution;
         let status = RecordStatus::Solved(status);
         let profile = scene.output.asks("profile").then_some(profile);
+        Self { reason, load, pressure, edge, stick, error, profile, ..Self::without_numbers(study, row, status, None) }
+    }
+
+    /// Values that make no scene.
+    pub(super) fn invalid(study: &Study, row: u64, error: &SceneError) -> Self {
+        Self::without_numbers(study, row, RecordStatus::Invalid, Some(error.in_one_line()))
+    }
+
+    /// A scene at which the program, or a plugin, panicked.
+    pub(super) fn panicked(study: &Study, row: u64, why: String) -> Self {
+        Self::without_numbers(study, row, RecordStatus::Solved(Status::Refused), Some(why))
+    }
+
+    fn without_numbers(study: &Study, row: u64, status: RecordStatus, reason: Option<String>) -> Self {
         Self {
             index: row,
             axes: axes(study, row),
             status,
             reason,
-            load,
-            pressure,
-            edge,
-            stick,
-            error,
-            profile,
-            found: None,
-        }
-    }
-
-    /// Values that make no scene.
-    pub(super) fn invalid(study: &Study, row: u64, error: &SceneError) -> Self {
-        Self::without_numbers(study, row, RecordStatus::Invalid, error.in_one_line())
-    }
-
-    /// A scene at which the program, or a plugin, panicked.
-    pub(super) fn panicked(study: &Study, row: u64, why: String) -> Self {
-        Self::without_numbers(study, row, RecordStatus::Solved(Status::Refused), why)
-    }
-
-    fn without_numbers(study: &Study, row: u64, status: RecordStatus, reason: String) -> Self {
-        Self {
-            index: row,
-            axes: axes(study, row),
-            status,
-            reason: Some(reason),
             load: LoadReport::default(),
             pressure: PressureReport::default(),
             edge: EdgeReport::default(),
