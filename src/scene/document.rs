@@ -188,7 +188,7 @@ impl<'a> Document<'a> {
 
     /// A key that the table at `path` does not have.
     pub(super) fn unknown_key(&self, path: &[&str], key: &str, known: &[&str]) -> SceneError {
-        let full: Vec<_> = path.iter().copied().chain([key]).collect();
+        let full = [path, &[key]].concat();
         let is_section = path.is_empty() && self.table(&full).is_some();
         let message = if is_section {
             format!("unknown section [{key}]")

@@ -209,7 +209,7 @@ fn as_many_each(document: &Document, path: &[&str; 3], columns: &[Column], count
 /// A field that takes one value after another, and how many.
 fn stepped(document: &Document, path: &[&str], column: ColumnTable) -> Result<(Column, u64), SceneError> {
     let ColumnTable { field, label, values, names, linear, log } = column;
-    let within = |key| path.iter().copied().chain([key]).collect::<Vec<&str>>();
+    let within = |key| [path, &[key]].concat();
     let (values, count) = match (values.is_some(), linear, log) {
         (true, None, None) => {
             let listed = listed(document, &within("values"), names.as_deref())?;
@@ -237,7 +237,7 @@ fn stepped(document: &Document, path: &[&str], column: ColumnTable) -> Result<(C
 /// A field that is drawn at random.
 fn drawn(document: &Document, path: &[&str], column: ColumnTable, seed: u64) -> Result<Column, SceneError> {
     let ColumnTable { field, label, values, names, linear, log } = column;
-    let within = |key| path.iter().copied().chain([key]).collect::<Vec<&str>>();
+    let within = |key| [path, &[key]].concat();
     let (range, key) = match (values.is_some() || names.is_some(), linear, log) {
         (false, Some(range), None) => (range, "linear"),
         (false, None, Some(range)) => (range, "log"),
@@ -249,7 +249,7 @@ fn drawn(document: &Document, path: &[&str], column: ColumnTable, seed: u64) -> 
         }
     };
     if range.count.is_some() {
-        let place = within(key).into_iter().chain(["count"]).collect::<Vec<_>>();
+        let place = [path, &[key, "count"]].concat();
         let error = document.error(document.key(&place), "the draws are counted once, by `random.count`");
         return Err(error.found(document.found(&place)).expected("`from` and `to` alone"));
     }
@@ -268,7 +268,7 @@ fn column_of(
 ) -> Result<Column, SceneError> {
     let keys: Vec<String> = field.split('.').map(|key| key.trim().to_owned()).collect();
     if keys.iter().any(String::is_empty) || keys[0] == "format" {
-        let place: Vec<&str> = path.iter().copied().chain(["field"]).collect();
+        let place = [path, &["field"]].concat();
         return Err(document.not_allowed(&place, "the path of a field of the scene, such as `layer.grading.base`"));
     }
     let field = keys.join(".");
@@ -284,7 +284,7 @@ fn listed(document: &Document, path: &[&str], names: Option<&[String]>) -> Resul
         return Err(empty(document, path, "an axis without values"));
     }
     let wrong_names = |message: &str| {
-        let place: Vec<&str> = path[..path.len() - 1].iter().copied().chain(["names"]).collect();
+        let place = [&path[..path.len() - 1], &["names"]].concat();
         document.error(document.key(&place), message)
     };
     if let Some(names) = names.filter(|names| names.len() != values.len()) {
@@ -320,7 +320,7 @@ fn type_of(value: &toml::Value) -> Option<&str> {
 /// Steps from one number to another.
 fn steps(document: &Document, path: &[&str], range: Range, by_factors: bool) -> Result<(Values, u64), SceneError> {
     ends(document, path, range, by_factors)?;
-    let within = |key| path.iter().copied().chain([key]).collect::<Vec<&str>>();
+    let within = |key| [path, &[key]].concat();
     let Some(count) = range.count else {
         let error = document.error(document.key(path), "missing key `count`: how many steps?");
         return Err(error.found("only `from`, `to`").expected("`count`, at least 2"));
@@ -339,13 +339,11 @@ fn ends(document: &Document, path: &[&str], range: Range, by_factors: bool) -> R
     let expected = if by_factors { "a finite number above 0" } else { "a finite number" };
     for (key, end) in [("from", range.from), ("to", range.to)] {
         if wrong(end) {
-            let place: Vec<&str> = path.iter().copied().chain([key]).collect();
-            return Err(document.not_allowed(&place, expected));
+            return Err(document.not_allowed(&[path, &[key]].concat(), expected));
         }
     }
     if range.from.to_bits() == range.to.to_bits() {
-        let place: Vec<&str> = path.iter().copied().chain(["to"]).collect();
-        return Err(document.not_allowed(&place, "another number than `from`"));
+        return Err(document.not_allowed(&[path, &["to"]].concat(), "another number than `from`"));
     }
     Ok(())
 }

@@ -53,10 +53,8 @@ pub(super) fn check_values(document: &Document, study: &Study, files: &dyn Files
                     _ if is_of_field(&error, &column.path) => place.push("field"),
                     Values::Listed(_) => place.extend(["values", index.as_str()]),
                     _ => {
-                        let key = ["linear", "log"].into_iter().find(|key| {
-                            let place: Vec<&str> = place.iter().copied().chain([*key]).collect();
-                            document.value(&place).is_some()
-                        });
+                        let is_there = |key: &&str| document.value(&[&place[..], &[*key]].concat()).is_some();
+                        let key = ["linear", "log"].into_iter().find(is_there);
                         place.extend(key);
                         place.push(if step == 0 { "from" } else { "to" });
                     }
@@ -87,13 +85,12 @@ fn check_end(
     }
     let scale = if matches!(column.values, Values::Drawn { by_factors: true, .. }) { "log" } else { "linear" };
     let (a, c) = (a.to_string(), c.to_string());
-    let of_fields = ["axes", &a, "random", "fields", &c].into_iter();
+    let mut place = vec!["axes", a.as_str(), "random", "fields", c.as_str()];
     if error.kind == Kind::NotWhole {
-        let place: Vec<&str> = of_fields.chain(["field"]).collect();
+        place.push("field");
         return Err(of_whole_numbers(document, &place, &column.field));
     }
-    let rest = if is_of_field(&error, &column.path) { vec!["field"] } else { vec![scale, key] };
-    let place: Vec<&str> = of_fields.chain(rest).collect();
+    place.extend(if is_of_field(&error, &column.path) { vec!["field"] } else { vec![scale, key] });
     Err(placed(document, study, &place, &error, &column.path))
 }
 
