@@ -4,9 +4,7 @@
 //! file; writing it is the caller's.
 
 mod atlas_csv;
-mod atlas_html;
 mod chart_csv;
-mod chart_html;
 mod csv;
 mod curve_csv;
 mod json;
@@ -20,12 +18,11 @@ mod svg;
 mod text;
 
 pub use atlas_csv::atlas_csv;
-pub use atlas_html::atlas_html;
 pub use chart_csv::chart_csv;
-pub use chart_html::chart_html;
 pub use csv::csv;
 pub use curve_csv::curve_csv;
 pub use json::json;
+pub use page::{atlas_html, chart_html};
 pub use scene_line::scene_line;
 pub use study_table::{StudyTable, record_line};
 #[cfg(feature = "plot")]

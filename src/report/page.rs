@@ -1,12 +1,24 @@
 //! Pages of HTML that open from disk and need no network.
 
+use crate::chart::Chart;
+use crate::chart::atlas::Sheet;
 use serde::Serialize;
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
+/// Charts as a page of HTML (UTF-8): hover for numbers, switch methods on and off.
+pub fn chart_html(charts: &[Chart]) -> String {
+    page(include_str!("chart.html"), charts)
+}
+
+/// The atlas as a page of HTML (UTF-8): hover for the reason of a cell.
+pub fn atlas_html(sheets: &[Sheet]) -> String {
+    page(include_str!("atlas.html"), sheets)
+}
+
 /// A page with what all pages share in the places of `STYLE` and `SCRIPT`, and its data in that of `DATA`.
-pub(super) fn page(template: &str, data: &(impl Serialize + ?Sized)) -> String {
+fn page(template: &str, data: &(impl Serialize + ?Sized)) -> String {
     template.replace("/*STYLE*/", STYLE).replace("/*SCRIPT*/", SCRIPT).replace("/*DATA*/", &embedded(data))
 }
 
