@@ -3,6 +3,7 @@
 use super::args::Verify;
 use super::named::named;
 use super::{Failure, Outcome, print, progress};
+use crate::api::exactly;
 use crate::verify::{self, Check, GROUPS, Measure, Report, Value};
 use std::fmt::{self, Write};
 
@@ -72,8 +73,7 @@ fn row(text: &mut String, check: &Check) -> fmt::Result {
 
 fn value(value: &Value) -> String {
     match value {
-        Value::Number(number) if *number != 0.0 && !(1e-4..1e6).contains(&number.abs()) => format!("{number:e}"),
-        Value::Number(number) => number.to_string(),
+        Value::Number(number) => exactly(*number),
         Value::Word(word) => word.clone(),
         Value::Missing => "nothing".into(),
     }

@@ -28,7 +28,7 @@ pub(super) fn significant(value: f64, digits: usize) -> String {
 }
 
 /// At most `digits` significant digits, none of them a trailing zero: for numbers that the user gave.
-pub(super) fn short(value: f64, digits: usize) -> String {
+pub(super) fn trimmed(value: f64, digits: usize) -> String {
     let text = significant(value, digits);
     let (mantissa, exponent) = text.split_once('e').map_or((text.as_str(), None), |(m, e)| (m, Some(e)));
     let mantissa = if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
@@ -92,7 +92,7 @@ mod tests {
 
     #[test]
     fn given_numbers_come_without_padding() {
-        assert_eq!([5.0, 0.3, 1e-7, 100.0, 1.0 / 3.0].map(|v| short(v, 4)), ["5", "0.3", "1e-7", "100", "0.3333"]);
-        assert_eq!(short(2e10, 4), "2e10");
+        assert_eq!([5.0, 0.3, 1e-7, 100.0, 1.0 / 3.0].map(|v| trimmed(v, 4)), ["5", "0.3", "1e-7", "100", "0.3333"]);
+        assert_eq!(trimmed(2e10, 4), "2e10");
     }
 }

@@ -4,7 +4,7 @@ use crate::engine::DepthProfile;
 use crate::report::labels::{Labels, one_line, with_unit};
 #[cfg(feature = "plot")]
 use crate::report::number::typeset;
-use crate::report::number::{digits, short};
+use crate::report::number::{digits, trimmed};
 use crate::scene::{Layer, Load, Scene};
 use serde_json::Value;
 use slipzone_api::{Base, Family, Friction, Moduli, Plane, PunchProfile, clip};
@@ -44,12 +44,12 @@ const DIGITS: usize = 4;
 impl Alphabet {
     /// A number of the line, with few digits: it reminds, it is not data.
     fn number(&self, value: f64) -> String {
-        (self.typeset)(&short(value, DIGITS))
+        (self.typeset)(&trimmed(value, DIGITS))
     }
 
     /// Poisson's ratio: one just below that of incompressible materials has the digits that say so.
     fn ratio(&self, nu: f64) -> String {
-        (self.typeset)(&short(nu, DIGITS.max(digits(2.0 * (0.5 - nu)))))
+        (self.typeset)(&trimmed(nu, DIGITS.max(digits(2.0 * (0.5 - nu)))))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::engine::{Curve, Slip, Solution, Status};
 use crate::report::labels::{Labels, one_line, with_unit};
-use crate::report::number::{digits, short, significant};
+use crate::report::number::{digits, significant, trimmed};
 use crate::report::scene_line::{ASCII, scene_parts};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -142,7 +142,7 @@ fn number(value: f64, estimate: Option<f64>) -> String {
         Some(estimate) if estimate > 1.0 => "unknown".into(),
         _ if value == 0.0 => "0".into(),
         _ if !value.is_finite() => "not finite".into(),
-        Some(0.0) => short(value, DIGITS_OF_EXACT),
+        Some(0.0) => trimmed(value, DIGITS_OF_EXACT),
         Some(estimate) => significant(value, digits(estimate)),
         None => significant(value, DIGITS_WITHOUT_ESTIMATE),
     }
@@ -172,7 +172,7 @@ fn path(page: &mut String, curve: &Curve, labels: &Labels) {
         let mut known = column?.iter().copied().flatten();
         let first = known.next()?;
         let last = known.next_back().unwrap_or(first);
-        let number = |value| short(value, supported);
+        let number = |value| trimmed(value, supported);
         Some(with_unit(&format!("{symbol} {} to {}", number(first), number(last)), unit))
     };
     let ranges: Vec<String> = columns.into_iter().filter_map(range).collect();

@@ -107,7 +107,7 @@ impl Column {
                 } else if step == last {
                     to
                 } else {
-                    let value = short(between(from, to, step as f64 / last as f64, by_factors));
+                    let value = to_fifteen_digits(between(from, to, step as f64 / last as f64, by_factors));
                     // What is left of 0 by rounding is no step.
                     let least = if by_factors { 0.0 } else { 1e-15 * from.abs().max(to.abs()) };
                     if value.abs() <= least { 0.0 } else { value }
@@ -144,8 +144,8 @@ fn at(step: u64) -> usize {
     step as usize
 }
 
-/// The number to fifteen digits: 0.3 and not 0.30000000000000004, which is no better a step.
-fn short(value: f64) -> f64 {
+/// 0.3 and not 0.30000000000000004, which is no better a step.
+fn to_fifteen_digits(value: f64) -> f64 {
     format!("{value:.14e}").parse().unwrap_or(value)
 }
 

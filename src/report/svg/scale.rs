@@ -1,6 +1,6 @@
 //! The scale of an axis: linear or logarithmic, its ends, its ticks and its label.
 
-use crate::report::number::{short, typeset};
+use crate::report::number::{trimmed, typeset};
 use crate::report::svg::axis::{Axis, power_of_ten};
 use crate::report::svg::canvas::LETTERS;
 use kuva::render::layout::{AxisLabelOverlap, ComputedLayout, Layout, TickFormat};
@@ -95,7 +95,7 @@ impl Scale {
             let power = (value * divisor).log10().round() as i32;
             let is_numbered = every <= 1 || power % every == 0;
             let value = value * divisor;
-            let written = if is_plain { short(value, digits.max(4)) } else { format!("{:.*e}", digits - 1, value) };
+            let written = if is_plain { trimmed(value, digits.max(4)) } else { format!("{:.*e}", digits - 1, value) };
             if is_numbered { typeset(&written) } else { String::new() }
         }));
         Self { label, unit: divisor, least, most, is_logarithmic: true, step, ticks }

@@ -8,7 +8,7 @@ use super::legend::{LEGEND, under_frame};
 use super::{FigureError, with_numbers};
 use crate::engine::{Slip, Solution, StickReport};
 use crate::report::labels::{Labels, with_unit};
-use crate::report::number::{digits, short, significant, typeset};
+use crate::report::number::{digits, significant, trimmed, typeset};
 use crate::report::scene_line::{GREEK, scene_parts};
 use curves::{Curves, Frame};
 use kuva::backend::svg::SvgBackend;
@@ -71,7 +71,7 @@ fn layout(solution: &Solution, b: f64, mean: f64, frame: Frame) -> Layout {
     let title = titled(solution.scene.title.as_deref(), called);
     let own = |path: &str, value: f64, unit: &str| {
         let supported = solution.error.each.get(path).map_or(SCALE_DIGITS, |e| digits(*e).min(SCALE_DIGITS));
-        with_unit(&typeset(&short(value, supported)), unit)
+        with_unit(&typeset(&trimmed(value, supported)), unit)
     };
     let below = format!("x / b (b = {})", own("load.half_width", b, &labels.length));
     let beside = format!("traction / mean pressure (mean {})", own("pressure.mean", mean, &labels.stress));

@@ -1,7 +1,7 @@
 //! What axes of a figure and members of a family are called.
 
 use crate::report::labels::{Labels, one_line};
-use crate::report::number::{short, typeset};
+use crate::report::number::{trimmed, typeset};
 use crate::study::{Cell, Column, FOUND, Place, Source, Study};
 
 /// A number of the result: name and unit.
@@ -84,9 +84,9 @@ pub(super) fn value(study: &Study, place: Place, step: u64, others: &[u64]) -> S
         Cell::Number(number) => {
             let others =
                 || others.iter().map(|other| column.cell(*other)).filter(|other| *other != Cell::Number(number));
-            let is_alike = |other: Cell, digits: usize| matches!(other, Cell::Number(other) if short(other, digits) == short(number, digits));
+            let is_alike = |other: Cell, digits: usize| matches!(other, Cell::Number(other) if trimmed(other, digits) == trimmed(number, digits));
             let digits = DIGITS.clone().find(|digits| !others().any(|other| is_alike(other, *digits)));
-            typeset(&short(number, digits.unwrap_or(DIGITS.end)))
+            typeset(&trimmed(number, digits.unwrap_or(DIGITS.end)))
         }
         Cell::Text(text) => with_symbols(&text),
     };
