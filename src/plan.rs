@@ -238,7 +238,7 @@ pub(crate) fn serves_any_contact(kernel: &str) -> bool {
 
 /// A layer on its base, of its surface's material throughout.
 pub(crate) fn homogeneous(layer: &Layer, material: &LayerModel) -> Layer {
-    let nu = material.law.poisson(0.0).unwrap_or(material.solid.poisson.get());
+    let nu = material.solid.poisson_at(&*material.law, 0.0);
     let modulus = material.surface_shear / material.solid.moduli.shear(1.0, nu);
     let (Ok(modulus), Ok(poisson)) = (Positive::new(modulus), Poisson::new(nu)) else {
         unreachable!("the constants of a solid were checked")

@@ -3,7 +3,7 @@
 use crate::engine::foreign;
 use crate::plan;
 use crate::scene::{Layer, Scene};
-use slipzone_api::{Base, LayerModel, LayerResponse, Moduli, Refusal, Stretch, SurfaceFlexibility, contract};
+use slipzone_api::{Base, LayerModel, LayerResponse, Refusal, Stretch, SurfaceFlexibility, contract};
 use std::sync::Arc;
 
 /// How the surface of a scene's layer answers, by the flexibility that would solve it; wave numbers in units of
@@ -113,7 +113,7 @@ impl DepthProfile {
             };
             self.depth.push(length * stretch.in_whole(depth));
             self.modulus.push(stretch.law.modulus(looked));
-            self.poisson.push(stretch.law.poisson(looked).unwrap_or(model.solid.poisson.get()));
+            self.poisson.push(model.solid.poisson_at(stretch.law, looked));
         }
     }
 
@@ -136,11 +136,7 @@ impl DepthProfile {
 /// The half-plane below, in the kind of modulus that the scene speaks of.
 fn substrate(model: &LayerModel) -> Option<(f64, f64)> {
     let Base::HalfPlane { shear, poisson } = model.base else { return None };
-    let modulus = match model.solid.moduli {
-        Moduli::Shear => shear.get(),
-        Moduli::Young => 2.0 * shear.get() * (1.0 + poisson.get()),
-    };
-    Some((modulus, poisson.get()))
+    Some((model.solid.moduli.of_shear(shear.get(), poisson.get()), poisson.get()))
 }
 
 fn range(values: &[f64]) -> (f64, f64) {
@@ -150,7 +146,7 @@ fn range(values: &[f64]) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slipzone_api::{ModulusLaw, Plane, Poisson, Positive, Solid, Sublayer};
+    use slipzone_api::{Moduli, ModulusLaw, Plane, Poisson, Positive, Solid, Sublayer};
 
     /// Steps from 1 to 2 half way down, by a jump of its own.
     #[derive(Debug)]

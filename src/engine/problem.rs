@@ -88,7 +88,7 @@ impl Problem {
         let layer = &scene.layer;
         let model = Arc::new(layer.model()?);
         let stress = model.surface_shear;
-        let nu = model.law.poisson(0.0).unwrap_or(model.solid.poisson.get());
+        let nu = model.solid.poisson_at(&*model.law, 0.0);
         if !(stress > 0.0 && stress < f64::INFINITY && Poisson::new(nu).is_ok()) {
             return Err(broken(layer.grading.typetag_name(), "no elastic solid at the surface"));
         }

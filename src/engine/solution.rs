@@ -9,7 +9,7 @@ use crate::plan::Plan;
 use crate::scene::{Load, LoadKind, Scene, Units};
 use loading_curve::Curve;
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Base, Friction, FrozenStrain, Plane};
+use slipzone_api::{Base, Friction, FrozenStrain};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -249,10 +249,6 @@ impl Solution {
 
 /// What the numbers rest on.
 fn assumptions(scene: &Scene) -> Vec<Cow<'static, str>> {
-    let plane = match scene.layer.plane {
-        Plane::Strain => "plane strain",
-        Plane::Stress => "plane stress",
-    };
     let base = match scene.layer.base {
         Base::Rigid => "bonded to a rigid base",
         Base::Frictionless => "resting on a rigid base without friction",
@@ -278,7 +274,7 @@ fn assumptions(scene: &Scene) -> Vec<Cow<'static, str>> {
         None => "no friction",
     };
     let common = "linear elasticity, small strains, rigid punch, symmetric normal load";
-    let parts = [plane.into(), base.into(), depths, friction.into(), common.into()];
+    let parts = [scene.layer.plane.words().into(), base.into(), depths, friction.into(), common.into()];
     parts.into_iter().filter(|part| !part.is_empty()).collect()
 }
 

@@ -7,7 +7,7 @@ use crate::report::number::typeset;
 use crate::report::number::{digits, trimmed};
 use crate::scene::{Layer, Load, Scene};
 use serde_json::Value;
-use slipzone_api::{Base, Family, Friction, Moduli, Plane, PunchProfile, clip};
+use slipzone_api::{Base, Family, Friction, PunchProfile, clip};
 
 /// Letters for the field's symbols, and how numbers are set.
 pub(super) struct Alphabet {
@@ -84,7 +84,7 @@ pub(super) fn layer_parts(scene: &Scene, half_width: Option<f64>, letters: &Alph
     let labels = Labels::new(&scene.units);
     let mut parts = layer(&scene.layer, half_width, &labels, letters);
     parts.push(poisson(&scene.layer, letters));
-    parts.push(plane(scene.layer.plane).into());
+    parts.push(scene.layer.plane.words().into());
     parts.push(base(&scene.layer, &labels, letters));
     parts
 }
@@ -100,13 +100,6 @@ fn parts_but_load(scene: &Scene, half_width: Option<f64>, letters: &Alphabet) ->
         }
     });
     parts
-}
-
-fn plane(plane: Plane) -> &'static str {
-    match plane {
-        Plane::Strain => "plane strain",
-        Plane::Stress => "plane stress",
-    }
 }
 
 /// Thickness and how the modulus varies.
@@ -167,11 +160,8 @@ fn base(layer: &Layer, labels: &Labels, letters: &Alphabet) -> String {
         Base::Frictionless => "on a frictionless rigid base".into(),
         Base::HalfPlane { shear, poisson } => {
             let (shear, nu) = (shear.get(), poisson.get());
-            let (symbol, modulus) = match layer.moduli {
-                Moduli::Shear => (letters.shear[0], shear),
-                Moduli::Young => (letters.young[0], 2.0 * shear * (1.0 + nu)),
-            };
-            let modulus = with_unit(&letters.number(modulus), &labels.stress);
+            let symbol = if layer.moduli.is_shear() { letters.shear[0] } else { letters.young[0] };
+            let modulus = with_unit(&letters.number(layer.moduli.of_shear(shear, nu)), &labels.stress);
             format!("bonded to a half-plane ({symbol} = {modulus}, {} = {})", letters.nu, letters.ratio(nu))
         }
         Base::Infinite => "half-plane".into(),

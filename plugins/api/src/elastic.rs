@@ -14,6 +14,16 @@ pub enum Plane {
     Stress,
 }
 
+impl Plane {
+    /// Its name in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Strain => "plane strain",
+            Self::Stress => "plane stress",
+        }
+    }
+}
+
 /// The elastic constants that the contact equations need, in units of the shear modulus.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elastic {
@@ -38,6 +48,14 @@ impl Moduli {
         match self {
             Self::Shear => modulus,
             Self::Young => modulus / (2.0 * (1.0 + poisson)),
+        }
+    }
+
+    /// The modulus of a material of that shear modulus and Poisson's ratio: the inverse of [`Self::shear`].
+    pub fn of_shear(self, shear: f64, poisson: f64) -> f64 {
+        match self {
+            Self::Shear => shear,
+            Self::Young => 2.0 * shear * (1.0 + poisson),
         }
     }
 

@@ -13,6 +13,13 @@ pub struct Solid {
     pub moduli: Moduli,
 }
 
+impl Solid {
+    /// Poisson's ratio of a law at a depth of its own.
+    pub fn poisson_at(&self, law: &dyn ModulusLaw, depth: f64) -> f64 {
+        law.poisson(depth).unwrap_or(self.poisson.get())
+    }
+}
+
 /// Elastic constants at one depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
@@ -42,15 +49,14 @@ pub struct LayerModel {
 impl LayerModel {
     /// A layer of that law on that base.
     pub fn new(law: Box<dyn ModulusLaw>, solid: Solid, base: Base) -> Self {
-        let nu = law.poisson(0.0).unwrap_or(solid.poisson.get());
+        let nu = solid.poisson_at(&*law, 0.0);
         let surface_shear = solid.moduli.shear(law.surface_modulus(), nu);
         Self { law, solid, base, datum: None, elastic: Elastic::of(solid.plane, nu), surface_shear }
     }
 
     /// The constants that a law, the layer's own or one of its sublayers', gives at a depth of its own.
     pub fn material(&self, law: &dyn ModulusLaw, depth: f64) -> Material {
-        let Solid { plane, poisson, moduli } = self.solid;
-        let nu = law.poisson(depth).unwrap_or(poisson.get());
+        let (Solid { plane, moduli, .. }, nu) = (self.solid, self.solid.poisson_at(law, depth));
         Material { shear: moduli.shear(law.modulus(depth), nu) / self.surface_shear, elastic: Elastic::of(plane, nu) }
     }
 
