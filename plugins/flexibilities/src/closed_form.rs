@@ -33,7 +33,7 @@ impl Flexibility for ClosedForm {
             (Base::Infinite, Some(gamma)) => graded_half_plane::response(layer, gamma, METHOD),
             (Base::Rigid, Some(gamma)) => {
                 let surface = |layer: &Exponential, s: f64| Ok(Minors::new(layer.elastic, layer.gamma).surface(s));
-                Exponential { elastic, gamma, surface }.no_steeper(METHOD)
+                Exponential { elastic, gamma, depth: 1.0, surface }.no_steeper(METHOD)
             }
             (_, None) => Err(not_built("a law other than the exponential one")),
             (_, Some(_)) => Err(not_built("a base other than the rigid one")),

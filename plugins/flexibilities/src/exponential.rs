@@ -1,4 +1,4 @@
-//! An exponential layer on a rigid base, whichever way its flexibility is got.
+//! An exponential layer on a rigid base, or without a base, whichever way its flexibility is got.
 
 use crate::surface_tail;
 use slipzone_api::{Elastic, LayerResponse, Refusal, SurfaceFlexibility};
@@ -6,10 +6,12 @@ use slipzone_api::{Elastic, LayerResponse, Refusal, SurfaceFlexibility};
 /// Largest `|ln(mu3/mu1)|`: the moduli, and squares of what fades with them, stay within the range of floats.
 pub(crate) const STEEPEST: f64 = 300.0;
 
-/// `mu1 exp(gamma y)` on a rigid base, and how `s F/A0` is got at one wave number.
+/// `mu1 exp(gamma y)` on a rigid base or without a base, and how `s F/A0` is got at one wave number.
 pub(crate) struct Exponential {
     pub(crate) elastic: Elastic,
     pub(crate) gamma: f64,
+    /// 1; without a base the depth in which it stiffens by a factor of e.
+    pub(crate) depth: f64,
     pub(crate) surface: fn(&Exponential, f64) -> Result<SurfaceFlexibility, Refusal>,
 }
 
@@ -43,7 +45,7 @@ impl LayerResponse for Exponential {
     }
 
     fn depth(&self) -> Option<f64> {
-        Some(1.0)
+        Some(self.depth)
     }
 
     fn is_homogeneous(&self) -> bool {

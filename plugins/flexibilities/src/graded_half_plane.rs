@@ -1,9 +1,9 @@
 //! A solid without a base whose modulus is an exponential of the depth, or constant.
 
+use crate::exponential::Exponential;
 use crate::half_plane::HalfPlane;
 use crate::minors::Minors;
-use crate::surface_tail;
-use slipzone_api::{Elastic, LayerModel, LayerResponse, Refusal, SurfaceFlexibility};
+use slipzone_api::{LayerModel, LayerResponse, Refusal};
 
 /// The response of `mu1 exp(gamma y)` without a base.
 pub(crate) fn response(
@@ -22,33 +22,9 @@ pub(crate) fn response(
             remedy: "give the layer a thickness and a base",
         });
     }
-    Ok(Box::new(GradedHalfPlane { elastic, gamma }))
-}
-
-/// What decays with depth alone: the two depth exponents with negative real parts (CC13 eq. 20).
-///
-/// `s F` is an algebraic function of `s`, its series in `gamma/s` converges beyond its branch points, and nothing else is
-/// left there. Towards `s = 0` it vanishes: a solid that stiffens without end is its own base.
-#[derive(Debug)]
-struct GradedHalfPlane {
-    elastic: Elastic,
-    gamma: f64,
-}
-
-impl LayerResponse for GradedHalfPlane {
-    fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
-        Ok(Minors::new(self.elastic, self.gamma).infinite(s))
-    }
-
-    fn elastic(&self) -> Elastic {
-        self.elastic
-    }
-
-    fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
-        surface_tail::exponential(self.elastic, self.gamma, terms)
-    }
-
-    fn depth(&self) -> Option<f64> {
-        Some(self.gamma.recip())
-    }
+    // What decays with depth alone: the two depth exponents with negative real parts (CC13 eq. 20). `s F` is an algebraic
+    // function of `s`, its series in `gamma/s` converges beyond its branch points, and nothing else is left there. Towards
+    // `s = 0` it vanishes: a solid that stiffens without end is its own base.
+    let surface = |solid: &Exponential, s: f64| Ok(Minors::new(solid.elastic, solid.gamma).infinite(s));
+    Ok(Box::new(Exponential { elastic, gamma, depth: gamma.recip(), surface }))
 }

@@ -50,7 +50,7 @@ impl Flexibility for TransferMatrix {
                 }
                 let surface =
                     |layer: &Exponential, s: f64| Route { elastic: layer.elastic, gamma: layer.gamma }.surface(s);
-                Ok(Box::new(Exponential { elastic: layer.elastic, gamma, surface }))
+                Ok(Box::new(Exponential { elastic: layer.elastic, gamma, depth: 1.0, surface }))
             }
             (Base::Rigid, None) => Err(not_built("a law other than the exponential one")),
             _ => Err(not_built("a base other than the rigid one")),
