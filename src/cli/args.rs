@@ -126,6 +126,19 @@ pub(super) struct Verify {
     pub(super) json: bool,
 }
 
+const VERIFY: &str = "Examples:
+  slipzone verify
+  slipzone verify friction tables --all
+  slipzone verify --json
+
+An unknown group is answered with the names of all.
+
+Exit codes:
+  0  all passed
+  1  a check failed; it is printed
+  2  there is no such group
+  3  standard output cannot be written";
+
 #[derive(Debug, Args)]
 #[command(after_help = SOLVE)]
 pub(super) struct Solve {
@@ -161,18 +174,6 @@ pub(super) struct Sweep {
     #[arg(long)]
     pub(super) fresh: bool,
 }
-const VERIFY: &str = "Examples:
-  slipzone verify
-  slipzone verify friction tables --all
-  slipzone verify --json
-
-An unknown group is answered with the names of all.
-
-Exit codes:
-  0  all passed
-  1  a check failed; it is printed
-  2  there is no such group
-  3  standard output cannot be written";
 
 #[derive(Debug, Args)]
 #[command(after_help = CHART)]

@@ -95,8 +95,8 @@ impl Study {
         Ok(shown)
     }
 
-    #[cfg(feature = "plot")]
     /// The steps of an axis that a figure shows, some of them left out where they are more than so many.
+    #[cfg(feature = "plot")]
     pub(crate) fn shown_steps(&self, shown: &Shown, axis: usize, most: u64) -> Vec<u64> {
         let stride = self.shown_count(shown, axis).div_ceil(most).max(1);
         let stride = usize::try_from(stride).unwrap_or(usize::MAX);

@@ -99,6 +99,7 @@ impl Question<'_> {
         }
         Err(solution.reason.unwrap_or_else(|| "it does not converge".into()))
     }
+
     /// The error of the excess.
     pub(super) fn excess_error(&self, solution: &Solution) -> f64 {
         let size = match self.find.wanted {

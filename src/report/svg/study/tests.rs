@@ -325,7 +325,6 @@ fn a_map_marks_each_scene_and_crosses_out_what_is_missing() {
     assert!(texts(&svg).contains(&"1 of 27 scenes without a converged result".to_owned()));
 }
 
-/// A plateau at the largest value has no line around it: where it begins is where numbers round to its height.
 /// Of two scenes in one cell one would not be seen.
 #[test]
 fn a_map_has_each_value_once() {
@@ -334,6 +333,7 @@ fn a_map_has_each_value_once() {
     assert!(matches!(drawn, Err(FigureError::Plot(why)) if why.contains("each value once")));
 }
 
+/// A plateau at the largest value has no line around it: where it begins is where numbers round to its height.
 #[test]
 fn a_plateau_of_a_map_has_no_line() {
     let study = study(GRID, MAP);
