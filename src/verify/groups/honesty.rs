@@ -1,5 +1,6 @@
 //! What cannot be right is refused or flagged, and what is coarse is said to be.
 
+use crate::engine::Slip;
 use crate::scene::parse;
 use crate::verify::Case;
 use crate::verify::check::{Sheet, Within};
@@ -53,8 +54,11 @@ fn overturned() -> Case {
     Case::new("stick zones that do not hold", |sheet| {
         for (h, ratio, nu, eta) in [(0.5, 1.0, 0.3, 0.05), (1.0, 8.0, 0.45, 0.3)] {
             let contact = Contact::flat(layer(h, ratio, nu)).rubbing(eta).to(1e-8);
-            let name = format!("h/b = {h}, mu1/mu3 = {ratio}, nu = {nu}, eta = {eta}: status");
-            status(sheet, &name, &contact, "AssumptionViolated", "docs/theory.md section 1")?;
+            let name = |what: &str| format!("h/b = {h}, mu1/mu3 = {ratio}, nu = {nu}, eta = {eta}: {what}");
+            let source = "docs/theory.md section 1";
+            let told = status(sheet, &name("status"), &contact, "AssumptionViolated", source)?;
+            let told = if told.contains("eta p at x = ") { "what and where" } else { &told };
+            sheet.same(&name("reason"), told, "what and where", "it says what fails and where", source);
         }
         Ok(())
     })
@@ -64,11 +68,16 @@ fn overturned() -> Case {
 fn reversed() -> Case {
     Case::new("reversed shear", |sheet| {
         let source = "docs/theory.md section 1";
-        for (h, nu, eta, expected, half) in [(0.5, 0.3, 0.1, 0.961_589, 5e-7), (1.0, 0.49, 0.3, 0.677_286, 5e-7)] {
+        let within = || Within::new(5e-7, "half a unit of the last digit printed");
+        for (h, nu, eta, expected, slip) in
+            [(0.5, 0.3, 0.1, 0.961_589, Slip::Inward), (1.0, 0.49, 0.3, 0.677_286, Slip::Outward)]
+        {
             let solution = Contact::flat(layer(h, 1.0, nu)).rubbing(eta).to(1e-8).solve()?;
-            let name = format!("h/b = {h}, nu = {nu}, eta = {eta}: a/b");
-            let within = Within::new(half, "half a unit of the last digit printed");
-            sheet.absolute(&name, number(&solution, "stick.ratio")?, expected, within, source);
+            let name = |what: &str| format!("h/b = {h}, nu = {nu}, eta = {eta}: {what}");
+            sheet.absolute(&name("a/b"), number(&solution, "stick.ratio")?, expected, within(), source);
+            let found = solution.stick.as_ref().and_then(|stick| stick.slip);
+            let found = found.map_or_else(|| "None".into(), |slip| format!("{slip:?}"));
+            sheet.same(&name("slip"), &found, &format!("{slip:?}"), "a direction is right or wrong", source);
         }
         Ok(())
     })
