@@ -190,9 +190,9 @@ fn tables_pass_through_their_law() {
         [11, 21, 41, 81].iter().map(|points| difference(&*response(&table(*points, law)), &*exact, 1.0)).collect();
     let orders: Vec<f64> = errors.windows(2).map(|e| (e[0] / e[1]).log2()).collect();
     println!("{errors:?} {orders:?}");
-    // Blends of cubics: fourth order; equally spaced rows of a smooth law gain about one more.
-    assert!(orders.iter().all(|order| *order > 3.8), "{errors:?} {orders:?}");
-    assert!(errors[3] < 1e-7, "{errors:?}");
+    // Blends of quartics: fifth order, not yet at so few rows. Measured: 4.5, 4.2, 5.0.
+    assert!(orders.iter().all(|order| *order > 4.1), "{errors:?} {orders:?}");
+    assert!(errors[3] < 1e-8, "{errors:?}");
 }
 
 /// A film of a hundredth of the thickness, between two samples of a law that is level elsewhere, was not there at all.
