@@ -7,6 +7,7 @@ use crate::integrand::Integrand;
 use crate::piece::Variable;
 use num_complex::Complex64;
 use slipzone_api::Component;
+use slipzone_api::elementary::ln;
 use std::f64::consts::PI;
 use told::Told;
 
@@ -175,7 +176,7 @@ impl Origin {
     /// The transforms that make a kernel, at some distances.
     #[inline(always)]
     fn transforms(&self, series: &Series, t: [f64; LANES]) -> [f64; LANES] {
-        let z = t.map(|t| t.powf(self.power));
+        let z = t.map(|t| (self.power * ln(t)).exp());
         let told = clenshaw_in_lanes(&series.coefficients, z.map(|z| self.place(z)));
         if series.is_of_depth() {
             return told;

@@ -8,6 +8,7 @@ mod mesh;
 mod pieces;
 mod regular;
 mod rule;
+mod shares;
 
 use crate::count::Count;
 use basis::Basis;

@@ -68,7 +68,8 @@ pub(super) fn row_into(
             for part in parts_of(*piece, is_near) {
                 for (z, w) in gauss.z.iter().zip(&gauss.w) {
                     let u = part.lower + part.half_length * (1.0 + z);
-                    let weight = factor * w * part.half_length * smooth(u) * basis.measure_at(mesh, u) / PI;
+                    let weight =
+                        factor * w * part.half_length * smooth(u) * basis.measure_at(mesh, u, mesh.angle(u).sin()) / PI;
                     let offset = ((u - mesh.breaks[panel]) / mesh.half_length(panel)).clamp(0.0, 2.0);
                     mesh.basis_into(offset, &mut values);
                     for value in &mut values {

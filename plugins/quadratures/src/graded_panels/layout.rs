@@ -5,6 +5,7 @@ use super::cauchy;
 use super::legendre::Gauss;
 use super::mesh::Mesh;
 use super::pieces::Pieces;
+use super::shares::Shares;
 use slipzone_api::{Edge, Shelf};
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -16,6 +17,7 @@ pub(super) struct Layout {
     pub(super) basis: Basis,
     /// The panels, each in one piece.
     pub(super) pieces: Pieces,
+    pub(super) shares: Shares,
     /// The collocation points in `u`, descending (`x` ascends), and their angles.
     pub(super) targets: Vec<f64>,
     pub(super) angles: Vec<f64>,
@@ -55,6 +57,7 @@ impl Layout {
         let angles: Vec<f64> = targets.iter().map(|u| mesh.angle(*u)).collect();
         let row_scale: Vec<f64> = angles.iter().map(|a| basis.row_scale(*a)).collect();
         let pieces = Pieces::new(&mesh, &gauss, basis);
+        let shares = Shares::new(degree);
         let unknowns = basis.unknowns(mesh.nodes());
 
         let mut cauchy = vec![0.0; angles.len() * unknowns];
@@ -65,16 +68,11 @@ impl Layout {
         }
 
         let mut resultant = vec![0.0; unknowns];
-        for (piece, chunk) in pieces.list.iter().zip(summand.chunks_mut(gauss.z.len())) {
-            for (out, w) in chunk.iter_mut().zip(&gauss.w) {
-                *out = w * piece.half_length * (1.0 + basis.parity.mirror());
-            }
-        }
-        for (out, (measure, u)) in summand.iter_mut().zip(pieces.measure.iter().zip(&pieces.at)) {
-            *out *= measure * mesh.slope(*u);
+        for (out, (slope, w)) in summand.iter_mut().zip(pieces.slope.iter().zip(gauss.w.iter().cycle())) {
+            *out = w * slope * (1.0 + basis.parity.mirror());
         }
         pieces.gather_into(&summand, &mesh, basis, &mut resultant);
-        Self { mesh, gauss, basis, pieces, targets, angles, row_scale, cauchy, resultant }
+        Self { mesh, gauss, basis, pieces, shares, targets, angles, row_scale, cauchy, resultant }
     }
 
     /// The layout of these numbers, made once per process: a solver asks for the same one at every trial stick zone.

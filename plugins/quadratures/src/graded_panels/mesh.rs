@@ -141,17 +141,8 @@ impl Mesh {
     ///
     /// Barycentric; near the lower end of the first panel the entries for the other nodes are exact in their
     /// ratio to the distance, as densities that vanish at the contact's end ask for.
-    pub(super) fn basis_into(&self, offset: f64, out: &mut [f64]) {
-        let sum = self.shares_into(offset, out);
-        for out in out.iter_mut() {
-            *out /= sum;
-        }
-    }
-
-    /// The same times a number, which is returned.
     #[expect(clippy::float_cmp, reason = "only an exact hit divides by zero")]
-    #[inline(always)]
-    pub(super) fn shares_into(&self, offset: f64, out: &mut [f64]) -> f64 {
+    pub(super) fn basis_into(&self, offset: f64, out: &mut [f64]) {
         let mut is_hit = false;
         for ((out, node), weight) in out.iter_mut().zip(&self.offsets).zip(&self.weights) {
             is_hit |= *node == offset;
@@ -159,9 +150,12 @@ impl Mesh {
         }
         if is_hit {
             out.iter_mut().zip(&self.offsets).for_each(|(out, node)| *out = f64::from(u8::from(*node == offset)));
-            return 1.0;
+            return;
         }
-        out.iter().sum()
+        let sum: f64 = out.iter().sum();
+        for out in out {
+            *out /= sum;
+        }
     }
 
     /// Value at `place` of what has the value `at_node(i)` at each node.

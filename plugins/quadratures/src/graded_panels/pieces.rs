@@ -25,6 +25,10 @@ pub(super) struct Pieces {
     pub(super) at: Vec<f64>,
     /// Measure of the density at these points: `f dx = c F measure dtheta`.
     pub(super) measure: Vec<f64>,
+    /// `measure` times how the angle rises along the panel, in half-lengths.
+    pub(super) slope: Vec<f64>,
+    /// Sine and cosine of half the angle at these points.
+    pub(super) half_angles: Vec<[f64; 2]>,
     /// `degree + 1` basis values for each Gauss point.
     basis: Vec<f64>,
 }
@@ -37,6 +41,8 @@ impl Pieces {
             list: Vec::with_capacity(mesh.panels()),
             at: Vec::with_capacity(points),
             measure: Vec::with_capacity(points),
+            slope: Vec::with_capacity(points),
+            half_angles: Vec::with_capacity(points),
             basis: Vec::with_capacity(points * width),
         };
         let mut row = vec![0.0; width];
@@ -44,9 +50,12 @@ impl Pieces {
             pieces.list.push(Piece { lower: mesh.breaks[panel], half_length: mesh.half_length(panel) });
             for z in &gauss.z {
                 let offset = 1.0 + z;
-                let place = Place { panel, offset };
-                pieces.at.push(mesh.at(place));
-                pieces.measure.push(basis.measure_at(mesh, mesh.at(place)));
+                let u = mesh.at(Place { panel, offset });
+                let measure = basis.measure_at(mesh, u, mesh.angle(u).sin());
+                pieces.at.push(u);
+                pieces.measure.push(measure);
+                pieces.slope.push(measure * mesh.slope(u) * mesh.half_length(panel));
+                pieces.half_angles.push((0.5 * mesh.angle(u)).sin_cos().into());
                 mesh.basis_into(offset, &mut row);
                 pieces.basis.extend_from_slice(&row);
             }
@@ -54,9 +63,16 @@ impl Pieces {
         pieces
     }
 
-    /// The basis at one of the points.
-    pub(super) fn basis_at(&self, point: usize, width: usize) -> &[f64] {
-        &self.basis[point * width..(point + 1) * width]
+    /// Adds to `of_nodes` what the nodes of a panel contribute to the sum over its Gauss points of `summand`, in
+    /// half-lengths.
+    pub(super) fn add_panel_into(&self, panel: usize, summand: &[f64], of_nodes: &mut [f64]) {
+        let (q, width) = (summand.len(), of_nodes.len());
+        let points = panel * q..(panel + 1) * q;
+        let rows = self.basis[points.start * width..].chunks_exact(width);
+        for ((summand, slope), row) in summand.iter().zip(&self.slope[points]).zip(rows) {
+            let weight = summand * slope;
+            of_nodes.iter_mut().zip(row).for_each(|(sum, entry)| *sum += weight * entry);
+        }
     }
 
     /// `row[j]` = sum over the Gauss points of `summand` times what the `j`-th unknown contributes there.

@@ -3,6 +3,8 @@
 use super::layout::Layout;
 use super::legendre::{Factor, Gauss, NEAR};
 use super::mesh::Mesh;
+use super::shares::Weighted;
+use slipzone_api::elementary::sin_pi;
 use slipzone_api::{Component, KernelTable, Parts, PartsVec, root};
 use std::f64::consts::PI;
 
@@ -19,8 +21,11 @@ const AWAY: f64 = 2.0 / (NEAR - 1.0);
 const GRADED: f64 = 6.0;
 
 /// Longest piece next to the target that is summed in the power of the distance with which kernels begin there, over the target's distance to
-/// the contact's end in `u`.
+/// the contact's end in `u`: as short where a root in which both are polynomials is unknown, or high.
 const NEXT: f64 = 1e-5;
+/// What may be left of a density on a longer one, which varies on that share of the distance to the contact's end, or over nodes of a panel.
+const LEFT: f64 = 1e-14;
+const VARIES: f64 = 0.1;
 
 /// What cuts round to, relative: a piece that was cut to be as long as it may be is not cut again.
 const ROUNDING: f64 = 1e-9;
@@ -34,14 +39,26 @@ struct Piece {
     is_image: bool,
     /// Whether it is the whole panel.
     is_whole: bool,
-    /// Whether it is summed as a power of the distance to its end at the pole.
-    is_next: bool,
+    sum: Sum,
+}
+
+/// How a kernel is summed over a piece.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sum {
+    /// As a power of the distance to the piece's end at the pole.
+    Next,
+    /// As it is: the origin is far enough.
+    Far,
+    /// Part by part, what is singular in product with the polynomials.
+    Near,
 }
 
 /// Gauss points over `[0, 1]` in a root of the distance in which it and its power are polynomials, or nearly so; twice their weights.
 #[derive(Default)]
 struct Powers {
     power: f64,
+    /// Over which share of the length on which a density varies they may be spread; 0 if it is no polynomial of theirs.
+    reach: f64,
     offsets: Vec<f64>,
     weights: Vec<f64>,
 }
@@ -58,9 +75,12 @@ impl Powers {
         let least = power.recip();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive, and saturates
         let first = (least - WHOLE).floor() as u32 + 1;
-        let root = root::whole(power, first..=LARGEST, WHOLE).map_or_else(|| (SMOOTH * least).ceil(), f64::from);
+        let whole = root::whole(power, first..=LARGEST, WHOLE).map(f64::from);
+        let root = whole.unwrap_or_else(|| (SMOOTH * least).ceil());
         let zeta = || gauss.z.iter().map(|z| 0.5 * (1.0 + z));
         self.power = power;
+        // Of a geometric series in the distance that is what `2 q` powers of the root leave.
+        self.reach = whole.map_or(0.0, |root| LEFT.powf(0.5 * root / gauss.z.len() as f64));
         self.offsets = zeta().map(|zeta| zeta.powf(root)).collect();
         let weight = |(zeta, w): (f64, &f64)| w * root * zeta.powf(root - 1.0);
         self.weights = zeta().zip(&gauss.w).map(weight).collect();
@@ -76,11 +96,17 @@ pub(super) struct Regular {
     /// For each point of each piece: how far it is from the pole in `u`, and the distance.
     offsets: Vec<f64>,
     distances: Vec<f64>,
+    /// Sine of the angle at each point of what is no whole panel.
+    sines: Vec<f64>,
+    /// Of the kernel, or of its parts.
+    values: Vec<f64>,
     parts: PartsVec,
+    /// What the density is multiplied with at the points of a piece, at those of a whole panel, and at all others of it.
+    of_piece: Vec<f64>,
     summand: Vec<f64>,
+    cut: Weighted,
     product: Vec<f64>,
     moments: Vec<f64>,
-    values: Vec<f64>,
     of_panel: Vec<f64>,
     powers: Powers,
 }
@@ -151,11 +177,13 @@ impl Regular {
         };
         let power = table.power();
         // At the contact's end nothing but the end itself is near.
-        let next = NEXT * if target > 0.0 { target } else { layout.mesh.breaks[1] };
+        let far = if target > 0.0 { target } else { layout.mesh.breaks[1] };
         self.pieces.clear();
         self.ends.clear();
         let mut stack = Vec::new();
         for ends in layout.mesh.breaks.windows(2) {
+            let allowed = self.powers.reach * (VARIES * far).min(0.5 * (ends[1] - ends[0]) / layout.mesh.degree as f64);
+            let next = allowed.max(NEXT * far);
             for (view, is_image) in views.iter().zip([false, true]) {
                 // Rounding alone keeps nothing apart from the pole.
                 let seen = |u: f64| if (u - view.pole).abs() < 1e-15 * view.pole { 0.0 } else { u - view.pole };
@@ -166,11 +194,17 @@ impl Regular {
                     let end = view.pole + upper;
                     let rise = layout.mesh.angle(end).sin() * layout.mesh.slope(end);
                     let is_short = half_width * rise * length <= finest;
-                    let is_next = power.is_some() && is_short && length <= next && lower * upper == 0.0;
-                    let is_fine = is_next || power.is_none() && is_short && view.is_clear(lower, upper);
                     let apart = |pole: f64| (lower - pole).max(pole - upper);
-                    if is_fine || length <= (1.0 + ROUNDING) * ratio * apart(0.0).min(apart(view.other)) {
-                        self.pieces.push(Piece { lower, half_length: 0.5 * length, is_image, is_whole, is_next });
+                    let sum = if length <= (1.0 + ROUNDING) * ratio * apart(0.0).min(apart(view.other)) {
+                        Some(Sum::Far)
+                    } else if power.is_some() {
+                        (is_short && length <= next && lower * upper == 0.0).then_some(Sum::Next)
+                    } else {
+                        (is_short && view.is_clear(lower, upper)).then_some(Sum::Near)
+                    };
+                    if let Some(sum) = sum {
+                        let is_whole = is_whole && sum != Sum::Next;
+                        self.pieces.push(Piece { lower, half_length: 0.5 * length, is_image, is_whole, sum });
                         continue;
                     }
                     // Cut at the pole, or so far from it that the farther part is as long as it may be.
@@ -195,26 +229,47 @@ impl Regular {
         let points = q * self.pieces.len();
         self.offsets.resize(points, 0.0);
         self.distances.resize(points, 0.0);
-        let (sin, cos) = layout.mesh.angle(target).sin_cos();
-        let places = self.offsets.chunks_exact_mut(q).zip(self.distances.chunks_exact_mut(q));
-        for (piece, (offsets, distances)) in self.pieces.iter().zip(places) {
-            let view = &views[usize::from(piece.is_image)];
-            if piece.is_next {
-                // From the end at the pole.
-                let length = if piece.lower == 0.0 { 2.0 * piece.half_length } else { piece.lower };
-                offsets.iter_mut().zip(&self.powers.offsets).for_each(|(offset, share)| *offset = length * share);
-            } else {
-                // 1 + z keeps the digits of what is next to the pole.
-                let at = |z: &f64| piece.lower + piece.half_length * (1.0 + z);
-                offsets.iter_mut().zip(&layout.gauss.z).for_each(|(offset, z)| *offset = at(z));
+        self.sines.resize(points, 0.0);
+        let angle = layout.mesh.angle(target);
+        let ((sin, cos), half_sine) = (angle.sin_cos(), (0.5 * angle).sin());
+        let mut places = self
+            .offsets
+            .chunks_exact_mut(q)
+            .zip(self.distances.chunks_exact_mut(q))
+            .zip(self.sines.chunks_exact_mut(q));
+        let mut first = 0;
+        for (end, half_angles) in self.ends.iter().zip(layout.pieces.half_angles.chunks_exact(q)) {
+            for (piece, ((offsets, distances), sines)) in self.pieces[first..*end].iter().zip(&mut places) {
+                let view = &views[usize::from(piece.is_image)];
+                if piece.sum == Sum::Next {
+                    // From the end at the pole.
+                    let length = if piece.lower == 0.0 { 2.0 * piece.half_length } else { piece.lower };
+                    offsets.iter_mut().zip(&self.powers.offsets).for_each(|(offset, share)| *offset = length * share);
+                } else {
+                    // 1 + z keeps the digits of what is next to the pole.
+                    let at = |z: &f64| piece.lower + piece.half_length * (1.0 + z);
+                    offsets.iter_mut().zip(&layout.gauss.z).for_each(|(offset, z)| *offset = at(z));
+                }
+                if piece.is_whole {
+                    // cos(target) -+ cos(theta) as differences of squares.
+                    for ([sine, cosine], distance) in half_angles.iter().zip(distances) {
+                        let other = if piece.is_image { cosine } else { sine };
+                        *distance = 2.0 * half_width * (other - half_sine) * (other + half_sine);
+                    }
+                    continue;
+                }
+                distances.iter_mut().zip(&*offsets).for_each(|(out, offset)| *out = view.angle_to(*offset));
+                let cos = if piece.is_image { -cos } else { cos };
+                for (distance, sine) in distances.iter_mut().zip(sines) {
+                    // As products of sines of half the angle between and of that from the target; no cosine is negative.
+                    let half = sin_pi((0.5 / PI) * *distance);
+                    let other = (1.0 - half * half).max(0.0).sqrt();
+                    *sine = (sin * (1.0 - 2.0 * half * half) + cos * 2.0 * half * other).max(0.0);
+                    let share = sin * other + cos * half;
+                    *distance = 2.0 * half_width * half * if piece.is_image { -share } else { share };
+                }
             }
-            for (offset, distance) in offsets.iter().zip(distances) {
-                // cos(target) -+ cos(theta) as products of sines of half the offset and of that from the target; no cosine is negative.
-                let half = (0.5 * view.angle_to(*offset)).sin();
-                let other = (1.0 - half * half).max(0.0).sqrt();
-                let sign = if piece.is_image { -1.0 } else { 1.0 };
-                *distance = 2.0 * half_width * half * (sign * sin * other + cos * half);
-            }
+            first = *end;
         }
     }
 
@@ -236,52 +291,77 @@ impl Regular {
         self.place(target, &views, layout, half_width);
         let q = layout.gauss.z.len();
         let points = self.distances.len();
-        self.parts.resize(points);
+        // Of a kernel that begins with a power all pieces are next to the origin or far from it: its parts tell nothing more.
+        let has_parts = table.power().is_none();
+        if has_parts {
+            self.parts.resize(points);
+            table.parts_into(component, &self.distances, self.parts.first(points));
+        } else {
+            self.values.resize(points, 0.0);
+            table.values_into(component, &self.distances, &mut self.values);
+        }
+
+        self.of_piece.resize(q, 0.0);
         self.summand.resize(q, 0.0);
         self.product.resize(q, 0.0);
-        table.parts_into(component, &self.distances, self.parts.first(points));
-
-        let width = layout.mesh.degree + 1;
-        self.values.resize(width, 0.0);
-        self.of_panel.resize(width, 0.0);
+        self.of_panel.resize(layout.mesh.degree + 1, 0.0);
         row.fill(0.0);
         let mut first = 0;
-        for (panel, end) in self.ends.iter().enumerate() {
+        for panel in 0..self.ends.len() {
             self.of_panel.fill(0.0);
-            for p in first..*end {
+            self.summand.fill(0.0);
+            self.cut.clear();
+            for p in first..self.ends[panel] {
                 let piece = self.pieces[p];
-                let here = p * q..(p + 1) * q;
                 let view = views[usize::from(piece.is_image)];
-                let factor = if piece.is_image { layout.basis.parity.mirror() } else { 1.0 };
-                let share =
-                    Share { piece, gauss: &layout.gauss, offsets: &self.offsets[here.clone()], view, half_width };
-                let weights = if piece.is_next { &self.powers.weights } else { &layout.gauss.w };
-                let mut scratch = Scratch { product: &mut self.product, moments: &mut self.moments };
-                self.summand.fill(0.0);
-                share.add(
-                    factor,
-                    weights,
-                    &self.parts.range(here.clone()),
-                    &self.distances[here],
-                    &mut scratch,
-                    &mut self.summand,
-                );
-                for (k, summand) in self.summand.iter().enumerate() {
-                    let u = view.pole + share.offsets[k];
-                    let measure = layout.basis.measure_at(&layout.mesh, u) * layout.mesh.slope(u);
-                    let mut weight = summand * half_width * piece.half_length * measure / PI;
-                    let values = if piece.is_whole {
-                        layout.pieces.basis_at(panel * q + k, width)
-                    } else {
-                        let offset = (u - layout.mesh.breaks[panel]) / layout.mesh.half_length(panel);
-                        weight /= layout.mesh.shares_into(offset.clamp(0.0, 2.0), &mut self.values);
-                        &self.values
-                    };
-                    self.of_panel.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
+                self.weigh(p, view, layout, half_width, has_parts);
+                if piece.is_whole {
+                    self.summand.iter_mut().zip(&self.of_piece).for_each(|(sum, weight)| *sum += weight);
+                    continue;
+                }
+                let points = self.offsets[p * q..].iter().zip(&self.sines[p * q..]);
+                for (weight, (offset, sine)) in self.of_piece.iter().zip(points) {
+                    let u = view.pole + offset;
+                    let rise = layout.basis.measure_at(&layout.mesh, u, *sine) * layout.mesh.slope(u);
+                    let place = (u - layout.mesh.breaks[panel]) / layout.mesh.half_length(panel) - 1.0;
+                    self.cut.push(place.clamp(-1.0, 1.0), weight * piece.half_length * rise);
                 }
             }
+            layout.pieces.add_panel_into(panel, &self.summand, &mut self.of_panel);
+            layout.shares.add_into(&mut self.cut, &mut self.of_panel);
             layout.basis.add_into(panel * layout.mesh.degree, &self.of_panel, row);
-            first = *end;
+            first = self.ends[panel];
+        }
+        for entry in row {
+            *entry *= half_width / PI;
+        }
+    }
+
+    /// Writes what the density is multiplied with at the points of one of the pieces, in half-lengths of it.
+    fn weigh(&mut self, p: usize, view: View, layout: &Layout, half_width: f64, has_parts: bool) {
+        let (piece, gauss) = (self.pieces[p], &layout.gauss);
+        let q = gauss.z.len();
+        let here = p * q..(p + 1) * q;
+        let factor = if piece.is_image { layout.basis.parity.mirror() } else { 1.0 };
+        self.of_piece.fill(0.0);
+        match piece.sum {
+            Sum::Near => {
+                let share = Share { piece, gauss, offsets: &self.offsets[here.clone()], view, half_width };
+                let mut scratch = Scratch { product: &mut self.product, moments: &mut self.moments };
+                let (parts, distances) = (self.parts.range(here.clone()), &self.distances[here]);
+                share.add(factor, &parts, distances, &mut scratch, &mut self.of_piece);
+            }
+            Sum::Far if has_parts => {
+                let values =
+                    self.parts.range(here.clone()).zip(&self.distances[here]).map(|(parts, t)| parts.value(*t));
+                let terms = gauss.w.iter().zip(values).map(|(weight, value)| factor * weight * value);
+                self.of_piece.iter_mut().zip(terms).for_each(|(out, term)| *out = term);
+            }
+            Sum::Far | Sum::Next => {
+                let weights = if piece.sum == Sum::Next { &self.powers.weights } else { &gauss.w };
+                let terms = weights.iter().zip(&self.values[here]).map(|(weight, value)| factor * weight * value);
+                self.of_piece.iter_mut().zip(terms).for_each(|(out, term)| *out = term);
+            }
         }
     }
 }
@@ -309,7 +389,6 @@ impl Share<'_> {
     fn add(
         &self,
         factor: f64,
-        weights: &[f64],
         parts: &(impl Iterator<Item = Parts> + Clone),
         distances: &[f64],
         scratch: &mut Scratch,
@@ -317,19 +396,12 @@ impl Share<'_> {
     ) {
         let poles = [0.0, self.view.other];
         let local = poles.map(|pole| (pole - self.piece.lower) / self.piece.half_length - 1.0);
-        let plain = weights.iter();
-        if self.piece.is_next || local.iter().all(|at| at.abs() >= NEAR * (1.0 - ROUNDING)) {
-            for (((out, w), parts), t) in out.iter_mut().zip(plain).zip(parts.clone()).zip(distances) {
-                *out += factor * w * parts.value(*t);
-            }
-            return;
-        }
         // x - r has the sign of theta - target; x + r never changes its own.
         let crosses = !self.piece.is_image && local[0].abs() < 1.0;
         let jumps = crosses && parts.clone().any(|parts| parts.sign != 0.0);
         let has_log = parts.clone().any(|parts| parts.log != 0.0);
         for (((out, w), parts), (t, offset)) in
-            out.iter_mut().zip(plain).zip(parts.clone()).zip(distances.iter().zip(self.offsets))
+            out.iter_mut().zip(&self.gauss.w).zip(parts.clone()).zip(distances.iter().zip(self.offsets))
         {
             let sign = if jumps { 0.0 } else { parts.sign * t.signum() };
             let log = if has_log { parts.log * self.log_rest(*offset, poles, local) } else { 0.0 };
