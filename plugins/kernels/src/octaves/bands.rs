@@ -26,6 +26,9 @@ const MOST_SAMPLES: usize = 1 << 14;
 /// What is faded out is felt by this part of the accuracy at most: by contacts, and by what is as narrow as may be, slip zones and rounded
 /// corners.
 const FELT: (f64, f64) = (1e-3, 0.1);
+/// `W` that is no larger, and over so many octaves gets no smaller than by that factor, is what the flexibility itself is off by. The slowest
+/// powers that get that small before the highest wave number take more than half off.
+const FLAT: (f64, usize, f64) = (1e-10, 3, 0.9);
 /// Highest wave number over the inverse of the extent: shorter waves are for none.
 pub(super) const HIGHEST: f64 = 1e30;
 /// Steepness of the window over the logarithm of the wave number, and where nothing is left of it.
@@ -104,12 +107,16 @@ impl Bands {
                 }
             };
             let both = integrands.iter().map(felt).reduce(|a, b| [a[0].max(b[0]), a[1].max(b[1])]);
-            ends.push((upper, both.unwrap_or_default()));
+            let both = both.unwrap_or_default();
+            ends.push((upper, both));
             // All that a window here would take away.
             let [whole, narrow] =
                 [0, 1].map(|of| ends.iter().map(|(s, felt)| felt[of] * window(upper / s)).sum::<f64>());
             let is_enough = whole <= FELT.0 * request.accuracy && narrow <= FELT.1 * request.accuracy;
-            if is_enough || upper * extent >= HIGHEST {
+            let (size, octaves, least) = FLAT;
+            let before = ends.iter().rev().nth(octaves).map_or(f64::INFINITY, |(_, felt)| felt[1]);
+            let is_flat = both[1] <= size && both[1] >= least * before;
+            if is_enough || is_flat || upper * extent >= HIGHEST {
                 bands.highest = upper;
                 bands.error += whole;
                 bands.edge_error = if is_enough { 0.0 } else { narrow };

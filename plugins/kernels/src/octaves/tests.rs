@@ -97,6 +97,38 @@ fn what_an_edge_feels_of_waves_beyond_the_last_is_told() {
     }
 }
 
+/// What the flexibility is off by at the shortest waves does not fade: octaves of it tell nothing more.
+#[test]
+fn no_wave_is_asked_for_that_tells_of_errors_alone() {
+    struct Off(Broken, f64);
+    impl LayerResponse for Off {
+        fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
+            let f = self.0.surface(s)?;
+            Ok(SurfaceFlexibility { vv: f.vv + self.1, ..f })
+        }
+
+        fn elastic(&self) -> Elastic {
+            self.0.elastic()
+        }
+
+        fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
+            self.0.tail(terms)
+        }
+
+        fn depth(&self) -> Option<f64> {
+            self.0.depth()
+        }
+    }
+    let (response, reach) = (Off(Broken { q: 0.85, is_known: false }, 3e-12), 2.0);
+    let table = table(&response, reach, &ALL[..1], 1e-12);
+    assert!(table.nearest().is_some_and(|nearest| nearest > 1e-21), "{:?}", table.nearest());
+    assert!((1e-12..1e-11).contains(&table.edge_error()), "an edge feels it: {:e}", table.edge_error());
+    for t in distances(&*table, reach) {
+        let error = t * (table.parts(ALL[0], t).value(t) - response.0.kernel(ALL[0], t)).abs();
+        assert!(error <= 1e-11, "at {t:e}: {error:e}");
+    }
+}
+
 /// Down to distances at which no wave number is asked for: a power that is known ends nowhere.
 #[test]
 fn a_power_that_is_known_is_told_down_to_nothing() {
