@@ -28,6 +28,9 @@ const FARTHEST: f64 = 5.8;
 const NODES: f64 = 32.0;
 /// Nodes per length of the kernel.
 const NODES_PER_LENGTH: f64 = 8.0;
+/// Nodes at which tractions are asked for at most, if no more than that are due to a narrow zone: kernels may vary over far shorter lengths
+/// than they do, and a traction of a contact that grew takes thousands of flat punches.
+const TOLD: f64 = 256.0;
 /// Distance to a corner, over its own to the middle, from which positions beside it are told apart: rounding changes the logarithm
 /// there by as much as its neglected companion, the distance times the logarithm.
 const TOLD_APART: f64 = 1e-9;
@@ -103,6 +106,8 @@ impl Sampling<'_> {
 struct Strain {
     half_width: f64,
     pieces: Vec<Piece>,
+    /// Nodes of each piece at which tractions are told.
+    told: usize,
     /// A grid of unit length.
     grid: Vec<Node>,
     /// The same, towards its upper end as far as the kernels ask for.
@@ -149,10 +154,13 @@ impl Strain {
     ) -> Option<Self> {
         let half_width = *breaks.last()?;
         let longest = breaks.windows(2).map(|ends| ends[1] - ends[0]).fold(0.0, f64::max);
-        let nodes = share * (NODES * crowding).max(NODES_PER_LENGTH * longest / length);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
-        let nodes = (nodes.ceil() as usize).min(MOST_NODES);
+        let count = |nodes: f64| ((share * nodes).ceil() as usize).min(MOST_NODES);
+        let (of_tractions, of_kernel) = (NODES * crowding, NODES_PER_LENGTH * longest / length);
+        let nodes = count(of_tractions.max(of_kernel));
+        let told = count(of_tractions.max(of_kernel.min(TOLD)));
         let grid = double_exponential::nodes_up_to(1.0, nodes, END);
+        let asked = double_exponential::nodes_up_to(1.0, told, END);
         let towards = towards(&grid, nodes, left_out);
         let mut pieces = Vec::with_capacity(breaks.len() - 1);
         for ends in breaks.windows(2) {
@@ -162,27 +170,27 @@ impl Strain {
                 x: lower + width * node.from_lower,
                 gap: (half_width - upper) + width * node.to_upper,
             };
-            let mut sampled = tractions(&grid.iter().map(at).collect::<Vec<_>>())?;
+            let mut sampled = tractions(&asked.iter().map(at).collect::<Vec<_>>())?;
             for values in &mut sampled {
                 if corners.contains(&lower) {
-                    continue_logarithm(values.iter_mut().zip(grid.iter().map(|node| width * node.from_lower)), lower);
+                    continue_logarithm(values.iter_mut().zip(asked.iter().map(|node| width * node.from_lower)), lower);
                 }
                 if corners.contains(&upper) {
-                    let inwards = values.iter_mut().zip(grid.iter().map(|node| width * node.to_upper));
+                    let inwards = values.iter_mut().zip(asked.iter().map(|node| width * node.to_upper));
                     continue_logarithm(inwards.rev(), upper);
                 }
             }
-            let [p, q] = sampled.map(|values| Traction::new(values, &grid));
+            let [p, q] = sampled.map(|values| Traction::new(values, &asked).on(&grid));
             pieces.push(Piece { lower, upper, p, q });
         }
         let (sources, distances, kernels) = (Vec::new(), Vec::new(), [Vec::new(), Vec::new()]);
-        Some(Self { half_width, pieces, grid, towards, sources, distances, kernels })
+        Some(Self { half_width, pieces, told: asked.len(), grid, towards, sources, distances, kernels })
     }
 
     /// `u'(x)/A0` at `0 <= x < b`; refused where the budget is used up.
     fn at(&mut self, layer: &PreparedLayer, beta: f64, x: f64) -> Result<f64, Refusal> {
-        // Both tractions at both nodes for one, each a sum over all nodes.
-        layer.meter().count_multiplications(4 * self.grid.len() * self.towards.len());
+        // Both tractions at both nodes for one, each a sum over all nodes at which they are told.
+        layer.meter().count_multiplications(4 * self.told * self.towards.len());
         layer.meter().within()?;
         let [p, q] = self.see_from(x);
         let count = self.sources.len();
@@ -306,6 +314,14 @@ impl Traction {
         Self { values, ends, rest }
     }
 
+    /// The same with values at the nodes of another grid.
+    fn on(mut self, grid: &[Node]) -> Self {
+        if grid.len() != self.values.len() {
+            self.values = grid.iter().map(|node| self.at(node.from_lower, node.to_upper)).collect();
+        }
+        self
+    }
+
     /// Its value between the nodes.
     fn at(&self, from_lower: f64, to_upper: f64) -> f64 {
         let middle = (self.rest.len() / 2) as f64;
@@ -329,4 +345,35 @@ impl Traction {
 /// What a traction is like at the ends of a unit interval, each faded out towards the other.
 fn at_ends([lower, upper]: &[[f64; 2]; 2], from_lower: f64, to_upper: f64) -> f64 {
     (lower[0] + lower[1] * from_lower.ln()) * to_upper + (upper[0] + upper[1] * to_upper.ln()) * from_lower
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tractions_are_not_asked_for_as_finely_as_short_kernels_are_summed() {
+        let sampling = Sampling { breaks: &[0.0, 0.4, 1.0], corners: &[], crowding: 1.0, length: 1e-3 };
+        let p = |at: &Station| (at.gap * (2.0 - at.gap)).sqrt();
+        let q = |at: &Station| if at.x < 0.4 { 0.3 - (0.4 - at.x).powf(0.7) } else { p(at) };
+        let mut asked = 0;
+        let mut tractions = |at: &[Station]| {
+            asked += at.len();
+            Some([at.iter().map(p).collect(), at.iter().map(q).collect()])
+        };
+        let strain = Strain::new(&sampling, (1.0, LEFT_OUT), &mut tractions).unwrap();
+        assert_eq!(asked, 2 * (2 * 256 + 1));
+        assert!(strain.grid.len() > 4 * strain.told, "{} nodes", strain.grid.len());
+        for piece in &strain.pieces {
+            let values = piece.p.values.iter().zip(&piece.q.values);
+            for (node, (of_p, of_q)) in strain.grid.iter().zip(values) {
+                let width = piece.upper - piece.lower;
+                let at = Station {
+                    x: piece.lower + width * node.from_lower,
+                    gap: 1.0 - piece.upper + width * node.to_upper,
+                };
+                assert!((of_p - p(&at)).abs() < 1e-8 && (of_q - q(&at)).abs() < 1e-8, "at {}: {of_p}, {of_q}", at.x);
+            }
+        }
+    }
 }
