@@ -11,11 +11,6 @@ pub(super) struct Basis {
 }
 
 impl Basis {
-    /// `f sin(theta)/F`, `F` being the piecewise polynomial: 1 where `f = F/sin(theta)`, `sin(theta)` where `f = F`.
-    pub(super) fn measure(self, sine: f64) -> f64 {
-        if self.edge == Edge::Smooth { sine } else { 1.0 }
-    }
-
     /// Factor of the row at a collocation point: 1 if the density is bounded as `F` itself is, otherwise
     /// `sin(theta)`, which turns the operator into a Hilbert transform of `F`.
     ///
@@ -55,9 +50,9 @@ impl Basis {
         if self.edge == Edge::Sharp { 1.0 } else { mesh.vanishing(u) }
     }
 
-    /// `f sin(theta)` over the polynomial, where the angle has that sine.
+    /// `f sin(theta)` over the polynomial, where the angle has that sine: of `f = F/sin(theta)` that is what `F` is over it.
     pub(super) fn measure_at(self, mesh: &Mesh, u: f64, sine: f64) -> f64 {
-        self.factor(mesh, u) * self.measure(sine)
+        self.factor(mesh, u) * if self.edge == Edge::Smooth { sine } else { 1.0 }
     }
 
     /// The polynomial at a node.
