@@ -6,8 +6,7 @@ use crate::even_table::{chebyshev, clenshaw, clenshaw_in_lanes};
 use crate::integrand::Integrand;
 use crate::piece::Variable;
 use num_complex::Complex64;
-use slipzone_api::Component;
-use slipzone_api::elementary::ln;
+use slipzone_api::{Component, elementary::ln};
 use std::f64::consts::PI;
 use told::Told;
 

@@ -28,12 +28,14 @@ struct Broken {
     q: f64,
     /// Whether it tells the power with which it begins.
     is_known: bool,
+    /// What the first slope is off by at any wave number.
+    off: f64,
 }
 
 impl LayerResponse for Broken {
     fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
         let even = (1.0 + s * s).powf(-self.q);
-        Ok(SurfaceFlexibility { vv: 1.0 + s * even, uu: 1.0 + s * even, uv: even - self.elastic().beta() })
+        Ok(SurfaceFlexibility { vv: 1.0 + s * even + self.off, uu: 1.0 + s * even, uv: even - self.elastic().beta() })
     }
 
     fn elastic(&self) -> Elastic {
@@ -54,6 +56,10 @@ impl LayerResponse for Broken {
 }
 
 impl Broken {
+    fn new(q: f64, is_known: bool) -> Self {
+        Self { q, is_known, off: 0.0 }
+    }
+
     /// Along the cut from `i` upwards: `sin(pi q) int_1^inf y^k (y^2 - 1)^-q exp(-ty) dy`, `k` being 1 for the slopes and 0 for the
     /// coupling; by the trapezoidal rule in `log(y - 1)`.
     fn kernel(&self, component: Component, t: f64) -> f64 {
@@ -70,7 +76,7 @@ impl Broken {
 #[test]
 fn kernels_like_a_broken_power_are_told_down_to_the_smallest_distances() {
     for (q, accuracy) in [(0.6, 1e-10), (0.85, 1e-10), (0.75, 1e-5)] {
-        let (response, reach) = (Broken { q, is_known: false }, 2.0);
+        let (response, reach) = (Broken::new(q, false), 2.0);
         let table = table(&response, reach, &ALL[..3], accuracy);
         let bound = table.error().expect("a bound");
         assert!(bound <= accuracy, "q = {q}: {bound:e}");
@@ -90,7 +96,7 @@ fn kernels_like_a_broken_power_are_told_down_to_the_smallest_distances() {
 /// `W` is 1e-6 where wave numbers end, and fades out before. A kernel that goes on says how well, and one that ends where nothing is felt nothing.
 #[test]
 fn what_an_edge_feels_of_waves_beyond_the_last_is_told() {
-    let told = |q: f64, is_known: bool| table(&Broken { q, is_known }, 2.0, &ALL[..2], 1e-8).edge_error();
+    let told = |q: f64, is_known: bool| table(&Broken::new(q, is_known), 2.0, &ALL[..2], 1e-8).edge_error();
     assert!((2e-7..2e-6).contains(&told(0.6, false)), "{:e}", told(0.6, false));
     for (q, is_known, most) in [(0.6, true, 1e-10), (0.75, false, 0.0), (0.85, false, 0.0)] {
         assert!(told(q, is_known) <= most, "q = {q}: {:e}", told(q, is_known));
@@ -100,31 +106,12 @@ fn what_an_edge_feels_of_waves_beyond_the_last_is_told() {
 /// What the flexibility is off by at the shortest waves does not fade: octaves of it tell nothing more.
 #[test]
 fn no_wave_is_asked_for_that_tells_of_errors_alone() {
-    struct Off(Broken, f64);
-    impl LayerResponse for Off {
-        fn surface(&self, s: f64) -> Result<SurfaceFlexibility, Refusal> {
-            let f = self.0.surface(s)?;
-            Ok(SurfaceFlexibility { vv: f.vv + self.1, ..f })
-        }
-
-        fn elastic(&self) -> Elastic {
-            self.0.elastic()
-        }
-
-        fn tail(&self, terms: usize) -> Vec<SurfaceFlexibility> {
-            self.0.tail(terms)
-        }
-
-        fn depth(&self) -> Option<f64> {
-            self.0.depth()
-        }
-    }
-    let (response, reach) = (Off(Broken { q: 0.85, is_known: false }, 3e-12), 2.0);
+    let (response, reach) = (Broken { off: 3e-12, ..Broken::new(0.85, false) }, 2.0);
     let table = table(&response, reach, &ALL[..1], 1e-12);
     assert!(table.nearest().is_some_and(|nearest| nearest > 1e-21), "{:?}", table.nearest());
     assert!((1e-12..1e-11).contains(&table.edge_error()), "an edge feels it: {:e}", table.edge_error());
     for t in distances(&*table, reach) {
-        let error = t * (table.parts(ALL[0], t).value(t) - response.0.kernel(ALL[0], t)).abs();
+        let error = t * (table.parts(ALL[0], t).value(t) - response.kernel(ALL[0], t)).abs();
         assert!(error <= 1e-11, "at {t:e}: {error:e}");
     }
 }
@@ -133,7 +120,7 @@ fn no_wave_is_asked_for_that_tells_of_errors_alone() {
 #[test]
 fn a_power_that_is_known_is_told_down_to_nothing() {
     for (q, accuracy) in [(0.6, 1e-10), (0.65, 1e-6), (0.75, 1e-10), (0.9, 1e-10)] {
-        let (response, reach) = (Broken { q, is_known: true }, 2.0);
+        let (response, reach) = (Broken::new(q, true), 2.0);
         let table = table(&response, reach, &ALL[..2], accuracy);
         assert_eq!(table.power(), Some(2.0 * q - 1.0), "q = {q}");
         for i in 0..120 {
@@ -163,7 +150,7 @@ fn even_kernels_have_more_than_powers_beside_the_origin() {
         }
 
         fn elastic(&self) -> Elastic {
-            Broken { q: self.0, is_known: true }.elastic()
+            Broken::new(self.0, true).elastic()
         }
 
         fn tail(&self, _: usize) -> Vec<SurfaceFlexibility> {
@@ -183,7 +170,7 @@ fn even_kernels_have_more_than_powers_beside_the_origin() {
         let table = table(&response, 2.0, &ALL[2..3], 1e-10);
         assert_eq!(table.power(), Some(power));
         // `(1 + s^2)^-q` along the cut; q = 1/2 is `K_0(t)`.
-        let part = |q: f64, t: f64| Broken { q, is_known: true }.kernel(ALL[2], t);
+        let part = |q: f64, t: f64| Broken::new(q, true).kernel(ALL[2], t);
         for i in 0..80 {
             let t = 2.0 * 10.0_f64.powf(-0.2 * f64::from(i));
             let expected = part(0.5 * power, t) + 0.5 * part(power, t);

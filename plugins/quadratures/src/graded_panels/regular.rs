@@ -343,26 +343,28 @@ impl Regular {
         let q = gauss.z.len();
         let here = p * q..(p + 1) * q;
         let factor = if piece.is_image { layout.basis.parity.mirror() } else { 1.0 };
-        self.of_piece.fill(0.0);
+        let out = &mut self.of_piece;
         match piece.sum {
             Sum::Near => {
                 let share = Share { piece, gauss, offsets: &self.offsets[here.clone()], view, half_width };
                 let mut scratch = Scratch { product: &mut self.product, moments: &mut self.moments };
-                let (parts, distances) = (self.parts.range(here.clone()), &self.distances[here]);
-                share.add(factor, &parts, distances, &mut scratch, &mut self.of_piece);
+                out.fill(0.0);
+                share.add(factor, &self.parts.range(here.clone()), &self.distances[here], &mut scratch, out);
             }
             Sum::Far if has_parts => {
-                let values =
-                    self.parts.range(here.clone()).zip(&self.distances[here]).map(|(parts, t)| parts.value(*t));
-                let terms = gauss.w.iter().zip(values).map(|(weight, value)| factor * weight * value);
-                self.of_piece.iter_mut().zip(terms).for_each(|(out, term)| *out = term);
+                let parts = self.parts.range(here.clone()).zip(&self.distances[here]);
+                multiply(&gauss.w, factor, parts.map(|(parts, t)| parts.value(*t)), out);
             }
-            Sum::Far | Sum::Next => {
-                let weights = if piece.sum == Sum::Next { &self.powers.weights } else { &gauss.w };
-                let terms = weights.iter().zip(&self.values[here]).map(|(weight, value)| factor * weight * value);
-                self.of_piece.iter_mut().zip(terms).for_each(|(out, term)| *out = term);
-            }
+            Sum::Far => multiply(&gauss.w, factor, self.values[here].iter().copied(), out),
+            Sum::Next => multiply(&self.powers.weights, factor, self.values[here].iter().copied(), out),
         }
+    }
+}
+
+/// Writes weights times a factor and values.
+fn multiply(weights: &[f64], factor: f64, values: impl Iterator<Item = f64>, out: &mut [f64]) {
+    for ((out, weight), value) in out.iter_mut().zip(weights).zip(values) {
+        *out = factor * weight * value;
     }
 }
 
