@@ -5,9 +5,10 @@ use criterion::{Criterion, SamplingMode};
 use slipzone::engine::{Status, solve};
 use std::hint::black_box;
 
-/// Scene, cut-off and nodes: the coarsest (in steps of 80 and 128) whose every number is within 1e-6 of the truth, found
-/// by trying; `1 - a/b` of the contact with friction is not, with 1024 nodes neither. The flexibility is `compliance`:
-/// `transfer-matrix` refuses the cut-off of the twin that judges these, and without it leaves 4e-6 in `p(0)`.
+/// Scene, cut-off and nodes: the coarsest (in steps of 80 and 128) whose every number is within 1e-6 of the truth,
+/// found by trying; `1 - a/b` of the contact with friction is not, with 1024 nodes neither. The flexibility is
+/// `compliance`: `transfer-matrix` refuses the cut-off of the twin that judges these, and without it leaves 4e-6 in
+/// `p(0)`.
 const COARSEST: [(&str, u32, u32); 3] =
     [("flat", 240, 768), ("flat-goodman", 320, 768), ("cylinder-by-force", 240, 640)];
 

@@ -1,8 +1,8 @@
 //! Many different scenes on one thread and on two, against plain arithmetic in as many tasks.
 //!
-//! Prints how well a batch uses a second core, in terms of what the machine gives to anything at all at that moment, and
-//! checks that every solution has the same bits on one thread, on two, and alone. Run it on a machine that is otherwise
-//! idle: `cargo run --release --example batch -- 10000`; without a number it takes 200 scenes.
+//! Prints how well a batch uses a second core, in terms of what the machine gives to anything at all at that moment,
+//! and checks that every solution has the same bits on one thread, on two, and alone. Run it on a machine that is
+//! otherwise idle: `cargo run --release --example batch -- 10000`; without a number it takes 200 scenes.
 
 use rayon::prelude::*;
 use slipzone::engine::{Solution, Status, solve, solve_all};

@@ -2,9 +2,9 @@
 //!
 //! A flat punch with friction on layers that soften towards the base (`mu1/mu3 = 8`), from thick to thin, each method's
 //! resolution pinned by the scene. Errors are relative differences from another quadrature: `de-sinc` and
-//! `gauss-chebyshev` are held against `graded-panels` at the tolerance 1e-13, `graded-panels` against `de-sinc` with 160
-//! steps. `cargo run --release --example convergence` takes `h/b = 5`, and other thicknesses after `--`; the page has
-//! `20 5 1 0.2 0.05`.
+//! `gauss-chebyshev` are held against `graded-panels` at the tolerance 1e-13, `graded-panels` against `de-sinc` with
+//! 160 steps. `cargo run --release --example convergence` takes `h/b = 5`, and other thicknesses after `--`; the page
+//! has `20 5 1 0.2 0.05`.
 
 use slipzone::engine::{Solution, Status, solve};
 use slipzone::scene::parse;

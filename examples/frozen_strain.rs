@@ -1,5 +1,5 @@
-//! The stick zone of a cylinder by its history, and with the strain `C|x|` that Chen and Chen (2013, eq. 63) take for it:
-//! the table of `docs/theory.md`.
+//! The stick zone of a cylinder by its history, and with the strain `C|x|` that Chen and Chen (2013, eq. 63) take for
+//! it: the table of `docs/theory.md`.
 //!
 //! `cargo run --release --example frozen_strain`
 

@@ -1,9 +1,9 @@
 //! Brings a grading of its own, registered in this file, and shows what a law gains by telling more than its modulus.
 //!
-//! Three laws, each from 1 at the surface to 8 at the base: smooth, with a kink, with a jump. Each is solved knowing its
-//! modulus alone; then with its Taylor coefficients at the surface; then with the place of the kink or jump; then with what
-//! the law is made of, `exponent` or `sublayers`. The answers agree, the work does not: docs/layers.md has the table. Run it
-//! with `cargo run --release --example own_grading`.
+//! Three laws, each from 1 at the surface to 8 at the base: smooth, with a kink, with a jump. Each is solved knowing
+//! its modulus alone; then with its Taylor coefficients at the surface; then with the place of the kink or jump; then
+//! with what the law is made of, `exponent` or `sublayers`. The answers agree, the work does not: docs/layers.md has
+//! the table. Run it with `cargo run --release --example own_grading`.
 
 use serde::{Deserialize, Serialize};
 use slipzone::engine::{Status, solve};

@@ -1,4 +1,5 @@
-//! How long scenes take to solve inside of a process, each time from nothing: no table or matrix is kept between solves.
+//! How long scenes take to solve inside of a process, each time from nothing: no table or matrix is kept between
+//! solves.
 //!
 //! `cargo run --release --example time_scenes -- 200 SCENE.toml ...` prints a JSON line for each scene: its file, the
 //! shortest and the median time of 200 solves in seconds, and the numbers found. The scenes take turns, so that what

@@ -39,11 +39,11 @@ pub struct Plan {
     pub work: u64,
     /// What stands for the solid.
     pub model: Model,
-    /// Largest relative error that it makes of a number reported, by its bound: part of the errors stated. 0 of the full
-    /// model; `None` before anything is solved.
+    /// Largest relative error that it makes of a number reported, by its bound: part of the errors stated. 0 of the
+    /// full model; `None` before anything is solved.
     pub bound: Option<f64>,
-    /// How much more friction the coupled equations take for the stick ratio, over Goodman's, as far as that can be told: what
-    /// Goodman's approximation costs. It is no part of the errors; `None` without a stick zone.
+    /// How much more friction the coupled equations take for the stick ratio, over Goodman's, as far as that can be
+    /// told: what Goodman's approximation costs. It is no part of the errors; `None` without a stick zone.
     pub coupling_neglected: Option<f64>,
     /// Why each choice was made.
     pub reasons: Vec<Cow<'static, str>>,
@@ -106,7 +106,8 @@ impl Chosen {
         scene
     }
 
-    /// What solves a scene that leaves its methods open where these refused it: kernels too rough for `split` are told by `octaves`.
+    /// What solves a scene that leaves its methods open where these refused it: kernels too rough for `split` are told
+    /// by `octaves`.
     pub(crate) fn instead(&self, refusal: &Refusal) -> Option<Self> {
         let is_rough =
             matches!(refusal, Refusal::OutOfReach { method, .. } if *method == Split::default().typetag_name());
@@ -217,8 +218,9 @@ fn flexibility_for(model: Option<&LayerModel>) -> (Box<dyn Flexibility>, &'stati
 const PANELS: &str = "graded-panels";
 const OCTAVES: &str = "octaves";
 
-/// From this power on a law that is no analytic function at the surface has as many derivatives there as `split` asks for. Measured, under a
-/// cylinder without friction and with it: 3.9 takes `split` 20 and 160 ms at 1e-8, `octaves` 10 and 900; 2.5 is not told by `split`.
+/// From this power on a law that is no analytic function at the surface has as many derivatives there as `split` asks
+/// for. Measured, under a cylinder without friction and with it: 3.9 takes `split` 20 and 160 ms at 1e-8, `octaves` 10
+/// and 900; 2.5 is not told by `split`.
 const SMOOTH: f64 = 3.5;
 
 /// Whether a layer's law has so few derivatives at the surface that its kernels are none of those that `split` knows.

@@ -5,8 +5,8 @@
 //! cargo bench -p slipzone-instructions                # compared with the run before
 //! ```
 //!
-//! A package of its own, and no default member: nothing else builds what it needs. Only `cargo bench` measures; as one of the
-//! targets of `cargo test` it says so and ends, for neither valgrind nor the runner is a part of Rust.
+//! A package of its own, and no default member: nothing else builds what it needs. Only `cargo bench` measures; as one
+//! of the targets of `cargo test` it says so and ends, for neither valgrind nor the runner is a part of Rust.
 
 #[path = "../standard.rs"]
 mod standard;

@@ -51,7 +51,8 @@ pub(crate) fn models() {
     }
 }
 
-/// The least value above 1 for which something holds, to a part in a thousand; `None` where that is further than scenes go.
+/// The least value above 1 for which something holds, to a part in a thousand; `None` where that is further than scenes
+/// go.
 fn first(holds: impl Fn(f64) -> bool) -> Option<f64> {
     let (mut low, mut high) = (1.0, 1.0);
     while !holds(high) {

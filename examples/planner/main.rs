@@ -1,7 +1,7 @@
 //! Measures what a model in place of a solid costs and saves, on random scenes (docs/planner.md).
 //!
-//! `cargo run --release --example planner -- bounds 5000` forces each model on each scene and compares the true errors with
-//! the bounds; `-- saved 5000` lets the planner choose, compares with the full model and counts the work saved.
+//! `cargo run --release --example planner -- bounds 5000` forces each model on each scene and compares the true errors
+//! with the bounds; `-- saved 5000` lets the planner choose, compares with the full model and counts the work saved.
 
 mod scenes;
 

@@ -1,7 +1,7 @@
 //! Random scenes over the whole scene language, and what must hold of each (docs/random-scenes.md).
 //!
-//! `cargo run --release --example random_scenes -- 100000 --seed 1` is the documented run; `--only 4711` shows one scene
-//! of it, `--shrink` makes those that fail as small as they get.
+//! `cargo run --release --example random_scenes -- 100000 --seed 1` is the documented run; `--only 4711` shows one
+//! scene of it, `--shrink` makes those that fail as small as they get.
 
 mod trial;
 

@@ -1,8 +1,8 @@
 //! Where methods end: digits achieved over pairs of parameters, for each method.
 //!
-//! A cell is a scene, or a flexibility at a wave number. It is judged as the charts are, by an unrelated discretisation or
-//! the other way to the same flexibility; a cell that calls itself converged and is off by more than three times what both
-//! claim is wrong. Cells without numbers have a reason.
+//! A cell is a scene, or a flexibility at a wave number. It is judged as the charts are, by an unrelated discretisation
+//! or the other way to the same flexibility; a cell that calls itself converged and is off by more than three times
+//! what both claim is wrong. Cells without numbers have a reason.
 
 mod contacts;
 mod flexibilities;
@@ -95,7 +95,8 @@ impl Cell {
     }
 }
 
-/// Maps, on all cores; tells of each place when all methods were there, from whichever thread, and how many places there are.
+/// Maps, on all cores; tells of each place when all methods were there, from whichever thread, and how many places
+/// there are.
 pub fn run(maps: &[&Map], effort: Effort, tell: &(dyn Fn(usize) + Sync)) -> Vec<Sheet> {
     crate::link_plugins();
     let maps: Vec<Map> = maps.iter().map(|map| map.reduced(effort)).collect();

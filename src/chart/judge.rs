@@ -15,10 +15,10 @@ pub struct Judge {
     pub solution: Solution,
 }
 
-/// Both: double-exponential sinc functions of the whole contact, and polynomials on panels that shrink towards its ends.
-/// The first takes the flexibility that serves every layer and lets the kernel's series begin where it chooses, the second
-/// has it begin elsewhere, where it can. Coarser ones follow for contacts that grow: they are many contacts in one, and the
-/// first would exceed the budget of work.
+/// Both: double-exponential sinc functions of the whole contact, and polynomials on panels that shrink towards its
+/// ends. The first takes the flexibility that serves every layer and lets the kernel's series begin where it chooses,
+/// the second has it begin elsewhere, where it can. Coarser ones follow for contacts that grow: they are many contacts
+/// in one, and the first would exceed the budget of work.
 const JUDGES: [(&str, &[&str]); 2] = [
     (
         "de-sinc",

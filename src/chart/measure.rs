@@ -72,7 +72,8 @@ pub struct Run {
     pub ended: Ended,
     /// Why not better.
     pub reason: Option<String>,
-    /// Called itself converged, and some number is off by more than three times what it claims and the judges leave open.
+    /// Called itself converged, and some number is off by more than three times what it claims and the judges leave
+    /// open.
     pub wrong: bool,
     /// Seconds with everything to be made anew.
     pub fresh: Option<Spread>,
@@ -126,8 +127,8 @@ impl Run {
         Self::new(method, setting, Ended::NotTried, Some("a coarser setting took too long".into()))
     }
 
-    /// Wave numbers, kernels read and multiplications: one number for what it did, the same on every machine. Each counts
-    /// alike, though a wave number is a few hundred multiplications and a kernel about ten.
+    /// Wave numbers, kernels read and multiplications: one number for what it did, the same on every machine. Each
+    /// counts alike, though a wave number is a few hundred multiplications and a kernel about ten.
     pub fn work(&self) -> u64 {
         self.flexibility_evaluations as u64 + self.kernel_evaluations + self.operations
     }

@@ -114,8 +114,8 @@ fn knob(family: Family, name: &str) -> Option<(&'static str, Vec<u64>)> {
     keys.find_map(|key| matches!(key.values, Values::Whole(..) | Values::Even(..)).then(|| steps(key)).flatten())
 }
 
-/// The steps of a key from the least of its samples up to the largest, each some `sqrt 2` times the one before: multiples
-/// of 4 where all samples are, or of 2 where only even ones will do.
+/// The steps of a key from the least of its samples up to the largest, each some `sqrt 2` times the one before:
+/// multiples of 4 where all samples are, or of 2 where only even ones will do.
 fn steps(key: &Parameter) -> Option<(&'static str, Vec<u64>)> {
     let [least, .., most] = *key.samples else { return None };
     let unit = match key.values {

@@ -1,9 +1,9 @@
-//! Speed charted against accuracy: every quadrature with every kernel strategy, over a list of scenes that stays as it is,
-//! those among it where methods fail.
+//! Speed charted against accuracy: every quadrature with every kernel strategy, over a list of scenes that stays as it
+//! is, those among it where methods fail.
 //!
 //! [`run`] solves each scene by each [`Method`] at each of its [`Setting`]s and measures what that took, what the solution
-//! claims and how far it is off a [`Judge`]: one of two solutions by unrelated discretisations, finer than anything that
-//! is charted, of which none judges its own kind. How far the two are apart is as much as can be told.
+//! claims and how far it is off a [`Judge`]: one of two solutions by unrelated discretisations, finer than anything
+//! that is charted, of which none judges its own kind. How far the two are apart is as much as can be told.
 //! [`atlas`] asks where methods end: digits over pairs of parameters.
 //!
 //! Methods and their settings are read off the registry: a new plugin is charted without a line changed here.

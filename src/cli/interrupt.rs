@@ -11,8 +11,9 @@ type Words = Box<dyn Fn() -> String + Send>;
 /// What is said when the run is stopped now.
 static LAST_WORDS: Mutex<Option<Words>> = Mutex::new(None);
 
-/// Ends the program in order when it is told to stop. Whatever it writes is whole at any time: files by renaming, journals
-/// line by line. What the program was started to ignore (`nohup`, a job in the background) it goes on ignoring.
+/// Ends the program in order when it is told to stop. Whatever it writes is whole at any time: files by renaming,
+/// journals line by line. What the program was started to ignore (`nohup`, a job in the background) it goes on
+/// ignoring.
 pub(super) fn watch() {
     let stop = || {
         let _no_more = output::abandon();

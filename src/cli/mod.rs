@@ -37,7 +37,8 @@ enum Outcome {
 }
 
 /// Runs one command, as the program `slipzone` does: arguments in, the program's name first; exit code out (the
-/// repository's `docs/command-line.md` lists both). Plugins of the calling program's own are known like those that come with it.
+/// repository's `docs/command-line.md` lists both). Plugins of the calling program's own are known like those that come
+/// with it.
 ///
 /// ```no_run
 /// // A `main.rs` that adds plugins of one's own to the command line; `use my_plugins as _;` above it links their crate.

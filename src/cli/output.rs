@@ -37,8 +37,8 @@ pub(super) fn abandon() -> MutexGuard<'static, Vec<PathBuf>> {
     files
 }
 
-/// Removes the temporary files of runs that were killed, once for all files in a folder: it may hold very many. What cannot
-/// be removed does no harm.
+/// Removes the temporary files of runs that were killed, once for all files in a folder: it may hold very many. What
+/// cannot be removed does no harm.
 fn clear(folder: &Path) {
     if !CLEARED.lock().unwrap_or_else(PoisonError::into_inner).insert(folder.into()) {
         return;
@@ -350,7 +350,8 @@ fn links(path: &Path) -> impl Iterator<Item = PathBuf> {
 /// Standard output among the streams of the program.
 const STANDARD_OUTPUT: &str = "/dev/fd/1";
 
-/// The name in `/dev/fd` of the stream that a path leads to, as `/dev/stdout` does, wherever that has been redirected to.
+/// The name in `/dev/fd` of the stream that a path leads to, as `/dev/stdout` does, wherever that has been redirected
+/// to.
 pub(super) fn stream(path: &Path) -> Option<PathBuf> {
     let streams = Path::new(STANDARD_OUTPUT).parent()?;
     let real = streams.canonicalize().ok()?;

@@ -176,7 +176,8 @@ fn of_pressure(
     solution
 }
 
-/// A shape that is unsure by more than that, and heights that scatter by more, over its height at the contact's edge, are said to be.
+/// A shape that is unsure by more than that, and heights that scatter by more, over its height at the contact's edge,
+/// are said to be.
 const TOLD: f64 = 0.05;
 
 /// What the numbers rest on beside what the scene alone tells.

@@ -68,7 +68,8 @@ impl Contact {
         })
     }
 
-    /// Whether friction is to bear its shear as it is, or it is a slice of a contact that grows. What was found of stick zones goes with that.
+    /// Whether friction is to bear its shear as it is, or it is a slice of a contact that grows. What was found of
+    /// stick zones goes with that.
     pub(crate) fn bears_own_shear(&mut self, bears: bool) {
         self.of_slices = !bears;
         self.rubbed = None;
@@ -103,8 +104,8 @@ impl Contact {
         Ok(outcome)
     }
 
-    /// Solves another load of a punch whose contact grows, no wider than the one given, from its size where that is known, or from what
-    /// is known of others; `None` where that is not enough.
+    /// Solves another load of a punch whose contact grows, no wider than the one given, from its size where that is
+    /// known, or from what is known of others; `None` where that is not enough.
     pub(crate) fn solve_again(
         &mut self,
         layer: &mut PreparedLayer,

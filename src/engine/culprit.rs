@@ -5,7 +5,8 @@ use super::prepared_layer::PreparedLayer;
 use crate::plan::Methods;
 use slipzone_api::{Component, Edge, LayerResponse, Parity, Parts, Refusal, Rule};
 
-/// Wave numbers that are looked at where something failed: 0, and so many, evenly spaced in their logarithms within these bounds in units of `1/h`.
+/// Wave numbers that are looked at where something failed: 0, and so many, evenly spaced in their logarithms within
+/// these bounds in units of `1/h`.
 const WAVES: u32 = 101;
 const BETWEEN: (f64, f64) = (1e-3, 1e2);
 /// Distances over what a table reaches.

@@ -1,5 +1,5 @@
-//! A contact that grows with the load, solved as a stack of flat punches: under friction, which remembers how it grew, and
-//! under shapes that are not analytic.
+//! A contact that grows with the load, solved as a stack of flat punches: under friction, which remembers how it grew,
+//! and under shapes that are not analytic.
 
 mod blend;
 pub(crate) mod family;
@@ -44,9 +44,9 @@ const NODES_PER_DIGIT: f64 = 1.8;
 const NODES_PER_UNKNOWN: f64 = 0.125;
 /// and per kernel length in the widest half-width.
 ///
-/// Measured on half-planes at x = 0.03 b: errors of 6e-9, 1e-9 and 3e-11 of the largest traction with 14, 18 and 26. Under a kink on a
-/// layer of a tenth of the half-width, ten times as stiff as what is below: of the pressure there 0.5 and 3e-4 with 17 and 28; with 34 it is as
-/// good as the flat punches.
+/// Measured on half-planes at x = 0.03 b: errors of 6e-9, 1e-9 and 3e-11 of the largest traction with 14, 18 and 26.
+/// Under a kink on a layer of a tenth of the half-width, ten times as stiff as what is below: of the pressure there 0.5
+/// and 3e-4 with 17 and 28; with 34 it is as good as the flat punches.
 const NODES_PER_LENGTH: f64 = 1.5;
 /// Lengths from which more of them take no more nodes: a bound of the work. Measured up to some 30.
 const MOST_LENGTHS: f64 = 60.0;
@@ -122,8 +122,8 @@ impl Growing {
         Ok(self.outcome(problem, size, numbers, pressure, rubbing))
     }
 
-    /// Solves another load of the same punch, the stick zone told between those of the flat punches known; `None` where it is no
-    /// stack of these, or where friction is to be looked at more closely.
+    /// Solves another load of the same punch, the stick zone told between those of the flat punches known; `None` where
+    /// it is no stack of these, or where friction is to be looked at more closely.
     pub(crate) fn solve_again(
         &mut self,
         layer: &mut PreparedLayer,
@@ -160,7 +160,8 @@ impl Growing {
         if !serves(family, size.half_width) || !is_steady {
             return Ok(None);
         }
-        // The finer of both resolutions solves the zone for itself: between the flat punches it is known to the tolerance only.
+        // The finer of both resolutions solves the zone for itself: between the flat punches it is known to the
+        // tolerance only.
         let rubbing = match known {
             Some(_) if rubs => match family.rubbing(layer, task, size.half_width)? {
                 None => return Ok(None),
@@ -174,7 +175,8 @@ impl Growing {
         Ok(Some(self.outcome(problem, size, numbers, pressure, rubbing)))
     }
 
-    /// Takes a size; the numbers of the pressure there, and the pressure at [`Traces::AT`] over its mean unless it is stacked.
+    /// Takes a size; the numbers of the pressure there, and the pressure at [`Traces::AT`] over its mean unless it is
+    /// stacked.
     fn sized(
         &mut self,
         layer: &PreparedLayer,
@@ -276,8 +278,8 @@ impl Growing {
         self.stacked_on(task, f64::INFINITY)
     }
 
-    /// A family that reaches beyond a half-width by so much room, or by less where what is wider spoils it: that is none of a contact's
-    /// history.
+    /// A family that reaches beyond a half-width by so much room, or by less where what is wider spoils it: that is
+    /// none of a contact's history.
     fn family_beside(
         &self,
         layer: &mut PreparedLayer,
@@ -370,10 +372,10 @@ impl Growing {
         numbers
     }
 
-    /// Sizes of the contact on its way to a load solved already, whose half-width is given, each with what the stack that tells them
-    /// leaves out, relative; `None` where it is no single stack. Stick zones are solved for where they are to be `sure`: told between
-    /// the flat punches, narrow ones are as good as wide ones ask for. Where one is not found near there, or the pressure pulls, infinitely
-    /// much is left out.
+    /// Sizes of the contact on its way to a load solved already, whose half-width is given, each with what the stack
+    /// that tells them leaves out, relative; `None` where it is no single stack. Stick zones are solved for where they
+    /// are to be `sure`: told between the flat punches, narrow ones are as good as wide ones ask for. Where one is not
+    /// found near there, or the pressure pulls, infinitely much is left out.
     pub(crate) fn on_the_way(
         &mut self,
         layer: &mut PreparedLayer,
@@ -482,7 +484,8 @@ fn room(problem: &Problem, half_width: f64, is_guess: bool) -> f64 {
     (short_of_end(problem, half_width, room * half_width) / half_width).max(1.0)
 }
 
-/// A half-width up to which a family reaches beside a contact: not so far as the shape ends, where no flat punch has a slope.
+/// A half-width up to which a family reaches beside a contact: not so far as the shape ends, where no flat punch has a
+/// slope.
 fn short_of_end(problem: &Problem, contact: f64, wide: f64) -> f64 {
     match problem.flaw(wide).filter(|flaw| problem.ends_at(flaw)) {
         Some(end) => f64::midpoint(contact, end.x / problem.length),

@@ -7,8 +7,9 @@ use crate::scene::Scene;
 use crate::scene::check::bounds;
 use slipzone_api::Refusal;
 
-/// The flexibility of one layer, the kernel tables made of it and the flat punches solved on it, to be used under another
-/// punch or load: [`Solver::on`](super::Solver::on) takes it, [`Solver::into_layer`](super::Solver::into_layer) gives it back.
+/// The flexibility of one layer, the kernel tables made of it and the flat punches solved on it, to be used under
+/// another punch or load: [`Solver::on`](super::Solver::on) takes it, [`Solver::into_layer`](super::Solver::into_layer)
+/// gives it back.
 pub struct Layer {
     pub(super) prepared: PreparedLayer,
     /// The layer and the methods as a scene would write them.
@@ -67,8 +68,8 @@ fn description(scene: &Scene) -> String {
     serde_json::to_string(&(&scene.layer, &solver.flexibility, &solver.kernel)).expect("a scene is plain data")
 }
 
-/// How a scene's equations are discretised, and how well: flat punches that were solved better than a scene asks for would
-/// make its resolutions look nearer to each other than they are to the truth.
+/// How a scene's equations are discretised, and how well: flat punches that were solved better than a scene asks for
+/// would make its resolutions look nearer to each other than they are to the truth.
 fn quadrature(scene: &Scene) -> String {
     let solver = &scene.solver;
     serde_json::to_string(&(&solver.quadrature, solver.tolerance)).expect("a scene is plain data")

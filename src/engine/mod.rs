@@ -57,7 +57,8 @@ use crate::scene::Scene;
 use rayon::prelude::*;
 use slipzone_api::Refusal;
 
-/// Solves a scene. Whatever happens is in the solution's `status` and `reason`; but a plugin's panic is passed on, here and in
+/// Solves a scene. Whatever happens is in the solution's `status` and `reason`; but a plugin's panic is passed on, here
+/// and in
 /// [`solve_all`].
 pub fn solve(scene: &Scene) -> Solution {
     solve_within(scene, BUDGET)

@@ -46,8 +46,8 @@ pub(crate) struct Lost {
     pub(crate) left: Left,
 }
 
-/// What series over the half-width leave between the members, relative: of a force, of a pressure that is stacked of its growth, and of
-/// the shear. Two resolutions may leave the same.
+/// What series over the half-width leave between the members, relative: of a force, of a pressure that is stacked of
+/// its growth, and of the shear. Two resolutions may leave the same.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Left {
     pub(crate) force: f64,

@@ -31,7 +31,8 @@ impl FlexibilityProfile {
     pub fn new(response: &dyn LayerResponse) -> Result<Self, Refusal> {
         /// Wave numbers: smooth curves, some milliseconds of work.
         const SAMPLES: u32 = 160;
-        /// The shortest, at the least, and where what is below a break is felt by `exp(-2 s d)`; the shortest at the most.
+        /// The shortest, at the least, and where what is below a break is felt by `exp(-2 s d)`; the shortest at the
+        /// most.
         const LEAST: f64 = 60.0;
         const FADED: f64 = 20.0;
         const MOST: f64 = 1e6;
@@ -65,8 +66,8 @@ pub struct DepthProfile {
 }
 
 impl DepthProfile {
-    /// `None` for a homogeneous solid without a base, which has no depth to draw; the exponential one is shown over a few
-    /// of its lengths.
+    /// `None` for a homogeneous solid without a base, which has no depth to draw; the exponential one is shown over a
+    /// few of its lengths.
     pub fn new(layer: &Layer) -> Result<Option<Self>, Refusal> {
         /// Lengths over which an infinite solid is shown.
         const SHOWN: f64 = 2.0;

@@ -90,7 +90,8 @@ impl PreparedLayer {
         Self::new(&Problem::new(&chosen.scene)?, &chosen.methods)
     }
 
-    /// Whether its kernels can be told, as far as that is known without tabulating any; `deep` is whether the depth's are wanted.
+    /// Whether its kernels can be told, as far as that is known without tabulating any; `deep` is whether the depth's
+    /// are wanted.
     pub(super) fn serves(&self, deep: bool) -> Result<(), Refusal> {
         let response = (!self.is_plain()).then_some(&*self.response);
         let from_datum = self.against_datum.as_deref().filter(|_| deep);
@@ -110,8 +111,8 @@ impl PreparedLayer {
         if self.is_plain() && !(self.has_depths() && wanted.deep) || self.tables.as_ref().is_some_and(serves) {
             return Ok(());
         }
-        // Who does not prove an error is judged by another level of the same reach: a level more for half the reach may be
-        // the same cut-off, and the same error.
+        // Who does not prove an error is judged by another level of the same reach: a level more for half the reach may
+        // be the same cut-off, and the same error.
         let reach = match &self.tables {
             Some(tables) if !tables.prove() && tables.reach <= REACH_KEPT * reach => reach.max(tables.reach),
             _ => reach,
@@ -193,8 +194,8 @@ impl PreparedLayer {
         &self.meter
     }
 
-    /// Takes what a system of so many equations and right-hand sides costs, filled in by a rule on a contact, or a stick zone, of that
-    /// half-width, from the budget; refuses it where that has no room.
+    /// Takes what a system of so many equations and right-hand sides costs, filled in by a rule on a contact, or a
+    /// stick zone, of that half-width, from the budget; refuses it where that has no room.
     pub(crate) fn room_for(&self, (n, right): (usize, usize), rule: &dyn Rule, half_width: f64) -> Result<(), Refusal> {
         let thinness = half_width / self.length();
         let beside = if thinness > COUNTED { rule.multiplications_beside(thinness) } else { 0 };
@@ -258,8 +259,8 @@ impl PreparedLayer {
         self.tables.as_ref().is_none_or(Tables::prove)
     }
 
-    /// The half-width over the distance to a datum, where that is near: what sinks against it is as small, and an error of
-    /// its kernel as large beside it.
+    /// The half-width over the distance to a datum, where that is near: what sinks against it is as small, and an error
+    /// of its kernel as large beside it.
     fn shallowness(&self, half_width: f64) -> f64 {
         let distance = self.against_datum.as_ref().and_then(|response| response.depth());
         distance.map_or(1.0, |distance| (half_width / distance).max(1.0))

@@ -12,11 +12,12 @@ use std::sync::Arc;
 
 /// A place this near to a corner, relative, is on it: rounding of the units of length.
 const CORNER: f64 = 8.0 * f64::EPSILON;
-/// A place this near beyond a kink, relative, is told from the kink by so few digits that a slope which goes with that distance feels it.
+/// A place this near beyond a kink, relative, is told from the kink by so few digits that a slope which goes with that
+/// distance feels it.
 const CLOSE: f64 = 1e-3;
 
-/// Sublayers above one so much softer than the surface bend as they do on a soft base. Under wedges and rounded ones on two sublayers,
-/// loads led past the first contact where the lower was softer by 33 and more, and now and then by 10.
+/// Sublayers above one so much softer than the surface bend as they do on a soft base. Under wedges and rounded ones on
+/// two sublayers, loads led past the first contact where the lower was softer by 33 and more, and now and then by 10.
 const SOFT: f64 = 1.0 / 9.0;
 /// Depths at which it is looked at.
 const DEPTHS: u32 = 32;
@@ -39,8 +40,8 @@ pub(crate) struct Problem {
     pub(crate) friction: Option<f64>,
     /// Whether the strain in the stick zone is taken to be `C|x|`, whatever the contact's history.
     pub(crate) is_linear: bool,
-    /// Whether a smooth shape has details that a grid over the whole contact does not resolve, and is stacked as one with kinks is;
-    /// `None` where that was not asked yet.
+    /// Whether a smooth shape has details that a grid over the whole contact does not resolve, and is stacked as one
+    /// with kinks is; `None` where that was not asked yet.
     pub(crate) is_detailed: Option<bool>,
     /// Whether the contact is taken to end before the first kink of the shape, which then is smooth all over it.
     pub(crate) ends_before_kinks: bool,
@@ -148,8 +149,8 @@ impl Problem {
         Self { friction: None, ..self.under(shape) }
     }
 
-    /// Whether the contact is solved as a stack of flat punches: where it grows, and remembers how it grew or must not be
-    /// taken for smooth.
+    /// Whether the contact is solved as a stack of flat punches: where it grows, and remembers how it grew or must not
+    /// be taken for smooth.
     pub(crate) fn is_stacked(&self) -> bool {
         self.fixed_half_width().is_none() && (self.friction.is_some() && !self.is_linear || self.is_kinked())
     }
@@ -172,7 +173,8 @@ impl Problem {
         kink.map_or(end, |kink| kink.min(end))
     }
 
-    /// That the heights scatter, under a contact of that half-width by more than a share of the height at its edge, in words.
+    /// That the heights scatter, under a contact of that half-width by more than a share of the height at its edge, in
+    /// words.
     pub(crate) fn scatter(&self, half_width: Option<f64>, share: f64) -> Option<String> {
         let noise = self.shape.noise()?;
         let part = half_width.map(|b| noise / self.shape.height(b * self.length)).filter(|part| *part > share);
@@ -180,7 +182,8 @@ impl Problem {
         Some(format!("the punch's heights scatter by {noise:.1e} (root mean square){by} around the fitted shape"))
     }
 
-    /// That the shape under a contact of that half-width is unsure by more than a share of its height at the edge, in words.
+    /// That the shape under a contact of that half-width is unsure by more than a share of its height at the edge, in
+    /// words.
     pub(crate) fn unsure(&self, half_width: f64, share: f64) -> Option<String> {
         let doubt = self.shape.doubt(half_width * self.length).filter(|doubt| *doubt > share)?;
         Some(format!(
@@ -265,7 +268,8 @@ impl Problem {
         matches!(self.load, LoadInLayerUnits::Indentation(_))
     }
 
-    /// Whether contacts of several sizes may sink as far: a datum above a base that gives way sinks as well, in the end by more.
+    /// Whether contacts of several sizes may sink as far: a datum above a base that gives way sinks as well, in the end
+    /// by more.
     pub(crate) fn may_sink_as_far_again(&self) -> bool {
         self.is_pressed_by_depth()
             && self.fixed_half_width().is_none()
@@ -312,8 +316,8 @@ impl Problem {
         self.slope(x.min(kink * (1.0 - CORNER)))
     }
 
-    /// `g'` so far beyond an end of a piece, which may be a kink. Close to it numbers tell that distance by few digits: there it is what
-    /// two of them next to each other make of it.
+    /// `g'` so far beyond an end of a piece, which may be a kink. Close to it numbers tell that distance by few digits:
+    /// there it is what two of them next to each other make of it.
     pub(crate) fn slope_beyond(&self, lower: f64, distance: f64) -> f64 {
         if distance >= CLOSE * lower {
             return self.slope(lower + distance);

@@ -34,7 +34,8 @@ const DETAIL_LEVEL: usize = 6;
 const SHOWN: f64 = 1e-3;
 /// Steps that may be refused before the first that is solved.
 const SKIPPED: usize = 7;
-/// Steps that pressure and shear may take beyond those of the numbers, and those of a stack of flat punches, each of which is many.
+/// Steps that pressure and shear may take beyond those of the numbers, and those of a stack of flat punches, each of
+/// which is many.
 const FOR_THE_TRACTIONS: usize = 4;
 const FOR_STACKED_SHEAR: usize = 3;
 /// Of an error of the shear a step of these is to leave no more, or another one is not worth it.
@@ -125,7 +126,8 @@ impl Ladder {
         Ok(found)
     }
 
-    /// Takes finer steps until the estimate meets the tolerance or none will. The estimate is large, and stays where it is.
+    /// Takes finer steps until the estimate meets the tolerance or none will. The estimate is large, and stays where it
+    /// is.
     fn climb(&mut self, layer: &mut PreparedLayer, aim: Aim, estimate: &mut Estimate) -> Result<Climbed, Refusal> {
         let (mut last, mut stopped): (Option<(Outcome, usize)>, _) = (None, None);
         // What a search found on the coarsest level is followed from there to the first that matters.
@@ -187,8 +189,8 @@ impl Ladder {
         Ok(Climbed { outcome, step, stopped })
     }
 
-    /// Takes note of what a step found; whether it is fine enough, or no finer one would be any better. `has_kernels` is whether those
-    /// that come would be solved with the same kernels.
+    /// Takes note of what a step found; whether it is fine enough, or no finer one would be any better. `has_kernels`
+    /// is whether those that come would be solved with the same kernels.
     fn is_done(
         &mut self,
         layer: &PreparedLayer,
@@ -215,8 +217,8 @@ impl Ladder {
         self.stages[step].lost_between(wishes.nearest).filter(|_| wishes.profile)
     }
 
-    /// Takes resolutions more than the numbers need: between the nodes the pressure is known later, and the shear may want a finer one,
-    /// or finer flat punches. What is found stays where they cannot be had, or are no better.
+    /// Takes resolutions more than the numbers need: between the nodes the pressure is known later, and the shear may
+    /// want a finer one, or finer flat punches. What is found stays where they cannot be had, or are no better.
     fn refine_for_the_tractions(
         &mut self,
         layer: &mut PreparedLayer,
@@ -293,7 +295,8 @@ impl Ladder {
         Ok(Settled::Here { shear })
     }
 
-    /// Why an outcome is none: its step lacks the room that its kernels take, and loses more by that than is left of the error told before.
+    /// Why an outcome is none: its step lacks the room that its kernels take, and loses more by that than is left of
+    /// the error told before.
     fn lacks_room(
         &self,
         layer: &PreparedLayer,
@@ -321,7 +324,8 @@ impl Ladder {
         })
     }
 
-    /// Whether no refinement will help. A pressure that pulls is looked for as soon as it is known: finer steps do not mend it.
+    /// Whether no refinement will help. A pressure that pulls is looked for as soon as it is known: finer steps do not
+    /// mend it.
     fn is_hopeless(
         &mut self,
         layer: &PreparedLayer,
@@ -350,7 +354,8 @@ impl Ladder {
     }
 }
 
-/// Whether a load was refused because its contact goes beyond the first kink, where it is to end before: the coarsest step tells that.
+/// Whether a load was refused because its contact goes beyond the first kink, where it is to end before: the coarsest
+/// step tells that.
 fn is_beyond_kink(problem: &Problem, refusal: &Refusal) -> bool {
     problem.ends_before_kinks && contact_size::is_outgrown(refusal)
 }

@@ -193,8 +193,8 @@ impl LoadReport {
 }
 
 impl Solution {
-    /// A number by its path in the result, one of [`Asked::NUMBERS`](crate::scene::Asked::NUMBERS) such as `stick.ratio`;
-    /// `None` where it does not exist or was not asked for.
+    /// A number by its path in the result, one of [`Asked::NUMBERS`](crate::scene::Asked::NUMBERS) such as
+    /// `stick.ratio`; `None` where it does not exist or was not asked for.
     pub fn number(&self, path: &str) -> Option<f64> {
         let stick = self.stick.as_ref();
         match path {
@@ -220,8 +220,8 @@ impl Solution {
         Self { status, reason: Some(reason), ..self }
     }
 
-    /// A solution without numbers: everything that the scene alone tells, and the reason. Of the samples that the scene lists those
-    /// that are no numbers are left out: no report could hold them.
+    /// A solution without numbers: everything that the scene alone tells, and the reason. Of the samples that the scene
+    /// lists those that are no numbers are left out: no report could hold them.
     pub(crate) fn refused(scene: &Scene, plan: Plan, reason: String) -> Self {
         let mut scene = scene.clone();
         if let Some(x) = &mut scene.output.x {

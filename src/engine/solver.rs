@@ -162,8 +162,8 @@ impl Solver {
         }
     }
 
-    /// Takes another budget of work than [`BUDGET`](super::BUDGET) for each load: where refinement would exceed half of it,
-    /// it ends, and the result says so.
+    /// Takes another budget of work than [`BUDGET`](super::BUDGET) for each load: where refinement would exceed half of
+    /// it, it ends, and the result says so.
     pub fn limit(&mut self, budget: u64) {
         self.budget = budget;
         if let Some(usual) = &mut self.usual {

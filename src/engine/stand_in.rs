@@ -45,8 +45,8 @@ impl Departure {
     }
 }
 
-/// `sup |ln(mu/mu1)| + |kappa - kappa1|` over the depth, times the largest compliance; what happens closer to the surface than `least`
-/// is not looked at.
+/// `sup |ln(mu/mu1)| + |kappa - kappa1|` over the depth, times the largest compliance; what happens closer to the
+/// surface than `least` is not looked at.
 fn gradient(layer: &LayerModel, least: f64) -> f64 {
     if layer.exponent() == Some(0.0) {
         return 0.0;
@@ -263,9 +263,11 @@ const ZONE_BY_BASE: f64 = 3.0;
 /// Errors by a gradient: of the pressure's numbers over `b`, and of the stick zone's over `b log b`.
 const PRESSURE_BY_GRADIENT: f64 = 4.0;
 const ZONE_BY_GRADIENT: f64 = 2.0;
-/// Error of the kernels with their first correction, over `b^4`, as they state it: `int s^3 |M_vv| ds (2 b)^4/6` at most.
+/// Error of the kernels with their first correction, over `b^4`, as they state it: `int s^3 |M_vv| ds (2 b)^4/6` at
+/// most.
 const SECOND_CORRECTION: f64 = 26.0;
-/// What the sums that these are made of are good to: over `b` where they are the coupling's, as it is where they are the depth's.
+/// What the sums that these are made of are good to: over `b` where they are the coupling's, as it is where they are
+/// the depth's.
 const MOMENTS: f64 = 2e-6;
 /// Error of the depth by a gradient.
 const DEPTH: f64 = 1.0;

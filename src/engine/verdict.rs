@@ -12,9 +12,9 @@ use crate::engine::refine::stage::Stage;
 
 /// A shape that is unsure by more than that, over its height at the contact's edge, is not the punch's.
 ///
-/// Measured on 429 tables of 4 to 1000 rows of powers of `x` from 1.5 to 8, with scatter and without, that reach up to four half-widths: of the
-/// 92 with more all forces were off by a fifth or more; of the 286 with less than a twentieth half by less than 0.2 %, and none by
-/// more than 18 %.
+/// Measured on 429 tables of 4 to 1000 rows of powers of `x` from 1.5 to 8, with scatter and without, that reach up to
+/// four half-widths: of the 92 with more all forces were off by a fifth or more; of the 286 with less than a twentieth
+/// half by less than 0.2 %, and none by more than 18 %.
 const UNSURE: f64 = 0.25;
 
 /// In Goodman's approximation friction changes nothing else.

@@ -8,8 +8,8 @@ use std::fmt::Write;
 /// The loading curve as comma-separated values under the heading
 /// `force,half_width,indentation,stick_half_width,stick_ratio`.
 ///
-/// One line per load, the smallest first, in the scene's units. A number that does not exist is empty. The heading alone
-/// where the solution has no curve. Numbers read back exactly.
+/// One line per load, the smallest first, in the scene's units. A number that does not exist is empty. The heading
+/// alone where the solution has no curve. Numbers read back exactly.
 ///
 /// # Panics
 /// If a number of the solution is not finite; see [`first_not_finite`](crate::engine::first_not_finite).

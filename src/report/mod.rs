@@ -1,7 +1,7 @@
 //! A solution as text, JSON, CSV and SVG. Nothing here computes physics.
 //!
-//! Start with [`text()`], for people, or [`json()`], for programs: it has every number. All of them return the text of a
-//! file; writing it is the caller's.
+//! Start with [`text()`], for people, or [`json()`], for programs: it has every number. All of them return the text of
+//! a file; writing it is the caller's.
 
 mod atlas_csv;
 mod chart_csv;

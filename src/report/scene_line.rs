@@ -58,8 +58,8 @@ pub fn scene_line(scene: &Scene) -> String {
     scene_parts(scene, None, &ASCII).join(", ")
 }
 
-/// The scene's parts, widest meaning first: geometry, material, base, punch, friction, load; the thickness in units of a
-/// half-width where there is one.
+/// The scene's parts, widest meaning first: geometry, material, base, punch, friction, load; the thickness in units of
+/// a half-width where there is one.
 pub(super) fn scene_parts(scene: &Scene, half_width: Option<f64>, letters: &Alphabet) -> Vec<String> {
     let labels = Labels::new(&scene.units);
     let mut parts = parts_but_load(scene, half_width, letters);

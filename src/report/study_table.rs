@@ -6,8 +6,8 @@ use crate::study::{ANSWER, Cell, Record, Study, at};
 use serde_json::Value;
 use slipzone_api::{Friction, FrozenStrain};
 
-/// The columns of a study's CSV: `index`, what changed, `status`, the numbers by their paths in a result, the direction of
-/// slip, the largest error estimate, and why a scene failed.
+/// The columns of a study's CSV: `index`, what changed, `status`, the numbers by their paths in a result, the direction
+/// of slip, the largest error estimate, and why a scene failed.
 pub struct StudyTable {
     labels: Vec<String>,
     numbers: Vec<&'static str>,

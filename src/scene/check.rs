@@ -21,8 +21,8 @@ pub(super) fn all(document: &Document, scene: &Scene) -> Result<(), SceneError> 
     CHECKS.iter().try_for_each(|check| check(document, scene))
 }
 
-/// What the engine relies on of a scene, told by a few comparisons: all that is checked of one that was parsed, and one that was made
-/// in code may not keep to.
+/// What the engine relies on of a scene, told by a few comparisons: all that is checked of one that was parsed, and one
+/// that was made in code may not keep to.
 pub(crate) fn bounds(scene: &Scene) -> Result<(), Refusal> {
     let Scene { format, layer, friction, load, path, solver, output, .. } = scene;
     let is_listed = |x: &Vec<f64>| LISTED.contains(&x.len()) && x.iter().all(|x| ABSCISSAE.contains(x));
@@ -90,7 +90,8 @@ pub(crate) fn printable(
 pub(super) fn magnitudes(document: &Document, sections: &[&str]) -> Result<(), SceneError> {
     sections.iter().try_for_each(|section| {
         document.each_within(&[section], |path, value| match number(value) {
-            // Poisson's ratio has no unit, and may be as near to zero as one likes. What is no finite number is told where it is read.
+            // Poisson's ratio has no unit, and may be as near to zero as one likes. What is no finite number is told
+            // where it is read.
             Some(number) if number.is_finite() && !in_scale(number) && path[1..].iter().all(|key| key != "poisson") => {
                 let path: Vec<_> = path.iter().map(String::as_str).collect();
                 let sign = if number < 0.0 { ", or its negative" } else { "" };
@@ -182,8 +183,8 @@ fn of_grading(document: &Document, message: impl Into<String>) -> SceneError {
     document.error(document.best(&path), message)
 }
 
-/// What gives the constants at a depth: a key of the grading, or of the sublayer there; and the depth in that. Without a
-/// depth, a key of the grading itself. Of its keys the `first` if it is there, or what holds all constants.
+/// What gives the constants at a depth: a key of the grading, or of the sublayer there; and the depth in that. Without
+/// a depth, a key of the grading itself. Of its keys the `first` if it is there, or what holds all constants.
 fn culprit(document: &Document, depth: Option<f64>, first: &'static str) -> (Vec<String>, f64) {
     let mut own = depth.unwrap_or_default();
     let mut path = vec!["layer".to_owned(), "grading".to_owned()];

@@ -77,8 +77,8 @@ impl<'a> Document<'a> {
         })
     }
 
-    /// Shows each value at a path and within it that is no table and no array, with the keys and indices that lead there. Depth is bounded by
-    /// the parser.
+    /// Shows each value at a path and within it that is no table and no array, with the keys and indices that lead
+    /// there. Depth is bounded by the parser.
     pub(crate) fn each_within(
         &self,
         path: &[&str],
@@ -123,8 +123,8 @@ impl<'a> Document<'a> {
         }
     }
 
-    /// The value at the end of a path, or its key when the value is a table or an array; the first of several values may be written as the
-    /// only one.
+    /// The value at the end of a path, or its key when the value is a table or an array; the first of several values
+    /// may be written as the only one.
     pub(crate) fn best(&self, path: &[&str]) -> Range<usize> {
         let only = path.split_last().filter(|(last, _)| **last == "0").and_then(|(_, parents)| self.value(parents));
         let is_plain = |value: &&Spanned<DeValue>| !value.get_ref().is_table() && !value.get_ref().is_array();

@@ -48,7 +48,8 @@ pub(super) fn meant(path: &[&str], key: &str, known: &[&str]) -> Option<String> 
     }
 }
 
-/// The section of a scene that has a key which stands in another one: its own heading may be missing. A plugin's keys go with its type.
+/// The section of a scene that has a key which stands in another one: its own heading may be missing. A plugin's keys
+/// go with its type.
 fn elsewhere(path: &[&str], key: &str) -> Option<String> {
     let ([here] | ["scene", here]) = path else { return None };
     let is_of_plugin = |section: &Parameter| section.name == *here && matches!(section.values, Values::Plugin(_));

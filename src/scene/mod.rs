@@ -130,8 +130,8 @@ fn decoded(document: &Document) -> Result<Scene, SceneError> {
 
 /// A contact problem. Lengths, stresses and forces per length in any consistent units.
 ///
-/// Of one that was [parsed](parse) each number is checked; of one that was made or changed in code [`Self::check`] does that. The
-/// engine refuses what it could not compute with.
+/// Of one that was [parsed](parse) each number is checked; of one that was made or changed in code [`Self::check`] does
+/// that. The engine refuses what it could not compute with.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(from = "table::SceneTable")]
 pub struct Scene {

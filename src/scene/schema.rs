@@ -7,8 +7,8 @@ use slipzone_api::{Family, MODERATE, Parameter, PluginInfo, Values, plugins};
 
 /// The schema of a scene file (JSON schema, draft 7), made from the registry: it knows every plugin that is linked.
 ///
-/// It says which keys there are, which exclude each other, and what numbers may be. What takes more than one look, such as
-/// a formula or a punch that is not convex, only [`super::parse`] finds.
+/// It says which keys there are, which exclude each other, and what numbers may be. What takes more than one look, such
+/// as a formula or a punch that is not convex, only [`super::parse`] finds.
 ///
 /// ```
 /// let schema = slipzone::scene::schema();

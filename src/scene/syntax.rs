@@ -11,7 +11,8 @@ pub(super) fn syntax(name: &str, text: &str, error: &toml::de::Error) -> SceneEr
         Some((what, expected)) => (what, Some(expected)),
         None => (message, None),
     };
-    // The parser words its limit in two ways, neither of them for people; it takes any word for a broken string or boolean.
+    // The parser words its limit in two ways, neither of them for people; it takes any word for a broken string or
+    // boolean.
     let (what, expected) = match what {
         "" => ("syntax error", expected),
         _ if what.contains("recurs") => ("nested too deeply", Some("at most 80 levels")),
@@ -76,7 +77,8 @@ fn hint(what: &str, text: &str, span: &Range<usize>) -> Option<String> {
     Some(usual.into())
 }
 
-/// Whether a text ends with a value such as `1,5`: in an inline table the 5 is taken for the next key, and what follows it is what is wrong.
+/// Whether a text ends with a value such as `1,5`: in an inline table the 5 is taken for the next key, and what follows
+/// it is what is wrong.
 fn ends_in_decimal_comma(text: &str) -> bool {
     let is_digit = |c: char| c.is_ascii_digit();
     let text = text.trim_end();

@@ -1,8 +1,8 @@
 //! A deserializer that takes no array for a table.
 //!
 //! The derived code of a structure reads an array as its fields in order: `units = ["mm", "MPa"]` would pass. Here a
-//! structure is a table wherever it stands, also within plugins. Nor does it take a table for one of a few words, as the
-//! derived code of an enumeration would, and what is wrong in its place it tells in words for people.
+//! structure is a table wherever it stands, also within plugins. Nor does it take a table for one of a few words, as
+//! the derived code of an enumeration would, and what is wrong in its place it tells in words for people.
 
 use super::document::one_of;
 use serde::de::{

@@ -54,8 +54,8 @@ impl Template {
         Ok(Self { name: part.name().into(), text: whole.to_string(), scene })
     }
 
-    /// The scene with some values replaced, or set where nothing stood. Its errors have no place. What was made of files is not
-    /// made again for a section that stays as it is.
+    /// The scene with some values replaced, or set where nothing stood. Its errors have no place. What was made of
+    /// files is not made again for a section that stays as it is.
     pub(crate) fn with(&self, replacements: &[Replacement], files: &dyn Files) -> Result<Scene, SceneError> {
         let whole = |what: String| SceneError::whole(&self.name, what);
         let mut tree = DeTable::parse(&self.text).map_err(|error| whole(error.message().into()))?;

@@ -11,8 +11,8 @@ const MARK: &[u8] = &[0xEF, 0xBB, 0xBF];
 /// The text of a scene file, `name` being what errors call it.
 ///
 /// # Errors
-/// When the bytes are no text (binary, UTF-16, NUL), none at all, or more than [`LARGEST`]. A byte-order mark of UTF-8, which some editors
-/// write, is left out.
+/// When the bytes are no text (binary, UTF-16, NUL), none at all, or more than [`LARGEST`]. A byte-order mark of UTF-8,
+/// which some editors write, is left out.
 pub fn text(name: &str, bytes: Vec<u8>) -> Result<String, SceneError> {
     text_of("scene", name, bytes)
 }

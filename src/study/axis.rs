@@ -119,8 +119,8 @@ impl Column {
         }
     }
 
-    /// The ends of what is drawn at random, which are checked before anything is solved though they may never be drawn, by
-    /// their keys; none of other values.
+    /// The ends of what is drawn at random, which are checked before anything is solved though they may never be drawn,
+    /// by their keys; none of other values.
     pub(super) fn ends(&self) -> Vec<(&'static str, f64)> {
         match self.values {
             Values::Drawn { from, to, .. } => vec![("from", from), ("to", to)],

@@ -1,7 +1,8 @@
 //! Inverse questions: the value of a field at which a number of the result is as wanted.
 //!
-//! The range is looked over in steps first, so that every crossing wider than a step is seen; then the crossing is closed in
-//! upon between two steps, always bracketed (Alefeld, Potra, Shi, ACM TOMS algorithm 748), a least value by Brent's method.
+//! The range is looked over in steps first, so that every crossing wider than a step is seen; then the crossing is
+//! closed in upon between two steps, always bracketed (Alefeld, Potra, Shi, ACM TOMS algorithm 748), a least value by
+//! Brent's method.
 
 mod least;
 mod reasons;
@@ -19,12 +20,14 @@ use seen::{Place, Point};
 const STEPS: u32 = 24;
 /// Share of the range over which a slope is measured, and what is beside a value.
 const BESIDE: f64 = 1e-3;
-/// What is left of the excess at a root, over what it is beside: the root's tolerance and the number's own error, but where it jumps.
+/// What is left of the excess at a root, over what it is beside: the root's tolerance and the number's own error, but
+/// where it jumps.
 const JUMP: f64 = 0.01;
 /// Part of the way between two places to within which a root is told at least, for a jump to show.
 const NEAR: f64 = JUMP * JUMP;
-/// How many times as deep as by a parabola through three steps a number may turn between them, and how much deeper still, over the
-/// parabola's second difference: of turns close to a step the parabola told a tenth, which was a sixty-sixth of that difference.
+/// How many times as deep as by a parabola through three steps a number may turn between them, and how much deeper
+/// still, over the parabola's second difference: of turns close to a step the parabola told a tenth, which was a
+/// sixty-sixth of that difference.
 const DEEPER: f64 = 2.0;
 const SHALLOW: f64 = 1.0 / 16.0;
 /// What takes the place of [`JUMP`] around a turn, where the number changes by less than over a step.
@@ -98,8 +101,9 @@ impl Question<'_> {
         Ok((Found { field: self.find.field.clone(), value, error, others, is_at_end }, solution))
     }
 
-    /// An answer seen with all that is asked for, and how far off its place may be. It was looked for with solutions for the number
-    /// alone, which may be rougher: where the number is not as wanted after all, one step along its slope is taken.
+    /// An answer seen with all that is asked for, and how far off its place may be. It was looked for with solutions
+    /// for the number alone, which may be rougher: where the number is not as wanted after all, one step along its
+    /// slope is taken.
     fn settled(&self, (at, moved): (f64, Moved)) -> Result<(Point, f64, Solution), String> {
         let see = |at: f64| {
             let solution = self.solution(self.value(at), false).map_err(|why| self.placed(at, &why))?;
@@ -192,7 +196,8 @@ impl Question<'_> {
         Ok(found)
     }
 
-    /// The crossings between places, of a run of steps, at which the number has not crossed what is wanted, but turns near it.
+    /// The crossings between places, of a run of steps, at which the number has not crossed what is wanted, but turns
+    /// near it.
     fn turns(&self, run: &[Place]) -> Vec<(f64, Moved)> {
         let mut found = Vec::new();
         for (i, three) in run.windows(3).enumerate() {
@@ -219,8 +224,8 @@ impl Question<'_> {
         found
     }
 
-    /// Refuses a number that is as wanted, within its error, at a step and at the next one: any value between them answers. Of pairs
-    /// of steps those count that are said to.
+    /// Refuses a number that is as wanted, within its error, at a step and at the next one: any value between them
+    /// answers. Of pairs of steps those count that are said to.
     fn is_no_plateau(&self, points: &[Point], counts: impl Fn(&[Point]) -> bool) -> Result<(), String> {
         let is_flat = |pair: &&[Point]| counts(pair) && pair.iter().all(Point::may_be_hit);
         let mut flat = points.windows(2).filter(is_flat);
@@ -228,7 +233,8 @@ impl Question<'_> {
         Err(self.plateau(first[0].number, first[0].at, flat.next_back().unwrap_or(first)[1].at))
     }
 
-    /// The roots between places at which the excess has two signs; refuses one at which it jumps by more than that share.
+    /// The roots between places at which the excess has two signs; refuses one at which it jumps by more than that
+    /// share.
     fn roots(&self, pairs: impl Iterator<Item = [Place; 2]>, jump: f64) -> Result<Vec<(f64, Moved)>, String> {
         let tolerance = self.study.scene.solver.tolerance.get();
         let crosses = |[one, other]: &[Place; 2]| one.1 < 0.0 && other.1 > 0.0 || one.1 > 0.0 && other.1 < 0.0;
@@ -253,8 +259,8 @@ impl Question<'_> {
     }
 }
 
-/// The ends of the range at which the number is as wanted, but for less than its error: beside one a root may be lost to rounding. Not where one
-/// was found between it and its neighbour, nor where that is as wanted as the end.
+/// The ends of the range at which the number is as wanted, but for less than its error: beside one a root may be lost
+/// to rounding. Not where one was found between it and its neighbour, nor where that is as wanted as the end.
 fn hit_at_ends(points: &[Point], found: &[(f64, Moved)]) -> Vec<(f64, Moved)> {
     let [first, second, ..] = points else { return Vec::new() };
     let [.., last_but_one, last] = points else { return Vec::new() };

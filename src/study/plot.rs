@@ -22,13 +22,13 @@ pub struct Plot {
     /// The abscissa: an axis (its field or label) or a number of the result, such as `load.force`. Of tractions it is
     /// `x/b`, and left out.
     pub x: Option<String>,
-    /// The ordinate: numbers of the result, side by side where there are several; of a map its second axis; of tractions
-    /// `pressure`, `shear`, or both where it is left out.
+    /// The ordinate: numbers of the result, side by side where there are several; of a map its second axis; of
+    /// tractions `pressure`, `shear`, or both where it is left out.
     pub y: Option<OneOrMore>,
     /// The number that a map shows over two axes.
     pub z: Option<String>,
-    /// Axes whose values have a curve each; unless some are listed, all that are neither drawn at random nor the abscissa
-    /// nor the panels. (Over a number of the result a curve follows the last axis.)
+    /// Axes whose values have a curve each; unless some are listed, all that are neither drawn at random nor the
+    /// abscissa nor the panels. (Over a number of the result a curve follows the last axis.)
     pub family: Option<OneOrMore>,
     /// An axis whose values have a panel each.
     pub panels: Option<String>,

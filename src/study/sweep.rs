@@ -11,8 +11,8 @@ use std::sync::mpsc::sync_channel;
 /// Records that may wait to be taken.
 const WAITING: usize = 1024;
 
-/// Solves each scene of a study that is not `done` yet, on all cores, and gives the records to `take` as they are found,
-/// nearly in order, until that breaks off.
+/// Solves each scene of a study that is not `done` yet, on all cores, and gives the records to `take` as they are
+/// found, nearly in order, until that breaks off.
 ///
 /// Scenes that share a layer share its tables. Which ones do is decided by the study alone: a record has the same bits
 /// whatever the number of threads, and whatever was done before.

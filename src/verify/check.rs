@@ -80,7 +80,8 @@ pub(super) fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
     })
 }
 
-/// The largest difference of tractions from what they should be, over the largest of these; infinite where one is missing.
+/// The largest difference of tractions from what they should be, over the largest of these; infinite where one is
+/// missing.
 pub(super) fn off(tractions: &[Option<f64>], expected: &[f64]) -> f64 {
     let largest = worst(expected.iter().copied());
     worst(
@@ -126,7 +127,8 @@ impl Sheet {
         );
     }
 
-    /// How many of `least` comparisons are missing, where a method may refuse some: one that refuses everything has shown nothing.
+    /// How many of `least` comparisons are missing, where a method may refuse some: one that refuses everything has
+    /// shown nothing.
     pub(super) fn compared(&mut self, what: &str, count: usize, least: usize) {
         let missing = least.saturating_sub(count) as f64;
         let within = Within::new(0.0, "a method that refuses everything has shown nothing");

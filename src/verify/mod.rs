@@ -5,7 +5,8 @@
 //! they differ, by how much they may and why. Nothing here is random, and the order is always the same.
 //!
 //! Scenes that check the solver name their methods, so that no plan replaces what is checked; the tables of other
-//! programs are solved as a user would, by the methods that the solver chooses. `docs/verify.md` has the list of groups.
+//! programs are solved as a user would, by the methods that the solver chooses. `docs/verify.md` has the list of
+//! groups.
 //!
 //! ```
 //! use slipzone::verify;
@@ -114,8 +115,8 @@ impl Report {
     }
 }
 
-/// Runs all checks of some groups on all cores; tells of each case when it is done, from whichever thread, and how many cases there are.
-/// One may hold several checks.
+/// Runs all checks of some groups on all cores; tells of each case when it is done, from whichever thread, and how many
+/// cases there are. One may hold several checks.
 pub fn run(groups: &[&Group], tell: &(dyn Fn(usize) + Sync)) -> Report {
     crate::link_plugins();
     let cases: Vec<(&'static str, Case)> =

@@ -389,7 +389,8 @@ fn a_series_of_more_terms_than_are_used() {
     assert_eq!((error.line, error.expected.as_deref()), (20, Some("an integer from 1 to 40")), "{error}");
 }
 
-/// Who writes the word for it that they know is told the name here; no word is another's name, or means two of a family.
+/// Who writes the word for it that they know is told the name here; no word is another's name, or means two of a
+/// family.
 #[test]
 fn a_plugin_is_found_by_the_words_for_it_elsewhere() {
     use slipzone::api::{find, known_elsewhere, plugins};

@@ -1,5 +1,5 @@
-//! Both equations coupled, by boundary elements of constant traction that share nothing with the engine but the flexibility:
-//! what Goodman's approximation neglects on layers, beside the estimate of it.
+//! Both equations coupled, by boundary elements of constant traction that share nothing with the engine but the
+//! flexibility: what Goodman's approximation neglects on layers, beside the estimate of it.
 
 use crate::sketch::Sketch;
 use bilby::GaussLegendre;
@@ -180,7 +180,8 @@ impl Coupled {
         self.elements.iter().enumerate().map(part).sum()
     }
 
-    /// By how much more force presses a flat punch to a depth, over `A0`, with the shear acting on the pressure than without.
+    /// By how much more force presses a flat punch to a depth, over `A0`, with the shear acting on the pressure than
+    /// without.
     fn more_force(&self, guess: f64, depth: f64) -> f64 {
         let [goodman, truth] = [false, true].map(|with| self.depth(self.friction(guess, with), with));
         depth / (depth - (goodman - truth)) - 1.0
@@ -203,7 +204,8 @@ impl Coupled {
     }
 }
 
-/// Goodman's friction and the coupled equations' by the same elements: their quotient does not feel how coarse these are.
+/// Goodman's friction and the coupled equations' by the same elements: their quotient does not feel how coarse these
+/// are.
 #[test]
 fn what_goodman_neglects_on_layers_is_what_the_coupled_equations_say() {
     let layers = [
@@ -241,8 +243,8 @@ fn what_goodman_neglects_on_layers_is_what_the_coupled_equations_say() {
     }
 }
 
-/// The friction coefficient with its sign, what the elements find in its place for the solution's stick zone, and how much more the coupled equations
-/// take.
+/// The friction coefficient with its sign, what the elements find in its place for the solution's stick zone, and how
+/// much more the coupled equations take.
 fn beside(flat: &Sketch, solution: &Solution, h: f64, eta: f64) -> (f64, f64, f64) {
     let stick = solution.stick.as_ref().expect("friction");
     let signed = if stick.slip == Some(Slip::Outward) { -eta } else { eta };
@@ -251,8 +253,8 @@ fn beside(flat: &Sketch, solution: &Solution, h: f64, eta: f64) -> (f64, f64, f6
     (signed, goodman, coupled.friction(goodman, true) / goodman - 1.0)
 }
 
-/// What docs/planner.md counts: nine layers, little friction and much. Where the slip zone is narrower than any element, or the elements
-/// find no friction or three times as much, there is nothing to compare with.
+/// What docs/planner.md counts: nine layers, little friction and much. Where the slip zone is narrower than any
+/// element, or the elements find no friction or three times as much, there is nothing to compare with.
 #[test]
 #[ignore = "a survey, to be read"]
 fn what_goodman_neglects_on_many_layers() {
@@ -276,8 +278,8 @@ fn what_goodman_neglects_on_many_layers() {
     println!("{good} of {} within 15 %", errors.len());
 }
 
-/// The depth that a unit force presses a flat punch to, with the shear acting on the pressure and without: on thin layers of rubber
-/// Goodman's approximation is off by most.
+/// The depth that a unit force presses a flat punch to, with the shear acting on the pressure and without: on thin
+/// layers of rubber Goodman's approximation is off by most.
 #[test]
 fn what_goodman_neglects_of_the_force_is_what_the_coupled_equations_say() {
     let sticks = (0.3, 0.495, 0.5);
@@ -301,7 +303,8 @@ fn what_goodman_neglects_of_the_force_is_what_the_coupled_equations_say() {
     assert!(compressible.assumptions.iter().all(|line| !line.contains("this indentation would take")));
 }
 
-/// What a layer bears that sticks everywhere to a flat punch, over what Goodman's approximation says (docs/theory.md, section 5).
+/// What a layer bears that sticks everywhere to a flat punch, over what Goodman's approximation says (docs/theory.md,
+/// section 5).
 #[test]
 fn a_layer_that_sticks_to_the_punch_bears_more() {
     for (nu, all) in [(0.5, [1.05, 1.22, 1.63, 2.08]), (0.45, [1.01, 1.05, 1.08, 1.06])] {

@@ -22,7 +22,8 @@ fn depth_of_wedge(nu: f64, datum: f64, b: f64) -> f64 {
     0.2 / std::f64::consts::PI * (b * (datum / b).asinh() + beta * datum * (b / datum).asinh())
 }
 
-/// However shallow the datum, and to the tolerance: it varies with the half-width as nothing else of the half-plane does.
+/// However shallow the datum, and to the tolerance: it varies with the half-width as nothing else of the half-plane
+/// does.
 #[test]
 fn a_wedge_over_a_shallow_datum_sinks_as_the_closed_form_says() {
     for (nu, datum, tolerance) in
@@ -41,8 +42,8 @@ fn a_wedge_over_a_shallow_datum_sinks_as_the_closed_form_says() {
     }
 }
 
-/// Where the law begins with a broken power of the depth, so does what depends on the half-width: depths of flat punches told by polynomials
-/// were off by up to 23 estimates. By panels of another solver, on three meshes.
+/// Where the law begins with a broken power of the depth, so does what depends on the half-width: depths of flat
+/// punches told by polynomials were off by up to 23 estimates. By panels of another solver, on three meshes.
 #[test]
 fn depths_on_a_law_that_begins_with_a_broken_power_are_as_sure_as_they_say() {
     let depth = 0.005_606_214_902_907;
@@ -123,8 +124,8 @@ fn the_first_contact_that_sinks_so_far_is_met() {
     }
 }
 
-/// The same where it is no base that gives way but a soft sublayer above a rigid one: of the contacts that sink so far, or bear so
-/// much, a wider one, which pulls, was met and flagged.
+/// The same where it is no base that gives way but a soft sublayer above a rigid one: of the contacts that sink so far,
+/// or bear so much, a wider one, which pulls, was met and flagged.
 #[test]
 fn the_first_contact_is_met_above_a_soft_sublayer() {
     let layer = "layer = { poisson = 0.3, grading = { type = \"stack\", layers = [\
@@ -163,7 +164,8 @@ fn close_to_the_greatest_depth_the_contact_is_met() {
     }
 }
 
-/// A plate on a soft base bends under the punch, which lifts off before it sinks as far as is asked for: told was an error of 1 alone.
+/// A plate on a soft base bends under the punch, which lifts off before it sinks as far as is asked for: told was an
+/// error of 1 alone.
 #[test]
 fn a_punch_that_lifts_off_before_it_sinks_so_far_is_told() {
     let solution = solved(
@@ -176,8 +178,8 @@ fn a_punch_that_lifts_off_before_it_sinks_so_far_is_told() {
     assert!(solution.reason.as_ref().is_some_and(|reason| reason.contains("lifts off")), "{:?}", solution.reason);
 }
 
-/// What is stacked sinks as what is smooth: within its kinks a punch is the cylinder. Members that told the pressure told little of the depth,
-/// which changes over the distance to the datum: 8 % were missed at 1e-5.
+/// What is stacked sinks as what is smooth: within its kinks a punch is the cylinder. Members that told the pressure
+/// told little of the depth, which changes over the distance to the datum: 8 % were missed at 1e-5.
 #[test]
 fn a_stack_sinks_as_the_smooth_contact_of_the_same_shape() {
     let cylinder = "type = \"cylinder\", radius = 10.0";
@@ -202,8 +204,9 @@ fn a_stack_sinks_as_the_smooth_contact_of_the_same_shape() {
     }
 }
 
-/// A narrow rise between two steps of the walk, from 2.01 to 2.30 millionths and back while the contact grows from 0.19 to 0.27; a wide contact that
-/// sinks as far is met long after. Also just below the top, where a coarse resolution has none.
+/// A narrow rise between two steps of the walk, from 2.01 to 2.30 millionths and back while the contact grows from 0.19
+/// to 0.27; a wide contact that sinks as far is met long after. Also just below the top, where a coarse resolution has
+/// none.
 #[test]
 fn a_rise_between_two_steps_is_met() {
     let layer = "layer = { thickness = 1.0, poisson = 0.5, datum = 0.1038468622186015, \
@@ -220,9 +223,9 @@ fn a_rise_between_two_steps_is_met() {
     }
 }
 
-/// Far above its datum a punch `|x|^n` on a half-plane sinks by `A0 P/pi [ln(2 d/b) + 1/n - 1/(2 - 2 nu)]`: flat punches in closed form,
-/// stacked at a rate like `b^(n-1)`. As many nodes summed the pressure under steep punches as under flat ones, at each resolution: for
-/// `n = 32` the depth was off by 1e-9, and sure to 2e-13.
+/// Far above its datum a punch `|x|^n` on a half-plane sinks by `A0 P/pi [ln(2 d/b) + 1/n - 1/(2 - 2 nu)]`: flat
+/// punches in closed form, stacked at a rate like `b^(n-1)`. As many nodes summed the pressure under steep punches as
+/// under flat ones, at each resolution: for `n = 32` the depth was off by 1e-9, and sure to 2e-13.
 #[test]
 fn a_steep_punch_far_above_its_datum_sinks_as_the_closed_form_says() {
     let (nu, datum) = (0.3, 1e6);
@@ -257,8 +260,8 @@ fn a_punch_that_sinks_less_than_its_datum_at_first_is_pressed_in_later() {
     assert!((solution.load.half_width.expect("a contact") / 0.88 - 1.0).abs() < 1e-6, "{:?}", solution.load);
 }
 
-/// Just below the most that it sinks the depth hardly grows with the half-width: what the kernels are off by moved the contact by ten times
-/// what was claimed.
+/// Just below the most that it sinks the depth hardly grows with the half-width: what the kernels are off by moved the
+/// contact by ten times what was claimed.
 #[test]
 fn next_to_the_deepest_a_contact_is_as_sure_as_the_depth_lets_it_be() {
     let text = "layer = { thickness = 1.0, poisson = 0.48, datum = 0.3, base = { type = \"half-plane\", shear = 8e4, poisson = 0.3 }, \

@@ -32,8 +32,8 @@ fn half_plane_follows_spence_from_one_end_to_the_other() {
     }
 }
 
-/// Beside a narrow zone everything is constant, and a point of it is all of the contact away from both edges: `q = eta p (2/pi) asin(x/a)`
-/// under a flat punch, and the stack of these, of forces that grow with `b^2`, under a cylinder.
+/// Beside a narrow zone everything is constant, and a point of it is all of the contact away from both edges: `q = eta
+/// p (2/pi) asin(x/a)` under a flat punch, and the stack of these, of forces that grow with `b^2`, under a cylinder.
 #[test]
 fn the_shear_inside_a_narrow_stick_zone_keeps_its_digits() {
     let shear = |u: f64, grew: bool| 2.0 / PI * (u.asin() + if grew { u * (1.0 / u).acosh() } else { 0.0 });
@@ -66,7 +66,8 @@ fn the_shear_inside_a_narrow_stick_zone_keeps_its_digits() {
     }
 }
 
-/// The stick zone is as far from its root as the tolerance lets it; what slides bears the friction that the scene asks for all the same.
+/// The stick zone is as far from its root as the tolerance lets it; what slides bears the friction that the scene asks
+/// for all the same.
 #[test]
 fn what_slides_under_a_flat_punch_bears_the_friction_told() {
     for (h, ratio, eta) in [(1.0, 8.0, 0.3), (5.0, 0.125, 0.1)] {
@@ -128,9 +129,9 @@ fn a_pole_of_the_friction_curve_is_no_stick_zone() {
     assert!(largest < 10.0, "|q| = {largest} under a mean pressure of 0.5");
 }
 
-/// Everything sticks where friction is far above what that takes, and all but 1e-47 of the contact where it is less. On a half-plane without
-/// the shear's effect on the pressure `q = beta p(x)/pi ln((b + x)/(b - x))` under a flat punch, the odd density whose Hilbert transform is
-/// `-beta p`; a growing contact is a stack of such.
+/// Everything sticks where friction is far above what that takes, and all but 1e-47 of the contact where it is less. On
+/// a half-plane without the shear's effect on the pressure `q = beta p(x)/pi ln((b + x)/(b - x))` under a flat punch,
+/// the odd density whose Hilbert transform is `-beta p`; a growing contact is a stack of such.
 #[test]
 fn everything_sticks_as_in_closed_form() {
     let beta = 2.0 / 7.0;
@@ -149,7 +150,8 @@ fn everything_sticks_as_in_closed_form() {
             assert_eq!(stick.half_width, solution.load.half_width);
         }
     }
-    // Of a cylinder dP = 2 P b' db'/b^2, and b' = x cosh(t): by the midpoint rule, in s with t = s^2 against the logarithm.
+    // Of a cylinder dP = 2 P b' db'/b^2, and b' = x cosh(t): by the midpoint rule, in s with t = s^2 against the
+    // logarithm.
     let of_stack = |x: f64, b: f64, force: f64| {
         let (end, steps) = ((b / x).acosh().sqrt(), 20_000);
         let slice = |s: f64| -2.0 * (0.5 * s * s).tanh().ln() * (s * s).cosh() * 2.0 * s;
@@ -221,9 +223,9 @@ fn the_worst_of_what_friction_does_not_bear_is_told() {
     );
 }
 
-/// Beside an inward slip zone of 1e-12 or 1e-44 of the contact nearly incompressible, thin layers would need up to 1.7 times the shear that
-/// friction bears. The coarsest resolution, which scans, has no point there, and nothing looked again: some tolerances reported the one zone,
-/// some the other, each as converged.
+/// Beside an inward slip zone of 1e-12 or 1e-44 of the contact nearly incompressible, thin layers would need up to 1.7
+/// times the shear that friction bears. The coarsest resolution, which scans, has no point there, and nothing looked
+/// again: some tolerances reported the one zone, some the other, each as converged.
 #[test]
 fn a_slip_zone_that_no_coarse_grid_sees_is_checked_once_it_is_known() {
     for (gradient, thickness, nu, eta) in
@@ -249,7 +251,8 @@ fn a_slip_zone_that_no_coarse_grid_sees_is_checked_once_it_is_known() {
     }
 }
 
-/// Beside the edge of these slip turns: no stick zone bears that out. Of two tolerances one called the zone converged that slips outwards alone.
+/// Beside the edge of these slip turns: no stick zone bears that out. Of two tolerances one called the zone converged
+/// that slips outwards alone.
 #[test]
 fn no_tolerance_passes_over_slip_that_turns_beside_the_edge() {
     for (gradient, thickness) in [(8.312, 0.283), (13.63, 0.073), (11.26, 0.264)] {
@@ -262,8 +265,8 @@ fn no_tolerance_passes_over_slip_that_turns_beside_the_edge() {
     }
 }
 
-/// Where the zone that holds slips outward and is narrower than any looked for, another that slips inward breaks the conditions of friction:
-/// that one was told, and the model's assumptions said to be violated.
+/// Where the zone that holds slips outward and is narrower than any looked for, another that slips inward breaks the
+/// conditions of friction: that one was told, and the model's assumptions said to be violated.
 #[test]
 fn a_zone_too_narrow_to_be_found_is_told_and_not_another_that_does_not_hold() {
     let flat = |eta: &str| {
@@ -280,7 +283,8 @@ fn a_zone_too_narrow_to_be_found_is_told_and_not_another_that_does_not_hold() {
     let beyond = flat("5e-4");
     assert_eq!(beyond.status, Status::NotConverged, "{:?}", beyond.reason);
     assert!(beyond.reason.as_ref().is_some_and(|reason| reason.contains("narrower than 5.1e-131 of the contact")));
-    // Just beyond what is looked for, where the asymptote says just within: "narrower than 1.8e-2, the narrowest looked for".
+    // Just beyond what is looked for, where the asymptote says just within: "narrower than 1.8e-2, the narrowest looked
+    // for".
     let text = "format = 1\nlayer = { poisson = 0.3629263007232576, base = { type = \"infinite\" }, \
         grading = { type = \"homogeneous\", modulus = 1.0 } }\npunch = { type = \"flat\", half_width = 1.0 }\n\
         friction = { type = \"goodman\", coefficient = 1.1214e-3 }\nload = { force = 1.0 }\n";
@@ -293,8 +297,9 @@ fn a_zone_too_narrow_to_be_found_is_told_and_not_another_that_does_not_hold() {
     }
 }
 
-/// Every member was looked at to say at which half-widths friction bears too little: at 1e-8 that took four budgets, and 25 s, and nothing was left
-/// for the tractions. (A slip zone as narrow as this one's takes a resolution more at 1e-6, and 7.6 times the work in all.)
+/// Every member was looked at to say at which half-widths friction bears too little: at 1e-8 that took four budgets,
+/// and 25 s, and nothing was left for the tractions. (A slip zone as narrow as this one's takes a resolution more at
+/// 1e-6, and 7.6 times the work in all.)
 #[test]
 fn what_friction_does_not_bear_is_told_for_less_than_what_it_is_told_of() {
     let layer = "thickness = 1.2\npoisson = 0.49\ngrading = { type = \"formula\", modulus = \"0.0126+y/h\" }";
@@ -308,8 +313,9 @@ fn what_friction_does_not_bear_is_told_for_less_than_what_it_is_told_of() {
     assert!(fine < 10 * coarse, "{fine} multiplications after {coarse}");
 }
 
-/// Beside the end of the stick zone friction always bears hardly more than the shear; there, under a narrow contact, was the weakest
-/// place of all, and the one inside the last contact, which is too weak, was not looked at more closely.
+/// Beside the end of the stick zone friction always bears hardly more than the shear; there, under a narrow contact,
+/// was the weakest place of all, and the one inside the last contact, which is too weak, was not looked at more
+/// closely.
 #[test]
 fn what_friction_does_not_bear_inside_the_last_zone_is_told() {
     for (eta, is_borne) in [(0.0225, false), (0.024, true)] {
@@ -322,8 +328,8 @@ fn what_friction_does_not_bear_inside_the_last_zone_is_told() {
     }
 }
 
-/// A wedge on a stiff layer above a soft half-plane lifts off between its middle and its edge while it grows to some 1.65 of the thickness, and no
-/// more. That was seen or not, as it happened to be under one of four members.
+/// A wedge on a stiff layer above a soft half-plane lifts off between its middle and its edge while it grows to some
+/// 1.65 of the thickness, and no more. That was seen or not, as it happened to be under one of four members.
 #[test]
 fn what_friction_did_not_bear_for_a_while_is_seen_at_any_tolerance() {
     let layer = "thickness = 1.0\npoisson = 0.3\nbase = { type = \"half-plane\", shear = 0.171, poisson = 0.356 }\n\
@@ -409,8 +415,8 @@ fn a_face_nearly_as_wide_as_the_contact_rubs_under_a_force() {
     assert!((ratio(&by_force) / ratio(&by_width) - 1.0).abs() < 1e-8);
 }
 
-/// An incompressible layer sticks as a whole until the contact is half as wide as it is thick, and slips outward from there on. A narrow contact
-/// that sticks slips in no direction, so none turns.
+/// An incompressible layer sticks as a whole until the contact is half as wide as it is thick, and slips outward from
+/// there on. A narrow contact that sticks slips in no direction, so none turns.
 #[test]
 fn where_everything_sticks_at_first_nothing_turns() {
     let wide = |ratio: f64, b: f64| {
@@ -445,7 +451,8 @@ fn what_wider_contacts_do_is_none_of_a_contacts_history() {
     assert!(stick.half_width <= by_force.load.half_width, "{stick:?}");
 }
 
-/// Its face was not looked at, only flat punches narrower than it: up to half a percent beyond the onset all was said to stick, to 130 digits.
+/// Its face was not looked at, only flat punches narrower than it: up to half a percent beyond the onset all was said
+/// to stick, to 130 digits.
 #[test]
 fn a_face_that_no_longer_sticks_is_seen_beyond_all_members() {
     let cylinder = |b: f64| {
@@ -473,9 +480,9 @@ fn where_everything_sticks_the_zone_is_as_sure_as_the_contact() {
     assert!(error("stick.half_width") >= error("load.half_width"), "{:?}", full.error.each);
 }
 
-/// A hard coating on a half-plane that gives way: the stick zone grows up to a half-width of 0.14194 and shrinks from there, at first by less than
-/// between two flat punches. Contacts up to one per cent wider were called converged, and where it begins was told by the flat punch nearest
-/// to that, another for each load.
+/// A hard coating on a half-plane that gives way: the stick zone grows up to a half-width of 0.14194 and shrinks from
+/// there, at first by less than between two flat punches. Contacts up to one per cent wider were called converged, and
+/// where it begins was told by the flat punch nearest to that, another for each load.
 #[test]
 fn where_the_stick_zone_begins_to_shrink_is_the_same_for_every_load() {
     let coating = "thickness = 1.0\npoisson = 0.25\nmoduli = \"young\"\n\

@@ -147,9 +147,9 @@ fn a_curve_of_lower_degree_is_named_among_the_assumptions() {
     }
 }
 
-/// A mixture whose Poisson's ratio leaves 0.499 within a thousandth of the thickness, and its formulas written out. The power with which these
-/// begin was measured where they had begun to do something else already: the edge factor was off by 1,100 estimates and 36 tolerances, the narrow
-/// stick zones of other such mixtures by 1e-4.
+/// A mixture whose Poisson's ratio leaves 0.499 within a thousandth of the thickness, and its formulas written out. The
+/// power with which these begin was measured where they had begun to do something else already: the edge factor was off
+/// by 1,100 estimates and 36 tolerances, the narrow stick zones of other such mixtures by 1e-4.
 #[test]
 fn a_mixture_written_as_formulas_is_the_same_layer() {
     let (phase, bulk) = ("(y/h)^0.5", "(K1+P*dK/(1+(1-P)*dK/(K1+4/3)))");

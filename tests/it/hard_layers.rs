@@ -107,8 +107,8 @@ fn flexibilities_are_numbers_at_every_wave_number() {
     }
 }
 
-/// Every layer under a flat punch, with friction and without, and under a cylinder, at the default tolerance against another
-/// quadrature at a hundredth of it: what converges is true, what does not knows its error.
+/// Every layer under a flat punch, with friction and without, and under a cylinder, at the default tolerance against
+/// another quadrature at a hundredth of it: what converges is true, what does not knows its error.
 #[test]
 fn what_converges_is_true() {
     let mut failed = String::new();
@@ -153,7 +153,8 @@ fn a_thousand_sublayers_cost_no_wave_numbers() {
     let smooth = Sketch::on(layer(3.0, 0.3, "{ type = \"linear\", surface = 0.999, base = 2.999 }")).solve();
     assert_eq!(many.status, Status::Converged, "{:?}", many.reason);
     println!("{} against {}", many.plan.flexibility_evaluations, smooth.plan.flexibility_evaluations);
-    // The first step lies h/1000 deep, beyond which the kernel is sampled at as many scales as lie between: ten octaves.
+    // The first step lies h/1000 deep, beyond which the kernel is sampled at as many scales as lie between: ten
+    // octaves.
     assert!(many.plan.flexibility_evaluations < 10 * smooth.plan.flexibility_evaluations);
     // Steps of a thousandth about a line, which they meet in their middles: to second order.
     for ((path, many), (_, smooth)) in numbers(&many).into_iter().zip(numbers(&smooth)) {
@@ -182,8 +183,8 @@ fn the_first_contact_that_bears_a_force_is_met() {
     }
 }
 
-/// What flat punches told between those solved leave of a force changes its sign from one to the next: resolutions with the same flat punches
-/// agreed on a peak beside the edge that was off by 32 tolerances.
+/// What flat punches told between those solved leave of a force changes its sign from one to the next: resolutions with
+/// the same flat punches agreed on a peak beside the edge that was off by 32 tolerances.
 #[test]
 fn the_peak_under_a_stack_on_a_stiff_skin_is_as_good_as_it_says() {
     let skin = "thickness = 0.03\npoisson = 0.3\ngrading = { type = \"homogeneous\", modulus = 1.0 }\n\

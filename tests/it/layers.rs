@@ -210,8 +210,8 @@ fn films_and_skins_of_a_formula_are_seen() {
     let resonance = |shift: f64| formula(&format!("1 + 9/(1 + ((y + {shift} - 0.6)/1e-5)^2)"));
     let parts = stack(&[(0.59, &resonance(0.0)), (0.02, &resonance(0.59)), (0.39, &resonance(0.61))]);
     assert_same_flexibility(&lines(1.0, &resonance(0.0)), &lines(1.0, &parts));
-    // One in the very middle, where its argument turns on a sample; and laws that are zero but for a film: between samples something
-    // passes zero and comes back.
+    // One in the very middle, where its argument turns on a sample; and laws that are zero but for a film: between
+    // samples something passes zero and comes back.
     for law in [
         "1/(1 + 1000*exp(-((y - d)/3e-4)^2))",
         "1/(1 + 1000*max(0, 1 - ((y - d)/3e-4)^2))",
@@ -422,8 +422,8 @@ fn mixtures_of_one_phase_are_homogeneous() {
     }
 }
 
-/// `1 + 3 (y/h)^1.5` and `1 + 7 (y/h)^0.5` against the limits of ever finer roundings, `(y + e)^1.5` with two corrections; and the same laws
-/// written as formulas.
+/// `1 + 3 (y/h)^1.5` and `1 + 7 (y/h)^0.5` against the limits of ever finer roundings, `(y + e)^1.5` with two
+/// corrections; and the same laws written as formulas.
 #[test]
 fn broken_powers_of_the_depth_are_told_as_they_are() {
     let grading = |exponent: f64, base: f64| {
@@ -458,7 +458,8 @@ fn broken_powers_of_the_depth_are_told_as_they_are() {
         }
     }
 
-    // The energy that an edge sets free as it advances is that of its stress intensity, by the material at the surface alone.
+    // The energy that an edge sets free as it advances is that of its stress intensity, by the material at the surface
+    // alone.
     let released = |grading: &str| {
         const STEP: f64 = 0.02;
         // As far as numbers without a unit go, a wider contact is one on a thinner layer.
@@ -483,8 +484,9 @@ fn broken_powers_of_the_depth_are_told_as_they_are() {
     }
 }
 
-/// Kernels that begin like a power of the distance are felt at the smallest distances: by what of a contact is narrow, and by contacts that are. They
-/// were cut off where the contact as a whole felt no more, and slip zones were off by a hundred claims.
+/// Kernels that begin like a power of the distance are felt at the smallest distances: by what of a contact is narrow,
+/// and by contacts that are. They were cut off where the contact as a whole felt no more, and slip zones were off by a
+/// hundred claims.
 #[test]
 fn what_is_narrow_feels_a_broken_power_too() {
     let parse = |punch: &str, more: &str, nu: f64, tolerance: f64| {
@@ -539,9 +541,9 @@ fn what_is_narrow_feels_a_broken_power_too() {
     }
 }
 
-/// Where a law begins with several powers, with a logarithm, or with a power next to none, the kernels are no series in one power of the distance,
-/// and an edge feels what is missing. Numbers were off by 140 claims at the default tolerance, by 1,400 at others; the true ones are those of the
-/// energy that the edge sets free.
+/// Where a law begins with several powers, with a logarithm, or with a power next to none, the kernels are no series in
+/// one power of the distance, and an edge feels what is missing. Numbers were off by 140 claims at the default
+/// tolerance, by 1,400 at others; the true ones are those of the energy that the edge sets free.
 #[test]
 fn edges_of_laws_that_begin_with_more_than_a_power_are_as_sure_as_they_say() {
     let laws: [(&str, f64, &[f64], f64, bool); 6] = [
@@ -571,7 +573,8 @@ fn edges_of_laws_that_begin_with_more_than_a_power_are_as_sure_as_they_say() {
     }
 }
 
-/// A contact five hundred times as wide as its layer is thick, by kernels on octaves as by those with a jump and a logarithm.
+/// A contact five hundred times as wide as its layer is thick, by kernels on octaves as by those with a jump and a
+/// logarithm.
 #[test]
 fn octaves_tell_layers_as_thin_as_they_come() {
     let by = |methods: &str| {
@@ -636,8 +639,8 @@ fn what_a_wave_sinks_against_the_datum_has_a_closed_form() {
             for phase in [1e-6, 1e-4, 0.01, 0.1, 0.3, 1.0, 3.0, 8.0, 20.0, 21.0, 25.0, 30.0, 100.0_f64] {
                 let found = response.surface(phase * h / datum).expect("a number").vv;
                 let exact = -(-phase).exp_m1() - (-phase).exp() * phase / (2.0 * A0);
-                // The depth's kernel is the integral of this over the wave number: it is to be known relative to itself, of
-                // which the difference of two depths leaves a rounding over the phase.
+                // The depth's kernel is the integral of this over the wave number: it is to be known relative to
+                // itself, of which the difference of two depths leaves a rounding over the phase.
                 let allowed = 1e-13 * (1.0 + 1.0 / phase);
                 assert!(
                     (found / exact - 1.0).abs() < allowed,
@@ -701,7 +704,8 @@ fn both_engines_count_from_the_datum() {
     }
 }
 
-/// What is noise to a thin panel elsewhere is not where the modulus vanishes (random scenes, seed 18: a force off by 8e-4).
+/// What is noise to a thin panel elsewhere is not where the modulus vanishes (random scenes, seed 18: a force off by
+/// 8e-4).
 #[test]
 fn a_law_that_fades_to_nothing_is_refused() {
     let fading =
@@ -709,8 +713,9 @@ fn a_law_that_fades_to_nothing_is_refused() {
     assert_eq!(Sketch::on(fading).solve().status, Status::Refused);
 }
 
-/// A layer that slides on its base follows long waves of shear like `c/s`: what is left when that is taken off has its rounding, which was
-/// taken for an error that a contact feels, 2.8e-3 of a stick zone that was right, after twenty times the wave numbers.
+/// A layer that slides on its base follows long waves of shear like `c/s`: what is left when that is taken off has its
+/// rounding, which was taken for an error that a contact feels, 2.8e-3 of a stick zone that was right, after twenty
+/// times the wave numbers.
 #[test]
 #[cfg(feature = "formula")]
 fn a_pole_at_long_waves_leaves_nothing_that_is_felt() {

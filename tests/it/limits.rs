@@ -1,4 +1,5 @@
-//! What `slipzone verify` leaves of limits and identities: the vanishing gradient by the published methods, units, strains.
+//! What `slipzone verify` leaves of limits and identities: the vanishing gradient by the published methods, units,
+//! strains.
 
 use crate::sketch::Sketch;
 use slipzone::engine::Solution;

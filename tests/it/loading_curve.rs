@@ -45,7 +45,8 @@ fn pairs() -> Vec<(Sketch, Sketch)> {
     .collect()
 }
 
-/// No number, no count of work and no word of the result depends on the loads on the way to it, but for all that it took.
+/// No number, no count of work and no word of the result depends on the loads on the way to it, but for all that it
+/// took.
 #[test]
 fn the_result_is_that_of_the_last_load_to_the_last_byte() {
     for (path, last) in pairs() {
@@ -122,8 +123,8 @@ fn points_on_the_way_are_results_of_their_loads() {
     assert!(solver.solve().path.is_none(), "and by that alone");
 }
 
-/// A strain that is prescribed has no history: flat punches tell nothing of its stick zones. (They told another ratio at all
-/// loads but the last.)
+/// A strain that is prescribed has no history: flat punches tell nothing of its stick zones. (They told another ratio
+/// at all loads but the last.)
 #[test]
 fn stick_zones_of_a_prescribed_strain_are_those_of_their_loads() {
     let sketch = |load: &str| {
@@ -227,7 +228,8 @@ fn a_load_without_numbers_leaves_a_gap() {
     assert!(curve.half_width[0].is_some() && curve.half_width[1].is_none());
 }
 
-/// Between the flat punches that the last load is stacked of, narrow zones are told a hundred times worse than wide ones.
+/// Between the flat punches that the last load is stacked of, narrow zones are told a hundred times worse than wide
+/// ones.
 #[test]
 fn stick_ratios_on_the_way_are_those_of_flat_punches() {
     for (h, ratio, nu, eta, tolerance) in
@@ -246,8 +248,8 @@ fn stick_ratios_on_the_way_are_those_of_flat_punches() {
     }
 }
 
-/// Under a hard coating on a soft base a punch lifts off in the middle of its way: solved for itself such a load was contradicted, on a curve it
-/// was converged.
+/// Under a hard coating on a soft base a punch lifts off in the middle of its way: solved for itself such a load was
+/// contradicted, on a curve it was converged.
 #[test]
 fn a_punch_that_lifts_off_on_the_way_is_told() {
     let scene = |load: &str| {

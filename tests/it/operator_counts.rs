@@ -9,11 +9,12 @@ use std::fmt::Write;
 const NAMES: [&str; 5] = ["wave_numbers", "kernels_read", "unknowns", "systems", "multiplications"];
 /// Set to accept the counts as they are.
 const ACCEPT: &str = "SLIPZONE_ACCEPT_COUNTS";
-/// Vector units of other machines round differently, so that an estimate may ask for one resolution more or less; on one
-/// machine the counts are the same each time.
+/// Vector units of other machines round differently, so that an estimate may ask for one resolution more or less; on
+/// one machine the counts are the same each time.
 const ROOM: f64 = 1.02;
 
-/// A flat punch under which friction allows three stick zones, and one under which the only one bears more than friction allows.
+/// A flat punch under which friction allows three stick zones, and one under which the only one bears more than
+/// friction allows.
 fn of_several_zones() -> [(&'static str, Scene); 2] {
     [
         ("thin-several-zones", "thickness = 0.2\npoisson = 0.49", "surface = 1.0, base = 8.0", 0.3),

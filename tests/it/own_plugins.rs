@@ -154,7 +154,8 @@ impl KernelTable for OwnTable {
     }
 }
 
-/// With a distance of 0 down to which kernels vary, or none, `graded-panels` cut pieces without end; a bound that was no number was none.
+/// With a distance of 0 down to which kernels vary, or none, `graded-panels` cut pieces without end; a bound that was
+/// no number was none.
 #[test]
 fn tables_that_tell_what_cannot_be_are_refused() {
     let solved = |kernel: OwnKernel| {
@@ -192,8 +193,8 @@ fn tables_that_tell_what_cannot_be_are_refused() {
     }
 }
 
-/// `compliance`, of a layer that it says is of another depth, or with `uv` times a factor: by one that is no number only of the waves
-/// between 3 and 3.3.
+/// `compliance`, of a layer that it says is of another depth, or with `uv` times a factor: by one that is no number
+/// only of the waves between 3 and 3.3.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct OwnFlexibility(Option<f64>, f64);
 
@@ -248,8 +249,8 @@ fn depths_that_cannot_be_are_refused() {
     told(&solved(None).0, Status::Refused, "depth() = None of a layer whose base is felt");
 }
 
-/// `octaves` passed over it, as the larger of an error and no number is the error, and found a depth that was half as large again; the
-/// picture of the flexibility wrote `NaN`.
+/// `octaves` passed over it, as the larger of an error and no number is the error, and found a depth that was half as
+/// large again; the picture of the flexibility wrote `NaN`.
 #[test]
 fn a_flexibility_that_is_no_number_at_some_waves_is_refused_by_name() {
     let holed = || Box::new(OwnFlexibility(Some(1.0), f64::NAN));

@@ -92,8 +92,8 @@ fn a_thick_layer_is_a_half_plane_where_the_tolerance_allows_it() {
     assert_eq!(thick().with("[solver]\ntolerance = 1e-3").solve().plan.model, Model::CorrectedHalfPlane);
 }
 
-/// Between the half-plane and the layer: two dozen wave numbers, the depth told, errors within what is stated, and no closer to
-/// the truth than the next term of the kernels allows.
+/// Between the half-plane and the layer: two dozen wave numbers, the depth told, errors within what is stated, and no
+/// closer to the truth than the next term of the kernels allows.
 #[test]
 fn a_half_plane_with_its_first_correction_stands_for_a_thick_layer() {
     let at = |tolerance: &str, solver: &str| {
@@ -248,8 +248,8 @@ fn what_goodman_neglects_is_said_not_to_be_known_where_it_is_not() {
     }
 }
 
-/// Wide contacts on thin layers, told in closed form: within the bound of the full model, whatever the load, and chosen where
-/// that is good enough.
+/// Wide contacts on thin layers, told in closed form: within the bound of the full model, whatever the load, and chosen
+/// where that is good enough.
 #[test]
 fn thin_layers_are_told_in_closed_form() {
     for index in 0..60 {
@@ -288,8 +288,9 @@ fn thin_layers_are_told_in_closed_form() {
     }
 }
 
-/// A tip rounded off over less than a thickness was told by the bend of its shape at the edge: `p(0)` was off by 17 tolerances. What
-/// the edge does not show is told from the slope, in the middle and wherever the peak may be, and beside the edge.
+/// A tip rounded off over less than a thickness was told by the bend of its shape at the edge: `p(0)` was off by 17
+/// tolerances. What the edge does not show is told from the slope, in the middle and wherever the peak may be, and
+/// beside the edge.
 #[test]
 fn thin_layers_feel_details_of_the_shape() {
     let shapes = [
@@ -348,8 +349,8 @@ fn thin_layers_under_ordinary_shapes_have_one_bound() {
     }
 }
 
-/// Where nothing else comes to an end: a contact a million thicknesses wide. Twice as wide, a parabola takes eight times the
-/// force, but for the shift of its edge.
+/// Where nothing else comes to an end: a contact a million thicknesses wide. Twice as wide, a parabola takes eight
+/// times the force, but for the shift of its edge.
 #[test]
 fn a_contact_a_million_thicknesses_wide() {
     let force = |b: f64| {
@@ -408,7 +409,8 @@ fn a_thin_model_has_no_curve() {
     assert_eq!(solver.solve().plan.model, Model::Thin);
 }
 
-/// A modulus like a root down to 1e-5 of the thickness is too rough for `split`, which said so and what to ask for instead.
+/// A modulus like a root down to 1e-5 of the thickness is too rough for `split`, which said so and what to ask for
+/// instead.
 #[test]
 fn kernels_too_rough_for_split_are_told_by_octaves() {
     let scene = |gradings: &str, punch: &str, solver: &str| {

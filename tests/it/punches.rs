@@ -76,8 +76,8 @@ fn pressures_under_tips_rounded_off() {
     }
 }
 
-/// On a graded layer a grid over all of the contact does tell a tip and a shoulder that are not too sharp, with hundreds of
-/// unknowns.
+/// On a graded layer a grid over all of the contact does tell a tip and a shoulder that are not too sharp, with
+/// hundreds of unknowns.
 #[test]
 #[cfg(feature = "formula")]
 fn details_of_a_smooth_shape_on_a_layer() {
@@ -109,8 +109,8 @@ fn details_of_a_smooth_shape_on_a_layer() {
     }
 }
 
-/// The stick zone of each is that of the flat punch; the shear, over its largest, that of the stack integrated in closed
-/// form.
+/// The stick zone of each is that of the flat punch; the shear, over its largest, that of the stack integrated in
+/// closed form.
 #[test]
 fn shears_of_the_field() {
     let goodman = Goodman { eta: ETA, beta: BETA };
@@ -177,9 +177,9 @@ fn beside_a_corner_the_pressure_follows_the_closed_form() {
     }
 }
 
-/// A flat face, a short rounding, a straight flank. Beyond the second kink the force remembers the first, over the distance of both: a series
-/// that did not know was off by up to 1e-4 of the pressure there, and 6e-7 in the middle. Expected: `int F'(t)/(pi sqrt(t^2 - x^2)) dt` with
-/// `F'(t) = (2 t/A0) int g''(s)/sqrt(t^2 - s^2) ds`, in 30 digits.
+/// A flat face, a short rounding, a straight flank. Beyond the second kink the force remembers the first, over the
+/// distance of both: a series that did not know was off by up to 1e-4 of the pressure there, and 6e-7 in the middle.
+/// Expected: `int F'(t)/(pi sqrt(t^2 - x^2)) dt` with `F'(t) = (2 t/A0) int g''(s)/sqrt(t^2 - s^2) ds`, in 30 digits.
 #[test]
 fn a_rounding_however_short_is_told_from_a_corner() {
     let x = [0.0, 0.1, 0.5];

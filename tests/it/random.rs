@@ -1,7 +1,7 @@
 //! Random scenes over the whole region that is served, each against another quadrature at a finer resolution.
 //!
-//! `SLIPZONE_CASES=2000 cargo test --release --test it random -- --nocapture` is the long run; `SLIPZONE_SEED`, which each
-//! test prints, has it again.
+//! `SLIPZONE_CASES=2000 cargo test --release --test it random -- --nocapture` is the long run; `SLIPZONE_SEED`, which
+//! each test prints, has it again.
 
 use crate::sketch::{Sketch, numbers, shear_apart};
 use proptest::prelude::*;
@@ -139,8 +139,8 @@ const ROUNDING: f64 = 1e-13;
 /// Ten times the default tolerance: both tractions meet where the stick zone ends.
 const SLACK: f64 = 1e-7;
 
-/// Checks scenes that are always the same, unless `SLIPZONE_CASES` asks for a number of others, and that so large a share of
-/// them converges: of a solver that gives up nothing else would be held. What fails is shrunk.
+/// Checks scenes that are always the same, unless `SLIPZONE_CASES` asks for a number of others, and that so large a
+/// share of them converges: of a solver that gives up nothing else would be held. What fails is shrunk.
 fn hold<S: Strategy>(scenes: &S, share: f64, check: impl Fn(S::Value) -> Result<Status, TestCaseError>) {
     let asked = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
     let (cases, seed) = (asked("SLIPZONE_CASES"), asked("SLIPZONE_SEED"));
@@ -238,9 +238,9 @@ fn errors_on_any_layer_stay_within_three_tolerances() {
     hold(&(any_sketches(), 3.0..9.0_f64), 0.8, |(sketch, digits)| judged(&sketch, digits));
 }
 
-/// Growing contacts under friction: numbers within three tolerances of those at a much finer one, the stick zone that of
-/// the flat punch, the shear within three times what is claimed of it and ten tolerances, and the pressure, whose error between
-/// its nodes nobody states, within three tolerances of its largest.
+/// Growing contacts under friction: numbers within three tolerances of those at a much finer one, the stick zone that
+/// of the flat punch, the shear within three times what is claimed of it and ten tolerances, and the pressure, whose
+/// error between its nodes nobody states, within three tolerances of its largest.
 #[test]
 fn growing_contacts_keep_what_they_promise() {
     let scenes = (growing(), (0..PUNCHES.len(), 3.0..8.0_f64));

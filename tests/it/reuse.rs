@@ -54,8 +54,8 @@ fn another_friction_coefficient_uses_the_curve_that_is_known() {
     assert_eq!(ratio(&second).to_bits(), ratio(&alone).to_bits(), "reuse changes no bit");
 }
 
-/// Half of the pressure asks for more of the curve than the others do, and twice of it for finer kernels than there are: with those all that the coarser
-/// ones told is solved again.
+/// Half of the pressure asks for more of the curve than the others do, and twice of it for finer kernels than there
+/// are: with those all that the coarser ones told is solved again.
 #[test]
 fn no_bit_depends_on_the_friction_coefficients_before() {
     for (tolerance, others) in [("1e-3", [0.5, 0.35].as_slice()), ("1e-8", &[2.0])] {

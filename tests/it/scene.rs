@@ -175,7 +175,8 @@ fn positive(value: f64) -> Positive {
     Positive::new(value).unwrap()
 }
 
-/// What no text describes, a program may put into a scene: it is refused, whoever is asked, and the reports are written.
+/// What no text describes, a program may put into a scene: it is refused, whoever is asked, and the reports are
+/// written.
 #[test]
 fn a_scene_that_was_changed_in_code_is_looked_at() {
     type Change = fn(&mut Scene);

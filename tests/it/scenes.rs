@@ -11,8 +11,8 @@ use trial::{CHECKS, Tried, draw, shrunk};
 
 const SEED: u64 = 7;
 const COUNT: u64 = 2000;
-/// How many converge, and how often each check is made and holds, at least: 1,302 and 15 (more friction sticks more) to 92 when
-/// this was written.
+/// How many converge, and how often each check is made and holds, at least: 1,302 and 15 (more friction sticks more) to
+/// 92 when this was written.
 const CONVERGED: usize = 1200;
 const HELD: usize = 10;
 

@@ -33,8 +33,9 @@ fn a_cylinder_on_a_half_plane_follows_the_closed_form() {
     }
 }
 
-/// A zone so narrow that what slides beside it acts from all distances between its own width and the contact's: the strain of the closed form on a
-/// half-plane; on a layer, where zones grew much faster than their contacts, the same under either of two loads.
+/// A zone so narrow that what slides beside it acts from all distances between its own width and the contact's: the
+/// strain of the closed form on a half-plane; on a layer, where zones grew much faster than their contacts, the same
+/// under either of two loads.
 #[test]
 fn narrow_zones_keep_what_is_left_in_them() {
     let parts = [0.03, 0.1, 0.5, 0.9, 0.99];
@@ -100,8 +101,9 @@ fn it_stays_while_the_load_goes_on() {
     }
 }
 
-/// Kernels that begin with a power of the distance are felt from as near as `1e-40` of the contact: what was left of the strain there made
-/// up to 15 % of it. Where the law begins with two powers the kernels are no series in one: it was off by 4 %, 25 times the error told.
+/// Kernels that begin with a power of the distance are felt from as near as `1e-40` of the contact: what was left of
+/// the strain there made up to 15 % of it. Where the law begins with two powers the kernels are no series in one: it
+/// was off by 4 %, 25 times the error told.
 #[test]
 fn it_stays_on_laws_that_begin_with_a_broken_power() {
     let laws = [("3*(y/2)^0.3", 1e-8, 1e-4), ("3*(y/2)^0.5", 1e-8, 1e-4), ("(y/2)^0.3 + (y/2)^0.4", 1e-6, 2e-3)];
@@ -153,8 +155,8 @@ fn a_strain_taken_to_be_linear_is_right_on_a_half_plane() {
     assert_eq!(beyond.status, Status::NotConverged);
     assert!(beyond.reason.is_some_and(|reason| reason.contains("no other is looked for")));
     assert!(beyond.error.each["stick.ratio"] >= 1.0, "{:?}", beyond.error.each);
-    // On layers it is not the true one, but the shear still has no edge where slip begins: eta p - q ~ (a - x)^(3/2), in
-    // steps of 4 by a factor of 8.
+    // On layers it is not the true one, but the shear still has no edge where slip begins: eta p - q ~ (a - x)^(3/2),
+    // in steps of 4 by a factor of 8.
     for (h, ratio) in [(20.0, 8.0), (2.0, 8.0), (2.0, 0.125), (0.5, 8.0)] {
         let sketch = Sketch::flat(h, ratio, 0.3).cylinder().rubbing(0.3).with("[solver]\ntolerance = 1e-6");
         let (taken, grown) = (linear(&sketch), sketch.solve());
@@ -200,8 +202,8 @@ fn nothing_is_left_where_nothing_slipped() {
     assert_eq!(frictionless.profile.strain, None);
 }
 
-/// The error told holds against a solution that is a hundred times as fine, under round shapes and beyond a corner; at the corner
-/// there is no strain.
+/// The error told holds against a solution that is a hundred times as fine, under round shapes and beyond a corner; at
+/// the corner there is no strain.
 #[test]
 fn it_says_how_sure_it_is() {
     let cornered = "type = \"formula\"\nheight = \"0.1*x^2 + 0.3*max(abs(x) - 0.4, 0)\"";

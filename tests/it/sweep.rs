@@ -300,7 +300,8 @@ fn a_figure_of_tractions_may_go() {
     }
 }
 
-/// Missing numbers were left empty in the table, and one too large for any was told of after all scenes, without its line.
+/// Missing numbers were left empty in the table, and one too large for any was told of after all scenes, without its
+/// line.
 #[test]
 fn a_line_that_is_no_record_is_named() {
     let (folder, table, lines) = whole(STUDY);
@@ -643,7 +644,8 @@ fn the_friction_for_a_stick_ratio() {
     assert!(absurd["reason"].as_str().unwrap().contains("stick.ratio stays between 0.044950"), "{absurd}");
 }
 
-/// At a loose tolerance a root is told loosely, and numbers jump by their errors from one resolution to another: these are no jumps.
+/// At a loose tolerance a root is told loosely, and numbers jump by their errors from one resolution to another: these
+/// are no jumps.
 #[test]
 fn loose_answers_are_answers() {
     let answer = |target: f64, tolerance: &str| {
@@ -701,8 +703,8 @@ fn an_answer_beside_what_cannot_be_told_is_found() {
     assert!((again / value - 1.0).abs() < 1e-6, "{again}, {value}");
 }
 
-/// The paper's own question. Frictionless quantities tend to the half-plane's like `(b/h)^2`: a quarter of the difference
-/// takes twice the thickness, nearly.
+/// The paper's own question. Frictionless quantities tend to the half-plane's like `(b/h)^2`: a quarter of the
+/// difference takes twice the thickness, nearly.
 #[test]
 fn the_thickness_from_which_the_half_plane_is_right() {
     let thickness = |within: f64| {
@@ -969,8 +971,8 @@ fn a_turn_is_looked_into_wherever_it_is() {
     }
 }
 
-/// Near full stick few unknowns tell `a/b` to the tolerance, but not what friction belongs to it: the place was that of the
-/// rough solutions, off by 26 times its error, which was that of the one reported.
+/// Near full stick few unknowns tell `a/b` to the tolerance, but not what friction belongs to it: the place was that of
+/// the rough solutions, off by 26 times its error, which was that of the one reported.
 #[test]
 fn an_answer_is_that_of_the_solution_reported() {
     let scene = "format = 1\nlayer = { thickness = 2.0, poisson = 0.3, grading = { type = \"homogeneous\", modulus = 1.0 } }\n\
@@ -1108,8 +1110,8 @@ fn what_is_reported_is_as_wanted_within_its_own_error() {
     assert!((force / 0.02 - 1.0).abs() <= error, "{force} within {error}");
 }
 
-/// The pressure in the middle of a flat punch falls with the modulus at the base, up to where it lifts off: between two of the
-/// values looked at, so that none beside the lowest of them fails.
+/// The pressure in the middle of a flat punch falls with the modulus at the base, up to where it lifts off: between two
+/// of the values looked at, so that none beside the lowest of them fails.
 #[test]
 fn an_extreme_where_what_can_be_solved_ends_between_two_steps_is_none() {
     let scene = "format = 1\nlayer = { thickness = 5.0, poisson = 0.3, \
@@ -1122,8 +1124,8 @@ fn an_extreme_where_what_can_be_solved_ends_between_two_steps_is_none() {
     assert!(reason.contains("where what can be solved ends: layer.grading.base = "), "{reason}");
 }
 
-/// With much friction nearly all sticks, and the ratio of the stick zone rounds to 1 from some friction on: the steps at which it did were
-/// the answers.
+/// With much friction nearly all sticks, and the ratio of the stick zone rounds to 1 from some friction on: the steps
+/// at which it did were the answers.
 #[test]
 fn a_number_that_rounds_to_what_is_wanted_answers_nothing() {
     let find = "field = \"friction.coefficient\"\nfrom = 0.01\nto = 10.0\nquantity = \"stick.ratio\"\ntarget = 1.0";
@@ -1134,8 +1136,9 @@ fn a_number_that_rounds_to_what_is_wanted_answers_nothing() {
     assert!(reason.contains("ask for `stick.one_minus_ratio`"), "{reason}");
 }
 
-/// The edge of a flat punch on a half-plane is `1/pi`: layers come to within their errors of it from one thickness on, and none is the answer.
-/// Least and largest values that are the same over a stretch were answered with some value in it and an error of nothing.
+/// The edge of a flat punch on a half-plane is `1/pi`: layers come to within their errors of it from one thickness on,
+/// and none is the answer. Least and largest values that are the same over a stretch were answered with some value in
+/// it and an error of nothing.
 #[test]
 fn a_least_number_that_rounds_answers_nothing() {
     for (quantity, wanted, number) in [("stick.one_minus_ratio", "minimum", "0"), ("stick.ratio", "maximum", "1")] {

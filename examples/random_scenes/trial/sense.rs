@@ -1,5 +1,5 @@
-//! Brings the parts of a drawn scene together: what no key by itself can know. A part that this knows nothing of stays as
-//! it was drawn.
+//! Brings the parts of a drawn scene together: what no key by itself can know. A part that this knows nothing of stays
+//! as it was drawn.
 
 use super::dice::Dice;
 use super::formulas::Examples;

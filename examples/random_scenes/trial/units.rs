@@ -87,7 +87,8 @@ fn formula(text: &str, key: &Parameter, table: &Table, factors: [f64; 2]) -> Val
     if dimension == [0.0, 0.0] { out.into() } else { format!("{factor:?}*({out})").into() }
 }
 
-/// The dimensions in the first brackets of a summary that hold some; a list of three goes on like an arithmetic sequence.
+/// The dimensions in the first brackets of a summary that hold some; a list of three goes on like an arithmetic
+/// sequence.
 fn dimensions(summary: &str, table: &Table) -> Vec<Dimension> {
     for (start, _) in summary.match_indices('(') {
         let Some(inside) = balanced(&summary[start + 1..]) else { continue };

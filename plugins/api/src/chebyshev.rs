@@ -1,10 +1,10 @@
 //! Chebyshev polynomials in powers of their variable.
 
-/// The first `N`, two at least, of a family that goes on by `P_k = 2 v P_(k-1) - P_(k-2)`, as coefficients of `1, v, v^2, ...`:
-/// `P_0 = 1`, and `P_1` is given by its two coefficients.
+/// The first `N`, two at least, of a family that goes on by `P_k = 2 v P_(k-1) - P_(k-2)`, as coefficients of `1, v,
+/// v^2, ...`: `P_0 = 1`, and `P_1` is given by its two coefficients.
 ///
-/// From `P_1 = v` these are the `T_k(v)`; from `P_1 = 2 v - 1` the `T_(2k+1)(x)/x` in `v = 2 x^2 - 1`. All are whole numbers, exact as
-/// long as they stay below `2^53`: up to 44 of the `T_k`.
+/// From `P_1 = v` these are the `T_k(v)`; from `P_1 = 2 v - 1` the `T_(2k+1)(x)/x` in `v = 2 x^2 - 1`. All are whole
+/// numbers, exact as long as they stay below `2^53`: up to 44 of the `T_k`.
 pub fn in_powers<const N: usize>(second: [f64; 2]) -> [[f64; N]; N] {
     let mut rows = [[0.0; N]; N];
     rows[0][0] = 1.0;

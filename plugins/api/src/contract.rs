@@ -1,4 +1,5 @@
-//! What the numbers that a run-time half tells of itself must be, in a few comparisons: before every solve, and by the testkit.
+//! What the numbers that a run-time half tells of itself must be, in a few comparisons: before every solve, and by the
+//! testkit.
 
 use crate::{Edge, KernelTable, LayerResponse, ModulusLaw, Parity, PunchShape, Refusal, Rule, SurfaceFlexibility};
 
@@ -7,8 +8,8 @@ const MOST_KINKS: usize = 64;
 /// What rounding leaves where two things that a law tells are one.
 const AGREEMENT: f64 = 1e-9;
 
-/// The lengths and places that a shape tells: lengths are positive and finite, kinks ascend from 0 and are not too many, and corners
-/// are kinks.
+/// The lengths and places that a shape tells: lengths are positive and finite, kinks ascend from 0 and are not too
+/// many, and corners are kinks.
 ///
 /// # Errors
 /// The first that is not, and what it is.
@@ -44,8 +45,8 @@ fn kinks(shape: &dyn PunchShape) -> Result<(), String> {
     }
 }
 
-/// The depths and parts that a law and its sublayers tell, before anything is taken from them: breakpoints ascend within (0, 1), details
-/// and probes within [0, 1], a power is above 0, and the sublayers fill the layer.
+/// The depths and parts that a law and its sublayers tell, before anything is taken from them: breakpoints ascend
+/// within (0, 1), details and probes within [0, 1], a power is above 0, and the sublayers fill the layer.
 ///
 /// # Errors
 /// The first that does not, and what it is.
@@ -73,7 +74,8 @@ pub fn parts(law: &dyn ModulusLaw) -> Result<(), String> {
     })
 }
 
-/// What a law and its sublayers tell beside their values agrees with these: the modulus at the surface, and the exponent.
+/// What a law and its sublayers tell beside their values agrees with these: the modulus at the surface, and the
+/// exponent.
 ///
 /// # Errors
 /// The first that does not, and what it is.
@@ -100,7 +102,8 @@ pub fn values(law: &dyn ModulusLaw) -> Result<(), String> {
     })
 }
 
-/// The lengths and the power that a layer's response tells of it are above 0 and finite, and what it tells of long waves is a number.
+/// The lengths and the power that a layer's response tells of it are above 0 and finite, and what it tells of long
+/// waves is a number.
 ///
 /// # Errors
 /// The first that is not, and what it is.
@@ -130,7 +133,8 @@ pub fn numbers(wave_numbers: &[f64], flexibilities: &[SurfaceFlexibility]) -> Re
     }
 }
 
-/// The lengths and the power that a kernel table tells are above 0 and finite, and its bound is none that proves nothing.
+/// The lengths and the power that a kernel table tells are above 0 and finite, and its bound is none that proves
+/// nothing.
 ///
 /// # Errors
 /// The first that is not, and what it is.

@@ -7,8 +7,8 @@ const MOST: usize = 1000;
 /// Lengths from one cut to the next grow by this factor.
 const GROWTH: f64 = 4.0;
 
-/// Cuts of `(0, 1)` beside places of which width and position are given, ever farther from each up to `last`; ascending. Places wider
-/// than `narrow` are seen anyway.
+/// Cuts of `(0, 1)` beside places of which width and position are given, ever farther from each up to `last`;
+/// ascending. Places wider than `narrow` are seen anyway.
 pub fn beside(places: impl Iterator<Item = (f64, f64)>, narrow: f64, last: f64) -> Vec<f64> {
     let mut cuts = Vec::new();
     for (place, width) in places.filter(|(_, width)| *width < narrow && *width > NARROWEST).take(MOST) {
@@ -24,7 +24,8 @@ pub fn beside(places: impl Iterator<Item = (f64, f64)>, narrow: f64, last: f64) 
     cuts
 }
 
-/// Places between cuts, and these: where one begins a grid may agree with what varies there by chance, and that is not at its largest.
+/// Places between cuts, and these: where one begins a grid may agree with what varies there by chance, and that is not
+/// at its largest.
 pub fn looked_at(cuts: &[f64]) -> impl Iterator<Item = f64> {
     const PARTS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
     let begins = std::iter::once(&0.0).chain(cuts);

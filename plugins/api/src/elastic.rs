@@ -117,8 +117,8 @@ pub enum Base {
 }
 
 impl Base {
-    /// Whether what lies far below does not give way: rigid bases, and infinite solids that stiffen. Only of an infinite
-    /// solid the exponent of its law is asked for.
+    /// Whether what lies far below does not give way: rigid bases, and infinite solids that stiffen. Only of an
+    /// infinite solid the exponent of its law is asked for.
     pub fn is_grounded(self, exponent: impl FnOnce() -> Option<f64>) -> bool {
         match self {
             Self::Rigid | Self::Frictionless => true,

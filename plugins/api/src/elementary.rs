@@ -78,8 +78,8 @@ const EXPONENTIAL: [f64; 12] = [
     1.0 / 479_001_600.0,
     1.0 / 6_227_020_800.0,
 ];
-/// `1.5 2^52`: added to a number of either sign that is small beside it, it rounds that number to a whole one, and leaves it in the
-/// lowest bits.
+/// `1.5 2^52`: added to a number of either sign that is small beside it, it rounds that number to a whole one, and
+/// leaves it in the lowest bits.
 pub const ROUND: f64 = 6_755_399_441_055_744.0;
 /// `cot(pi/8)`; `tan(pi/8)` is less by 2.
 const STEEP: f64 = 2.414_213_562_373_095;
@@ -146,8 +146,8 @@ pub fn sin_pi(d: f64) -> f64 {
     d * sum
 }
 
-/// The angle between the axis and the direction to `(x, y)`, `y > 0`, from 0 to `pi`, to two units in the last place; `x` may be
-/// infinite.
+/// The angle between the axis and the direction to `(x, y)`, `y > 0`, from 0 to `pi`, to two units in the last place;
+/// `x` may be infinite.
 #[inline(always)]
 pub fn angle(x: f64, y: f64) -> f64 {
     let size = x.abs();

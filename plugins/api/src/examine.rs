@@ -13,19 +13,19 @@ const ROUNDING: f64 = 1e-12;
 
 /// Intervals on which height and slope are compared.
 const INTERVALS: u32 = 16;
-/// What they may miss of each other, beside the steepest rise over an interval: heights as near to the tip as a millionth of its
-/// radius have no more digits.
+/// What they may miss of each other, beside the steepest rise over an interval: heights as near to the tip as a
+/// millionth of its radius have no more digits.
 const SLACK: f64 = 0.01;
 /// What a height that is to be 0 may be, beside the largest.
 const LEVEL: f64 = 1e-6;
 
-/// What [`PunchShape::flaw`] is where a shape has none of its own: [`first_flaw`], the kinks among the points, or else where the
-/// shape contradicts itself.
+/// What [`PunchShape::flaw`] is where a shape has none of its own: [`first_flaw`], the kinks among the points, or else
+/// where the shape contradicts itself.
 pub fn flaw<S: PunchShape + ?Sized>(shape: &S, half_width: f64) -> Option<Flaw> {
     let half_width = within(shape, half_width);
     let size = |value: f64| if value.is_finite() { value.abs() } else { 0.0 };
-    // What is known of nothing but its values may round by the largest of them, heights by more: what they say is compared with
-    // the slope.
+    // What is known of nothing but its values may round by the largest of them, heights by more: what they say is
+    // compared with the slope.
     let height = LEVEL / ROUNDING * size(shape.height(half_width));
     let known = (height, size(shape.slope(half_width)));
     first_flaw_beside(known, shape, half_width, shape.kinks()).or_else(|| contradiction(shape, half_width))
@@ -37,7 +37,8 @@ fn within<S: PunchShape + ?Sized>(shape: &S, half_width: f64) -> f64 {
     if half_width <= end * (1.0 + ROUNDING) { half_width.min(end * (1.0 - ROUNDING)) } else { half_width }
 }
 
-/// Where the height of a convex shape is not 0 though it is to be, or rises by what no slope between those of both ends gives.
+/// Where the height of a convex shape is not 0 though it is to be, or rises by what no slope between those of both ends
+/// gives.
 fn contradiction<S: PunchShape + ?Sized>(shape: &S, half_width: f64) -> Option<Flaw> {
     let flaw = |what, x| Flaw { is_contradiction: true, ..Flaw::new(what, x) };
     let highest = shape.height(half_width).abs();

@@ -6,10 +6,10 @@ use std::sync::Arc;
 
 /// Surface flexibility at one wave number, scaled: the entries of `s F(s)/A0`.
 ///
-/// For `p = P cos(sx)`, `q = Q sin(sx)`: `v = (Fvv P + Fuv Q) cos(sx)`, `u = (Fuv P + Fuu Q) sin(sx)`.
-/// They tend to `1`, `1`, `-beta` as `s` grows, `beta` being that of the surface. At the origin they tend to 0 at least
-/// like `s` when the layer is bonded to a rigid base, to the flexibility of an elastic half-plane when it stands on one;
-/// on a base without friction `uu` grows like `1/s`, see [`LayerResponse::pole`].
+/// For `p = P cos(sx)`, `q = Q sin(sx)`: `v = (Fvv P + Fuv Q) cos(sx)`, `u = (Fuv P + Fuu Q) sin(sx)`. They tend to
+/// `1`, `1`, `-beta` as `s` grows, `beta` being that of the surface. At the origin they tend to 0 at least like `s`
+/// when the layer is bonded to a rigid base, to the flexibility of an elastic half-plane when it stands on one; on a
+/// base without friction `uu` grows like `1/s`, see [`LayerResponse::pole`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SurfaceFlexibility {
     /// `s Fvv/A0`: indentation by pressure.
@@ -78,20 +78,21 @@ pub trait LayerResponse: Send + Sync {
     /// `s F` equals its limit at every `s`: a homogeneous half-plane.
     fn depth(&self) -> Option<f64>;
 
-    /// How deep all of it is that the surface feels, in the same unit: at a base, or a datum. Breaks above it, of which the first is at
+    /// How deep all of it is that the surface feels, in the same unit: at a base, or a datum. Breaks above it, of which
+    /// the first is at
     /// [`Self::depth`], may be as faint as they like.
     fn thickness(&self) -> Option<f64> {
         self.depth()
     }
 
-    /// The power of the depth, no whole number, with which the solid begins at its surface to be no analytic function of it; `None` where
-    /// that is not known, or it is one.
+    /// The power of the depth, no whole number, with which the solid begins at its surface to be no analytic function
+    /// of it; `None` where that is not known, or it is one.
     fn broken_power(&self) -> Option<f64> {
         None
     }
 
-    /// How deep the solid goes on to change, where a datum makes [`Self::thickness`] less: towards the origin the flexibility varies over its
-    /// inverse.
+    /// How deep the solid goes on to change, where a datum makes [`Self::thickness`] less: towards the origin the
+    /// flexibility varies over its inverse.
     fn extent(&self) -> Option<f64> {
         self.thickness()
     }

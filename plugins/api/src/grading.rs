@@ -35,7 +35,8 @@ dyn_clone::clone_trait_object!(Grading);
 pub struct Setting {
     /// Thickness in the user's unit; `None` on an infinite solid.
     pub thickness: Option<Positive>,
-    /// What the scene calls a modulus. Only laws that mix materials need to know: all others hand on what they are given.
+    /// What the scene calls a modulus. Only laws that mix materials need to know: all others hand on what they are
+    /// given.
     pub moduli: Moduli,
 }
 
@@ -74,8 +75,8 @@ pub trait ModulusLaw: Debug + Send + Sync {
         None
     }
 
-    /// The power of the depth, no whole number, with which the law begins to be no analytic function at the surface; `None` where it
-    /// is one.
+    /// The power of the depth, no whole number, with which the law begins to be no analytic function at the surface;
+    /// `None` where it is one.
     fn broken_power(&self) -> Option<f64> {
         None
     }
@@ -114,15 +115,15 @@ pub trait ModulusLaw: Debug + Send + Sync {
         &[]
     }
 
-    /// Depths from 0 to 1, ascending, none at a breakpoint, at which what stands for the law is compared with it: the rows of
-    /// a table, and so many depths of a formula that a film which is none of its details is seen as a rule.
+    /// Depths from 0 to 1, ascending, none at a breakpoint, at which what stands for the law is compared with it: the
+    /// rows of a table, and so many depths of a formula that a film which is none of its details is seen as a rule.
     fn probes(&self) -> &[f64] {
         &[]
     }
 
     /// The sublayers of which the law is made, top first, their thicknesses adding up to 1; none where it is no stack.
-    /// They are bonded to each other; each has a law over a depth of its own from 0 to 1. All else that a stack tells is
-    /// what its sublayers tell.
+    /// They are bonded to each other; each has a law over a depth of its own from 0 to 1. All else that a stack tells
+    /// is what its sublayers tell.
     fn sublayers(&self) -> &[Sublayer] {
         &[]
     }

@@ -5,8 +5,8 @@ use crate::{LayerResponse, Refusal};
 use std::fmt::Debug;
 use std::ops::Range;
 
-/// Distance of a kernel's nearest complex singularity, but for that at the origin, in terms of [`KernelTable::length`], at
-/// the least.
+/// Distance of a kernel's nearest complex singularity, but for that at the origin, in terms of [`KernelTable::length`],
+/// at the least.
 pub const NEAREST_POLE: f64 = 0.77;
 
 /// Which kernel. All are scaled by `A0` (theory.md section 3).
@@ -163,8 +163,8 @@ pub trait KernelStrategy: dyn_clone::DynClone + Debug + Send + Sync {
         Ok(())
     }
 
-    /// Evaluates the flexibility where it must and builds the tables. Nothing else bounds its work: the wave numbers are counted when the
-    /// tables are there, and how long these take to be read is not known to those who read them.
+    /// Evaluates the flexibility where it must and builds the tables. Nothing else bounds its work: the wave numbers
+    /// are counted when the tables are there, and how long these take to be read is not known to those who read them.
     ///
     /// # Errors
     /// What it cannot tell, or not with bounded work.
@@ -214,22 +214,24 @@ pub trait KernelTable: Send + Sync {
         None
     }
 
-    /// What is wrong beside that of nothing but what is as narrow as may be, the singularity at the edge of a contact: over its size.
+    /// What is wrong beside that of nothing but what is as narrow as may be, the singularity at the edge of a contact:
+    /// over its size.
     fn edge_error(&self) -> f64 {
         0.0
     }
 
-    /// The shortest length over which the parts vary, in units of the thickness: what a sum over points must resolve. Their nearest
-    /// complex singularity may be at [`NEAREST_POLE`] of it.
+    /// The shortest length over which the parts vary, in units of the thickness: what a sum over points must resolve.
+    /// Their nearest complex singularity may be at [`NEAREST_POLE`] of it.
     fn length(&self) -> f64;
 
-    /// Where the parts are singular at the origin, as a power of the distance is: down to which distance they vary over the distance
-    /// itself. `None` where each of them is analytic there.
+    /// Where the parts are singular at the origin, as a power of the distance is: down to which distance they vary over
+    /// the distance itself. `None` where each of them is analytic there.
     fn nearest(&self) -> Option<f64> {
         None
     }
 
-    /// Where the kernels are series in that power of the distance, over the distance (of the depth, as it is), from [`Self::nearest`] down to 0.
+    /// Where the kernels are series in that power of the distance, over the distance (of the depth, as it is), from
+    /// [`Self::nearest`] down to 0.
     fn power(&self) -> Option<f64> {
         None
     }

@@ -71,8 +71,8 @@ impl LayerModel {
         Some(Material { shear: shear.get() / self.surface_shear, elastic: Elastic::new(self.solid.plane, poisson) })
     }
 
-    /// Whether a load's depth has a meaning of its own: what lies far below does not give way. On an elastic half-plane it is
-    /// fixed up to a constant only, until a [`Self::datum`] is named.
+    /// Whether a load's depth has a meaning of its own: what lies far below does not give way. On an elastic half-plane
+    /// it is fixed up to a constant only, until a [`Self::datum`] is named.
     pub fn is_grounded(&self) -> bool {
         self.base.is_grounded(|| self.exponent())
     }

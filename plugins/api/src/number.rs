@@ -73,7 +73,8 @@ checked!(Positive, "a finite number above 0", |v| v > 0.0 && v < f64::INFINITY);
 checked!(Finite, "a finite number", f64::is_finite);
 checked!(Poisson, "a number above -1 and up to 0.5", |v| v > -1.0 && v <= 0.5);
 
-/// A share of a shape's height for people, after words such as "up to " where it is no more than that: "up to 17 % of its height".
+/// A share of a shape's height for people, after words such as "up to " where it is no more than that: "up to 17 % of
+/// its height".
 pub fn of_height(most: &str, share: f64) -> String {
     if share < 1.0 { format!("{most}{:.0} % of its height", 100.0 * share) } else { "more than its height".into() }
 }

@@ -23,7 +23,8 @@ dyn_clone::clone_trait_object!(PunchProfile);
 
 /// Run-time half of a punch: its height over the surface, all lengths in the user's unit.
 ///
-/// Shapes are symmetric about `x = 0`; how far they are convex is theirs to say, or else it is looked for, see [`Self::flaw`].
+/// Shapes are symmetric about `x = 0`; how far they are convex is theirs to say, or else it is looked for, see
+/// [`Self::flaw`].
 pub trait PunchShape: Debug + Send + Sync {
     /// Gap `g(x)` between the unloaded surface and the punch that touches it at the origin; `g(0) = 0`.
     /// Not a number where the shape is not defined.
@@ -56,14 +57,14 @@ pub trait PunchShape: Debug + Send + Sync {
     /// What keeps the contact under `|x| <= half_width` from being one interval that grew with the load, such as a face
     /// that is not convex: what it is and at which `x`. `None` where nothing does.
     ///
-    /// By default the shape is [looked over](examine::flaw), point by point, at every contact that is reported. A shape that knows
-    /// better says so: `None` is a promise that it is convex, and that its slope is that of its height.
+    /// By default the shape is [looked over](examine::flaw), point by point, at every contact that is reported. A shape
+    /// that knows better says so: `None` is a promise that it is convex, and that its slope is that of its height.
     fn flaw(&self, half_width: f64) -> Option<Flaw> {
         examine::flaw(self, half_width)
     }
 
-    /// Places within a half-width, ascending, beside which the shape, smooth there, may vary over lengths far shorter than elsewhere.
-    /// Nothing is between two of them that a few dozen samples would miss.
+    /// Places within a half-width, ascending, beside which the shape, smooth there, may vary over lengths far shorter
+    /// than elsewhere. Nothing is between two of them that a few dozen samples would miss.
     fn details(&self, half_width: f64) -> Vec<f64> {
         let _ = half_width;
         Vec::new()
@@ -86,14 +87,15 @@ pub trait PunchShape: Debug + Send + Sync {
         None
     }
 
-    /// By how much the shape under a contact of that half-width is unsure, at most, over its height at the contact's edge; `None` for shapes that
-    /// are what they are.
+    /// By how much the shape under a contact of that half-width is unsure, at most, over its height at the contact's
+    /// edge; `None` for shapes that are what they are.
     fn doubt(&self, half_width: f64) -> Option<f64> {
         let _ = half_width;
         None
     }
 
-    /// What users are to know of how the shape under a contact of that half-width was made of what they gave, in words; as a rule nothing.
+    /// What users are to know of how the shape under a contact of that half-width was made of what they gave, in words;
+    /// as a rule nothing.
     fn remarks(&self, half_width: f64) -> Vec<String> {
         let _ = half_width;
         Vec::new()

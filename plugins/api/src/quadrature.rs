@@ -78,8 +78,9 @@ impl Span {
 
 /// Config half: the discretisation (such as `gauss-chebyshev`).
 ///
-/// Refinement asks for one level after another until the tolerance is met, the [budget](Rule::multiplications_beside) is used up or the
-/// scheme refuses: one that converges slowly must end that itself, by refusing more unknowns than it is worth solving for.
+/// Refinement asks for one level after another until the tolerance is met, the [budget](Rule::multiplications_beside)
+/// is used up or the scheme refuses: one that converges slowly must end that itself, by refusing more unknowns than it
+/// is worth solving for.
 #[typetag::serde(tag = "type")]
 pub trait Quadrature: dyn_clone::DynClone + Debug + Send + Sync {
     /// Lays out nodes and collocation points for one density.
@@ -91,8 +92,8 @@ pub trait Quadrature: dyn_clone::DynClone + Debug + Send + Sync {
     /// The same scheme, `level` steps finer. A step takes at least 5/4 and at most twice the unknowns.
     fn refined(&self, level: u32) -> Box<dyn Quadrature>;
 
-    /// What it is to be for kernels that begin at the origin with that power of the distance, no whole number, over the distance; `None`
-    /// where it is the same for all.
+    /// What it is to be for kernels that begin at the origin with that power of the distance, no whole number, over the
+    /// distance; `None` where it is the same for all.
     fn under(&self, _power: f64) -> Option<Box<dyn Quadrature>> {
         None
     }
@@ -139,22 +140,22 @@ pub trait Rule: Send + Sync {
         None
     }
 
-    /// How near to its end, over the half-width, a density is told apart from what it is just there: nearer than that it may be off by
-    /// more than the rule is elsewhere.
+    /// How near to its end, over the half-width, a density is told apart from what it is just there: nearer than that
+    /// it may be off by more than the rule is elsewhere.
     fn finest_gap(&self) -> f64 {
         self.collocation().last().map_or(1.0, |station| station.gap / self.half_width())
     }
 
-    /// Relative error, about, of integrals over kernels whose length is `1/thinness` of the half-width, where the rule lacks the
-    /// room to do them better; 0 where more unknowns will do.
+    /// Relative error, about, of integrals over kernels whose length is `1/thinness` of the half-width, where the rule
+    /// lacks the room to do them better; 0 where more unknowns will do.
     fn lost_for_room(&self, thinness: f64) -> f64 {
         let _ = thinness;
         0.0
     }
 
-    /// Multiplications that [`Self::operator_into`] takes beside reading the kernel and a few for each entry, where the kernel's length is
-    /// `1/thinness` of the half-width: what a finer grid for the kernel costs. They are counted where `thinness` is above 8: under wider
-    /// kernels a grid is as fine as its unknowns.
+    /// Multiplications that [`Self::operator_into`] takes beside reading the kernel and a few for each entry, where the
+    /// kernel's length is `1/thinness` of the half-width: what a finer grid for the kernel costs. They are counted
+    /// where `thinness` is above 8: under wider kernels a grid is as fine as its unknowns.
     fn multiplications_beside(&self, thinness: f64) -> u64 {
         let _ = thinness;
         0
@@ -206,8 +207,8 @@ pub trait Rule: Send + Sync {
     /// with whatever the rule needs to know of it.
     fn sample_potential(&mut self, unknowns: &[f64], kernel: (&dyn KernelTable, Component), samples: &mut Vec<f64>);
 
-    /// About how far [`Self::potential_into`] is off between places where it is exact, of a potential of that component; `None` where the rule
-    /// does not tell.
+    /// About how far [`Self::potential_into`] is off between places where it is exact, of a potential of that
+    /// component; `None` where the rule does not tell.
     fn lost_between_samples(&self, _samples: &[f64], _component: Component) -> Option<f64> {
         None
     }

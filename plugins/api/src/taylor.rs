@@ -159,8 +159,8 @@ impl Mul for Taylor {
 
 impl Div for Taylor {
     type Output = Self;
-    /// Zeros that both have in front cancel; a pole has no series. What is divided by too large a number is zero, as far as that has a
-    /// series: a logarithm of zero has none.
+    /// Zeros that both have in front cancel; a pole has no series. What is divided by too large a number is zero, as
+    /// far as that has a series: a logarithm of zero has none.
     fn div(self, other: Self) -> Self {
         if other.value().is_infinite() && self.value().is_finite() {
             return Self(vec![0.0; self.0.len().min(other.0.len())]);

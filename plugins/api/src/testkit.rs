@@ -28,16 +28,17 @@ pub fn check_crate(krate: &str) {
 
 /// Checks one plugin; the error says what is wrong with it.
 ///
-/// Its name is unique in its family and equals the tag; its example parses, survives writing and reading
-/// back, and refuses an unknown key; the documented keys are those that exist, required where they say so,
-/// each sample value is accepted, and what [`crate::Values`] rules out is refused. It keeps the contract of its family, too:
+/// Its name is unique in its family and equals the tag; its example parses, survives writing and reading back, and
+/// refuses an unknown key; the documented keys are those that exist, required where they say so, each sample value is
+/// accepted, and what [`crate::Values`] rules out is refused. It keeps the contract of its family, too:
 ///
 /// * a grading: a finite and positive modulus, and all that it tells beside its values;
 /// * a punch: an even height whose derivative is the slope;
-/// * a flexibility: what small steps through a few layers give (theory.md section 2), of which it may refuse all but one;
+/// * a flexibility: what small steps through a few layers give (theory.md section 2), of which it may refuse all but
+///   one;
 /// * a kernel: the transforms of a few flexibilities, to what its tables say of their errors, likewise;
-/// * a quadrature: as many equations as the unknowns want, a flat punch on a half-plane to rounding, and densities of each edge
-///   that are known in closed form.
+/// * a quadrature: as many equations as the unknowns want, a flat punch on a half-plane to rounding, and densities of
+///   each edge that are known in closed form.
 pub fn check_plugin(info: &PluginInfo) -> Result<(), String> {
     let twins = plugins().iter().filter(|other| (other.family, other.name) == (info.family, info.name)).count();
     ensure(twins == 1, || format!("{twins} plugins of this family have this name"))?;

@@ -13,10 +13,10 @@ const METHOD: &str = "compliance";
 
 /// The compliance `d = C t` between displacement and traction, carried from the base to the surface.
 ///
-/// Good to about 1e-14 for every wave number, gradient (none included) and Poisson's ratio: small entries
-/// keep their relative precision too, up to 5e-14 where the moduli differ by a factor of 1e6. A law that is
-/// `exp(gamma y)` costs less than a microsecond per wave number, any other little more once the slices are made that all
-/// wave numbers share (`cargo bench --bench main -- flexibility/compliance`).
+/// Good to about 1e-14 for every wave number, gradient (none included) and Poisson's ratio: small entries keep their
+/// relative precision too, up to 5e-14 where the moduli differ by a factor of 1e6. A law that is `exp(gamma y)` costs
+/// less than a microsecond per wave number, any other little more once the slices are made that all wave numbers share
+/// (`cargo bench --bench main -- flexibility/compliance`).
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Compliance {}

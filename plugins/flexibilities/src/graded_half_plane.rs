@@ -22,9 +22,9 @@ pub(crate) fn response(
             remedy: "give the layer a thickness and a base",
         });
     }
-    // What decays with depth alone: the two depth exponents with negative real parts (CC13 eq. 20). `s F` is an algebraic
-    // function of `s`, its series in `gamma/s` converges beyond its branch points, and nothing else is left there. Towards
-    // `s = 0` it vanishes: a solid that stiffens without end is its own base.
+    // What decays with depth alone: the two depth exponents with negative real parts (CC13 eq. 20). `s F` is an
+    // algebraic function of `s`, its series in `gamma/s` converges beyond its branch points, and nothing else is left
+    // there. Towards `s = 0` it vanishes: a solid that stiffens without end is its own base.
     let surface = |solid: &Exponential, s: f64| Ok(Minors::new(solid.elastic, solid.gamma).infinite(s));
     Ok(Box::new(Exponential { elastic, gamma, depth: gamma.recip(), surface }))
 }

@@ -16,7 +16,8 @@ pub(crate) type Pair = [[f64; 4]; 2];
 /// Something at all nodes: those above the middle, from the upper end on, and their mirror images.
 pub(crate) type Nodes<T, const H: usize> = [[T; H]; 2];
 
-/// What leads from values at `2 H` nodes to integrals, the even and the odd part of a function apart: the nodes are symmetric.
+/// What leads from values at `2 H` nodes to integrals, the even and the odd part of a function apart: the nodes are
+/// symmetric.
 pub(crate) struct Integration<const H: usize> {
     /// From 0 at the lower end to 1.
     pub(crate) nodes: Nodes<f64, H>,
@@ -65,8 +66,8 @@ impl<const H: usize> Integration<H> {
         }
     }
 
-    /// Adds the integrals from the lower end to each node to `start`, which is the same everywhere; returns what that is at
-    /// the upper end.
+    /// Adds the integrals from the lower end to each node to `start`, which is the same everywhere; returns what that
+    /// is at the upper end.
     #[inline(always)]
     pub(crate) fn integrate<S: Simd>(&self, start: &Pair, [above, below]: &mut Nodes<Pair, H>) -> Pair {
         let (mut even, mut odd) = ([Pair::default(); H], [Pair::default(); H]);

@@ -58,7 +58,8 @@ impl Layered {
         column.unscaled(s)
     }
 
-    /// The same, and what a traction on the surface displaces at the depth `datum`, above which the first `above` panels lie.
+    /// The same, and what a traction on the surface displaces at the depth `datum`, above which the first `above`
+    /// panels lie.
     fn compliance_and_datum(&self, s: f64, datum: f64, above: usize) -> (Compliances<1>, Matrix2<f64>) {
         let s = [s];
         // What a load does at a depth y falls like exp(-s y), what it does there and back like the square.
@@ -95,8 +96,8 @@ impl Layered {
         }
     }
 
-    /// `s F/A0` of a compliance. That of a base so much softer than the surface that squares of its compliance overflow is no
-    /// number.
+    /// `s F/A0` of a compliance. That of a base so much softer than the surface that squares of its compliance overflow
+    /// is no number.
     fn told(&self, compliance: &Matrix2<f64>, s: f64) -> Result<SurfaceFlexibility, Refusal> {
         let told = surface_tail::scaled(compliance, s, self.layer.elastic);
         if told.vv.is_finite() && told.uu.is_finite() && told.uv.is_finite() {
@@ -328,7 +329,8 @@ impl<const L: usize> Column<L> {
         (xx[i], xy[i], yx[i], yy[i]) = (compliance.m11, compliance.m12 * s, compliance.m21 / s, compliance.m22);
     }
 
-    /// Puts a slice of some depth on top of all columns, stresses in the unit `unit`; `s` are the wave numbers over its depth.
+    /// Puts a slice of some depth on top of all columns, stresses in the unit `unit`; `s` are the wave numbers over its
+    /// depth.
     #[inline(always)]
     fn rise(&mut self, [displacements, tractions]: &[Rows<L>; 2], s: &[f64; L], depth: f64, unit: f64) {
         let (softness, squared) = (depth / unit, depth * depth / unit);
@@ -338,8 +340,8 @@ impl<const L: usize> Column<L> {
             (xx[i], xy[i], yx[i], yy[i]) =
                 (xx[i] * per_softness, xy[i] * unit, yx[i] * per_squared, yy[i] * per_softness);
         }
-        // Two states: each with a unit traction and what displacements go with that; on a base on which the layer slides with
-        // a unit of what that leaves free.
+        // Two states: each with a unit traction and what displacements go with that; on a base on which the layer
+        // slides with a unit of what that leaves free.
         let free = if self.slides { [0, 3] } else { [2, 3] };
         self.slides = false;
         let mut top = [[[0.0; L]; 2]; 4];

@@ -1,9 +1,9 @@
 //! The minors of the bonded solutions, instead of the solutions themselves.
 //!
-//! The 2x2 minors of two states `(u, v, sigma_xy, sigma_yy)` that vanish at the base obey linear equations of their own.
-//! With `D = [sigma_xy, sigma_yy]` the flexibilities are `vv = W/D`, `uu = X/D`, `uv = Z/D`. Let `E` be `D` times
-//! `vv uu - uv^2`; then the Riccati equation of `surface_tail` becomes, over the distance from the base, with stresses in
-//! units of the local modulus and `eta = 1 - beta`,
+//! The 2x2 minors of two states `(u, v, sigma_xy, sigma_yy)` that vanish at the base obey linear equations of their
+//! own. With `D = [sigma_xy, sigma_yy]` the flexibilities are `vv = W/D`, `uu = X/D`, `uv = Z/D`. Let `E` be `D` times
+//! `vv uu - uv^2`; then the Riccati equation of `surface_tail` becomes, over the distance from the base, with stresses
+//! in units of the local modulus and `eta = 1 - beta`,
 //!
 //! ```text
 //! D' = gamma D + 2 s X,    X' = 2 s (eta D - Z),    Z' = s (lambda X - W),

@@ -83,11 +83,12 @@ const LAST: usize = 3;
 /// A panel as thin as this over its law holds a jump or a kink that the law does not tell: nothing else is that narrow.
 const KINK: f64 = 1e-6;
 
-/// Where the law begins with a broken power panels shrink towards the surface, each as thick as this part of what lies above it, or thicker.
+/// Where the law begins with a broken power panels shrink towards the surface, each as thick as this part of what lies
+/// above it, or thicker.
 const SHRINKING: f64 = 0.1;
 
-/// Even if it is not smooth a panel as thin as this is kept, all of it taken for what is at its top: what a jump is taken for
-/// matters no more than its thickness.
+/// Even if it is not smooth a panel as thin as this is kept, all of it taken for what is at its top: what a jump is
+/// taken for matters no more than its thickness.
 const THINNEST: f64 = 1e-13;
 
 /// The same over the depth, of laws that begin with a broken power of it, down to here.
@@ -96,8 +97,8 @@ const NEAREST: f64 = 1e-36;
 /// Most panels: a law that asks for more is noise.
 const MOST_PANELS: usize = 1 << 15;
 
-/// Largest relative error at the law's probes: above its rounding and that of polynomials, so that nothing counts but what the nodes
-/// have missed.
+/// Largest relative error at the law's probes: above its rounding and that of polynomials, so that nothing counts but
+/// what the nodes have missed.
 const PROBED: f64 = 1e-12;
 
 /// Where the constants are looked at beside the nodes.
@@ -163,7 +164,8 @@ impl Panels {
                 stack.push((start, half, error));
                 continue;
             }
-            // At the surface itself nothing can be split off but what its derivatives tell; panels that shrink towards it are no kink.
+            // At the surface itself nothing can be split off but what its derivatives tell; panels that shrink towards
+            // it are no kink.
             let is_narrow = !is_broken || wide < SHRINKING * top;
             if width < KINK && top > KINK * thickness && is_narrow {
                 self.first_break = self.first_break.min(top);
@@ -331,8 +333,8 @@ impl Chebyshev {
     }
 }
 
-/// The largest of each constant. The contraction counts beside 1, and its rounding is Poisson's ratio's: one that vanishes is measured by a
-/// part of that.
+/// The largest of each constant. The contraction counts beside 1, and its rounding is Poisson's ratio's: one that
+/// vanishes is measured by a part of that.
 fn sizes(values: &[[f64; 4]; MOST]) -> [f64; 4] {
     let least = std::array::from_fn(|i| if i == CONTRACTION { FAINT } else { 0.0 });
     values.iter().fold(least, |most, values| std::array::from_fn(|i| values[i].abs().max(most[i])))
@@ -402,8 +404,8 @@ mod tests {
 
     type Law = fn(f64) -> f64;
 
-    /// Films between the nodes of a panel, and at its end, and of a width that no node would meet: with none but the nodes asked,
-    /// the layer was homogeneous.
+    /// Films between the nodes of a panel, and at its end, and of a width that no node would meet: with none but the
+    /// nodes asked, the layer was homogeneous.
     #[test]
     fn a_film_between_the_nodes_is_seen_by_a_probe() {
         let films: [(Law, &'static [f64]); 3] = [

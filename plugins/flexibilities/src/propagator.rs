@@ -9,8 +9,8 @@ const MOST: usize = 32;
 
 /// The states at the top of a slice for each unit state at its bottom, in powers of `q = s^2`.
 ///
-/// A state is `(u, w, sigma, tau) = (u, v/s, sigma_xy, sigma_yy/s)`. Of the wave number its equations hold `q` alone, and no
-/// entry is small because `s` is: in the distance from the bottom, over the thickness,
+/// A state is `(u, w, sigma, tau) = (u, v/s, sigma_xy, sigma_yy/s)`. Of the wave number its equations hold `q` alone,
+/// and no entry is small because `s` is: in the distance from the bottom, over the thickness,
 ///
 /// ```text
 /// u' = -q w - sigma/mu                     sigma' = -q (8 mu/(1 + kappa) u + lambda tau)
@@ -41,8 +41,8 @@ type Entries = Pair;
 pub(crate) type Rows<const L: usize> = [[[f64; L]; 4]; 2];
 
 impl Propagator {
-    /// Of a slice whose constants (softness, stiffness, contraction, cross) are given from 0 at its bottom to 1 at its top, for wave
-    /// numbers up to `thickest` over its thickness.
+    /// Of a slice whose constants (softness, stiffness, contraction, cross) are given from 0 at its bottom to 1 at its
+    /// top, for wave numbers up to `thickest` over its thickness.
     pub(crate) fn new(precision: &Precision, thickest: f64, constants: impl Fn(f64) -> [f64; 4]) -> Self {
         if precision.half == HALF {
             Build::by(Integration::full(), (thickest, precision.negligible), constants)
@@ -119,8 +119,8 @@ impl Propagator {
     }
 }
 
-/// What each integral begins with: `tau` and `u`, then the `sigma` of the next power and `w`; of the first power a unit of each
-/// state, of the others nothing.
+/// What each integral begins with: `tau` and `u`, then the `sigma` of the next power and `w`; of the first power a unit
+/// of each state, of the others nothing.
 static STARTS: [[Pair; 2]; 2] = [[[unit(3), unit(0)], [[0.0; 4], unit(1)]], [[[0.0; 4]; 2]; 2]];
 
 /// A unit of one component of the four states.
@@ -183,8 +183,8 @@ mod tests {
     use crate::precision::ROUGH;
     use pulp::Scalar;
 
-    /// Of a thick slice the terms of the largest wave number rise before they fall: what is left out at a smaller one is to be little
-    /// beside what they add up to there.
+    /// Of a thick slice the terms of the largest wave number rise before they fall: what is left out at a smaller one
+    /// is to be little beside what they add up to there.
     #[test]
     fn powers_left_out_at_a_wave_number_are_little_beside_its_sum() {
         let thickest = 10.0;

@@ -57,7 +57,8 @@ impl Slice {
         self.a + self.b * (between * below) * self.b.transpose() / self.rho
     }
 
-    /// Tractions at the bottom for tractions at the top, both in one unit, when the compliance is `below` at the bottom.
+    /// Tractions at the bottom for tractions at the top, both in one unit, when the compliance is `below` at the
+    /// bottom.
     pub(crate) fn traction(&self, below: &Matrix2<f64>) -> Matrix2<f64> {
         inverse(&(Matrix2::identity() - self.c * below)) * self.b.transpose()
     }
@@ -77,8 +78,8 @@ fn inverse(m: &Matrix2<f64>) -> Matrix2<f64> {
     Matrix2::new(m22, -m12, -m21, m11) / (m11 * m22 - m12 * m21)
 }
 
-/// The state `(u, v, sigma_xy, sigma_yy)` at the bottom of such a slice for each unit state at its top, each in its local
-/// unit of stress: the exponential of the equations' matrix.
+/// The state `(u, v, sigma_xy, sigma_yy)` at the bottom of such a slice for each unit state at its top, each in its
+/// local unit of stress: the exponential of the equations' matrix.
 fn propagator(material: Material, gamma: f64, s: f64) -> Matrix4<f64> {
     let [softness, stiffness, contraction, cross] = Coefficients::of(material, material.shear);
     let negligible = NEGLIGIBLE * s.min(1.0).powi(4);

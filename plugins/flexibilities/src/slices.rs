@@ -6,15 +6,16 @@ use crate::propagator::Propagator;
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
-/// Halvings of which slices are kept, and how many of each: waves that ask for such thin ones do so above all near the top.
+/// Halvings of which slices are kept, and how many of each: waves that ask for such thin ones do so above all near the
+/// top.
 const KEPT: usize = 16;
 const KEPT_OF_EACH: usize = 8;
 
 /// By how much the wave number of a slice, over its thickness, may exceed that over its depth.
 const FARTHER: f64 = 1.0;
 
-/// Times as thick as deep from which on a panel is no more halved from its whole down. It is some thirty halvings from there to the thinnest
-/// slice, and 64 would be too many to count.
+/// Times as thick as deep from which on a panel is no more halved from its whole down. It is some thirty halvings from
+/// there to the thinnest slice, and 64 would be too many to count.
 const FAR: f64 = 1_048_576.0;
 
 /// Slices kept of one halving.
@@ -39,9 +40,9 @@ impl Slices {
         Self::new(&self.coefficients.window(start, width), self.precision)
     }
 
-    /// Shows to `rise` the slices, and how thick they are, from the deepest that begins above a depth upwards: halves of halves of the
-    /// panel, as thick as their depth allows. The panel's place is its top and its thickness; wave numbers are between `least` and
-    /// `most`.
+    /// Shows to `rise` the slices, and how thick they are, from the deepest that begins above a depth upwards: halves
+    /// of halves of the panel, as thick as their depth allows. The panel's place is its top and its thickness; wave
+    /// numbers are between `least` and `most`.
     #[inline(always)] // what rises through them does so in the machine's vectors
     pub(crate) fn walk(
         &self,
@@ -49,7 +50,8 @@ impl Slices {
         (depth, least, most): (f64, f64, f64),
         mut rise: impl FnMut(&Propagator, f64),
     ) {
-        // Of a panel that is far thicker than deep its first part is enough, or there are more parts than can be counted.
+        // Of a panel that is far thicker than deep its first part is enough, or there are more parts than can be
+        // counted.
         let first = if depth > 0.0 && thickness > FAR * depth { halvings_to(thickness / (FAR * depth)) } else { 0 };
         let (mut halvings, mut k) = (first, 0_usize);
         loop {

@@ -1,21 +1,22 @@
 //! The asymptotic series of the surface flexibility in `1/s`.
 //!
-//! Write the compliance of the theory's section 2 as `C = -A G/s` with `A` the surface's `A0 = (kappa + 1)/4`, the moduli
-//! in units of the surface modulus: the entries of `G(0)` are those of `s F/A0`, in the order `(u, v)`. Its Riccati
-//! equation becomes
+//! Write the compliance of the theory's section 2 as `C = -A G/s` with `A` the surface's `A0 = (kappa + 1)/4`, the
+//! moduli in units of the surface modulus: the entries of `G(0)` are those of `s F/A0`, in the order `(u, v)`. Its
+//! Riccati equation becomes
 //!
 //! ```text
 //! G'/s = [[0, 1], [-lambda, 0]] G + G [[0, -lambda], [1, 0]] + 2 A mu/A0 G e e^T G - diag(1, beta)/(A mu),   e = (1, 0).
 //! ```
 //!
-//! Put `G = (H0 + H1/s + H2/s^2 + ...)/m(y)`, `m = A mu/A0`. Then `H0 = [[1, -beta], [-beta, 1]]` is the half-plane at every
-//! depth, and with the logarithmic gradient `w = m'/m` the power `1/s^k` reads
+//! Put `G = (H0 + H1/s + H2/s^2 + ...)/m(y)`, `m = A mu/A0`. Then `H0 = [[1, -beta], [-beta, 1]]` is the half-plane at
+//! every depth, and with the logarithmic gradient `w = m'/m` the power `1/s^k` reads
 //!
 //! ```text
 //! L Hk + Hk L^T = Hk-1' - w Hk-1 - 2 sum_{j=1}^{k-1} Hj e e^T Hk-j,     L = [[2, 1], [-1, 0]],
 //! ```
 //!
-//! with the same `L` for every `kappa`, constant over depth or not, because `2 beta + lambda = 1`. The `Hk` are symmetric.
+//! with the same `L` for every `kappa`, constant over depth or not, because `2 beta + lambda = 1`. The `Hk` are
+//! symmetric.
 
 mod orders;
 
@@ -114,8 +115,8 @@ fn constants(solid: Solid, modulus: Taylor, nu: &Taylor) -> (Taylor, Taylor) {
 ///
 /// The `Hk` are carried as Taylor polynomials. Each order differentiates once: `Hk` to degree `m` asks for `w` to
 /// degree `m + k - 1` and for the modulus to one more, so that `n + 1` coefficients (the leading 1 among them) give `n`
-/// terms, at about `terms^4/8` multiplications. The series is in general only asymptotic, and ends before a term that is too
-/// large for a number: of a steep law even the first may be.
+/// terms, at about `terms^4/8` multiplications. The series is in general only asymptotic, and ends before a term that
+/// is too large for a number: of a steep law even the first may be.
 fn smooth(elastic: Elastic, modulus: &[f64], beta: &[f64], terms: usize) -> Vec<SurfaceFlexibility> {
     let terms = terms.min(modulus.len().saturating_sub(1));
     let gradient = logarithmic_gradient(modulus, terms);

@@ -19,12 +19,12 @@
 //! power    = atom [ "^" signed ]                       so -x^2 is -(x^2), and 2^3^2 is 2^(3^2)
 //! atom     = number | name | function "(" sum { "," sum } ")" | "(" sum ")"
 //! ```
-//! Names are the variable, the parameters, `pi` and `e`; the functions are in [`FUNCTIONS`]. Angles are in radians, `ln`
-//! and `log` are natural. A text is at most [`LONGEST`] characters long and nested at most [`DEEPEST`] deep, so that no
-//! text takes long or overflows a stack.
+//! Names are the variable, the parameters, `pi` and `e`; the functions are in [`FUNCTIONS`]. Angles are in radians,
+//! `ln` and `log` are natural. A text is at most [`LONGEST`] characters long and nested at most [`DEEPEST`] deep, so
+//! that no text takes long or overflows a stack.
 //!
-//! No library served: those that evaluate fast read `-x^2` as `(-x)^2` or overflow the stack on deep input, and none says
-//! where a formula is not smooth, which the solver has to know.
+//! No library served: those that evaluate fast read `-x^2` as `(-x)^2` or overflow the stack on deep input, and none
+//! says where a formula is not smooth, which the solver has to know.
 
 mod dual;
 mod lexer;
@@ -85,7 +85,8 @@ impl Formula {
     }
 
     /// [`Self::parse`] of formulas, each with its key, that share their parameters: each parameter has to occur in one
-    /// of them, and the variable in one of them. Names that are `given` have a value without being parameters, and need not occur.
+    /// of them, and the variable in one of them. Names that are `given` have a value without being parameters, and need
+    /// not occur.
     ///
     /// # Errors
     /// Those of [`Self::parse`]; a parameter that has the name of what is given.
@@ -147,8 +148,9 @@ impl Formula {
     /// Where the formula may not be analytic on `[0, infinity)`: an absolute value, a root or a logarithm of zero, a
     /// division by zero, the place where `min` or `max` changes sides. Ascending, the first `most` of them.
     ///
-    /// What is further out than `1e3 scale` is not looked for, and of places closer together than `scale/256` some may be missed,
-    /// unless what is zero there turns around once between them, or they lie in one of the `narrow` places: as a rule
+    /// What is further out than `1e3 scale` is not looked for, and of places closer together than `scale/256` some may
+    /// be missed, unless what is zero there turns around once between them, or they lie in one of the `narrow` places:
+    /// as a rule
     /// [`Self::narrow_places`] up to `4 scale`. A place too many does no harm.
     pub fn singular_points(&self, scale: f64, most: usize, narrow: &[(f64, f64)]) -> Vec<f64> {
         singular::points(&self.tape, scale, most, narrow)
@@ -156,8 +158,9 @@ impl Formula {
 
     /// Where on `[0, length]` the formula, analytic there, may vary over a short length: the step of a hyperbolic
     /// tangent, the peak of an exponential or of an inverse, the beginning of either at an end, the place where an
-    /// exponential outgrows what is added to it. Place and width of each, in no order; the width is no number where nothing varies. A place too many does no harm; what the
-    /// arguments of its functions do between a thousand samples is missed.
+    /// exponential outgrows what is added to it. Place and width of each, in no order; the width is no number where
+    /// nothing varies. A place too many does no harm; what the arguments of its functions do between a thousand samples
+    /// is missed.
     pub fn narrow_places(&self, length: f64) -> Vec<(f64, f64)> {
         narrow::places(&self.tape, length)
     }

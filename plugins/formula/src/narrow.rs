@@ -1,12 +1,13 @@
-//! Where a formula that is analytic varies over a short length: there, the argument of a function that rises or falls fast passes
-//! through zero, or turns around, or begins, or an exponential outgrows what stands beside it.
+//! Where a formula that is analytic varies over a short length: there, the argument of a function that rises or falls
+//! fast passes through zero, or turns around, or begins, or an exponential outgrows what stands beside it.
 
 use crate::dual::Dual;
 use crate::singular::bisect;
 use crate::tape::{Function, Step, Tape};
 use std::ops::Range;
 
-/// Samples of each argument: it is no narrower than what is made of it, but far broader as a rule. A straight line wants its ends.
+/// Samples of each argument: it is no narrower than what is made of it, but far broader as a rule. A straight line
+/// wants its ends.
 const SAMPLES: i32 = 1024;
 /// Samples of how two summands compare: their logarithms run as straight as exponents do, as a rule.
 const COMPARISONS: i32 = 128;
@@ -63,7 +64,8 @@ fn varies(tape: &Tape, range: &Range<usize>) -> bool {
     tape.steps()[range.clone()].contains(&Step::Variable)
 }
 
-/// Whether a part is a straight line by how it is written: sums, and products and quotients with the variable in one factor only.
+/// Whether a part is a straight line by how it is written: sums, and products and quotients with the variable in one
+/// factor only.
 fn is_straight(tape: &Tape, range: Range<usize>) -> bool {
     range.into_iter().all(|end| match tape.steps()[end] {
         Step::Number(_) | Step::Variable | Step::Negate | Step::Add | Step::Subtract => true,
@@ -102,8 +104,9 @@ fn powers(tape: &Tape) -> Vec<(Range<usize>, Range<usize>)> {
     all.map(|(end, _)| tape.operands(end)).filter(|(_, exponent)| varies(tape, exponent)).collect()
 }
 
-/// Summands as steep as an exponential, each with what stands beside it, and such arguments of functions that change where these are
-/// about one. An exponential that only grows neither turns around nor passes through zero: `1/(1 + exp(z))` is a step nevertheless.
+/// Summands as steep as an exponential, each with what stands beside it, and such arguments of functions that change
+/// where these are about one. An exponential that only grows neither turns around nor passes through zero: `1/(1 +
+/// exp(z))` is a step nevertheless.
 fn rivals(tape: &Tape) -> Vec<(Range<usize>, Option<Range<usize>>)> {
     let of = |(end, step): (usize, &Step)| match step {
         Step::Add | Step::Subtract => {
@@ -119,7 +122,8 @@ fn rivals(tape: &Tape) -> Vec<(Range<usize>, Option<Range<usize>>)> {
     tape.steps().iter().enumerate().filter_map(of).collect()
 }
 
-/// Whether what a step gives may grow by factors over a short length: an exponential, a high power, and what is made of them.
+/// Whether what a step gives may grow by factors over a short length: an exponential, a high power, and what is made of
+/// them.
 fn is_steep(tape: &Tape, end: usize) -> bool {
     let steep = |part: &Range<usize>| is_steep(tape, part.end - 1);
     match tape.steps()[end] {

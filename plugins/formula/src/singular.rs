@@ -84,8 +84,8 @@ pub(crate) fn points(tape: &Tape, scale: f64, most: usize, narrow: &[(f64, f64)]
         points.extend(found.iter().filter(|x| !suspect.is_passed_over(tape, **x)));
         zeros.extend(found);
         zeros.sort_unstable_by(f64::total_cmp);
-        // What is taken of it comes later, and is as narrow. No more of them than are told, or a few waves too short for the samples
-        // would make samples without end.
+        // What is taken of it comes later, and is as narrow. No more of them than are told, or a few waves too short
+        // for the samples would make samples without end.
         let between = zeros.windows(2).take(most).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1]), pair[1]]);
         samples.extend(between.filter(|x| *x > 0.0));
     }

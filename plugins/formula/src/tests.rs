@@ -330,8 +330,9 @@ fn narrow_places_are_as_wide_as_the_function_takes() {
     }
 }
 
-/// A film is where the argument of an exponential turns around: of a parabola once, of a quartic three times. A step is where that
-/// of a hyperbolic tangent passes through zero, which a straight one does once and another as often as it likes.
+/// A film is where the argument of an exponential turns around: of a parabola once, of a quartic three times. A step is
+/// where that of a hyperbolic tangent passes through zero, which a straight one does once and another as often as it
+/// likes.
 #[test]
 fn narrow_places_are_found_wherever_an_argument_turns_or_passes_through_zero() {
     for (text, places) in [

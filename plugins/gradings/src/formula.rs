@@ -35,8 +35,8 @@ slipzone_api::register!(Grading, "formula", "modulus by a formula in y with name
 /// The most kinks that are told of.
 const MOST_KINKS: usize = 1000;
 
-/// Depths at which what stands for a formula is compared with it: a film as thin as one of so many parts is seen even if nothing
-/// in the formula tells of it. They are shifted by a part that nobody puts a jump at.
+/// Depths at which what stands for a formula is compared with it: a film as thin as one of so many parts is seen even
+/// if nothing in the formula tells of it. They are shifted by a part that nobody puts a jump at.
 const PROBES: u32 = 256;
 const SHIFT: f64 = 0.618_034;
 
@@ -92,8 +92,8 @@ impl Grading for Formula {
     }
 }
 
-/// A depth in the layer at which a modulus becomes infinite or zero, as it may where the formula is singular: there, and
-/// to the last bit nowhere else, so that no sampling would find it.
+/// A depth in the layer at which a modulus becomes infinite or zero, as it may where the formula is singular: there,
+/// and to the last bit nowhere else, so that no sampling would find it.
 fn pole(modulus: &formula::Formula, singular: &[f64], thickness: f64) -> Option<f64> {
     /// Beside a depth, in units of the thickness, and by how much a modulus without poles changes over it at most.
     const NEAR: f64 = 1e-3;
@@ -110,7 +110,8 @@ fn pole(modulus: &formula::Formula, singular: &[f64], thickness: f64) -> Option<
 
 /// Where it tends to towards the surface, if that can be told: no number otherwise.
 ///
-/// It was taken for its value at 1e-12 of the thickness, where what is like `y^0.3 ln(y)^2` is far from 0: edge factors were 9 % off.
+/// It was taken for its value at 1e-12 of the thickness, where what is like `y^0.3 ln(y)^2` is far from 0: edge factors
+/// were 9 % off.
 fn limit(at: impl Fn(f64) -> f64) -> f64 {
     /// Depths over the thickness, and how much the values there may differ.
     const DEPTHS: [f64; 2] = [1e-150, 1e-280];
@@ -121,9 +122,9 @@ fn limit(at: impl Fn(f64) -> f64) -> f64 {
 
 /// The power of the depth in what is left at the surface, from those measured at ever smaller depths.
 ///
-/// They differ from it by what comes next in the formula, which falls with that power itself and is taken off, and by rounding, which rises:
-/// taken are those that change least. Measured at one depth the power was off by up to 0.01 where Poisson's ratio leaves 0.499 in a thousandth
-/// of the thickness, and edge factors by 1,100 estimates.
+/// They differ from it by what comes next in the formula, which falls with that power itself and is taken off, and by
+/// rounding, which rises: taken are those that change least. Measured at one depth the power was off by up to 0.01
+/// where Poisson's ratio leaves 0.499 in a thousandth of the thickness, and edge factors by 1,100 estimates.
 fn first_power(measured: impl Fn(f64) -> f64) -> f64 {
     /// Depths looked at, over the thickness.
     const DEPTHS: std::ops::Range<i32> = 2..40;
@@ -147,16 +148,18 @@ struct Law {
 }
 
 impl Law {
-    /// The power of the depth with which one of the formulas begins to be no analytic function: what is left of it after its
-    /// series, at two depths of which one is twice the other.
+    /// The power of the depth with which one of the formulas begins to be no analytic function: what is left of it
+    /// after its series, at two depths of which one is twice the other.
     fn power_of(&self, formula: &formula::Formula) -> Option<f64> {
         /// Derivatives asked for: a formula that has as many is smooth.
         const DERIVATIVES: usize = 8;
-        /// Depths from which on more than rounding is left after two terms, after three and so on; of longer series the power hardly matters.
+        /// Depths from which on more than rounding is left after two terms, after three and so on; of longer series the
+        /// power hardly matters.
         const DEPTHS: [f64; 3] = [1e-4, 1e-3, 1e-2];
         /// Less than that of the first term is left to rounding.
         const TOLD: f64 = 1e-11;
-        /// Least power that is told: where a law goes on like a logarithm it is none, and this so small that no wave is too short for it.
+        /// Least power that is told: where a law goes on like a logarithm it is none, and this so small that no wave is
+        /// too short for it.
         const LEAST: f64 = 0.02;
         /// What is no nearer to a whole power is broken, where no series tells.
         const WHOLE: f64 = 1e-3;
@@ -188,8 +191,8 @@ impl Law {
         Some(if power.is_finite() { power.clamp(least + LEAST, least + 1.0) } else { least + 0.5 })
     }
 
-    /// A value where there is one; where there is none what its series begins with, as that of `(exp(y) - 1)/y` does; else the limit at the
-    /// surface, or a value close by.
+    /// A value where there is one; where there is none what its series begins with, as that of `(exp(y) - 1)/y` does;
+    /// else the limit at the surface, or a value close by.
     fn value(&self, formula: &formula::Formula, depth: f64) -> f64 {
         /// Beside a depth, in units of the thickness.
         const NEAR: [f64; 2] = [1e-12, -1e-12];
@@ -395,8 +398,8 @@ mod tests {
         }
     }
 
-    /// Of two factors that only grow and only fall nothing tells that they make a film, 0.03 thick. Probes are close enough, and no
-    /// jump at a depth that one would write is one of them.
+    /// Of two factors that only grow and only fall nothing tells that they make a film, 0.03 thick. Probes are close
+    /// enough, and no jump at a depth that one would write is one of them.
     #[test]
     fn probes_are_closer_than_a_film_of_which_the_formula_does_not_tell() {
         let law = law("1 + y^500*exp(500*(1 - y))");

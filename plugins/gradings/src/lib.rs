@@ -28,7 +28,8 @@ pub use table::Table;
 pub use transition::Transition;
 pub use volume_fraction::{MixingRule, Phase, VolumeFraction};
 
-/// Places wider than this, over the thickness, are seen anyway; beside a narrower one a law is cut up to the second, ever farther from it.
+/// Places wider than this, over the thickness, are seen anyway; beside a narrower one a law is cut up to the second,
+/// ever farther from it.
 const NARROW: f64 = 0.02;
 const LAST_CUT: f64 = 0.1;
 

@@ -13,11 +13,11 @@ use std::sync::Arc;
 
 /// Moduli, and Poisson's ratios, at depths.
 ///
-/// Between the rows, and exactly through them, go rational functions without poles (M. Floater, K. Hormann, Numer. Math.
-/// 107 (2007) 315, of degree 4): one for the logarithm of the modulus, so that it stays positive and an exponential law
-/// comes back exactly, one for Poisson's ratio. They are analytic; their error falls like the fifth power of the distance
-/// between rows. What scatters in the rows scatters between them, too: nothing is smoothed. Time: linear in the number
-/// of rows for each value.
+/// Between the rows, and exactly through them, go rational functions without poles (M. Floater, K. Hormann, Numer.
+/// Math. 107 (2007) 315, of degree 4): one for the logarithm of the modulus, so that it stays positive and an
+/// exponential law comes back exactly, one for Poisson's ratio. They are analytic; their error falls like the fifth
+/// power of the distance between rows. What scatters in the rows scatters between them, too: nothing is smoothed. Time:
+/// linear in the number of rows for each value.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(try_from = "Written", into = "Written")]
 pub struct Table {

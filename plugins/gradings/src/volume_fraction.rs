@@ -13,10 +13,11 @@ pub use rule::MixingRule;
 use serde::{Deserialize, Serialize};
 use slipzone_api::{Grading, ModulusLaw, Parameter, Positive, Refusal, Setting, Values};
 
-/// A volume fraction `(y/h)^exponent` of the base's material in that of the surface, and a rule for what the mixture is.
+/// A volume fraction `(y/h)^exponent` of the base's material in that of the surface, and a rule for what the mixture
+/// is.
 ///
-/// Moduli are of the kind that the scene names. With an exponent that is no whole number the law has only so many derivatives
-/// at the surface; the kernel strategy `octaves` does without.
+/// Moduli are of the kind that the scene names. With an exponent that is no whole number the law has only so many
+/// derivatives at the surface; the kernel strategy `octaves` does without.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct VolumeFraction {

@@ -5,8 +5,9 @@ use std::f64::consts::FRAC_PI_2;
 
 /// `W(s)` in `k(t) = int_0^inf W(s) {sin, cos}(st) ds`, and what is to be added to that.
 ///
-/// A layer that slides on its base brings a pole `c/s` at the origin: `int_0^inf (c/s) sin(st) ds = c (pi/2) sign(t)`. The depth's own
-/// `1/s` beyond is that of `[1 - exp(-s)]/s`, with `int_0^inf [1 - exp(-s)] cos(st)/s ds = log(1 + 1/t^2)/2`.
+/// A layer that slides on its base brings a pole `c/s` at the origin: `int_0^inf (c/s) sin(st) ds = c (pi/2) sign(t)`.
+/// The depth's own `1/s` beyond is that of `[1 - exp(-s)]/s`, with `int_0^inf [1 - exp(-s)] cos(st)/s ds = log(1 +
+/// 1/t^2)/2`.
 #[derive(Clone, Debug)]
 pub(crate) struct Integrand {
     pub(crate) component: Component,

@@ -14,13 +14,14 @@ pub(crate) fn values(x: f64) -> impl Iterator<Item = f64> {
     })
 }
 
-/// What transforms are made of: `2 half` times the coefficients of a series, with the signs of `i^l` put in (real for even `l`, imaginary
-/// for odd).
+/// What transforms are made of: `2 half` times the coefficients of a series, with the signs of `i^l` put in (real for
+/// even `l`, imaginary for odd).
 pub(crate) fn waves_of(coefficients: &[f64], half: f64) -> impl Iterator<Item = f64> {
     coefficients.iter().enumerate().map(move |(l, c)| c * if l % 4 < 2 { 2.0 * half } else { -2.0 * half })
 }
 
-/// Adds `int W(s) exp(ist) ds` over a stretch around its `middle` for each of some series, an even number of terms each, given by their
+/// Adds `int W(s) exp(ist) ds` over a stretch around its `middle` for each of some series, an even number of terms
+/// each, given by their
 /// [waves](waves_of); `scratch` holds as many numbers as the longest.
 #[inline]
 pub(crate) fn add_transforms<'w>(

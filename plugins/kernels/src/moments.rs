@@ -63,7 +63,8 @@ impl KernelStrategy for Moments {
     }
 }
 
-/// Depth of a homogeneous layer on a rigid base. (Under the surface of others the nodes of the sums may miss all there is.)
+/// Depth of a homogeneous layer on a rigid base. (Under the surface of others the nodes of the sums may miss all there
+/// is.)
 fn depth(response: &dyn LayerResponse) -> Result<f64, Refusal> {
     match response.depth().filter(|_| response.is_homogeneous()) {
         Some(depth) if response.surface(0.0)?.vv == 0.0 => Ok(depth),
@@ -218,8 +219,8 @@ mod tests {
 
     const ALL: [Component; 4] = [Component::Depth, Component::NormalSlope, Component::ShearStrain, Component::Coupling];
 
-    /// Its bound holds for every kernel against `split` at full accuracy, and is no more than a hundred times too large where the
-    /// series' next term decides.
+    /// Its bound holds for every kernel against `split` at full accuracy, and is no more than a hundred times too large
+    /// where the series' next term decides.
     #[test]
     fn is_off_by_no_more_than_it_says() {
         for plane in [Plane::Strain, Plane::Stress] {
@@ -277,7 +278,8 @@ mod tests {
         assert!(refused.to_string().contains("homogeneous layer"), "{refused}");
     }
 
-    /// What lies below a homogeneous surface is felt as well: a stiff skin on a soft layer was off by 5 %, claimed to 1e-6.
+    /// What lies below a homogeneous surface is felt as well: a stiff skin on a soft layer was off by 5 %, claimed to
+    /// 1e-6.
     #[test]
     fn what_is_not_homogeneous_below_is_refused() {
         #[derive(Debug)]

@@ -14,16 +14,17 @@ use slipzone_api::{KernelRequest, KernelStrategy, KernelTable, LayerResponse, Re
 
 /// The Fourier integral on octaves of wave numbers, for distances octave by octave.
 ///
-/// `k(t) = int_0^inf W(s) w(s/S) sin(st) ds`, and with a cosine for the even kernels, with the window
-/// `w(x) = erfc(3 ln x)/2`. At a distance `t` no more of `W` is felt than up to `s = 900/t`, if it is faded out
-/// smoothly: `S = 128/t` leaves 1e-14. So the nearer, the more octaves, and each is an interpolant of a few nodes whose
-/// transform is exact (spherical Bessel functions). Nothing is asked of the law's derivatives at the surface: a power of the
-/// depth that is no whole number makes kernels like `t^(p-1)` at the origin, and these are piecewise polynomials on octaves
-/// of `t` as well.
+/// `k(t) = int_0^inf W(s) w(s/S) sin(st) ds`, and with a cosine for the even kernels, with the window `w(x) = erfc(3 ln
+/// x)/2`. At a distance `t` no more of `W` is felt than up to `s = 900/t`, if it is faded out smoothly: `S = 128/t`
+/// leaves 1e-14. So the nearer, the more octaves, and each is an interpolant of a few nodes whose transform is exact
+/// (spherical Bessel functions). Nothing is asked of the law's derivatives at the surface: a power of the depth that is
+/// no whole number makes kernels like `t^(p-1)` at the origin, and these are piecewise polynomials on octaves of `t` as
+/// well.
 ///
-/// Nearest to the origin, where the law begins with a known power of the depth below 1, the kernels are series in that power of the distance,
-/// which go on where wave numbers end. Else `S` stays what it is there: past it, contacts feel nothing. A density that is as singular as a contact's may be has
-/// a spectrum like `1/sqrt(s)`, so that what is left out is `W(S)/S` over the contact's width, and `W(S)` at its edge.
+/// Nearest to the origin, where the law begins with a known power of the depth below 1, the kernels are series in that
+/// power of the distance, which go on where wave numbers end. Else `S` stays what it is there: past it, contacts feel
+/// nothing. A density that is as singular as a contact's may be has a spectrum like `1/sqrt(s)`, so that what is left
+/// out is `W(S)/S` over the contact's width, and `W(S)` at its edge.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Octaves {}

@@ -16,16 +16,17 @@ const POWERS: usize = 12;
 const SHARE: f64 = 0.1;
 /// Noise of the transforms.
 const NOISE: f64 = 1e-13;
-/// By how many times what is off at the origin may be felt. Under two powers that differ little, where the kernels are no such series, stick
-/// zones were off by up to 500 times that, and edges by less than it.
+/// By how many times what is off at the origin may be felt. Under two powers that differ little, where the kernels are
+/// no such series, stick zones were off by up to 500 times that, and edges by less than it.
 const FELT: f64 = 1e2;
 /// Distances at a time.
 const LANES: usize = 8;
 
-/// `t k = sum c_j z^j`, `z = t^p`, `p` the power with which the law begins; in even kernels with `c t` beside it, for what is analytic there. Of the
-/// depth it is `k` itself that is such a series, with a constant.
+/// `t k = sum c_j z^j`, `z = t^p`, `p` the power with which the law begins; in even kernels with `c t` beside it, for
+/// what is analytic there. Of the depth it is `k` itself that is such a series, with a constant.
 ///
-/// Found between two distances, and true down to 0, where all of it but that constant vanishes: past the last wave number nothing else tells.
+/// Found between two distances, and true down to 0, where all of it but that constant vanishes: past the last wave
+/// number nothing else tells.
 #[derive(Clone, Debug)]
 pub(crate) struct Origin {
     pub(crate) power: f64,

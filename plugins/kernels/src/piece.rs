@@ -28,8 +28,8 @@ impl Variable {
     }
 }
 
-/// The variable `2 (t/upper)^2 - 1` at a thousandth of the first piece: nearly its lower end, where a kernel whose series
-/// is too short is not smooth.
+/// The variable `2 (t/upper)^2 - 1` at a thousandth of the first piece: nearly its lower end, where a kernel whose
+/// series is too short is not smooth.
 pub(crate) const NEAR_ORIGIN: f64 = -1.0 + 2e-6;
 
 /// One kernel on one piece.

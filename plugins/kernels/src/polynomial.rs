@@ -8,8 +8,8 @@ pub(crate) const MOST: usize = 32;
 
 /// `sum_j powers[j] x^j` on `[0, 1]` in powers of `v = 2 x - 1`, shortened by as much as is `allowed` in its value.
 ///
-/// The last powers are dropped first, then the last Chebyshev terms. Also returns the number of coefficients and what the
-/// dropped ones sum up to.
+/// The last powers are dropped first, then the last Chebyshev terms. Also returns the number of coefficients and what
+/// the dropped ones sum up to.
 #[inline]
 pub(crate) fn shortened(powers: &[f64], allowed: f64) -> ([f64; MOST], usize, f64) {
     let mut dropped = 0.0;

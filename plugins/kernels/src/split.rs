@@ -32,11 +32,11 @@ use waves::Waves;
 
 /// The Fourier integral over `[0, S]` and, beyond, the whole series of `s F` in `1/s`, transformed exactly.
 ///
-/// `k(t) = int_0^S M(s) sin(st) ds + sum_k c_k int_S^inf s^-k sin(st) ds`, and with a cosine for the even kernels.
-/// The first integral is analytic in `t`; the second is `Im P(t) (i pi/2 - log t)`, `P = sum_k c_k (it)^(k-1)/(k-1)!`,
-/// plus a power series (`t > 0`). So jump and logarithm are known to all orders and the rest is smooth: on short reaches a
-/// power series as well, on others interpolated. Its tables
-/// bound their own error: `S`, the number of terms and the wave numbers follow from the accuracy wanted.
+/// `k(t) = int_0^S M(s) sin(st) ds + sum_k c_k int_S^inf s^-k sin(st) ds`, and with a cosine for the even kernels. The
+/// first integral is analytic in `t`; the second is `Im P(t) (i pi/2 - log t)`, `P = sum_k c_k (it)^(k-1)/(k-1)!`, plus
+/// a power series (`t > 0`). So jump and logarithm are known to all orders and the rest is smooth: on short reaches a
+/// power series as well, on others interpolated. Its tables bound their own error: `S`, the number of terms and the
+/// wave numbers follow from the accuracy wanted.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Split {
@@ -67,7 +67,8 @@ fn terms<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<NonZeroU8>
 
 /// Terms of the series asked for at first: most often enough, and they cost as their square.
 const FEW_TERMS: usize = 16;
-/// Times the aim is tightened when the bound misses the accuracy, and by how much; or loosened where that is more than can be told.
+/// Times the aim is tightened when the bound misses the accuracy, and by how much; or loosened where that is more than
+/// can be told.
 const ATTEMPTS: (u32, f64) = (6, 0.1);
 /// By how much nearer structure is looked for when the cut leaves too much.
 const NEARER: f64 = 0.4;
@@ -79,8 +80,8 @@ const SLOW: f64 = 32.0;
 const PHASE: f64 = 2.0 * f64::EPSILON;
 /// Rounding of `s F` that a flexibility may bring, over its size.
 const ROUNDING_OF_FLEXIBILITY: f64 = 32.0 * f64::EPSILON;
-/// Error that a flexibility is allowed, over what is wanted of the slopes and the depth that it feels, over what is wanted of the
-/// depth, and at most.
+/// Error that a flexibility is allowed, over what is wanted of the slopes and the depth that it feels, over what is
+/// wanted of the depth, and at most.
 const ROUGHNESS: (f64, f64) = (3e-3, 1e-2);
 const ROUGHEST: f64 = 1e-11;
 /// What is left of the depth's integrand beyond the cut is smaller than the slope's by `1/S`, at least by this.
@@ -299,7 +300,8 @@ impl Split {
             columns.iter().map(|c| if c.component == Component::Depth { DEPTH_GAIN * c.aim } else { c.aim });
         let (mut cut, settled) = Cut::choose(&tail, depth, slope_aim.fold(f64::INFINITY, f64::min));
         if response.pole() != 0.0 {
-            // What is left of a column without its pole `c/s` is `-c/s`: the series' first term, whatever the tail says.
+            // What is left of a column without its pole `c/s` is `-c/s`: the series' first term, whatever the tail
+            // says.
             cut.terms = cut.terms.max(tail.len().min(1));
         }
         if let Some(cutoff) = self.cutoff {

@@ -17,11 +17,11 @@ use slipzone_api::{Fault, Files, Positive, PunchProfile, PunchShape, Refusal, Va
 
 /// Heights at points `x`, smoothed by the convex spline that comes closest to them.
 ///
-/// `g(x)` is a cubic spline in `|x|` with `g''` continuous and never negative, so that the slope is continuous and never
-/// falls; fitted by least squares. Of 1, 2, 4, 8, 16 and 32 pieces, each with as many points as the others, it has the
-/// number with the smallest `N ln(S/N) + p ln N` (G. Schwarz, Ann. Stat. 6 (1978) 461), `S` the sum of squares left over
-/// from `N` points and `p` the number of coefficients; and a corner in the middle where that gains ten times as much as
-/// a coefficient has to. Rows far off all others have no part in it. Time: linear in `N`.
+/// `g(x)` is a cubic spline in `|x|` with `g''` continuous and never negative, so that the slope is continuous and
+/// never falls; fitted by least squares. Of 1, 2, 4, 8, 16 and 32 pieces, each with as many points as the others, it
+/// has the number with the smallest `N ln(S/N) + p ln N` (G. Schwarz, Ann. Stat. 6 (1978) 461), `S` the sum of squares
+/// left over from `N` points and `p` the number of coefficients; and a corner in the middle where that gains ten times
+/// as much as a coefficient has to. Rows far off all others have no part in it. Time: linear in `N`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(try_from = "Written", into = "Written")]
 pub struct Table {

@@ -50,7 +50,8 @@ proptest! {
             let step = 1e-5 * x;
             prop_assume!(shape.kinks().iter().all(|kink| (kink - x).abs() > step));
             let difference = (shape.height(x + step) - shape.height(x - step)) / (2.0 * step);
-            // Third derivatives count with (step/x)^2 m^2 = 1e-8 beside terms that may cancel; rounding of heights with 1e-10.
+            // Third derivatives count with (step/x)^2 m^2 = 1e-8 beside terms that may cancel; rounding of heights with
+            // 1e-10.
             let size = shape.slope(x).abs() + shape.height(x).abs() / x + 20.0 * x.powi(5);
             prop_assert!((difference - shape.slope(x)).abs() <= 1e-7 * size, "{:?}: {}", shape, difference);
             prop_assert!((shape.slope(-x) + shape.slope(x)).abs() == 0.0);

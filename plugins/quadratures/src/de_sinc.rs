@@ -33,9 +33,9 @@ use slipzone_api::{Edge, Parity, Quadrature, Refusal, Rule, Span};
 ///   correction, and differences of `x` are `c sinh(w_i - w_j)/(cosh w_i cosh w_j)`. Each row is then made exact
 ///   for the simplest density with its kind of edge, such as the flat punch's, which keeps the traction's
 ///   relative precision up to the end.
-/// * The end: beyond the last node a density goes on as the simplest of its kind does, and all nodes that would follow stand in the last
-///   unknown's column; the strain beyond the last point goes on with its slope over the root of the gap. What is missed is of the order of
-///   the last gap or less; without it would be of its root.
+/// * The end: beyond the last node a density goes on as the simplest of its kind does, and all nodes that would follow
+///   stand in the last unknown's column; the strain beyond the last point goes on with its slope over the root of the
+///   gap. What is missed is of the order of the last gap or less; without it would be of its root.
 /// * Kernel part: all three parts exact. `sign` weighs `(2/pi) Si(pi d)`, `log|x - r|` weighs
 ///   `log|x - r| - Ci(pi |d|)`, `d` being the distance in steps. Where the kernel outruns the nodes (thin layers) it
 ///   is summed on a grid an odd number of times finer, with `P` interpolated by sinc functions.

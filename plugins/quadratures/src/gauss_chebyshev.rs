@@ -14,8 +14,8 @@ use std::f64::consts::PI;
 /// * Sharp edges: `f = F(t)/sqrt(1 - t^2)`, nodes `cos((2j-1) pi/2n)`, collocation at `cos(m pi/n)`.
 /// * Smooth edges: `f = F(t) sqrt(1 - t^2)`, nodes `cos(l pi/(n+1))`, collocation at
 ///   `cos((2i-1) pi/2(n+1))`.
-/// * Continued (odd) densities, of which 0 is left at the end: the same. CC13 (eqs. 49, 50) takes `eta p(a) t` off the shear
-///   where slipzone takes that of a half-plane.
+/// * Continued (odd) densities, of which 0 is left at the end: the same. CC13 (eqs. 49, 50) takes `eta p(a) t` off the
+///   shear where slipzone takes that of a half-plane.
 ///
 /// The Cauchy part is exact for polynomials `F` of degree `2n`. The kernel is summed at the nodes as if
 /// it were smooth: a homogeneous layer converges exponentially, a graded one like `n^-2`, because of the

@@ -37,10 +37,11 @@ use slipzone_api::{Quadrature, Refusal, Rule, Span, root};
 /// points, on pieces of panels no longer than the kernel's own length. Only the pieces, not the unknowns, grow in
 /// number with the contact's width over the layer's thickness.
 ///
-/// Where kernels begin with a power `p < 1` of the distance (over the distance) a density is a series in that power of its distance to the
-/// end. The panels are then equal ones of `u`, `theta = u^root`, in a root for which `2 root p` is whole, or nearly so; densities that vanish
-/// at the end are `F = u^(root - 1)` times the polynomial. Beside a slip zone, however narrow, there are logarithms of its width too: the
-/// first of the panels of a continued density is cut geometrically.
+/// Where kernels begin with a power `p < 1` of the distance (over the distance) a density is a series in that power of
+/// its distance to the end. The panels are then equal ones of `u`, `theta = u^root`, in a root for which `2 root p` is
+/// whole, or nearly so; densities that vanish at the end are `F = u^(root - 1)` times the polynomial. Beside a slip
+/// zone, however narrow, there are logarithms of its width too: the first of the panels of a continued density is cut
+/// geometrically.
 ///
 /// Convergence is exponential also where densities contain `gap log gap` or, beyond the end of a stick zone, the
 /// branch point of the pressure: `P` panels resolve it from a distance of about `16^(2 - P)` of the half-width.
@@ -90,8 +91,9 @@ impl GradedPanels {
     }
 }
 
-/// The root of the angle in which densities are polynomials, or nearly so, if kernels begin with that power of the distance over the distance:
-/// they are then series in that power of the distance to the contact's end, which goes with the square of the angle.
+/// The root of the angle in which densities are polynomials, or nearly so, if kernels begin with that power of the
+/// distance over the distance: they are then series in that power of the distance to the contact's end, which goes with
+/// the square of the angle.
 fn root_of(power: f64) -> u32 {
     const SMALLEST: u32 = 3;
     const LARGEST: u32 = 6;

@@ -4,53 +4,61 @@ use super::quantity::{Numbers, Quantity, ShearTrace, Traces};
 
 /// A difference that shrinks by less than this factor says nothing of the next one.
 const NOT_SHRINKING: f64 = 0.5;
-/// Differences of the shear under a flat punch are not taken to shrink any faster: stick zones on two coarse resolutions may agree by chance.
+/// Differences of the shear under a flat punch are not taken to shrink any faster: stick zones on two coarse
+/// resolutions may agree by chance.
 ///
-/// Measured on 430 random flat punches with friction at seven tolerances from 1e-3 to 1e-9: true errors of up to 1.4 tolerances, and of 3.0 with
-/// 1/32, for one hundredth less work.
+/// Measured on 430 random flat punches with friction at seven tolerances from 1e-3 to 1e-9: true errors of up to 1.4
+/// tolerances, and of 3.0 with 1/32, for one hundredth less work.
 const FASTEST_OF_SHEAR: f64 = 1.0 / 16.0;
-/// The same under a contact that grew, whose many flat punches do not all agree by chance: of 110 none was off by more than 0.6 tolerances.
+/// The same under a contact that grew, whose many flat punches do not all agree by chance: of 110 none was off by more
+/// than 0.6 tolerances.
 const FASTEST_STACKED: f64 = 1.0 / 32.0;
-/// A difference is not taken to shrink faster than by this power of the one before. With exponential convergence an error `e` turns into a power of itself
-/// when the resolution grows by `sqrt 2`: `e^1.41`, or about `e^1.3` where nodes crowd double-exponentially. A small
-/// ratio of two large differences is one of chance.
+/// A difference is not taken to shrink faster than by this power of the one before. With exponential convergence an
+/// error `e` turns into a power of itself when the resolution grows by `sqrt 2`: `e^1.41`, or about `e^1.3` where nodes
+/// crowd double-exponentially. A small ratio of two large differences is one of chance.
 const SUPERLINEAR: f64 = 0.3;
 /// A number may shrink more slowly than the largest of all differences; where it does not shrink at all, its last
 /// difference but one was small by chance.
 const SLOWER: f64 = 0.25;
-/// Shares of the largest of all differences that a number's own is not believed to be below, among those of the pressure
-/// and of the shear. A stick zone is known far better than the shear beside its ends.
+/// Shares of the largest of all differences that a number's own is not believed to be below, among those of the
+/// pressure and of the shear. A stick zone is known far better than the shear beside its ends.
 const SHARES: [f64; 2] = [0.5, 1e-4];
-/// That of the shear where it is stacked: it is asked for as well as the zone. Not where that came closer three times in a row.
+/// That of the shear where it is stacked: it is asked for as well as the zone. Not where that came closer three times
+/// in a row.
 const STACKED_SHARE: f64 = 0.5;
-/// Differences of a shear at the points of its traces, all that is known of one that is stacked, are not taken to shrink any faster: sinc series wave between their nodes, by what has a phase that goes with
-/// the step, and one resolution may be right by chance where the next is not.
+/// Differences of a shear at the points of its traces, all that is known of one that is stacked, are not taken to
+/// shrink any faster: sinc series wave between their nodes, by what has a phase that goes with the step, and one
+/// resolution may be right by chance where the next is not.
 ///
-/// Of 111 contacts that grew, at five tolerances each from 1e-4 to 1e-8, no shear was off by more than 1.6 estimates with 1/12, by 1.1 with 1/4, for a seventh
-/// more work at the last. Of 480 loads under known punches one was off by 1.04 with 1/10.
+/// Of 111 contacts that grew, at five tolerances each from 1e-4 to 1e-8, no shear was off by more than 1.6 estimates
+/// with 1/12, by 1.1 with 1/4, for a seventh more work at the last. Of 480 loads under known punches one was off by
+/// 1.04 with 1/10.
 const FASTEST_TRACED: f64 = 0.12;
-/// The same of a shear that is solved again on finer grids, of which more than two are compared: 505 flat punches were off by more than three
-/// estimates 29 times without, by up to 12, and 16 times with this, by up to 9, most of them for other reasons.
+/// The same of a shear that is solved again on finer grids, of which more than two are compared: 505 flat punches were
+/// off by more than three estimates 29 times without, by up to 12, and 16 times with this, by up to 9, most of them for
+/// other reasons.
 pub(crate) const FASTEST_SHARPENED: f64 = 1.0 / 16.0;
-/// A slip zone that is narrower than this over the contact may agree on two coarse resolutions by chance: what is left is then not taken to be
-/// less than their difference, nor than what the one before may have left. Two of 40,000 random scenes were off by four tolerances without, and
-/// of 3,000 contacts that grew five by more than three estimates, up to ten; with it none of these by more than 1.3.
+/// A slip zone that is narrower than this over the contact may agree on two coarse resolutions by chance: what is left
+/// is then not taken to be less than their difference, nor than what the one before may have left. Two of 40,000 random
+/// scenes were off by four tolerances without, and of 3,000 contacts that grew five by more than three estimates, up to
+/// ten; with it none of these by more than 1.3.
 const CROWDED: f64 = 1e-3;
 /// The same of a stick zone that is narrower than this. One of 100,000 random scenes was off by 1.8 tolerances without.
 const NARROW: f64 = 0.1;
 /// Another load, and another punch, on flat punches that are known are not taken to come any faster than this.
 const ANOTHER_LOAD: f64 = 1.0 / 16.0;
 const ANOTHER_PUNCH: f64 = 0.25;
-/// A pressure that changes by less than this of what the shear changes by does not hold it back: it may be down to rounding.
+/// A pressure that changes by less than this of what the shear changes by does not hold it back: it may be down to
+/// rounding.
 const BESIDE: f64 = 1e-2;
 /// Factor on what the differences give.
 pub(crate) const SAFETY: f64 = 2.0;
 /// No number is claimed to be better than this: rounding of a dense solve of a few hundred unknowns.
 pub(crate) const ROUNDING: f64 = 1e-13;
 
-/// No number of the shear is claimed to be better than this. The grid over the slip zone is good to 1e-12 of the friction coefficient, which moves a
-/// narrow stick zone up to 8 times as much: of 80,000 half-planes 5 were off by 5e-12 to 8e-12 at the tightest
-/// tolerances.
+/// No number of the shear is claimed to be better than this. The grid over the slip zone is good to 1e-12 of the
+/// friction coefficient, which moves a narrow stick zone up to 8 times as much: of 80,000 half-planes 5 were off by
+/// 5e-12 to 8e-12 at the tightest tolerances.
 pub(crate) const SLIP_ROUNDING: f64 = 3e-12;
 
 /// Differences of the pressure are not taken to shrink any faster, whatever chance makes of two of them.
@@ -60,14 +68,15 @@ pub(crate) struct Fastest(f64);
 impl Fastest {
     /// Where the kernels prove their error: what is left is that of the resolution, which shrinks exponentially.
     ///
-    /// Measured on 600 random flat punches and cylinders, layers from 0.08 to 60 half-widths thick, at 1e-4, 1e-6, 1e-8 and 1e-10: the largest
-    /// true error is 0.3 tolerances with 1/32, 1/64 and 1/128 alike.
+    /// Measured on 600 random flat punches and cylinders, layers from 0.08 to 60 half-widths thick, at 1e-4, 1e-6, 1e-8
+    /// and 1e-10: the largest true error is 0.3 tolerances with 1/32, 1/64 and 1/128 alike.
     pub(crate) const PROVEN: Self = Self(1.0 / 64.0);
-    /// Where they do not: what a kernel misses shrinks with a power of its terms, about the second. With 1/4 `truncated` was off by two estimates.
+    /// Where they do not: what a kernel misses shrinks with a power of its terms, about the second. With 1/4
+    /// `truncated` was off by two estimates.
     pub(crate) const UNPROVEN: Self = Self(0.4);
     /// Where the nodes in the middle are farther apart than the kernels are long: resolutions that see nothing of the
-    /// layer may agree on it. Under powers on layers of a thirtieth of the half-width numbers were off by eight estimates
-    /// without.
+    /// layer may agree on it. Under powers on layers of a thirtieth of the half-width numbers were off by eight
+    /// estimates without.
     pub(crate) const UNSEEN: Self = Self(0.25);
 }
 
@@ -79,15 +88,16 @@ pub(crate) struct Seen {
 }
 
 impl Seen {
-    /// What a number is not known better than: of the shear what it loses between its nodes, for a few points may be right by chance.
+    /// What a number is not known better than: of the shear what it loses between its nodes, for a few points may be
+    /// right by chance.
     fn lost(&self, quantity: Quantity) -> f64 {
         let of_shear = if quantity == Quantity::Shear { self.traces.shear.as_ref() } else { None };
         of_shear.map_or(0.0, ShearTrace::lost_between)
     }
 }
 
-/// Relative error estimates of the last of a sequence of results, each by one step finer; `None` where they are too few: with
-/// fewer than three results, or than two where [`told_by_two`] is enough.
+/// Relative error estimates of the last of a sequence of results, each by one step finer; `None` where they are too
+/// few: with fewer than three results, or than two where [`told_by_two`] is enough.
 ///
 /// A difference may be small by chance, the largest of many is not: with `d` the largest difference among the
 /// numbers and the traces of the pressure, `r` is the ratio of the last two `d`. Numbers of the shear converge like
@@ -127,7 +137,8 @@ pub(crate) fn extrapolated(history: &[Seen], fastest: Fastest) -> Option<Numbers
     Some(errors)
 }
 
-/// Whether a number came closer three times in a row, each time by as much as is expected of it at least: hardly by chance.
+/// Whether a number came closer three times in a row, each time by as much as is expected of it at least: hardly by
+/// chance.
 ///
 /// Of 1,321 random contacts that grew none that was believed for it was off by more than 0.6 of what it claims.
 fn is_steady(history: &[Seen], quantity: Quantity) -> bool {
@@ -141,11 +152,11 @@ fn is_steady(history: &[Seen], quantity: Quantity) -> bool {
     d1 <= SLOWER * d0 && d2 <= (SLOWER * d1).max(SLIP_ROUNDING)
 }
 
-/// Relative error estimates of the finer of two results, where the kernels prove theirs and there is no stick zone to be found, which may
-/// agree by chance: twice the largest of all differences, whatever the pace.
+/// Relative error estimates of the finer of two results, where the kernels prove theirs and there is no stick zone to
+/// be found, which may agree by chance: twice the largest of all differences, whatever the pace.
 ///
-/// Measured on 660 random flat punches and cylinders from one resolution to the next, 3,800 pairs that see the layer: what the finer one missed
-/// was more than the largest difference 15 times, at most 2.0 of it.
+/// Measured on 660 random flat punches and cylinders from one resolution to the next, 3,800 pairs that see the layer:
+/// what the finer one missed was more than the largest difference 15 times, at most 2.0 of it.
 fn told_by_two(coarse: &Seen, fine: &Seen, fastest: Fastest) -> Option<Numbers> {
     if fastest != Fastest::PROVEN || fine.numbers.iter().any(|(quantity, _)| quantity.is_of_shear()) {
         return None;
@@ -274,8 +285,8 @@ fn left(difference: f64, rate: f64) -> f64 {
     difference * rate / (1.0 - rate)
 }
 
-/// Relative error estimate of the last of a sequence of shears, from the largest of many differences between them, which are not taken to shrink
-/// any faster than given.
+/// Relative error estimate of the last of a sequence of shears, from the largest of many differences between them,
+/// which are not taken to shrink any faster than given.
 pub(crate) fn of_traces((early, late): (f64, f64), fastest: f64) -> f64 {
     let rate = rate((early, late), fastest);
     let remains = if rate < NOT_SHRINKING { left(late, rate) } else { early.max(late) };
@@ -379,7 +390,8 @@ mod tests {
         assert!(told > 1e-6 && told > 5.0 * least, "{told} against {least}");
     }
 
-    /// What the shear between its points differs by is no reason to doubt a zone that came closer each time, and by far.
+    /// What the shear between its points differs by is no reason to doubt a zone that came closer each time, and by
+    /// far.
     #[test]
     fn a_stacked_zone_that_came_closer_three_times_is_no_chance() {
         let told = |apart: &[f64]| {

@@ -212,7 +212,8 @@ pub(crate) struct Traces {
 /// The shear at points of the stick zone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ShearTrace {
-    /// At [`Traces::AT`] and at the end; of a contact that grew what it lacks to that of full sliding, at points of its own.
+    /// At [`Traces::AT`] and at the end; of a contact that grew what it lacks to that of full sliding, at points of its
+    /// own.
     pub(crate) at: [f64; Self::POINTS],
     /// At [`Self::NEAR_MIDDLE`], where shears come late there.
     pub(crate) inner: [f64; Self::INNER],
@@ -232,11 +233,11 @@ impl ShearTrace {
     /// How many there are.
     pub(crate) const POINTS: usize = Traces::AT.len() + 1;
     pub(crate) const INNER: usize = 3;
-    /// Where else, over the half-width of the stick zone, shears are compared that are stacked or have a kink of strain in
-    /// the middle: at one point alone they may agree by chance.
+    /// Where else, over the half-width of the stick zone, shears are compared that are stacked or have a kink of strain
+    /// in the middle: at one point alone they may agree by chance.
     pub(crate) const NEAR_MIDDLE: [f64; Self::INNER] = [0.01, 0.025, 0.1];
-    /// A shear that is less than this share of sliding friction under the mean pressure, with a coefficient of 1 at most, is none to
-    /// speak of.
+    /// A shear that is less than this share of sliding friction under the mean pressure, with a coefficient of 1 at
+    /// most, is none to speak of.
     const LEAST: f64 = 1e-2;
 
     /// The least that errors of the shear are relative to, over the mean pressure.
@@ -244,7 +245,8 @@ impl ShearTrace {
         Self::LEAST * friction.abs().min(1.0)
     }
 
-    /// What slides under the mean pressure, as far as the shear is told by what it lacks of that, over the largest shear.
+    /// What slides under the mean pressure, as far as the shear is told by what it lacks of that, over the largest
+    /// shear.
     pub(crate) fn of_sliding(&self) -> f64 {
         self.sliding.abs() / self.largest
     }

@@ -1,12 +1,14 @@
 //! What Goodman's approximation costs, estimated.
 //!
-//! It leaves out what the shear does to the pressure, `beta q - (1/pi) int q k_uv` in the pressure's equation. On half-planes
-//! a formula tells how much more friction the stick zone takes (docs/planner.md, "What Goodman's approximation neglects"), and
-//! where little slips it serves layers, too: all of it happens beside the edge, and the friction says what comes from farther away.
+//! It leaves out what the shear does to the pressure, `beta q - (1/pi) int q k_uv` in the pressure's equation. On
+//! half-planes a formula tells how much more friction the stick zone takes (docs/planner.md, "What Goodman's
+//! approximation neglects"), and where little slips it serves layers, too: all of it happens beside the edge, and the
+//! friction says what comes from farther away.
 //!
-//! On a layer where more slips the first step from Goodman's solution towards the coupled one is taken, under a flat punch with the contact
-//! and the stick zone of the solution, and the same on the half-plane of the layer's surface. A coarse resolution makes much the same
-//! error in either: what is neglected is as much smaller than on the half-plane as the step is, or larger by as much.
+//! On a layer where more slips the first step from Goodman's solution towards the coupled one is taken, under a flat
+//! punch with the contact and the stick zone of the solution, and the same on the half-plane of the layer's surface. A
+//! coarse resolution makes much the same error in either: what is neglected is as much smaller than on the half-plane
+//! as the step is, or larger by as much.
 
 use crate::engine::friction::rubbing::Rubbing;
 use crate::engine::friction::stick::Shear;
@@ -23,7 +25,8 @@ use std::sync::Arc;
 
 /// What the fit to half-planes takes, see [`on_half_plane`].
 const FIT: [f64; 3] = [1.0 / 6.0, 0.055, 0.042];
-/// More friction than Goodman's, over it, beyond which the estimate says nothing: not much friction more, and none is enough.
+/// More friction than Goodman's, over it, beyond which the estimate says nothing: not much friction more, and none is
+/// enough.
 const MOST: f64 = 2.0;
 /// Slip zone, over the half-width, of which half is told as of a half-plane, and one that is as a whole.
 const NARROW: f64 = 0.03;
@@ -37,8 +40,8 @@ const COARSEST: f64 = 1.0;
 const FINEST: f64 = 8.0;
 /// Kernel lengths in the half-width that the coarsest one serves.
 const SERVED: f64 = 6.0;
-/// Nodes on either side of the middle of the stick zone, and of the slip zone, the kernel lengths in the half-width that they serve, and by
-/// how many times as many there may be.
+/// Nodes on either side of the middle of the stick zone, and of the slip zone, the kernel lengths in the half-width
+/// that they serve, and by how many times as many there may be.
 const NODES: usize = 10;
 const SERVED_BY_NODES: f64 = 1.4;
 const MOST_TIMES: usize = 64;
@@ -50,10 +53,11 @@ const END: f64 = 3.0;
 /// What is neglected, relative.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Neglected {
-    /// By how much more friction belongs to the stick zone; `None` where everything sticks, for which any more would do.
+    /// By how much more friction belongs to the stick zone; `None` where everything sticks, for which any more would
+    /// do.
     pub(crate) friction: Option<f64>,
-    /// By how much more force pushes a flat punch as wide as the contact to a depth; `None` where depths have no meaning or were
-    /// not asked for.
+    /// By how much more force pushes a flat punch as wide as the contact to a depth; `None` where depths have no
+    /// meaning or were not asked for.
     pub(crate) force: Option<f64>,
 }
 
@@ -99,7 +103,8 @@ pub(crate) fn neglected(
     if rubbing.is_full {
         return Ok(Neglected { friction: None, force: Some(force.ok_or(Untold)?) });
     }
-    // Beside the edge slip is that of a half-plane, but for outward slip and all slip of an incompressible surface: these come of the layer alone.
+    // Beside the edge slip is that of a half-plane, but for outward slip and all slip of an incompressible surface:
+    // these come of the layer alone.
     let slip = zone.one_minus_ratio();
     let is_of_edge = beta > 0.0 && rubbing.reported().is_some_and(|root| root.branch > 0.0);
     if slip < NARROWEST {
@@ -130,11 +135,11 @@ fn tells_force(layer: &PreparedLayer, problem: &Problem) -> bool {
     problem.layer.is_grounded() && layer.kernel(Component::Depth).is_some()
 }
 
-/// By how much more friction the coupled equations ask for on a half-plane where Goodman's approximation asks for `eta`; infinite
-/// where no friction is enough.
+/// By how much more friction the coupled equations ask for on a half-plane where Goodman's approximation asks for
+/// `eta`; infinite where no friction is enough.
 ///
-/// Beside a stick zone the tractions turn into each other along `ln x`, by an angle in proportion to `atanh beta` where Goodman's shear grows by `beta`:
-/// that angle is `atan` of the friction, but for what the slip zone makes of it,
+/// Beside a stick zone the tractions turn into each other along `ln x`, by an angle in proportion to `atanh beta` where
+/// Goodman's shear grows by `beta`: that angle is `atan` of the friction, but for what the slip zone makes of it,
 ///
 /// ```text
 /// atan(x) - beta g atan(beta x) = eta atanh(beta)/beta,    g = 1/6 + 0.055 beta^2 + 0.042 atan(beta x),
@@ -188,7 +193,8 @@ impl Coarse {
         Ok(Self { zone, normal, shear, goodman, points })
     }
 
-    /// By how much the friction coefficient of the stick zone grows when the pressure gives way to the one that the shear under it makes.
+    /// By how much the friction coefficient of the stick zone grows when the pressure gives way to the one that the
+    /// shear under it makes.
     fn more_friction(self, layer: &PreparedLayer, problem: &Problem) -> Result<f64, Refusal> {
         let Self { zone, mut normal, mut shear, goodman, points } = self;
         let beta = problem.elastic.beta();
@@ -219,8 +225,9 @@ impl Coarse {
 
     /// By how much more force pushes the punch to a depth if the shear acts on the pressure.
     ///
-    /// By reciprocity the shear lifts the punch under a unit force by `-int q u dx`, where `u` is what the pressure moves along the
-    /// surface. Each further step lifts by much the same share of what the one before did: a geometric series.
+    /// By reciprocity the shear lifts the punch under a unit force by `-int q u dx`, where `u` is what the pressure
+    /// moves along the surface. Each further step lifts by much the same share of what the one before did: a geometric
+    /// series.
     fn more_force(&mut self, layer: &PreparedLayer, problem: &Problem) -> Option<f64> {
         let Self { normal, shear, points, .. } = self;
         if !tells_force(layer, problem) {

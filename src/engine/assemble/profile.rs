@@ -9,7 +9,8 @@ use crate::engine::solution::Profile;
 use crate::scene::Scene;
 use slipzone_api::{Refusal, Station};
 
-/// Points at which tractions are told before the budget is looked at again, and those of a stack, each of which is told by many flat punches.
+/// Points at which tractions are told before the budget is looked at again, and those of a stack, each of which is told
+/// by many flat punches.
 const AT_ONCE: usize = 1024;
 const STACKED_AT_ONCE: usize = 32;
 
@@ -74,15 +75,16 @@ impl Solved<'_> {
         })
     }
 
-    /// The scene's friction coefficient over that of the stick zone found, which is as far from it as the zone is from its root: what slides
-    /// bears `eta p` to the last digit.
+    /// The scene's friction coefficient over that of the stick zone found, which is as far from it as the zone is from
+    /// its root: what slides bears `eta p` to the last digit.
     fn friction_as_told(&self) -> f64 {
         let found = self.judged.outcome.rubbing.as_ref().and_then(Rubbing::reported).and(self.stage.signed_friction());
         self.problem.friction.zip(found).map_or(1.0, |(told, found)| told / found.abs())
     }
 
-    /// Adds the strain left in the stick zone to the tractions, where the scene asks for it and it can be told. How uncertain it is, over
-    /// `A0 eta P/(2b)`: by what coarser grids change it, and by what the errors of the tractions make of it.
+    /// Adds the strain left in the stick zone to the tractions, where the scene asks for it and it can be told. How
+    /// uncertain it is, over `A0 eta P/(2b)`: by what coarser grids change it, and by what the errors of the tractions
+    /// make of it.
     pub(super) fn add_strain(&mut self, scene: &Scene, profile: &mut Profile) -> Result<Option<f64>, Refusal> {
         let (problem, judged, b) = (self.problem, self.judged, self.half_width());
         let rubbing = judged.outcome.rubbing.as_ref().filter(|_| scene.output.strain);
@@ -100,8 +102,8 @@ impl Solved<'_> {
         Ok(error.is_finite().then_some(error))
     }
 
-    /// The strain left in the stick zone at points in units of the half-width, the same on either side, and how uncertain it is where
-    /// the tractions are exact.
+    /// The strain left in the stick zone at points in units of the half-width, the same on either side, and how
+    /// uncertain it is where the tractions are exact.
     fn strain(
         &mut self,
         (relative, wanted): (impl Iterator<Item = f64>, f64),

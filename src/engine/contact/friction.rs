@@ -111,8 +111,8 @@ impl Contact {
         Ok(())
     }
 
-    /// Looks for all stick zones again where none of those known holds: this resolution may see what the coarser one that was scanned did
-    /// not. Finer ones need not look.
+    /// Looks for all stick zones again where none of those known holds: this resolution may see what the coarser one
+    /// that was scanned did not. Finer ones need not look.
     fn look_again(&mut self, layer: &PreparedLayer, task: Task, rubbing: &mut Rubbing) -> Result<(), Refusal> {
         rubbing.scanned = true;
         let again = self.scan(layer, task)?;
@@ -160,8 +160,9 @@ impl Contact {
         self.scan(layer, task)
     }
 
-    /// The stick zone, wider than all that are looked for, where everything sticks; leaves the shear of the widest of these. How wide it
-    /// is tells by how much friction is more than it takes; where the curve is flat all are that wide.
+    /// The stick zone, wider than all that are looked for, where everything sticks; leaves the shear of the widest of
+    /// these. How wide it is tells by how much friction is more than it takes; where the curve is flat all are that
+    /// wide.
     pub(crate) fn stuck(&mut self, layer: &PreparedLayer, task: Task) -> Result<Option<Root>, Refusal> {
         self.refresh(layer);
         let eta = task.friction();
@@ -176,8 +177,8 @@ impl Contact {
         self.shear.as_ref().map_or(0.0, |shear| shear.friction)
     }
 
-    /// The stick zone reported, known roughly, found at this resolution to the tolerance; `None` where it is lost. Others stay as they are:
-    /// they are asked for only should this one fail a condition.
+    /// The stick zone reported, known roughly, found at this resolution to the tolerance; `None` where it is lost.
+    /// Others stay as they are: they are asked for only should this one fail a condition.
     fn followed(&mut self, layer: &PreparedLayer, task: Task, known: &Rubbing) -> Result<Option<Rubbing>, Refusal> {
         let Some(root) = known.found.roots.get(known.chosen) else { return Ok(None) };
         let Some(root) = self.curve(layer, task).follow(*root, task.friction())? else { return Ok(None) };
@@ -187,8 +188,8 @@ impl Contact {
         Ok(Some(rubbing))
     }
 
-    /// Looks for all stick zones, and for the first that holds where there are several; those in which all sticks, or that are too narrow to be
-    /// found, come last.
+    /// Looks for all stick zones, and for the first that holds where there are several; those in which all sticks, or
+    /// that are too narrow to be found, come last.
     fn scan(&mut self, layer: &PreparedLayer, task: Task) -> Result<Rubbing, Refusal> {
         let (b, eta) = (self.normal.half_width, task.friction());
         let samples = match self.sampled.take() {
@@ -235,8 +236,9 @@ impl Contact {
         Ok(rubbing)
     }
 
-    /// Checks the stick zone reported, known to within an error, unless it was; where it fails a condition of friction, reports the first of
-    /// the others that satisfies both. Otherwise returns what it fails. Leaves the shear of the zone checked last.
+    /// Checks the stick zone reported, known to within an error, unless it was; where it fails a condition of friction,
+    /// reports the first of the others that satisfies both. Otherwise returns what it fails. Leaves the shear of the
+    /// zone checked last.
     fn judge(
         &mut self,
         layer: &PreparedLayer,
@@ -266,8 +268,8 @@ impl Contact {
         Ok(failure)
     }
 
-    /// The stick zone under a flat punch from a guess, to within an error; its shear is left in `shear`. `None` where the
-    /// guess was not near.
+    /// The stick zone under a flat punch from a guess, to within an error; its shear is left in `shear`. `None` where
+    /// the guess was not near.
     pub(crate) fn follow(
         &mut self,
         layer: &mut PreparedLayer,
@@ -370,8 +372,9 @@ impl Contact {
         Ok(())
     }
 
-    /// Makes the shear under a flat punch as sure all along the stick zone settled as the tolerance asks, where the pressure is known to
-    /// within `of_pressure`, see [`sharpen`]; its error, over its largest value. `coarser` is the resolution before.
+    /// Makes the shear under a flat punch as sure all along the stick zone settled as the tolerance asks, where the
+    /// pressure is known to within `of_pressure`, see [`sharpen`]; its error, over its largest value. `coarser` is the
+    /// resolution before.
     pub(crate) fn sharpen(
         &mut self,
         layer: &PreparedLayer,

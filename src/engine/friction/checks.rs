@@ -18,8 +18,8 @@ const BESIDE_EDGE: f64 = 1e-3;
 const SEEN: f64 = 0.2;
 /// And a stick zone, over its own, unless it is a slice of a contact's, all of which are looked at together.
 ///
-/// Under thin layers, `nu` = 0.48, the shear beside a zone that slips inwards in 1e-44 of the contact is 1.2 times what friction bears, and
-/// less than that from a thousandth of the contact inwards.
+/// Under thin layers, `nu` = 0.48, the shear beside a zone that slips inwards in 1e-44 of the contact is 1.2 times what
+/// friction bears, and less than that from a thousandth of the contact inwards.
 const BESIDE_STICK: f64 = 1e-5;
 /// A pressure pulls where it is negative by more than this share of the mean: it may round to less than nothing.
 const PULLS: f64 = 1e-9;
@@ -29,20 +29,21 @@ const FAINT: f64 = 0.25;
 const MARGIN: f64 = 1e-3;
 /// Nodes on either side of the grids on which the slip is integrated.
 const SLIP_NODES: usize = 8;
-/// Nodes on either side of the grids over which the tractions are, times [`StickZone::crowding`]: more where the slip zone
-/// is narrow.
+/// Nodes on either side of the grids over which the tractions are, times [`StickZone::crowding`]: more where the slip
+/// zone is narrow.
 ///
-/// Measured on 3,000 random stick zones, in terms of the largest slip: errors of at most 2e-4, and below 4e-5 in all but one of a hundred;
-/// with 6 nodes up to 5e-3. Without a thought for the crowding they reach 40 % where `1 - a/b` is 3e-12.
+/// Measured on 3,000 random stick zones, in terms of the largest slip: errors of at most 2e-4, and below 4e-5 in all
+/// but one of a hundred; with 6 nodes up to 5e-3. Without a thought for the crowding they reach 40 % where `1 - a/b` is
+/// 3e-12.
 const SOURCE_NODES: f64 = 8.0;
 /// Those nodes per kernel length.
 const SOURCE_NODES_PER_LENGTH: f64 = 8.0;
 /// Most of those nodes.
 const MOST_SOURCE_NODES: usize = 1 << 12;
 
-/// Where the pressure pulls: `(x/b, p/mean)` of its lowest point, if it is negative anywhere; from points of a contact of half-width
-/// `b`, the mean pressure, and the layer's length, in whose reach of the edge numbers are small beside their
-/// errors.
+/// Where the pressure pulls: `(x/b, p/mean)` of its lowest point, if it is negative anywhere; from points of a contact
+/// of half-width `b`, the mean pressure, and the layer's length, in whose reach of the edge numbers are small beside
+/// their errors.
 pub(crate) fn tension(
     lookout: &mut Lookout,
     (b, mean, length): (f64, f64, f64),
@@ -93,7 +94,8 @@ pub(crate) fn is_too_little(bears: f64) -> bool {
     bears * (1.0 + MARGIN) < 1.0
 }
 
-/// What friction does not bear at `x/b`, in words, where the shear is so many times what it does; infinitely many where the pressure pulls.
+/// What friction does not bear at `x/b`, in words, where the shear is so many times what it does; infinitely many where
+/// the pressure pulls.
 pub(crate) fn overloaded(load: f64, at: f64) -> String {
     if load.is_finite() {
         format!("|q| reaches {load:.3} eta p at x = {at:.4} b")

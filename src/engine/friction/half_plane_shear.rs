@@ -7,9 +7,9 @@
 //!   `eta_h = beta K(k)/K(k')`;
 //! * `X = p x/a`, of which it is a constant.
 //!
-//! `p(a) (eta Q + k^2 (eta - eta_h) (X - Q))` is `eta p` at `a`, and takes `-beta p` of the strain beside the contact's edge as the
-//! shear of a layer does, as far as the zone reaches there (docs/theory.md, "Stick zone"). Once it is taken off that, what is
-//! left has no detail of the size of the slip zone, and on a half-plane it is nothing.
+//! `p(a) (eta Q + k^2 (eta - eta_h) (X - Q))` is `eta p` at `a`, and takes `-beta p` of the strain beside the contact's
+//! edge as the shear of a layer does, as far as the zone reaches there (docs/theory.md, "Stick zone"). Once it is taken
+//! off that, what is left has no detail of the size of the slip zone, and on a half-plane it is nothing.
 
 use super::stick_zone::StickZone;
 use pulp::{Arch, Simd, WithSimd};

@@ -1,10 +1,10 @@
-//! A strain `u' = C|x|` in the stick zone, as in Chen and Chen (2013, eq. 63): to be compared with what a contact's history
-//! leaves there.
+//! A strain `u' = C|x|` in the stick zone, as in Chen and Chen (2013, eq. 63): to be compared with what a contact's
+//! history leaves there.
 //!
-//! For each stick zone one `C` belongs to a shear that is bounded at the zone's end. The paper leaves open which zone it
-//! is. The shear must meet `eta p` like `(a - x)^(3/2)`, its rate being finite: the derivative of the shear over `a`, at a
-//! constant contact, must not be singular at `a`. That derivative is odd, vanishes in the slip zone and strains the stick
-//! zone by `-dC/da |x|`, which alone would need a singular end: so it vanishes and **`dC/da = 0`**.
+//! For each stick zone one `C` belongs to a shear that is bounded at the zone's end. The paper leaves open which zone
+//! it is. The shear must meet `eta p` like `(a - x)^(3/2)`, its rate being finite: the derivative of the shear over
+//! `a`, at a constant contact, must not be singular at `a`. That derivative is odd, vanishes in the slip zone and
+//! strains the stick zone by `-dC/da |x|`, which alone would need a singular end: so it vanishes and **`dC/da = 0`**.
 
 use super::stick::Shear;
 use super::stick_zone::StickZone;
@@ -21,8 +21,9 @@ pub(crate) const SCANNED: std::ops::RangeInclusive<f64> = -14.0..=16.0;
 const SCAN_STEP: f64 = 0.75;
 /// Step of the differences that tell `dC/d lambda` in a scan.
 const STEP: f64 = 0.01;
-/// Half of the range about the extremum of a coarser resolution over which `C` is a polynomial, and through how many points. A wider
-/// one of as many would be off by 1e-12 of `C`; a narrower one magnifies rounding more than the fifty times that this does.
+/// Half of the range about the extremum of a coarser resolution over which `C` is a polynomial, and through how many
+/// points. A wider one of as many would be off by 1e-12 of `C`; a narrower one magnifies rounding more than the fifty
+/// times that this does.
 const RANGE: f64 = 0.12;
 const POINTS: usize = 9;
 /// Position tolerance.

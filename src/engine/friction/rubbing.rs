@@ -35,7 +35,8 @@ pub(crate) enum Verdict {
     Unbuilt(String),
     /// No root; the stick zone is narrower than what was looked for.
     TooNarrow,
-    /// No root; the slip zone is narrower than any that is looked for: everything sticks. The shear is that of the widest zone looked for.
+    /// No root; the slip zone is narrower than any that is looked for: everything sticks. The shear is that of the
+    /// widest zone looked for.
     Sticks,
     /// No shear arises, whatever the zone: everything sticks without friction.
     NoShear,

@@ -1,8 +1,8 @@
 //! The shear all along the stick zone, as sure as the rest.
 //!
-//! How wide the zone is follows from integrals of the shear, and is known far better than the shear itself. Where that is asked
-//! for, the tangential equation is solved on finer grids in the zone found, and nothing else is (docs/theory.md, "Error
-//! estimate").
+//! How wide the zone is follows from integrals of the shear, and is known far better than the shear itself. Where that
+//! is asked for, the tangential equation is solved on finer grids in the zone found, and nothing else is
+//! (docs/theory.md, "Error estimate").
 
 use super::stick::Shear;
 use super::stick_zone::StickZone;
@@ -12,19 +12,21 @@ use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::pressure::normal::Normal;
 use slipzone_api::{Component, Refusal, Station};
 
-/// Points of the stick zone at which two grids are compared; how far the first is from its end, over the half-width; how far the
-/// last, over the width of the slip zone, for that is how fast the shear varies there.
+/// Points of the stick zone at which two grids are compared; how far the first is from its end, over the half-width;
+/// how far the last, over the width of the slip zone, for that is how fast the shear varies there.
 const POINTS: usize = 12;
 const FIRST: f64 = 0.7;
 const LAST: f64 = 0.5;
 /// Most grids.
 const MOST_STEPS: u32 = 6;
 
-/// Solves the shear of a zone on finer grids until it is known to the tolerance, from that of one near it that was solved last, and
-/// leaves the last of them, or the one after which none would do; its error where the relative error of the pressure is `of_pressure`. `None`
-/// where there is no finer grid. Where that of a coarser resolution shows that it is known already, nothing is solved.
+/// Solves the shear of a zone on finer grids until it is known to the tolerance, from that of one near it that was
+/// solved last, and leaves the last of them, or the one after which none would do; its error where the relative error
+/// of the pressure is `of_pressure`. `None` where there is no finer grid. Where that of a coarser resolution shows that
+/// it is known already, nothing is solved.
 ///
-/// It is relative to the largest shear; what is nearer than [`StickZone::NEAR`] to the contact's edge is left out of both.
+/// It is relative to the largest shear; what is nearer than [`StickZone::NEAR`] to the contact's edge is left out of
+/// both.
 pub(crate) fn sharpen(
     (shear, coarser): (&mut Shear, Option<&Shear>),
     layer: &PreparedLayer,
@@ -75,7 +77,8 @@ fn is_vain(before_last: f64, error: f64, enough: f64, steps_left: u32) -> bool {
     before_last.is_finite() && error * (error / before_last).powf(0.5 * f64::from(steps_left)) > enough
 }
 
-/// By how much a shear differs from that of a twin in a zone that is nearly its own, over the largest shear as [`sharpen`] has it.
+/// By how much a shear differs from that of a twin in a zone that is nearly its own, over the largest shear as
+/// [`sharpen`] has it.
 pub(crate) fn apart_from_twin(shear: &Shear, twin: &Shear, normal: &Normal) -> f64 {
     let points = points(shear.zone);
     let [own, other] = [sampled(shear, &points), sampled(twin, &points)];

@@ -17,22 +17,25 @@ use unit::Unit;
 
 /// Nodes on either side beside half of the unknowns of the stick zone's rule.
 ///
-/// Measured on layers of one and of five half-widths: the stick zone changes little with two nodes less or more; the shear of a rule of 32 steps
-/// was off by ten times more with 15 nodes, by three times more with 16, than with 19 and more.
+/// Measured on layers of one and of five half-widths: the stick zone changes little with two nodes less or more; the
+/// shear of a rule of 32 steps was off by ten times more with 15 nodes, by three times more with 16, than with 19 and
+/// more.
 const NODES_BESIDE: usize = 3;
 /// Fewest and most of those.
 const FEWEST_NODES: usize = 6;
 const MOST_BY_UNKNOWNS: usize = 24;
-/// Nodes on either side per kernel length in the slip zone and per unknown of the stick zone's rule: the grid's step then
-/// tells the kernel as well as the rule tells the density.
+/// Nodes on either side per kernel length in the slip zone and per unknown of the stick zone's rule: the grid's step
+/// then tells the kernel as well as the rule tells the density.
 const NODES_PER_LENGTH: f64 = 0.8;
 /// Most nodes per kernel length.
 const MOST_PER_LENGTH: f64 = 21.0;
-/// Most nodes on either side per unknown of the stick zone's rule, however short the kernel: seen from the stick zone it varies over the distance
-/// from that, and the nodes crowd beside it. Like the density at an end, a pole so near to the axis costs a logarithm of its distance.
+/// Most nodes on either side per unknown of the stick zone's rule, however short the kernel: seen from the stick zone
+/// it varies over the distance from that, and the nodes crowd beside it. Like the density at an end, a pole so near to
+/// the axis costs a logarithm of its distance.
 ///
-/// Measured under flat punches on eight layers of 0.1 to 0.005 of the half-width, two friction coefficients, 1e-5 and 1e-8: `1 - a/b` moves by
-/// 1e-5 of its estimate at most from this to as many nodes as there were without. A coating of a thousandth reads its kernel half as often.
+/// Measured under flat punches on eight layers of 0.1 to 0.005 of the half-width, two friction coefficients, 1e-5 and
+/// 1e-8: `1 - a/b` moves by 1e-5 of its estimate at most from this to as many nodes as there were without. A coating of
+/// a thousandth reads its kernel half as often.
 const MOST_PER_UNKNOWN: usize = 2;
 /// Most nodes on either side.
 const MOST_NODES: usize = 1 << 14;
@@ -58,8 +61,8 @@ pub(crate) struct SlipGrid {
     count: usize,
 }
 
-/// Nodes on either side of the middle beside a stick zone whose rule has that many unknowns, for a slip zone of that width over
-/// the kernel's length.
+/// Nodes on either side of the middle beside a stick zone whose rule has that many unknowns, for a slip zone of that
+/// width over the kernel's length.
 fn nodes_for(unknowns: usize, width: f64) -> usize {
     let plain = (NODES_BESIDE + unknowns / 2).clamp(FEWEST_NODES, MOST_BY_UNKNOWNS);
     let per_length = (NODES_PER_LENGTH * unknowns as f64).min(MOST_PER_LENGTH);
@@ -84,13 +87,14 @@ impl SlipGrid {
         }
     }
 
-    /// What is known of the tangential equation at each station of the stick zone, but for what the kernel makes of the half-plane's shear
-    /// there: per unit of friction, and per unit of what does not go with it.
+    /// What is known of the tangential equation at each station of the stick zone, but for what the kernel makes of the
+    /// half-plane's shear there: per unit of friction, and per unit of what does not go with it.
     ///
-    /// The first is `(1/pi) int p(r) sign(r) [1/(x - r) + k_uu(x - r)] dr` over the slip zones, with `(1/pi) int p(a) Y(r)/(x - r) dr` over
-    /// the stick zone; the second `(1/pi) int Z(r)/(x - r) dr` over the latter; `Y` and `Z` are those of [`HalfPlaneShear`]. Beside the
-    /// stick zone's edge the Cauchy kernel is steep; what it makes of `Y` and `Z` in all of the contact is known, and what is
-    /// left of `p` once they are taken off vanishes at that edge. The stations are those of a rule of so many unknowns; returns `p(a)`.
+    /// The first is `(1/pi) int p(r) sign(r) [1/(x - r) + k_uu(x - r)] dr` over the slip zones, with `(1/pi) int p(a)
+    /// Y(r)/(x - r) dr` over the stick zone; the second `(1/pi) int Z(r)/(x - r) dr` over the latter; `Y` and `Z` are
+    /// those of [`HalfPlaneShear`]. Beside the stick zone's edge the Cauchy kernel is steep; what it makes of `Y` and
+    /// `Z` in all of the contact is known, and what is left of `p` once they are taken off vanishes at that edge. The
+    /// stations are those of a rule of so many unknowns; returns `p(a)`.
     pub(crate) fn potential_into(
         &mut self,
         layer: &PreparedLayer,

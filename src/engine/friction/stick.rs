@@ -125,10 +125,10 @@ impl Shear {
     /// Solves the tangential equation for one stick zone with the friction coefficient as one more unknown,
     /// and returns that coefficient.
     ///
-    /// Inside the stick zone `q` is odd and meets `eta p(a)` at its ends; outside `q = eta p sign(x)`. What is resolved is
-    /// `r = q - p(a) (eta Y + eta_h Z)`, with `Y`, `Z` and the friction `eta_h` of [`HalfPlaneShear`]. The
-    /// equations at the collocation points, and the condition that `r` is not singular at the ends, make the square system
-    /// `[ T | p(a) T Y + slip ] (r, eta) = -beta p + (1/pi) int p k_uv - p(a) eta_h T Z`.
+    /// Inside the stick zone `q` is odd and meets `eta p(a)` at its ends; outside `q = eta p sign(x)`. What is resolved
+    /// is `r = q - p(a) (eta Y + eta_h Z)`, with `Y`, `Z` and the friction `eta_h` of [`HalfPlaneShear`]. The equations
+    /// at the collocation points, and the condition that `r` is not singular at the ends, make the square system `[ T |
+    /// p(a) T Y + slip ] (r, eta) = -beta p + (1/pi) int p k_uv - p(a) eta_h T Z`.
     pub(crate) fn solve(
         &mut self,
         layer: &PreparedLayer,
@@ -141,7 +141,8 @@ impl Shear {
 
     /// [`Self::solve`] on grids so many steps finer.
     ///
-    /// A slip zone narrower than the grid's last gap is the half-plane's: what the layer makes of the shear does not change with it any more.
+    /// A slip zone narrower than the grid's last gap is the half-plane's: what the layer makes of the shear does not
+    /// change with it any more.
     fn solve_on(
         &mut self,
         steps: usize,
@@ -169,8 +170,8 @@ impl Shear {
         Ok(self.friction)
     }
 
-    /// Takes the shear of one stick zone on a half-plane, under its own pressure, and returns the friction coefficient that belongs to it:
-    /// there is nothing to solve.
+    /// Takes the shear of one stick zone on a half-plane, under its own pressure, and returns the friction coefficient
+    /// that belongs to it: there is nothing to solve.
     pub(crate) fn know(&mut self, normal: &Normal, beta: f64, zone: StickZone) -> f64 {
         (self.used, self.resolved, self.is_solved) = (0, None, true);
         (self.along, self.strain_rate) = (None, 0.0);
@@ -180,7 +181,8 @@ impl Shear {
         self.friction
     }
 
-    /// Takes another zone, for which only the shear of the half-plane differs; the layer adds `of_layer` to the friction that it takes.
+    /// Takes another zone, for which only the shear of the half-plane differs; the layer adds `of_layer` to the
+    /// friction that it takes.
     fn move_to(&mut self, normal: &Normal, beta: f64, zone: StickZone, of_layer: f64) {
         let p_edge = normal.at(Station { x: zone.half_width, gap: zone.slip_width });
         (self.zone, self.known) = (zone, HalfPlaneShear::new(zone));
@@ -190,8 +192,8 @@ impl Shear {
         (self.own, self.at_edge) = (p_edge * of_half_plane, p_edge * self.friction);
     }
 
-    /// Solves the tangential equation for one stick zone in which the strain is `C|x|`, with `C/A0` as one more unknown,
-    /// and returns it; the friction coefficient is given.
+    /// Solves the tangential equation for one stick zone in which the strain is `C|x|`, with `C/A0` as one more
+    /// unknown, and returns it; the friction coefficient is given.
     ///
     /// What `|x|` makes of the shear on a half-plane is known and taken out of it, see [`carrier`].
     pub(crate) fn solve_strained(
@@ -243,8 +245,8 @@ impl Shear {
         Ok(slip.potential_into(layer, normal, known, (rule.unknowns(), at), by_slip))
     }
 
-    /// Solves the tangential equation with one more unknown beside the shear's, and returns that. From the point's number,
-    /// its row's scale and what is known there per unit of friction, `beside` gives what multiplies the unknown
+    /// Solves the tangential equation with one more unknown beside the shear's, and returns that. From the point's
+    /// number, its row's scale and what is known there per unit of friction, `beside` gives what multiplies the unknown
     /// and what is taken off the right side.
     fn balance(
         &mut self,

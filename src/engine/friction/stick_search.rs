@@ -17,8 +17,8 @@ pub(crate) use samples::Samples;
 
 /// Half of the bracket around a root that the asymptote predicts.
 const PREDICTED: f64 = 0.25;
-/// What is left of `eta(lambda) - eta` at a root, over `eta` or over what it is at the bracket's ends, is of the order of the root's
-/// tolerance; beside a pole it is huge. (Over a tiny `eta` alone every root would look like one.)
+/// What is left of `eta(lambda) - eta` at a root, over `eta` or over what it is at the bracket's ends, is of the order
+/// of the root's tolerance; beside a pole it is huge. (Over a tiny `eta` alone every root would look like one.)
 const POLE: f64 = 0.01;
 /// Most roots kept; two or three are the most ever seen.
 const MOST_ROOTS: usize = 16;
@@ -275,8 +275,8 @@ impl FrictionCurve<'_> {
             Ok(excess)
         };
         match root::bracketed((lower, upper), position, excess) {
-            // A sign change may also be a pole, where the system for q is singular. Where the slope is no number, whoever follows the
-            // root brackets it anew.
+            // A sign change may also be a pole, where the system for q is singular. Where the slope is no number,
+            // whoever follows the root brackets it anew.
             Ok(root::Bracketed { at: lambda, value, slope }) if value.abs() < POLE * size => {
                 Ok(Some(Root { lambda, branch: target.signum(), slope, doubt: f64::INFINITY }))
             }

@@ -80,8 +80,9 @@ impl StickZone {
         Station { x: station.x, gap: station.gap + self.slip_width }
     }
 
-    /// How far a point of the contact, right of the middle, is inside its end; negative in the slip zone. The difference is taken on that side of
-    /// the end on which it costs no digits: in a narrow zone both gaps to the contact's edge are nearly all of the contact.
+    /// How far a point of the contact, right of the middle, is inside its end; negative in the slip zone. The
+    /// difference is taken on that side of the end on which it costs no digits: in a narrow zone both gaps to the
+    /// contact's edge are nearly all of the contact.
     #[inline(always)]
     pub(crate) fn inside(self, at: Station) -> f64 {
         if self.half_width < self.slip_width { self.half_width - at.x } else { at.gap - self.slip_width }
@@ -94,10 +95,10 @@ impl StickZone {
 
     /// By how much finer a grid a shear needs where the half-plane's is not taken off it ([`super::half_plane_shear`]).
     ///
-    /// The pressure has a branch point at the contact's edge, `b - a` beyond the end. In the variable
-    /// `sinh u = (2/pi) atanh(x/a)` of a double-exponential grid it stands at
-    /// `sinh u = (ln(1 + 2 a/(b - a)) + i pi)/pi`, whose imaginary part is less than the `pi/2` of the end by
-    /// about the factor returned; convergence slows down by as much. In narrower slip zones than [`Self::TOLD`] it stands beyond the end of all grids.
+    /// The pressure has a branch point at the contact's edge, `b - a` beyond the end. In the variable `sinh u = (2/pi)
+    /// atanh(x/a)` of a double-exponential grid it stands at `sinh u = (ln(1 + 2 a/(b - a)) + i pi)/pi`, whose
+    /// imaginary part is less than the `pi/2` of the end by about the factor returned; convergence slows down by as
+    /// much. In narrower slip zones than [`Self::TOLD`] it stands beyond the end of all grids.
     pub(crate) fn crowding(self) -> f64 {
         let slip_width = self.slip_width.max(Self::TOLD * self.half_width);
         (1.0 + ((2.0 * self.half_width / slip_width).ln_1p() / PI).powi(2)).sqrt()

@@ -1,38 +1,41 @@
 //! The strain of the surface that friction left in the stick zone, from the tractions of the whole contact:
 //! `-u'(x)/A0 = (1/pi) PV int q(r)/(x - r) dr + (1/pi) int q k_uu(x - r) dr + beta p(x) - (1/pi) int p k_uv(x - r) dr`.
 //!
-//! Each traction is sampled once on double-exponential grids between the points at which it is not analytic: the middle,
-//! the kinks of the shape, where the stick zone ended when the contact reached them, both ends of the slip zone. In
-//! between it is told by sinc functions in the grid's own variable. The integrals are split at `x`, where the kernels jump.
+//! Each traction is sampled once on double-exponential grids between the points at which it is not analytic: the
+//! middle, the kinks of the shape, where the stick zone ended when the contact reached them, both ends of the slip
+//! zone. In between it is told by sinc functions in the grid's own variable. The integrals are split at `x`, where the
+//! kernels jump.
 
 use crate::engine::prepared_layer::PreparedLayer;
 use slipzone_api::double_exponential::{self, Node};
 use slipzone_api::{Component, Refusal, Station};
 use std::f64::consts::PI;
 
-/// Where the grids end in `u`: 4e-13 of a piece is left out at either end. Beyond that, a distance to a point that is not
-/// the middle has lost its digits.
+/// Where the grids end in `u`: 4e-13 of a piece is left out at either end. Beyond that, a distance to a point that is
+/// not the middle has lost its digits.
 const END: f64 = 2.9;
-/// What is left out there, over the piece. Kernels that begin with a power of the distance below 1 have that power of it, times as much:
-/// towards the point at which the strain is told grids go on until that is as small, or to where such kernels end.
+/// What is left out there, over the piece. Kernels that begin with a power of the distance below 1 have that power of
+/// it, times as much: towards the point at which the strain is told grids go on until that is as small, or to where
+/// such kernels end.
 ///
-/// Measured on laws that begin with `y^0.5` and `y^0.3`: strains off by up to 4e-5 and 2e-2 of the largest with grids that ended here.
+/// Measured on laws that begin with `y^0.5` and `y^0.3`: strains off by up to 4e-5 and 2e-2 of the largest with grids
+/// that ended here.
 const LEFT_OUT: f64 = 4e-13;
 /// Where they end at the latest.
 const FARTHEST: f64 = 5.8;
 /// Nodes on either side.
 ///
 /// Measured with 14, 18, 24, 32: under a cylinder on a half-plane errors of 1e-8 with any of them, which is that of the
-/// tractions; on graded layers, seen under two loads, 2e-5, 3e-6, 1e-7, 1e-8 apart. Under a wedge on a layer twice as thick as the contact is
-/// wide, eight times as soft below, 1e-4 with 32, 3e-7 with 64, 2e-9 with 96.
+/// tractions; on graded layers, seen under two loads, 2e-5, 3e-6, 1e-7, 1e-8 apart. Under a wedge on a layer twice as
+/// thick as the contact is wide, eight times as soft below, 1e-4 with 32, 3e-7 with 64, 2e-9 with 96.
 const NODES: f64 = 32.0;
 /// Nodes per length of the kernel.
 const NODES_PER_LENGTH: f64 = 8.0;
-/// Nodes at which tractions are asked for at most, if no more than that are due to a narrow zone: kernels may vary over far shorter lengths
-/// than they do, and a traction of a contact that grew takes thousands of flat punches.
+/// Nodes at which tractions are asked for at most, if no more than that are due to a narrow zone: kernels may vary over
+/// far shorter lengths than they do, and a traction of a contact that grew takes thousands of flat punches.
 const TOLD: f64 = 256.0;
-/// Distance to a corner, over its own to the middle, from which positions beside it are told apart: rounding changes the logarithm
-/// there by as much as its neglected companion, the distance times the logarithm.
+/// Distance to a corner, over its own to the middle, from which positions beside it are told apart: rounding changes
+/// the logarithm there by as much as its neglected companion, the distance times the logarithm.
 const TOLD_APART: f64 = 1e-9;
 /// Share of those nodes that is tried first.
 const FIRST_SHARE: f64 = 0.75;
@@ -68,8 +71,8 @@ pub(crate) struct Sampling<'a> {
 }
 
 impl Sampling<'_> {
-    /// The strains over `A0` at points `0 <= x < b`, by grids as fine as `wanted` asks; `tractions` tells `p` and `q` at points inside the
-    /// contact, and `None` where they are not known.
+    /// The strains over `A0` at points `0 <= x < b`, by grids as fine as `wanted` asks; `tractions` tells `p` and `q`
+    /// at points inside the contact, and `None` where they are not known.
     pub(crate) fn strains(
         &self,
         layer: &PreparedLayer,
@@ -139,14 +142,16 @@ struct Piece {
 /// One traction over a piece.
 struct Traction {
     values: Vec<f64>,
-    /// What it is like at the ends, a constant and a logarithm of the distance to each; taken off, nothing is left there.
+    /// What it is like at the ends, a constant and a logarithm of the distance to each; taken off, nothing is left
+    /// there.
     ends: [[f64; 2]; 2],
     /// What then is left at the nodes, of alternating sign.
     rest: Vec<f64>,
 }
 
 impl Strain {
-    /// Samples the tractions with a share of the nodes, and towards points at which the strain is told leaves out that much of a piece.
+    /// Samples the tractions with a share of the nodes, and towards points at which the strain is told leaves out that
+    /// much of a piece.
     fn new(
         &Sampling { breaks, corners, crowding, length }: &Sampling,
         (share, left_out): (f64, f64),
@@ -259,8 +264,8 @@ impl Strain {
     }
 }
 
-/// How much of a piece may be left out beside a point: of kernels that are not told down to it, where they are flat, and so little that
-/// pieces may be far wider than the layer is thick.
+/// How much of a piece may be left out beside a point: of kernels that are not told down to it, where they are flat,
+/// and so little that pieces may be far wider than the layer is thick.
 fn left_out(layer: &PreparedLayer) -> f64 {
     match layer.kernel_power() {
         Some(power) => LEFT_OUT.powf(power.recip()),
@@ -269,7 +274,8 @@ fn left_out(layer: &PreparedLayer) -> f64 {
     .min(LEFT_OUT)
 }
 
-/// A grid of so many nodes on either side, which goes on towards its upper end until no more than that is left out there.
+/// A grid of so many nodes on either side, which goes on towards its upper end until no more than that is left out
+/// there.
 fn towards(grid: &[Node], nodes: usize, left_out: f64) -> Vec<Node> {
     if left_out >= LEFT_OUT {
         return grid.to_vec();
@@ -285,8 +291,8 @@ fn variable(from_lower: f64, to_upper: f64) -> f64 {
     ((from_lower / to_upper).ln() / PI).asinh()
 }
 
-/// Values from a corner at `end` inwards, at those distances to it: a constant and a logarithm of the distance, as near to it as
-/// positions are no longer told apart.
+/// Values from a corner at `end` inwards, at those distances to it: a constant and a logarithm of the distance, as near
+/// to it as positions are no longer told apart.
 fn continue_logarithm<'a>(values: impl Iterator<Item = (&'a mut f64, f64)>, end: f64) {
     let (mut near, rest): (Vec<_>, Vec<_>) = values.partition(|(_, distance)| *distance < TOLD_APART * end);
     let [(one, here), (other, there), ..] = &rest[..] else { return };

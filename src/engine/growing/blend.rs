@@ -1,7 +1,7 @@
 //! Functions of a contact's half-width, known at a few half-widths.
 //!
-//! Seen from a contact that is narrow beside a graded layer, what a flat punch answers is a series in `b` and `log b`, the
-//! logarithm first with `b` (stick zone) or `b^2` (pressure). Polynomials alone tell `b^p log b` no better than
+//! Seen from a contact that is narrow beside a graded layer, what a flat punch answers is a series in `b` and `log b`,
+//! the logarithm first with `b` (stick zone) or `b^2` (pressure). Polynomials alone tell `b^p log b` no better than
 //! `n^-(2 p + 1)`; the first few of these terms beside them cost nothing.
 
 use crate::engine::numerics::chebyshev::{Points, largest};
@@ -18,9 +18,9 @@ const MOST: usize = 256;
 /// Most terms with logarithms.
 const MOST_TERMS: usize = 3;
 
-/// Places of the narrowest half-widths but 0, over that of the narrowest Chebyshev point. Chebyshev points alone hardly see a
-/// logarithm: rounding of values there would grow as `n^2` in between with one term, as `n^4` with two. With these it grows 4
-/// to 26 times.
+/// Places of the narrowest half-widths but 0, over that of the narrowest Chebyshev point. Chebyshev points alone hardly
+/// see a logarithm: rounding of values there would grow as `n^2` in between with one term, as `n^4` with two. With
+/// these it grows 4 to 26 times.
 const BESIDE: [f64; 2] = [0.3, 0.02];
 
 /// Half-widths at which functions are known, and how they are told in between.
@@ -38,8 +38,8 @@ pub(crate) struct Blend {
 }
 
 impl Blend {
-    /// So many half-widths between two, crowding at both ends like Chebyshev points; for functions with these terms beside what is
-    /// analytic: they are told where the half-widths begin with 0.
+    /// So many half-widths between two, crowding at both ends like Chebyshev points; for functions with these terms
+    /// beside what is analytic: they are told where the half-widths begin with 0.
     pub(crate) fn new(ends: (f64, f64), n: usize, terms: &[Term]) -> Result<Self, Refusal> {
         let terms = if ends.0 > 0.0 { &[] } else { terms };
         Self::through(ends, 1, n, terms)
@@ -159,8 +159,9 @@ pub(crate) type Term = (usize, i32);
 
 /// Chebyshev polynomials on `[0, 1]`, and a few terms `s^p log^q s` in place of the last of them.
 ///
-/// As they are, the latter are nearly alike, and like polynomials. So each is less all that the polynomials beside it tell, and
-/// those before it are taken out, so that it leads with the polynomial that it stands for. That spans the same.
+/// As they are, the latter are nearly alike, and like polynomials. So each is less all that the polynomials beside it
+/// tell, and those before it are taken out, so that it leads with the polynomial that it stands for. That spans the
+/// same.
 #[derive(Clone, Debug)]
 struct Functions {
     terms: ArrayVec<Term, MOST_TERMS>,
@@ -268,8 +269,9 @@ impl WithSimd for InLanes<'_> {
 
 /// The first `n` Chebyshev coefficients of `s^p log^q s` on `[0, 1]`, with `q` 1 or 2.
 ///
-/// `s = cos^2(angle/2)`, so that `log s = 2 L - 2 log 2` with `L = log(2 cos(angle/2)) = sum (-1)^(k+1) cos(k angle)/k`; the
-/// square of `L` has the coefficients `(-1)^k (H(k-1) + H(k))/k`, the first `pi^2/12`, with the sums `H(k) = 1 + ... + 1/k`.
+/// `s = cos^2(angle/2)`, so that `log s = 2 L - 2 log 2` with `L = log(2 cos(angle/2)) = sum (-1)^(k+1) cos(k
+/// angle)/k`; the square of `L` has the coefficients `(-1)^k (H(k-1) + H(k))/k`, the first `pi^2/12`, with the sums
+/// `H(k) = 1 + ... + 1/k`.
 fn coefficients((p, q): Term, n: usize) -> Vec<f64> {
     let mut sum = 0.0;
     let of_power = |k: usize| {

@@ -37,28 +37,30 @@ use told::Told;
 
 pub(crate) use stacked::Slice;
 
-/// Members of the coarsest family: this many, more for each unknown of the pressure, and by this share more for each doubling of the
-/// widest half-width beyond the layer's length.
+/// Members of the coarsest family: this many, more for each unknown of the pressure, and by this share more for each
+/// doubling of the widest half-width beyond the layer's length.
 const FEWEST_MEMBERS: f64 = 5.0;
 const MEMBERS_PER_UNKNOWN: f64 = 0.6;
 const MORE_PER_OCTAVE: f64 = 0.5;
 
 /// What is not analytic in the half-width where it begins with 0, of the pressure and of the shear.
 ///
-/// Measured on the stick zone of a layer five times as thick as the contact is wide, told by 24 members: 1.4e-5 with the first
-/// term, 3e-7 with the first two, 1e-8 with three; on the depth 1.4e-10 with one and 4e-13 with two.
+/// Measured on the stick zone of a layer five times as thick as the contact is wide, told by 24 members: 1.4e-5 with
+/// the first term, 3e-7 with the first two, 1e-8 with three; on the depth 1.4e-10 with one and 4e-13 with two.
 pub(crate) const OF_PRESSURE: &[Term] = &[(2, 1), (3, 1)];
 pub(crate) const OF_SHEAR: &[Term] = &[(1, 1), (2, 1), (2, 2)];
-/// What the series of the pressure may leave, over the tolerance, of a force and of a pressure that is stacked, and those of the shear.
+/// What the series of the pressure may leave, over the tolerance, of a force and of a pressure that is stacked, and
+/// those of the shear.
 const LEFT_OF_FORCE: f64 = 0.1;
 const LEFT_OF_PRESSURE: f64 = 0.3;
 const LEFT_OF_SHEAR: f64 = 1.0;
-/// A face narrower than that, over the widest half-width, is none to the members: they begin with a point, and tell the logarithms with which
-/// a layer begins to be felt. Polynomials from the face on do not.
+/// A face narrower than that, over the widest half-width, is none to the members: they begin with a point, and tell the
+/// logarithms with which a layer begins to be felt. Polynomials from the face on do not.
 ///
-/// Measured on random curves under rounded flat punches, most without friction: with polynomials alone loads on the way were off by up to 21
-/// estimates on 100 of 507 with faces of 1e-4 to 0.1 of the last contact, and so they were by up to 3 on 32 of 687 with faces of 0.01 to 0.03; on
-/// none of these so, in half of the work. With faces of 0.03 to 0.25 none of 514 was.
+/// Measured on random curves under rounded flat punches, most without friction: with polynomials alone loads on the way
+/// were off by up to 21 estimates on 100 of 507 with faces of 1e-4 to 0.1 of the last contact, and so they were by up
+/// to 3 on 32 of 687 with faces of 0.01 to 0.03; on none of these so, in half of the work. With faces of 0.03 to 0.25
+/// none of 514 was.
 const SMALL_FACE: f64 = 3e-2;
 /// The widest half-width that the members begin with, over that with which they end.
 const LARGEST_FACE: f64 = 0.9999;
@@ -66,11 +68,12 @@ const LARGEST_FACE: f64 = 0.9999;
 const OF_BREAK: f64 = 2.0;
 /// Doubt of a slope that a coarser resolution tells; see [`crate::engine::numerics::root::Near`].
 const SLOPE_DOUBT: f64 = 0.005;
-/// What is left of a force changes its sign from member to member: its growth, of which a pressure is stacked, is off by as much for
-/// each member, and more near the edge, where members crowd.
+/// What is left of a force changes its sign from member to member: its growth, of which a pressure is stacked, is off
+/// by as much for each member, and more near the edge, where members crowd.
 ///
-/// Measured under `|x|^2.5` on a stiff skin 33 times thinner than the contact is wide, with 56 members: the force off by 6e-4, the pressure by
-/// 2e-3 at a tenth of the half-width and by 6e-2 at its peak beside the edge; so told, peaks there are off by up to half of it.
+/// Measured under `|x|^2.5` on a stiff skin 33 times thinner than the contact is wide, with 56 members: the force off
+/// by 6e-4, the pressure by 2e-3 at a tenth of the half-width and by 6e-2 at its peak beside the edge; so told, peaks
+/// there are off by up to half of it.
 const STEEP: f64 = 2.0;
 /// Of so many points one is checked against the conditions of friction.
 const CHECKED: usize = 4;
@@ -117,8 +120,9 @@ fn first_members(unknowns: usize, kernel_lengths: f64) -> usize {
     ((FEWEST_MEMBERS + MEMBERS_PER_UNKNOWN * unknowns as f64) * (1.0 + MORE_PER_OCTAVE * octaves)) as usize
 }
 
-/// What tells functions of the half-width between so many members: by series in `b` with these terms beside them, or, where the law begins with a
-/// power `p` of the depth that is no whole number, in a root of `b` in which `b^p` is nearly a polynomial.
+/// What tells functions of the half-width between so many members: by series in `b` with these terms beside them, or,
+/// where the law begins with a power `p` of the depth that is no whole number, in a root of `b` in which `b^p` is
+/// nearly a polynomial.
 fn blend(problem: &Problem, ends: (f64, f64), members: usize, terms: &[Term]) -> Result<Blend, Refusal> {
     /// Roots tried for a power that is exactly as smooth as it may be; else one in which it is as smooth as that.
     const ROOTS: RangeInclusive<u32> = 6..=12;
@@ -245,8 +249,8 @@ impl Family {
         self.pressed.blend.widest()
     }
 
-    /// The first half-width that a contact grows through beyond which the stick zone shrinks: from one member to the next by more than
-    /// rounding, between them, and up to the last contact, by more than is not known of it, too.
+    /// The first half-width that a contact grows through beyond which the stick zone shrinks: from one member to the
+    /// next by more than rounding, between them, and up to the last contact, by more than is not known of it, too.
     pub(crate) fn shrinks(&self, through: Range<f64>, rounding: f64) -> Option<f64> {
         let rubbed = self.rubbed.as_ref()?;
         let zones = &rubbed.zones;
@@ -327,7 +331,8 @@ impl Family {
         self.contact.normal.size()
     }
 
-    /// The stick zone to be expected under a member. Beyond the widest nothing is told but its own, below the narrowest nothing.
+    /// The stick zone to be expected under a member. Beyond the widest nothing is told but its own, below the narrowest
+    /// nothing.
     fn root_at(&self, b: f64) -> Option<Root> {
         if b < self.pressed.blend.narrowest() {
             return None;
@@ -352,7 +357,8 @@ impl Family {
         self.rubbed.as_ref().map_or(0.0, |rubbed| rubbed.branch) * self.friction.unwrap_or(0.0)
     }
 
-    /// The coefficient of what its shears are told to lack, of the same sign: none where all of it sticks at all half-widths.
+    /// The coefficient of what its shears are told to lack, of the same sign: none where all of it sticks at all
+    /// half-widths.
     pub(crate) fn lacking_to(&self) -> f64 {
         if self.rubbed.as_ref().is_some_and(|rubbed| rubbed.sticks) { 0.0 } else { self.signed_friction() }
     }

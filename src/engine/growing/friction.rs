@@ -10,8 +10,8 @@ use crate::engine::pressure::normal::Normal;
 use crate::engine::problem::Problem;
 use slipzone_api::{Refusal, Station};
 
-/// Where what the shear lacks is compared from resolution to resolution, over the half-width of the stick zone: near the middle
-/// it is stacked of the most members.
+/// Where what the shear lacks is compared from resolution to resolution, over the half-width of the stick zone: near
+/// the middle it is stacked of the most members.
 const TRACED: [f64; ShearTrace::POINTS] = [0.05, 0.4, 0.85, 1.0];
 
 impl Growing {
@@ -41,7 +41,8 @@ impl Growing {
         let own = |part: f64| Station { x: part * zone.half_width, gap: (1.0 - part) * zone.half_width };
         let shear = self.shear_traced(problem, normal, TRACED.map(|part| zone.in_contact(own(part))), lack);
         if rubbing.is_full {
-            // Beside what slides with much friction what sticks may be little, and so may be the errors of what is lacking.
+            // Beside what slides with much friction what sticks may be little, and so may be the errors of what is
+            // lacking.
             let at = ShearTrace::NEAR_MIDDLE.map(|part| zone.in_contact(own(part)));
             let inner = self.shear_traced(problem, normal, at, inner);
             return Ok(rubbing.traced(ShearTrace { inner, sliding, lost, ..ShearTrace::new(shear, shear, friction) }));
@@ -150,7 +151,8 @@ impl Growing {
         self.broken.as_ref().is_some_and(|(at, rubbing)| shears(*at, rubbing))
     }
 
-    /// Whether it is of a narrower contact that friction cannot be told: the stick zone found there is none of this one's.
+    /// Whether it is of a narrower contact that friction cannot be told: the stick zone found there is none of this
+    /// one's.
     pub(super) fn was_broken(&self) -> bool {
         self.is_broken() && self.broken.as_ref().is_some_and(|(at, _)| self.is_narrower(*at))
     }

@@ -28,7 +28,8 @@ struct Moment {
 }
 
 impl Moment {
-    /// What is wrong there, if anything is, and in contacts of which half-widths it is that of friction bears too little.
+    /// What is wrong there, if anything is, and in contacts of which half-widths it is that of friction bears too
+    /// little.
     fn told(&self, problem: &Problem, [narrowest, widest]: [f64; 2]) -> Option<String> {
         /// Half-widths that tell a range, over the wider one.
         const APART: f64 = 1e-3;
@@ -49,8 +50,8 @@ impl Moment {
     }
 }
 
-/// The moments of one contact that are the weakest among their neighbours. Beside the end of the zone friction always bears hardly more
-/// than the shear; there it bears just the shear.
+/// The moments of one contact that are the weakest among their neighbours. Beside the end of the zone friction always
+/// bears hardly more than the shear; there it bears just the shear.
 fn dips(zone: &[Moment]) -> impl Iterator<Item = Moment> {
     let bears = |i: usize| zone.get(i).map_or(1.0, |moment| moment.bears);
     let is_dip = move |i: usize| bears(i) <= bears(i + 1) && (i == 0 || bears(i) <= bears(i - 1));
@@ -66,8 +67,9 @@ fn thinned(all: Vec<f64>, most: usize) -> Vec<f64> {
 }
 
 impl Growing {
-    /// What the member fails worst of those looked at, or a contact between them near where friction bears hardly more than the shear:
-    /// near the weakest moment of all that are the weakest among their neighbours in the zone, and near that of the last contact.
+    /// What the member fails worst of those looked at, or a contact between them near where friction bears hardly more
+    /// than the shear: near the weakest moment of all that are the weakest among their neighbours in the zone, and near
+    /// that of the last contact.
     pub(super) fn overload(&mut self, problem: &Problem) -> Option<String> {
         let mut half_widths = self.family.as_ref()?.half_widths_to(self.half_width);
         half_widths.retain(|b| *b > problem.face());

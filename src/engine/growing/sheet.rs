@@ -12,8 +12,8 @@ pub(crate) const END: f64 = 2.9;
 /// Where those end of what goes on as `ln(c - x)/sqrt(c - x)`: `4e-19 c` is left beyond it.
 pub(crate) const FAR_END: f64 = 3.4;
 
-/// Places at which a density is told: this many, and more per unknown. A Chebyshev series takes half as many again as a sum
-/// of sinc functions on the same stretch.
+/// Places at which a density is told: this many, and more per unknown. A Chebyshev series takes half as many again as a
+/// sum of sinc functions on the same stretch.
 const FEWEST_PLACES: f64 = 8.0;
 const PLACES_PER_UNKNOWN: f64 = 1.5;
 
@@ -63,8 +63,8 @@ impl Sheet {
 
 /// Places at which a density is told.
 ///
-/// The middle is one of them: what is wrong there is wrong of all members of a stack that are much wider than the point looked at is far
-/// from it, and under a pointed punch these are many.
+/// The middle is one of them: what is wrong there is wrong of all members of a stack that are much wider than the point
+/// looked at is far from it, and under a pointed punch these are many.
 pub(crate) struct Places {
     end: f64,
     points: Arc<Points>,

@@ -1,10 +1,9 @@
 //! A growing contact as a stack of flat punches.
 //!
 //! While the load on a convex punch grows, the rate of change inside a contact of half-width `b'` is what a flat punch
-//! of that half-width does (docs/theory.md section 4). So, with `P(b')` the force that
-//! the punch bears at each half-width,
-//! `p(x; b) = int_|x|^b p_flat(x; b') dP(b')` and `q(x; b) = eta p(x; b) - int_b*^b (eta p_flat - q_flat)(x; b') dP(b')`,
-//! `b*` being the half-width at which the stick zone ended at `x`.
+//! of that half-width does (docs/theory.md section 4). So, with `P(b')` the force that the punch bears at each
+//! half-width, `p(x; b) = int_|x|^b p_flat(x; b') dP(b')` and `q(x; b) = eta p(x; b) - int_b*^b (eta p_flat -
+//! q_flat)(x; b') dP(b')`, `b*` being the half-width at which the stick zone ended at `x`.
 
 mod force;
 mod nodes;
@@ -38,13 +37,14 @@ const MORE_NODES: f64 = 1.2;
 const MOST_NODES: usize = 96;
 /// So many times as many tell what the middle feels: every flat punch at once, under narrow ones as under wide ones.
 ///
-/// Measured under `|x|^3.3` and `|x|^2.5` on three plies: with one the pressure there was off by up to 35 times its estimate, as resolutions
-/// do not differ in what they miss; with two, all seven tolerances from 1e-4 to 1e-10 were within a tenth of theirs.
+/// Measured under `|x|^3.3` and `|x|^2.5` on three plies: with one the pressure there was off by up to 35 times its
+/// estimate, as resolutions do not differ in what they miss; with two, all seven tolerances from 1e-4 to 1e-10 were
+/// within a tenth of theirs.
 const MORE_IN_MIDDLE: usize = 2;
 /// What rounding leaves of them.
 const ROUNDING: f64 = 1e-14;
-/// The longest piece that does not begin in the middle, in the logarithm of the distance from the kink before that where it begins, or from
-/// the middle.
+/// The longest piece that does not begin in the middle, in the logarithm of the distance from the kink before that
+/// where it begins, or from the middle.
 const LONGEST_PIECE: f64 = 2.5;
 /// As many slices as most points have.
 const USUAL_SLICES: usize = 128;
@@ -60,7 +60,8 @@ const MEASURED_FROM: [f64; 2] = [0.05, 0.5];
 /// The force under one punch over all half-widths of a family, and what is stacked with it.
 pub(crate) struct Stack {
     pieces: Vec<Piece>,
-    /// Ends of the pieces: those of the contact, where the shape is not analytic within it, and as many between as keep pieces short.
+    /// Ends of the pieces: those of the contact, where the shape is not analytic within it, and as many between as keep
+    /// pieces short.
     breaks: Vec<f64>,
     /// Of unit length, for integrals over the shape.
     grid: Arc<Vec<Node>>,
@@ -88,8 +89,9 @@ struct Room {
 }
 
 impl Stack {
-    /// The stack of a punch over the members of a family up to a widest; `digits` is the error wanted, relative. Nodes of the integrals are added until they
-    /// are enough for the slope of the shape, which is as steep as the force over the half-width.
+    /// The stack of a punch over the members of a family up to a widest; `digits` is the error wanted, relative. Nodes
+    /// of the integrals are added until they are enough for the slope of the shape, which is as steep as the force over
+    /// the half-width.
     pub(crate) fn new(
         problem: &Problem,
         family: &mut Family,
@@ -133,8 +135,8 @@ impl Stack {
         let mut breaks = vec![face];
         let (mut kink, mut from) = (0.0, face);
         for next in problem.kinks().filter(|kink| *kink > face && *kink < widest).chain([widest]) {
-            // A force known to so many digits at the end of a piece is known to fewer at its beginning, where the middle feels it; and
-            // beyond a kink it remembers the one before as long as that is near.
+            // A force known to so many digits at the end of a piece is known to fewer at its beginning, where the
+            // middle feels it; and beyond a kink it remembers the one before as long as that is near.
             let (beyond, ratio) = (from - kink, (next - kink) / (from - kink));
             let parts = if from > 0.0 { (ratio.ln() / LONGEST_PIECE).ceil().max(1.0) } else { 1.0 };
             let ends = (1..).map(f64::from).take_while(|part| *part < parts);
@@ -198,12 +200,14 @@ impl Stack {
         most
     }
 
-    /// What the integrals lose of the shape's height, or the series of its force, beside those of the contact of that half-width.
+    /// What the integrals lose of the shape's height, or the series of its force, beside those of the contact of that
+    /// half-width.
     pub(crate) fn lost(&self, problem: &Problem, b: f64) -> f64 {
         self.lost.max(self.piece_at(b).missed_at(problem, b))
     }
 
-    /// Whether the contact of that half-width is within it, and its force told as well as those of the widest, or to so many digits.
+    /// Whether the contact of that half-width is within it, and its force told as well as those of the widest, or to so
+    /// many digits.
     pub(crate) fn tells(&self, problem: &Problem, b: f64, digits: f64) -> bool {
         self.reaches(b) && self.lost(problem, b) <= self.lost.max(digits).max(ROUNDING)
     }
@@ -218,8 +222,8 @@ impl Stack {
         self.lost_at_kinks
     }
 
-    /// `2 int_0^b f(x) h(x) dx`, with `f` of a family member, as wide as the last of some ends and by so much wider than the one before
-    /// it, and `h` of the shape.
+    /// `2 int_0^b f(x) h(x) dx`, with `f` of a family member, as wide as the last of some ends and by so much wider
+    /// than the one before it, and `h` of the shape.
     fn over_contact(
         &mut self,
         (ends, last): (&[f64], f64),
@@ -244,8 +248,8 @@ impl Stack {
                 }
                 continue;
             }
-            // Up to a kink, which may be close to the edge, by the angle from there: in `x = b cos(angle)` the edge is no
-            // singularity.
+            // Up to a kink, which may be close to the edge, by the angle from there: in `x = b cos(angle)` the edge is
+            // no singularity.
             let gaps = [lower, upper].map(|end| (before - end) + last);
             let [far, near] = gaps.map(|gap| 2.0 * (gap / (2.0 * b)).sqrt().asin());
             let length = far - near;
@@ -263,8 +267,8 @@ impl Stack {
         2.0 * weights.iter().zip(values.iter()).map(|(weight, value)| weight * value).sum::<f64>()
     }
 
-    /// The force at a half-width so far beyond `from`, an end of a piece, by reciprocity with the tilted flat punch. Just beyond a kink
-    /// it goes with a root of that distance, which a half-width alone does not tell.
+    /// The force at a half-width so far beyond `from`, an end of a piece, by reciprocity with the tilted flat punch.
+    /// Just beyond a kink it goes with a root of that distance, which a half-width alone does not tell.
     fn force_by_tilt(&mut self, problem: &Problem, family: &mut Family, (from, beyond): (f64, f64)) -> f64 {
         let b = from + beyond;
         if from > 0.0 {
@@ -280,8 +284,8 @@ impl Stack {
         self.force_and_mean_slope(problem, family, b).0
     }
 
-    /// The same at a half-width within which the shape is analytic, and the mean of the slope there: the nodes of every contact are the
-    /// same parts of it.
+    /// The same at a half-width within which the shape is analytic, and the mean of the slope there: the nodes of every
+    /// contact are the same parts of it.
     fn force_and_mean_slope(&mut self, problem: &Problem, family: &mut Family, b: f64) -> (f64, f64) {
         family.tilt_over(b, &self.grid, &mut self.room.values);
         let (mut force, mut mean) = (0.0, 0.0);
@@ -308,7 +312,8 @@ impl Stack {
         self.pieces.iter().find(|piece| b <= piece.to).unwrap_or(last)
     }
 
-    /// Whether no contact up to a half-width pulls anywhere, as far as a few places tell, because the force grows all the way and no slice pulls.
+    /// Whether no contact up to a half-width pulls anywhere, as far as a few places tell, because the force grows all
+    /// the way and no slice pulls.
     pub(crate) fn presses(&self, problem: &Problem, family: &mut Family, b: f64) -> bool {
         let face = self.breaks[0];
         let forces = (1..=RISING).map(|i| self.force(problem, face + (b - face) * i as f64 / RISING as f64));
@@ -317,8 +322,8 @@ impl Stack {
 
     /// Depth of the punch at a half-width, by reciprocity: `P D + int p_flat g dx`.
     ///
-    /// Against a datum that fails: the datum, too, moves by how the pressure is distributed. There each increment of the
-    /// force sinks the flat punch that it presses on, `int D dP`: true always, with a digit or two fewer.
+    /// Against a datum that fails: the datum, too, moves by how the pressure is distributed. There each increment of
+    /// the force sinks the flat punch that it presses on, `int D dP`: true always, with a digit or two fewer.
     pub(crate) fn depth(&mut self, problem: &Problem, family: &mut Family, b: f64) -> f64 {
         let a0 = problem.elastic.a0();
         if !problem.layer.is_grounded() {

@@ -9,18 +9,18 @@ use slipzone_api::Refusal;
 
 /// Points of the contact closer than that, relative to how far out they are, are one: nothing is to be told in between.
 const NO_PIECE: f64 = 1e-11;
-/// By how much more finely tractions are sampled for each `e` of `b/a`: on layers what grew from a hundred times narrower may have stuck anywhere
-/// in a narrow zone.
+/// By how much more finely tractions are sampled for each `e` of `b/a`: on layers what grew from a hundred times
+/// narrower may have stuck anywhere in a narrow zone.
 ///
-/// Measured under a cylinder on a layer 2.5 times as thick as the contact is wide, zones of 1e-8 to 1e-50 of it: strains known to 1e-4 with none, 1e-6 with
-/// 0.02, 1e-7 with 0.05 and with 0.1.
+/// Measured under a cylinder on a layer 2.5 times as thick as the contact is wide, zones of 1e-8 to 1e-50 of it:
+/// strains known to 1e-4 with none, 1e-6 with 0.02, 1e-7 with 0.05 and with 0.1.
 const MORE_IF_NARROW: f64 = 0.05;
 /// How many times as far out as it begins a piece ends at most.
 const FARTHER: f64 = 1e3;
 
 impl Growing {
-    /// The strain left on the surface at points of the stick zone, `x >= 0`; `None` where it cannot be told, and at points
-    /// under which the pressure is unbounded.
+    /// The strain left on the surface at points of the stick zone, `x >= 0`; `None` where it cannot be told, and at
+    /// points under which the pressure is unbounded.
     pub(crate) fn strain(
         &mut self,
         layer: &PreparedLayer,
@@ -70,8 +70,8 @@ impl Growing {
     }
 }
 
-/// The same breaks, and more of them where a piece reaches very much farther out than it begins: seen from within a narrow stick zone what
-/// slides acts in proportion to `dr/r` all the way from the zone's end to the contact's.
+/// The same breaks, and more of them where a piece reaches very much farther out than it begins: seen from within a
+/// narrow stick zone what slides acts in proportion to `dr/r` all the way from the zone's end to the contact's.
 fn graded(breaks: &[f64]) -> Vec<f64> {
     let mut all = Vec::with_capacity(breaks.len());
     for ends in breaks.windows(2) {

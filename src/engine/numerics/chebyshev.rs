@@ -17,7 +17,8 @@ static POINTS: Shelf<usize, Points> = Shelf::new(KEPT, |points| points.at.len().
 #[derive(Debug)]
 pub(crate) struct Points {
     pub(crate) at: Vec<f64>,
-    /// `coefficients[k * n + m]`: how much of the polynomial `m` a value at the point `k` is; made when first asked for.
+    /// `coefficients[k * n + m]`: how much of the polynomial `m` a value at the point `k` is; made when first asked
+    /// for.
     coefficients: OnceLock<Vec<f64>>,
 }
 
@@ -109,13 +110,15 @@ impl Series {
         self.last() + rounding * largest(&self.0)
     }
 
-    /// What those left out may add up to where they fall off like a power, as beside a singularity; `None` where they do so geometrically, or
-    /// are of rounding. (Through points the last ones are too small: what is beyond them is taken off.)
+    /// What those left out may add up to where they fall off like a power, as beside a singularity; `None` where they
+    /// do so geometrically, or are of rounding. (Through points the last ones are too small: what is beyond them is
+    /// taken off.)
     pub(crate) fn left_of_power(&self) -> Option<f64> {
         const ROUNDING: f64 = 1e-14;
         /// Of a power they fall by more than a half; those that hardly fall are of noise.
         const MOST: f64 = 0.55;
-        /// Over the last octave those of a power fall as over the one before, those of a geometric series by the square of that.
+        /// Over the last octave those of a power fall as over the one before, those of a geometric series by the square
+        /// of that.
         const BETWEEN: f64 = 1.5;
         let count = self.len();
         if count < 8 || self.last() <= ROUNDING * largest(&self.0) {

@@ -34,8 +34,8 @@ impl Trail {
         self.last.push(next);
     }
 
-    /// A place above zero between the last two and the next, where the second of them is the highest, or where the parabola through all
-    /// three has turned before the next; and one below zero before it.
+    /// A place above zero between the last two and the next, where the second of them is the highest, or where the
+    /// parabola through all three has turned before the next; and one below zero before it.
     pub(crate) fn top(&mut self, next: (f64, f64), mut excess: impl FnMut(f64) -> f64) -> Option<(f64, f64)> {
         let [left, top] = self.last[..] else { return None };
         let three = if next.1 > top.1 {
@@ -60,8 +60,8 @@ fn vertex([left, top, right]: [(f64, f64); 3]) -> Option<(f64, f64)> {
     (bend > 0.0).then(|| (f64::midpoint(left.0, top.0) + 0.5 * rise / bend, bend))
 }
 
-/// The top of a function beside the middle of three places, or where the parabola through them turns before the last: a place, and how high it
-/// is there.
+/// The top of a function beside the middle of three places, or where the parabola through them turns before the last: a
+/// place, and how high it is there.
 pub(crate) fn top([left, top, right]: [(f64, f64); 3], mut height: impl FnMut(f64) -> f64) -> (f64, f64) {
     let turn = vertex([left, top, right]).filter(|(at, _)| right.1 > top.1 && (top.0..right.0).contains(at));
     let three = match turn {
@@ -72,8 +72,8 @@ pub(crate) fn top([left, top, right]: [(f64, f64); 3], mut height: impl FnMut(f6
     if found.1 < right.1 { right } else { found }
 }
 
-/// The highest place among three and what parabolas find that close in, as soon as it is high enough, by its height and what the next
-/// parabola would add.
+/// The highest place among three and what parabolas find that close in, as soon as it is high enough, by its height and
+/// what the next parabola would add.
 fn climb(
     [mut left, mut top, mut right]: [(f64, f64); 3],
     mut height: impl FnMut(f64) -> f64,
@@ -101,9 +101,9 @@ fn climb(
     top
 }
 
-/// The highest value, and where, of a function on half of a contact: at ascending stations, and at tops between them where the one in the
-/// middle of three is no lower than what `least` says of the highest of all. Where the first is the middle of the contact, the function
-/// is even about it.
+/// The highest value, and where, of a function on half of a contact: at ascending stations, and at tops between them
+/// where the one in the middle of three is no lower than what `least` says of the highest of all. Where the first is
+/// the middle of the contact, the function is even about it.
 pub(crate) fn highest(
     at: &[Station],
     values: &mut Vec<f64>,
@@ -148,8 +148,8 @@ pub(crate) fn highest(
     Some(best)
 }
 
-/// A top of an even function between the middle and the next of three places, that is no higher: by the squares of their distances, in which
-/// it may rise from the middle.
+/// A top of an even function between the middle and the next of three places, that is no higher: by the squares of
+/// their distances, in which it may rise from the middle.
 fn top_beside_middle(
     [middle, mut next, over]: [(f64, f64); 3],
     mut height: impl FnMut(f64) -> f64,

@@ -14,7 +14,8 @@ use std::cell::Cell;
 const FEW: usize = elimination::MOST;
 
 thread_local! {
-    /// Room of this thread for the matrix of a few equations: to clear one for each system would cost more than to fill it.
+    /// Room of this thread for the matrix of a few equations: to clear one for each system would cost more than to fill
+    /// it.
     static ROOM: Cell<Vec<f64>> = const { Cell::new(Vec::new()) };
 }
 
@@ -59,8 +60,8 @@ impl Dense {
         self.columns.iter_mut().zip(solution).for_each(|(to, unknown)| *to = unknown);
     }
 
-    /// Fills in the matrix, row by row, and the right-hand sides, one after another; both hold what earlier systems left. Replaces
-    /// as many of the right-hand sides as `fill` returns by their solutions.
+    /// Fills in the matrix, row by row, and the right-hand sides, one after another; both hold what earlier systems
+    /// left. Replaces as many of the right-hand sides as `fill` returns by their solutions.
     pub(crate) fn solve(&mut self, mut fill: impl FnMut(&mut [f64], &mut [f64]) -> usize) -> Result<(), Refusal> {
         let n = self.size;
         let right = if let Some(blocks) = &mut self.blocks {

@@ -7,15 +7,15 @@ use pulp::{Arch, Simd, WithSimd};
 pub(crate) const MOST: usize = 96;
 /// Rows that are cleared together: each vector of the pivots' rows is loaded once for all of them.
 const TOGETHER: usize = 4;
-/// An entry on the diagonal stays the pivot unless another of its row is more than `1/NEARLY` times as large: to exchange
-/// unknowns costs a walk down all rows, and every other pivot of a stick zone's system would.
+/// An entry on the diagonal stays the pivot unless another of its row is more than `1/NEARLY` times as large: to
+/// exchange unknowns costs a walk down all rows, and every other pivot of a stick zone's system would.
 const NEARLY: f64 = 0.25;
 
 /// Solves `n` equations for each of the right-hand sides in `columns`; the matrix comes row by row and is used up.
 /// A singular one gives infinities or NaN.
 ///
-/// The pivot is the largest entry of a row, or nearly: unknowns change places and equations do not, so that all there is to do runs
-/// along rows.
+/// The pivot is the largest entry of a row, or nearly: unknowns change places and equations do not, so that all there
+/// is to do runs along rows.
 pub(crate) fn solve(rows: &mut [f64], columns: &mut [f64], n: usize) {
     assert!(n <= MOST, "room for {MOST} equations, and here are {n}");
     Arch::new().dispatch(Elimination { rows, columns, n });
@@ -95,8 +95,8 @@ impl WithSimd for Elimination<'_> {
     }
 }
 
-/// A row from its entry `k` on, and before that whatever fills whole vectors up: what stands left of the diagonal is never
-/// read again.
+/// A row from its entry `k` on, and before that whatever fills whole vectors up: what stands left of the diagonal is
+/// never read again.
 #[inline(always)]
 fn from<S: Simd>(row: &mut [f64], k: usize) -> &mut [f64] {
     let n = k + row[k..].len();

@@ -90,7 +90,8 @@ pub(crate) struct Bracketed {
     pub(crate) slope: f64,
 }
 
-/// The root of `f` between two places, to within `wanted` (Alefeld, Potra, Shi, ACM TOMS algorithm 748). Both are tried first.
+/// The root of `f` between two places, to within `wanted` (Alefeld, Potra, Shi, ACM TOMS algorithm 748). Both are tried
+/// first.
 pub(crate) fn bracketed<E>(
     (lower, upper): (f64, f64),
     wanted: f64,

@@ -8,8 +8,8 @@ use std::sync::{Arc, OnceLock};
 const WAYS: usize = 6;
 /// By how much in `ln b'` each reaches farther than the one before.
 const FARTHER: f64 = 1.5;
-/// Power of the variable of Gauss and Legendre that is the part of the way: square roots at its beginning become powers,
-/// and a logarithm beside one goes with the sixth.
+/// Power of the variable of Gauss and Legendre that is the part of the way: square roots at its beginning become
+/// powers, and a logarithm beside one goes with the sixth.
 const GATHERED: i32 = 4;
 
 /// Points kept of each kind.
@@ -47,7 +47,8 @@ impl Ways {
         Self { nodes, kept, make, made: [const { OnceLock::new() }; WAYS] }
     }
 
-    /// Shows `each` how far along a way its nodes lie, and their weights: in as many equal parts as keep each within `longest`.
+    /// Shows `each` how far along a way its nodes lie, and their weights: in as many equal parts as keep each within
+    /// `longest`.
     pub(crate) fn along(&self, whole: f64, longest: f64, mut each: impl FnMut(f64, f64)) {
         let parts = (whole / longest).ceil().max(1.0);
         let length = whole / parts;

@@ -17,13 +17,13 @@ const SMALLEST_STEP: f64 = 0.1;
 const SMALLEST_AT_END: f64 = 1e-3;
 /// First half-width tried on a layer: wider ones cost more, and the walk gets there when it must.
 const WIDEST_START: f64 = 2.0;
-/// Part of that where a base that gives way, too, is pressed in, or gives way more than the surface. A stiff layer bends, and sinks farther
-/// than its surface yields; a contact so wide that it would pull may sink as far as the one that the load grew to, or bear as much, and
-/// only that is met first on a walk outwards.
+/// Part of that where a base that gives way, too, is pressed in, or gives way more than the surface. A stiff layer
+/// bends, and sinks farther than its surface yields; a contact so wide that it would pull may sink as far as the one
+/// that the load grew to, or bear as much, and only that is met first on a walk outwards.
 const FAR_BELOW: f64 = 1.0 / 64.0;
 
-/// The longest step of that walk: against a datum above a base that gives way, what a punch sinks may grow, shrink and grow again over
-/// a few times the datum's depth, and what it bears on a stiff layer over a few thicknesses.
+/// The longest step of that walk: against a datum above a base that gives way, what a punch sinks may grow, shrink and
+/// grow again over a few times the datum's depth, and what it bears on a stiff layer over a few thicknesses.
 const BENDING_STEP: f64 = 0.5 * LN_2;
 /// Where it misses less than that, a step is half as long: it may be met, and missed again within one.
 const NEAR: f64 = -1.0;
@@ -33,8 +33,8 @@ const PARTS: u32 = 4;
 /// How far beyond the contact on a half-plane a kink is near, in `ln b`.
 const NEAR_KINK: f64 = LN_2;
 
-/// What cannot be solved counts as so low, see [`Trail::top`], and what sinks less than its datum; that of a contact this many times as
-/// wide as the layer is thick is not worth a wider one.
+/// What cannot be solved counts as so low, see [`Trail::top`], and what sinks less than its datum; that of a contact
+/// this many times as wide as the layer is thick is not worth a wider one.
 const SUNK: f64 = -2.0;
 const WIDEST_SUNK: f64 = 4.0;
 
@@ -84,8 +84,9 @@ impl Size {
         Self { slope, ..self }
     }
 
-    /// By how many times an error of the load moves the numbers of the contact, both relative: as much as forces move where it grows like the
-    /// square of the half-width, or faster, and without bound where it is about to fall, as the depth to a shallow datum does.
+    /// By how many times an error of the load moves the numbers of the contact, both relative: as much as forces move
+    /// where it grows like the square of the half-width, or faster, and without bound where it is about to fall, as the
+    /// depth to a shallow datum does.
     pub(crate) fn moves(&self) -> f64 {
         if self.slope < 1.0 { 2.0 / self.slope.max(FLATTEST) } else { 1.0 }
     }
@@ -182,8 +183,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Presses a contact of half-width `b`, and tells by how much the load that it takes is beyond the one wanted: `ln(reached/target)`,
-    /// which is nearly linear in `ln b` for any punch.
+    /// Presses a contact of half-width `b`, and tells by how much the load that it takes is beyond the one wanted:
+    /// `ln(reached/target)`, which is nearly linear in `ln b` for any punch.
     fn excess(&mut self, log_b: f64) -> Result<f64, Refusal> {
         let problem = self.problem;
         // What the logarithm rounds must not leave the shape.
@@ -275,8 +276,8 @@ impl Search<'_> {
         Ok(Size { half_width: log_b.exp(), slope, missed, is_guess: false, is_beside_top })
     }
 
-    /// What a walk that was refused finds before the first flaw of the punch: beyond it nothing was worth trying, nor is what came of
-    /// it worth telling.
+    /// What a walk that was refused finds before the first flaw of the punch: beyond it nothing was worth trying, nor
+    /// is what came of it worth telling.
     fn walk_to_flaw(&mut self, walk: Walk, refusal: Refusal) -> Result<Crossing, Refusal> {
         let Some(flaw) = self.problem.flaw(self.widest).filter(|flaw| flaw.x > 0.0) else { return Err(refusal) };
         let limit = (flaw.x / self.problem.length).ln();
@@ -335,7 +336,8 @@ impl Search<'_> {
                     step = (growth * step).min(if climbs && there > NEAR { 0.5 * longest } else { longest });
                 }
                 Err(refusal) if step < smallest => return Err(refusal),
-                // Beyond what this resolution can solve, or what it sinks to is above the datum; the load may be borne before.
+                // Beyond what this resolution can solve, or what it sinks to is above the datum; the load may be borne
+                // before.
                 Err(_) => {
                     if climbs && let Some(top) = trail.top((next, SUNK), |at| self.excess_or_sunk(at)) {
                         return Ok(top);
@@ -380,8 +382,8 @@ fn first_size(problem: &Problem, target: f64, by_force: bool) -> f64 {
     };
     // In layer units a length that is positive and finite may be neither.
     let mut b = problem.natural_length().clamp(f64::MIN_POSITIVE, f64::MAX);
-    // Further out than the face a punch that does not rise is hollow there, or has no shape. Each loop ends, as b is positive and
-    // finite: it leaves the range of floating point numbers after 2100 steps at the latest.
+    // Further out than the face a punch that does not rise is hollow there, or has no shape. Each loop ends, as b is
+    // positive and finite: it leaves the range of floating point numbers after 2100 steps at the latest.
     let rises = |b: f64| b <= problem.face() || reached(b) > 0.0;
     let is_beyond = |b: f64| reached(b) > target || !rises(b);
     while is_beyond(b) && b > f64::MIN_POSITIVE {

@@ -4,8 +4,9 @@ use std::f64::consts::PI;
 
 /// The depth of a flat punch of unit force over `A0`, up to a constant, or counted from the depth of a datum.
 ///
-/// A force at the distance `x` lowers the surface by `(A0/pi) (ln(r/|x|) - (1 - beta) d^2/r^2)` more than the depth `d` below it,
-/// `r^2 = x^2 + d^2` (Flamant; K. L. Johnson, *Contact Mechanics*, section 2.2). Of all forces `1/(pi sqrt(b^2 - x^2))` that is
+/// A force at the distance `x` lowers the surface by `(A0/pi) (ln(r/|x|) - (1 - beta) d^2/r^2)` more than the depth `d`
+/// below it, `r^2 = x^2 + d^2` (Flamant; K. L. Johnson, *Contact Mechanics*, section 2.2). Of all forces `1/(pi
+/// sqrt(b^2 - x^2))` that is
 ///
 /// ```text
 /// (1/pi) [ln((d + sqrt(d^2 + b^2))/b) - (1 - beta) d/sqrt(d^2 + b^2)],

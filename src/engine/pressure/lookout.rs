@@ -5,8 +5,8 @@ use crate::engine::numerics::ways;
 use slipzone_api::{Station, lend};
 use std::cell::Cell;
 
-/// Points on either side of the middle of a part of the contact between places where the pressure is not analytic, and where there
-/// are many such parts.
+/// Points on either side of the middle of a part of the contact between places where the pressure is not analytic, and
+/// where there are many such parts.
 const POINTS: usize = 10;
 const FEW_POINTS: usize = 5;
 /// So many parts are many.
@@ -33,8 +33,8 @@ impl Lookout {
         lend(&ROOM, work)
     }
 
-    /// Points between places where a pressure is not analytic, the middle and the edge at `b` among them, and at all of these but the
-    /// edge; ever denser towards them, for what happens beside them may be of any width.
+    /// Points between places where a pressure is not analytic, the middle and the edge at `b` among them, and at all of
+    /// these but the edge; ever denser towards them, for what happens beside them may be of any width.
     pub(crate) fn between(&mut self, ends: &[f64], b: f64) {
         let grid = ways::rough_grid(if ends.len() > MANY { FEW_POINTS } else { POINTS });
         self.at.clear();
@@ -52,8 +52,8 @@ impl Lookout {
         }
     }
 
-    /// The points at which the equations of something within a half-width are collocated, for it has no details that these do not
-    /// tell, and the middle.
+    /// The points at which the equations of something within a half-width are collocated, for it has no details that
+    /// these do not tell, and the middle.
     pub(crate) fn at_collocation(&mut self, half_width: f64, points: &[Station]) {
         self.at.clear();
         self.at.push(Station { x: 0.0, gap: half_width });

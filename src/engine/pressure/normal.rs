@@ -18,7 +18,8 @@ const DATUM_NODES_PER_UNIT: f64 = 6.0;
 /// and for each unknown of the pressure.
 const DATUM_NODES_PER_UNKNOWN: f64 = 0.5;
 
-/// An edge factor that is a smaller part of the mean pressure shows only closer to the edge than a two-hundredth of the half-width.
+/// An edge factor that is a smaller part of the mean pressure shows only closer to the edge than a two-hundredth of the
+/// half-width.
 const FAINT_EDGE: f64 = 0.1;
 
 /// The pressure under one punch, in layer units; solved again for each load, in the same memory.
@@ -130,8 +131,8 @@ impl Normal {
         Ok(())
     }
 
-    /// The pressure of unit force under a flat face with sharp corners; the surface has a slope of its own there, `A0` times
-    /// what is given at each collocation point.
+    /// The pressure of unit force under a flat face with sharp corners; the surface has a slope of its own there, `A0`
+    /// times what is given at each collocation point.
     pub(crate) fn press_flat(
         &mut self,
         layer: &PreparedLayer,
@@ -289,8 +290,8 @@ impl Normal {
         lost.map_or(0.0, |lost| if lost >= 0.0 { lost } else { self.mean().abs() })
     }
 
-    /// About how far it is off between the nodes, over the pressure there or its mean, up to a distance from the edge over the half-width;
-    /// `None` where the rule does not tell.
+    /// About how far it is off between the nodes, over the pressure there or its mean, up to a distance from the edge
+    /// over the half-width; `None` where the rule does not tell.
     pub(crate) fn lost_between(&self, nearest: f64) -> Option<f64> {
         let mean = self.mean().abs();
         // Close to a sharp edge the pressure is the limit's.
@@ -372,9 +373,9 @@ fn assemble(
 
 /// How far the middle sinks under a pressure of these unknowns; `None` where depths have no meaning.
 ///
-/// A pressure on a layer is as rough as the kernel, and the rule resolves both alike. That on a half-plane knows nothing of a
-/// datum, however near: there `x = l sinh(t)`, of which the kernel of length `l` is a smooth function, by a double-exponential grid
-/// in `t`.
+/// A pressure on a layer is as rough as the kernel, and the rule resolves both alike. That on a half-plane knows
+/// nothing of a datum, however near: there `x = l sinh(t)`, of which the kernel of length `l` is a smooth function, by
+/// a double-exponential grid in `t`.
 fn sunk(
     rule: &mut dyn Rule,
     half_width: f64,

@@ -5,14 +5,15 @@ use crate::engine::numerics::chebyshev::{Points, Series};
 use slipzone_api::details;
 use std::f64::consts::FRAC_2_PI;
 
-/// Chebyshev points all over the contact that tell whether a slope is smooth. What they do not resolve no grid does whose nodes crowd
-/// at the edges, with as many unknowns as are worth it.
+/// Chebyshev points all over the contact that tell whether a slope is smooth. What they do not resolve no grid does
+/// whose nodes crowd at the edges, with as many unknowns as are worth it.
 const SLOPES: usize = 40;
 
-/// Chebyshev points that tell what a grid of an unknown more could: three times as dense in the middle, where a grid is coarsest.
+/// Chebyshev points that tell what a grid of an unknown more could: three times as dense in the middle, where a grid is
+/// coarsest.
 const POINTS_PER_UNKNOWN: usize = 2;
-/// How much of a missed slope the pressure is at most, beside the share `2/pi ln(b/w)` of a step of the width `w`: under a bump
-/// `x/(1 + x^2)^2` it is 1.54 times the largest slope.
+/// How much of a missed slope the pressure is at most, beside the share `2/pi ln(b/w)` of a step of the width `w`:
+/// under a bump `x/(1 + x^2)^2` it is 1.54 times the largest slope.
 const FELT: f64 = 1.6;
 /// What a shape may be off by that is stacked for its details, over the tolerance: the rest is left to the resolution.
 const SHARE: f64 = 0.5;
@@ -34,8 +35,8 @@ impl Problem {
         !self.is_kinked() && !self.is_linear && self.fixed_half_width().is_none()
     }
 
-    /// Whether the slope of a smooth shape has details within a half-width that no grid over all of it resolves to a tolerance, such as
-    /// a tip rounded off by little.
+    /// Whether the slope of a smooth shape has details within a half-width that no grid over all of it resolves to a
+    /// tolerance, such as a tip rounded off by little.
     pub(crate) fn has_details(&self, half_width: f64, tolerance: f64) -> bool {
         self.is_detailed.is_none()
             && self.is_smooth()
@@ -44,8 +45,9 @@ impl Problem {
             && self.cut(&mut vec![0.0, half_width], tolerance)
     }
 
-    /// What a grid of so many unknowns, and every coarser one, may miss of its details, over the slope at the end: a bump of the slope,
-    /// however narrow, is felt by the pressure beneath it, and a step of it the more the narrower it is.
+    /// What a grid of so many unknowns, and every coarser one, may miss of its details, over the slope at the end: a
+    /// bump of the slope, however narrow, is felt by the pressure beneath it, and a step of it the more the narrower it
+    /// is.
     pub(crate) fn hidden_details(&self, half_width: f64, unknowns: usize) -> f64 {
         let details = if self.is_smooth() { self.details(half_width) } else { Vec::new() };
         if details.is_empty() {
@@ -72,7 +74,8 @@ impl Problem {
         details.map(|x| x / self.length).filter(|x| *x > 0.0 && *x < half_width).collect()
     }
 
-    /// Ends of so many equal parts of the contact, cut beside its details; ascending, neither the middle nor the end among them.
+    /// Ends of so many equal parts of the contact, cut beside its details; ascending, neither the middle nor the end
+    /// among them.
     pub(in crate::engine) fn parts(&self, half_width: f64, count: u32) -> Vec<f64> {
         let mut ends = self.details(half_width);
         ends.extend((1..count).map(|part| half_width * f64::from(part) / f64::from(count)));
@@ -85,8 +88,9 @@ impl Problem {
         self.is_detailed.is_none() && self.is_kinked() && !self.details(half_width).is_empty()
     }
 
-    /// Cuts pieces of a shape until the slope is resolved over each, beside the slope at the end of all: beside its details, and one in
-    /// the middle nearer to it. Returns whether that took few pieces; they are left as they were where it did not.
+    /// Cuts pieces of a shape until the slope is resolved over each, beside the slope at the end of all: beside its
+    /// details, and one in the middle nearer to it. Returns whether that took few pieces; they are left as they were
+    /// where it did not.
     pub(crate) fn cut(&self, breaks: &mut Vec<f64>, digits: f64) -> bool {
         let points = Points::get(OF_PIECE);
         let end = breaks.last().copied().unwrap_or(0.0);

@@ -3,11 +3,11 @@
 use crate::engine::problem::Problem;
 use crate::plan::Methods;
 
-/// Tolerances below which that many more of the coarsest levels are left out, which hardly a pressure converges on, or a shear, or a stack
-/// of shears. Searches begin with the coarsest of all nevertheless.
+/// Tolerances below which that many more of the coarsest levels are left out, which hardly a pressure converges on, or
+/// a shear, or a stack of shears. Searches begin with the coarsest of all nevertheless.
 ///
-/// Sixty random flat punches with friction take 4 % less work at 1e-10 with three levels left out below 3e-11 than below 3e-10; growing
-/// contacts 2 to 6 % less at 1e-8 with two below 3e-8 than below 5e-9.
+/// Sixty random flat punches with friction take 4 % less work at 1e-10 with three levels left out below 3e-11 than
+/// below 3e-10; growing contacts 2 to 6 % less at 1e-8 with two below 3e-8 than below 5e-9.
 const LEFT_OUT: &[f64] = &[1e-7, 1e-9];
 const LEFT_OUT_OF_SHEAR: &[f64] = &[1e-7, 5e-9, 3e-11];
 const LEFT_OUT_OF_STACKS: &[f64] = &[1e-7, 3e-8, 3e-10];

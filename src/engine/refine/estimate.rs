@@ -17,20 +17,22 @@ use arrayvec::ArrayVec;
 const STALLED: usize = 3;
 /// Errors that shrink below this share of what no step mends are not worth another one.
 const BESIDE_REST: f64 = 0.5;
-/// Distance of the unknowns in the middle of a contact, over the half-width and times their number, and over the kernels' length where
-/// these are not seen.
+/// Distance of the unknowns in the middle of a contact, over the half-width and times their number, and over the
+/// kernels' length where these are not seen.
 const WIDE: f64 = 5.5;
 const UNSEEN: f64 = 3.0;
-/// An edge beyond a face that is narrower than this over the contact: force and pressure are there what flat punches are beside their ends,
-/// known like values between nodes, whose errors wave with the resolution, and not like integrals.
+/// An edge beyond a face that is narrower than this over the contact: force and pressure are there what flat punches
+/// are beside their ends, known like values between nodes, whose errors wave with the resolution, and not like
+/// integrals.
 ///
 /// Edges of 1e-5 and 1e-7 were off by up to 32 estimates, and 58 tolerances, without.
 const NARROW_EDGE: f64 = 1e-3;
-/// Times as stiff as the surface is what lies a half-width below, under laws that begin with a broken power, from which on that power begins so near to
-/// the surface that resolutions agree by chance on what is between.
+/// Times as stiff as the surface is what lies a half-width below, under laws that begin with a broken power, from which
+/// on that power begins so near to the surface that resolutions agree by chance on what is between.
 ///
-/// Of 690 numbers of flat punches on surfaces 1e3 to 1e7 times as soft 63 were off by more than three estimates, by up to 145, without; of 490 with it
-/// 12, by up to 34, on the softest, where errors of the kernels count for more than they are taken to. On those 100 times as soft none.
+/// Of 690 numbers of flat punches on surfaces 1e3 to 1e7 times as soft 63 were off by more than three estimates, by up
+/// to 145, without; of 490 with it 12, by up to 34, on the softest, where errors of the kernels count for more than
+/// they are taken to. On those 100 times as soft none.
 const TURNS: f64 = 200.0;
 
 /// What the resolutions solved so far tell of the error.
@@ -59,8 +61,8 @@ impl Estimate {
         self.errors != Numbers::default()
     }
 
-    /// Takes note of a finer resolution; whether it is fine enough, or no finer one would be any better. `has_kernels` is whether those
-    /// that come would be solved with the same kernels.
+    /// Takes note of a finer resolution; whether it is fine enough, or no finer one would be any better. `has_kernels`
+    /// is whether those that come would be solved with the same kernels.
     pub(super) fn add(
         &mut self,
         layer: &PreparedLayer,
@@ -76,7 +78,8 @@ impl Estimate {
         let mut estimate = estimate.plus(hidden_details(problem, outcome, unknowns));
         self.of_shear = estimate.take(Quantity::Shear).filter(|_| problem.wishes.profile);
         let now = worst_judged(problem, &estimate).map_or(0.0, |(_, error)| error);
-        // Two alone do not tell that more of them are vain, nor more than what happens to agree where one number is far less sure than all others.
+        // Two alone do not tell that more of them are vain, nor more than what happens to agree where one number is far
+        // less sure than all others.
         if self.history.len() < 3 && (now > tolerance || share_in_middle(outcome) < FAINT) {
             return false;
         }
@@ -92,9 +95,10 @@ impl Estimate {
     }
 }
 
-/// Whether no finer step brings the errors told, and all that stands beside them, below the tolerance: what none of them mends is above
-/// it, and what they would mend is little beside that. They mend neither what a stack loses nor a law that was smoothed, nor kernels as good
-/// as they get where those that come would be the same, and claim no number of the shear to more digits than its integrals have.
+/// Whether no finer step brings the errors told, and all that stands beside them, below the tolerance: what none of
+/// them mends is above it, and what they would mend is little beside that. They mend neither what a stack loses nor a
+/// law that was smoothed, nor kernels as good as they get where those that come would be the same, and claim no number
+/// of the shear to more digits than its integrals have.
 fn is_vain(
     problem: &Problem,
     outcome: &Outcome,
@@ -123,8 +127,8 @@ fn is_vain(
     judged.iter().any(is_beyond) && judged.iter().all(is_small)
 }
 
-/// How fast resolutions of so many unknowns may come; few stand too far apart to see the layer, or a narrow edge, or how the kernel of
-/// a soft surface turns into a power of the distance.
+/// How fast resolutions of so many unknowns may come; few stand too far apart to see the layer, or a narrow edge, or
+/// how the kernel of a soft surface turns into a power of the distance.
 pub(super) fn fastest(layer: &PreparedLayer, problem: &Problem, outcome: &Outcome, unknowns: usize) -> Fastest {
     let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
     // All of the contact where there is no face, none where there is nothing else.

@@ -10,15 +10,16 @@ use crate::engine::problem::Problem;
 use slipzone_api::Refusal;
 use std::f64::consts::FRAC_2_PI;
 
-/// Error of the shear, over the tolerance, from which it takes finer steps. Of 700 random contacts the true one was below a tenth of the estimate in
-/// three of four, above all of it in one of fifty.
+/// Error of the shear, over the tolerance, from which it takes finer steps. Of 700 random contacts the true one was
+/// below a tenth of the estimate in three of four, above all of it in one of fifty.
 pub(crate) const SHEAR: f64 = 6.0;
 /// The same of the pressure between its nodes.
 pub(crate) const BETWEEN: f64 = 3.0;
-/// Factor on what the series over the half-width are taken to leave of a shear. With 4 one of 480 loads under known punches was off by 1.01
-/// of what was claimed, with 2 one of forty by 1.15, well within what is allowed.
+/// Factor on what the series over the half-width are taken to leave of a shear. With 4 one of 480 loads under known
+/// punches was off by 1.01 of what was claimed, with 2 one of forty by 1.15, well within what is allowed.
 const LEFT_OF_SHEAR: f64 = 5.0;
-/// Error of the pressure, of the shear, and of the strain left, over the tolerance, from which it is said among the assumptions.
+/// Error of the pressure, of the shear, and of the strain left, over the tolerance, from which it is said among the
+/// assumptions.
 pub(crate) const SAID: f64 = 3.0;
 /// What a stack leaves out, over the tolerance: its nodes are as many as that asks for.
 ///
@@ -26,16 +27,17 @@ pub(crate) const SAID: f64 = 3.0;
 const STACKED: f64 = 1e-3;
 /// Drive of the shear, over the pressure, below which its zone feels errors of the kernels more than the pressure does.
 ///
-/// Measured where the drive was 1e-5 to 1e-2: zones off by 0.2 to 0.6 times what follows from it; where it was 0.03 to 0.1 by 0.4 to 5
-/// times, the worst of 9,000.
+/// Measured where the drive was 1e-5 to 1e-2: zones off by 0.2 to 0.6 times what follows from it; where it was 0.03 to
+/// 0.1 by 0.4 to 5 times, the worst of 9,000.
 const DRIVEN: f64 = 0.3;
-/// Share of the tolerance below which no error of the shear's numbers is claimed: what a few coarse resolutions show of a
-/// stick zone may agree by chance.
+/// Share of the tolerance below which no error of the shear's numbers is claimed: what a few coarse resolutions show of
+/// a stick zone may agree by chance.
 ///
-/// The atlas found three of 1,000 stick zones off by 3 to 9 of their estimates, at most by 0.35 of the tolerance, and 100,000
-/// random scenes seven, one of them by half of it; three of these estimates are 0.6 of it.
+/// The atlas found three of 1,000 stick zones off by 3 to 9 of their estimates, at most by 0.35 of the tolerance, and
+/// 100,000 random scenes seven, one of them by half of it; three of these estimates are 0.6 of it.
 const CLAIMED_OF_SHEAR: f64 = 0.2;
-/// A number less certain than this, relative, is not known; a pressure less certain is no ground for saying that it pulls.
+/// A number less certain than this, relative, is not known; a pressure less certain is no ground for saying that it
+/// pulls.
 pub(crate) const UNKNOWN: f64 = 0.1;
 /// Errors that stop shrinking below this are those of rounding.
 pub(crate) const ROUNDED: f64 = 1e-9;
@@ -58,7 +60,8 @@ pub(crate) struct Judged {
     pub(crate) of_model: f64,
     /// Why refinement ended before the tolerance was met.
     pub(crate) stopped: Option<Refusal>,
-    /// Whether it ended because no refinement will help, whatever the methods: the punch lifts off, or the shape has details.
+    /// Whether it ended because no refinement will help, whatever the methods: the punch lifts off, or the shape has
+    /// details.
     pub(crate) is_hopeless: bool,
 }
 
@@ -84,7 +87,8 @@ impl Judged {
             self.errors.set(Quantity::Shear, of_shear);
         }
         if let Some(of_shear) = self.errors.get(Quantity::Shear) {
-            // It is stacked of the pressures, too, and what it lacks of sliding is taken off one that may be off between the nodes.
+            // It is stacked of the pressures, too, and what it lacks of sliding is taken off one that may be off
+            // between the nodes.
             let left = self.outcome.lost.unwrap_or_default().left;
             let between = self.outcome.lost.and(self.of_pressure).unwrap_or(0.0);
             let share =
@@ -99,8 +103,8 @@ impl Judged {
         for given in problem.given() {
             self.errors.set(given, 0.0);
         }
-        // A bound does not change with the resolution, or does by chance: differences say nothing of its error. Under a pressure of which
-        // nothing is known it is no bound.
+        // A bound does not change with the resolution, or does by chance: differences say nothing of its error. Under a
+        // pressure of which nothing is known it is no bound.
         if let Some(bound) = bound_of_stick(&self.outcome, self.errors.get(Quantity::HalfWidth).unwrap_or(0.0)) {
             let unknown = doubt(problem, &self.errors).filter(|doubt| *doubt > UNKNOWN).unwrap_or(0.0);
             bound.iter().for_each(|(quantity, error)| self.errors.set(quantity, error.max(unknown)));
@@ -124,7 +128,8 @@ impl Judged {
         of_numbers.chain(self.of_pressure).fold(0.0, f64::max)
     }
 
-    /// Whether it misses the tolerance because the shape has details that a grid over all of the contact does not resolve.
+    /// Whether it misses the tolerance because the shape has details that a grid over all of the contact does not
+    /// resolve.
     pub(crate) fn misses_details(&self, problem: &Problem, tolerance: f64) -> bool {
         self.how != How::Twin && self.worst() > tolerance && has_details(problem, &self.outcome, tolerance)
     }
@@ -162,7 +167,8 @@ pub(crate) fn meets(problem: &Problem, errors: &Numbers, tolerance: f64) -> bool
     worst_judged(problem, errors).is_none_or(|(_, error)| error <= tolerance)
 }
 
-/// How uncertain the pressure is: by its value in the middle, or by all that is known of it where that is not asked for, or not finite.
+/// How uncertain the pressure is: by its value in the middle, or by all that is known of it where that is not asked
+/// for, or not finite.
 fn doubt(problem: &Problem, errors: &Numbers) -> Option<f64> {
     // Under a tip there is none.
     if let Some(centre) = errors.get(Quantity::Centre).filter(|_| problem.wishes.judges(Quantity::Centre)) {
@@ -187,14 +193,14 @@ pub(crate) fn mended(outcome: &Outcome, quantity: Quantity) -> f64 {
     between_members(outcome) + if quantity == Quantity::Peak { of_peak(outcome) } else { 0.0 }
 }
 
-/// What the peak is off by beside that which moves all numbers of a stack: it may be near the edge, or at a kink. In the middle, which
-/// feels all flat punches alike, what they are off by in turns hardly counts.
+/// What the peak is off by beside that which moves all numbers of a stack: it may be near the edge, or at a kink. In
+/// the middle, which feels all flat punches alike, what they are off by in turns hardly counts.
 fn of_peak(outcome: &Outcome) -> f64 {
     outcome.lost.map_or(0.0, |lost| lost.left.pressure + lost.at_kinks)
 }
 
-/// Errors, and those that differences between resolutions do not see: what the kernels prove of theirs, what a contact misses of
-/// its load, and what a stack leaves out at all of them, which follows the tolerance.
+/// Errors, and those that differences between resolutions do not see: what the kernels prove of theirs, what a contact
+/// misses of its load, and what a stack leaves out at all of them, which follows the tolerance.
 pub(crate) fn with_the_rest(
     problem: &Problem,
     layer: &PreparedLayer,
@@ -247,7 +253,8 @@ fn share_zones(errors: &mut Numbers, numbers: &Numbers) {
     }
 }
 
-/// The pressure in the middle over the mean, where it is the smaller: what moves all of the pressure moves it by so much more.
+/// The pressure in the middle over the mean, where it is the smaller: what moves all of the pressure moves it by so
+/// much more.
 pub(crate) fn share_in_middle(outcome: &Outcome) -> f64 {
     let numbers = &outcome.numbers;
     let share =
@@ -260,13 +267,14 @@ pub(crate) fn moves(outcome: &Outcome) -> f64 {
     outcome.size.map_or(1.0, |size| size.moves())
 }
 
-/// By how much less than all of the pressure moves a stick zone, or what drives it, 1 at most: what moves the pressure moves the zone by
-/// so much more.
+/// By how much less than all of the pressure moves a stick zone, or what drives it, 1 at most: what moves the pressure
+/// moves the zone by so much more.
 ///
-/// In the stick zone `beta p`, less what the kernel of the coupling makes of `p`, drives the shear. A half-plane's of that strength has
-/// the friction `eta = f beta`, `f = K(k)/K(k')`. Where what is left is little, as on a thick, nearly incompressible layer over a base that
-/// gives way, errors of the kernels are much beside it. And where the zone is narrow, or the slip zone is, it goes with `exp(-pi/(2 f))` or
-/// `exp(-pi f/2)`. A narrow one feels what the kernel of the coupling is off by so much more, however strong it is: `pi/(2 f)` times.
+/// In the stick zone `beta p`, less what the kernel of the coupling makes of `p`, drives the shear. A half-plane's of
+/// that strength has the friction `eta = f beta`, `f = K(k)/K(k')`. Where what is left is little, as on a thick, nearly
+/// incompressible layer over a base that gives way, errors of the kernels are much beside it. And where the zone is
+/// narrow, or the slip zone is, it goes with `exp(-pi/(2 f))` or `exp(-pi f/2)`. A narrow one feels what the kernel of
+/// the coupling is off by so much more, however strong it is: `pi/(2 f)` times.
 pub(crate) fn share_in_shear(outcome: &Outcome) -> f64 {
     let Some(rubbing) = &outcome.rubbing else { return 1.0 };
     let Some(ShearTrace { friction, .. }) = rubbing.shear else { return 1.0 };
@@ -276,8 +284,8 @@ pub(crate) fn share_in_shear(outcome: &Outcome) -> f64 {
     if share > 0.0 { share.min(1.0) } else { 1.0 }
 }
 
-/// Errors of a stick zone that is only bounded, however close the bound is, or not found at all, in a contact as uncertain as that; `None`
-/// where it is found.
+/// Errors of a stick zone that is only bounded, however close the bound is, or not found at all, in a contact as
+/// uncertain as that; `None` where it is found.
 fn bound_of_stick(outcome: &Outcome, of_contact: f64) -> Option<Numbers> {
     let rubbing = outcome.rubbing.as_ref()?;
     let (ratio, one_minus) = (rubbing.zone.ratio(), rubbing.zone.one_minus_ratio());

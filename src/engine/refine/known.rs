@@ -18,8 +18,8 @@ const LEFT: f64 = 0.1;
 const MORE: usize = 1;
 
 impl Ladder {
-    /// Sizes of a contact on its way to a load that was refined already, each with an estimate of its error; `None` where
-    /// no stack tells them.
+    /// Sizes of a contact on its way to a load that was refined already, each with an estimate of its error; `None`
+    /// where no stack tells them.
     pub(in crate::engine) fn on_the_way(
         &mut self,
         layer: &mut PreparedLayer,
@@ -62,9 +62,9 @@ impl Ladder {
         self.pace = outcome.numbers.get(Quantity::HalfWidth).zip(pace);
     }
 
-    /// A contact no wider than one that was settled, under another load, or a stack of the same flat punches under another punch:
-    /// the step that was fine enough then and the one before tell how fine it is now. `None` where it wants finer steps, or is
-    /// refused: whether it is, and why, is left to these.
+    /// A contact no wider than one that was settled, under another load, or a stack of the same flat punches under
+    /// another punch: the step that was fine enough then and the one before tell how fine it is now. `None` where it
+    /// wants finer steps, or is refused: whether it is, and why, is left to these.
     pub(super) fn pressed_again(&mut self, layer: &mut PreparedLayer, aim: Aim) -> Option<Judged> {
         let (step, (widest, pace)) = self.settled.zip(self.pace)?;
         let coarse = self.solve_again(layer, aim, (step.checked_sub(1)?, widest), None)?;
@@ -118,8 +118,9 @@ impl Ladder {
         meets(aim.problem, &all, aim.tolerance) && is_known_between(*of_pressure, aim.tolerance)
     }
 
-    /// The first of the last three steps that another contact took on this layer, where the coarsest one finds this one among
-    /// the flat punches of all of them: the estimate looks at three, and those before would cost more than they tell.
+    /// The first of the last three steps that another contact took on this layer, where the coarsest one finds this one
+    /// among the flat punches of all of them: the estimate looks at three, and those before would cost more than they
+    /// tell.
     pub(super) fn known_from(&mut self, aim: Aim, coarsest: &Outcome) -> Option<usize> {
         let settled = self.settled?;
         let later = settled.checked_sub(2)?.min(BOUND_LEVEL);

@@ -18,8 +18,8 @@ use std::ops::Add;
 const USUAL_STEPS: usize = 8;
 /// Share of the tolerance that the kernels may use up.
 const KERNEL_SHARE: f64 = 0.2;
-/// A pressure in the middle below this share of the mean, or of what it was thought to be, wants kernels finer by as much; so does what
-/// drives the shear.
+/// A pressure in the middle below this share of the mean, or of what it was thought to be, wants kernels finer by as
+/// much; so does what drives the shear.
 pub(super) const FAINT: f64 = 0.25;
 /// No kernels are asked to be finer for that.
 const FINEST_KERNELS: f64 = 1e-14;
@@ -34,7 +34,8 @@ pub(in crate::engine) struct Ladder {
     pub(super) settled: Option<usize>,
     /// How fast it was reached, and by how wide a contact.
     pub(super) pace: Option<(f64, Pace)>,
-    /// The least pressure in the middle seen, over the mean, or [`share_in_shear`], or the inverse of [`moves`], where it is faint.
+    /// The least pressure in the middle seen, over the mean, or [`share_in_shear`], or the inverse of [`moves`], where
+    /// it is faint.
     pub(super) least_share: Option<f64>,
     /// What cannot be told of friction under the present load, at any resolution.
     pub(super) given_up: Option<(f64, Rubbing)>,
@@ -42,8 +43,8 @@ pub(in crate::engine) struct Ladder {
     before: Work,
 }
 
-/// What one punch leaves behind for another on the same layer: the flat punches of each resolution, the step that was fine
-/// enough, and how fast it was reached.
+/// What one punch leaves behind for another on the same layer: the flat punches of each resolution, the step that was
+/// fine enough, and how fast it was reached.
 #[derive(Default)]
 pub(in crate::engine) struct FlatPunches {
     families: Vec<Option<Family>>,
@@ -101,7 +102,8 @@ impl Ladder {
         Task { problem, wanted, tolerance }
     }
 
-    /// Takes note of a pressure that is faint in the middle, of a shear that is, or of a load that hardly tells the contact, each of which wants finer kernels.
+    /// Takes note of a pressure that is faint in the middle, of a shear that is, or of a load that hardly tells the
+    /// contact, each of which wants finer kernels.
     fn note(&mut self, problem: &Problem, outcome: &Outcome) {
         let share = share_in_middle(outcome).min(share_in_shear(outcome)).min(moves(outcome).recip());
         if share < FAINT * self.least_share(problem) {
@@ -109,8 +111,8 @@ impl Ladder {
         }
     }
 
-    /// The least share seen, or the one to expect: under friction a faint one, for to make kernels a little finer from the beginning costs
-    /// less than to make them again.
+    /// The least share seen, or the one to expect: under friction a faint one, for to make kernels a little finer from
+    /// the beginning costs less than to make them again.
     fn least_share(&self, problem: &Problem) -> f64 {
         self.least_share.unwrap_or(if problem.friction.is_some() { FAINT } else { 1.0 })
     }

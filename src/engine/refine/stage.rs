@@ -49,8 +49,8 @@ impl Stage {
         }
     }
 
-    /// Solves another load of a punch whose contact grows, no wider than the one given, from what is known of others and what a
-    /// coarser resolution found; `None` where that is not enough.
+    /// Solves another load of a punch whose contact grows, no wider than the one given, from what is known of others
+    /// and what a coarser resolution found; `None` where that is not enough.
     pub(crate) fn solve_again(
         &mut self,
         layer: &mut PreparedLayer,
@@ -87,8 +87,8 @@ impl Stage {
         }
     }
 
-    /// The strain left on the surface at points `x >= 0` of the stick zone, to within an error, and how uncertain it is where the
-    /// tractions are exact; `None` where there is none to tell.
+    /// The strain left on the surface at points `x >= 0` of the stick zone, to within an error, and how uncertain it is
+    /// where the tractions are exact; `None` where there is none to tell.
     pub(crate) fn strain(
         &mut self,
         layer: &PreparedLayer,
@@ -143,7 +143,8 @@ impl Stage {
         self.contact.normal.size()
     }
 
-    /// Leaves the shear of the stick zone reported, and checks it. Returns whether another zone than before is reported.
+    /// Leaves the shear of the stick zone reported, and checks it. Returns whether another zone than before is
+    /// reported.
     pub(crate) fn settle(
         &mut self,
         layer: &mut PreparedLayer,

@@ -1,8 +1,8 @@
 //! No NaN and no infinity in a result.
 //!
-//! `serde_json` writes both as `null`, and a parsed `null` no longer tells. So the solution is serialised once
-//! into nothing, by a serializer that looks at every number on its way: whatever field is added to a solution,
-//! or to a plugin in its scene, is looked at too. Only the profile, most of the numbers, is looked at by itself first, and a
+//! `serde_json` writes both as `null`, and a parsed `null` no longer tells. So the solution is serialised once into
+//! nothing, by a serializer that looks at every number on its way: whatever field is added to a solution, or to a
+//! plugin in its scene, is looked at too. Only the profile, most of the numbers, is looked at by itself first, and a
 //! solve looks at what it found, not at the scene that it was given.
 
 use crate::engine::Solution;

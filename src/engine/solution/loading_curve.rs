@@ -13,7 +13,8 @@ use slipzone_api::{Refusal, rounded};
 pub struct Curve {
     /// The gravest status of a load.
     pub status: Status,
-    /// How many loads are not converged, and why the first of them is not, or what is missing of all; `None` when all are, and nothing is.
+    /// How many loads are not converged, and why the first of them is not, or what is missing of all; `None` when all
+    /// are, and nothing is.
     pub note: Option<String>,
     /// Largest relative error estimated of a number on the curve; `None` where there is none.
     pub error: Option<f64>,
@@ -21,7 +22,8 @@ pub struct Curve {
     pub force: Vec<Option<f64>>,
     /// Half-width of the contact.
     pub half_width: Vec<Option<f64>>,
-    /// Depth of the punch; `None` as a whole on a half-plane without a datum, and like the two below where it is not asked for.
+    /// Depth of the punch; `None` as a whole on a half-plane without a datum, and like the two below where it is not
+    /// asked for.
     pub indentation: Option<Vec<Option<f64>>>,
     /// Half-width of the stick zone; `None` as a whole without friction.
     pub stick_half_width: Option<Vec<Option<f64>>>,

@@ -10,7 +10,8 @@ use crate::scene::check::bounded;
 use slipzone_api::Refusal;
 
 impl Solver {
-    /// The contact on a layer that is thin enough to be told in closed form, or that the scene wants to be taken for one.
+    /// The contact on a layer that is thin enough to be told in closed form, or that the scene wants to be taken for
+    /// one.
     pub(super) fn in_closed_form(&self) -> Option<Solution> {
         let solver = &self.chosen.scene.solver;
         if solver.model == Some(Model::Thin) {

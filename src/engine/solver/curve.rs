@@ -46,7 +46,8 @@ impl Solver {
         curve
     }
 
-    /// The curve that ends in the load found last, and what of it is asked for and missing. The solver is left pressed by some load on the way.
+    /// The curve that ends in the load found last, and what of it is asked for and missing. The solver is left pressed
+    /// by some load on the way.
     pub(super) fn curve_to(&mut self, loads: &LoadPath, last: Point) -> Curve {
         let missing = self.missing();
         let mut points = self.on_the_way(loads);
@@ -89,7 +90,8 @@ impl Solver {
         let tolerance = self.chosen.scene.solver.tolerance.get();
         let Self { chosen, problem, layer, ladder, judged, .. } = self;
         let judged = judged.as_ref()?;
-        // A strain that is prescribed has no history; a few take less by themselves than all the flat punches that they are made of.
+        // A strain that is prescribed has no history; a few take less by themselves than all the flat punches that they
+        // are made of.
         if problem.is_linear || !problem.is_stacked() && loads.len() <= FEW {
             return None;
         }

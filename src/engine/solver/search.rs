@@ -12,14 +12,15 @@ use crate::scene::check::bounded;
 use crate::scene::{Asked, Model};
 use slipzone_api::Refusal;
 
-/// Share of a budget that is left for other methods where the first used it up: `graded-panels` take longer for the same work.
+/// Share of a budget that is left for other methods where the first used it up: `graded-panels` take longer for the
+/// same work.
 const LEFT_FOR_OTHERS: u64 = 10;
 /// What other methods find is taken where its errors are at most this part of those of what was found first.
 const FAR_LESS: f64 = 0.1;
 
 impl Solver {
-    /// Finds the numbers, and keeps them for [`Self::solve`]; writes no report. Refinement ends where its work would exceed
-    /// the [budget](crate::engine::BUDGET); where that is for the shear, the pressure is found without.
+    /// Finds the numbers, and keeps them for [`Self::solve`]; writes no report. Refinement ends where its work would
+    /// exceed the [budget](crate::engine::BUDGET); where that is for the shear, the pressure is found without.
     pub fn find(&mut self) -> Result<(), Refusal> {
         let found = self.find_by_any();
         if let Some(why) = self.misses_friction(&found)
@@ -63,8 +64,8 @@ impl Solver {
         culprit(&self.chosen.methods, &self.layer).unwrap_or(refusal)
     }
 
-    /// Whether what was found misses the tolerance for what its methods lack: budget, room, or convergence. A model that the scene
-    /// forces misses it by itself, and rounding is in other methods, too.
+    /// Whether what was found misses the tolerance for what its methods lack: budget, room, or convergence. A model
+    /// that the scene forces misses it by itself, and rounding is in other methods, too.
     fn may_be_bettered(&self) -> bool {
         let is_open = self.judged.as_ref().is_some_and(|found| !found.is_hopeless) && self.stand_in.is_none();
         is_open && self.worst() > self.tolerance().max(ROUNDED)
@@ -75,7 +76,8 @@ impl Solver {
         self.judged.as_ref().map_or(f64::INFINITY, Judged::worst)
     }
 
-    /// The same load on another scene, or by other methods, within a budget, where these meet the tolerance or miss it by far less.
+    /// The same load on another scene, or by other methods, within a budget, where these meet the tolerance or miss it
+    /// by far less.
     fn bettered_by(&self, chosen: Chosen, budget: u64) -> Option<Self> {
         let mut other = Self::prepare(chosen).ok()?;
         other.problem.wishes = self.problem.wishes;
@@ -124,8 +126,8 @@ impl Solver {
         }
     }
 
-    /// The same within what is left of a budget. Tables that grew for a load which was refused in the end are as coarse as they are far:
-    /// no other load is to be solved with them.
+    /// The same within what is left of a budget. Tables that grew for a load which was refused in the end are as coarse
+    /// as they are far: no other load is to be solved with them.
     pub(super) fn find_within(&mut self) -> Result<(), Refusal> {
         let reach = self.layer.reach();
         let found = self.found_within().map_err(|refusal| self.explained(refusal));
@@ -175,8 +177,8 @@ impl Solver {
         Ok(())
     }
 
-    /// The contact where it ends before the first kink of the shape, and is solved as a smooth one; `None` where it does not, or is not
-    /// found so to the tolerance, and whenever it was not before.
+    /// The contact where it ends before the first kink of the shape, and is solved as a smooth one; `None` where it
+    /// does not, or is not found so to the tolerance, and whenever it was not before.
     fn before_kinks(&mut self, tolerance: f64) -> Option<Judged> {
         let Self { chosen, problem, layer, ladder, .. } = self;
         if !problem.ends_before_kinks {
@@ -194,8 +196,8 @@ impl Solver {
         found
     }
 
-    /// What refinement finds. A smooth shape that has details is solved as one with kinks where it does not converge, and to the end
-    /// as it is where it does not converge so either.
+    /// What refinement finds. A smooth shape that has details is solved as one with kinks where it does not converge,
+    /// and to the end as it is where it does not converge so either.
     fn refined(&mut self, tolerance: f64) -> Result<Judged, Refusal> {
         if let Some(found) = self.before_kinks(tolerance) {
             return Ok(found);

@@ -1,10 +1,11 @@
-//! A layer far thinner than its contact is wide, in closed form: each point of the surface sinks by its own pressure alone.
+//! A layer far thinner than its contact is wide, in closed form: each point of the surface sinks by its own pressure
+//! alone.
 //!
-//! The flexibility of long waves is `Fvv(0)`, so that `p = (delta - g)/Fvv(0)` but for stretches of a thickness or so at the
-//! edges. Seen from further away those only shift the edge: by Wiener and Hopf's factors of `phi(s) = Fvv(s)/Fvv(0)` the
-//! pressure runs out not at `b` but at `B = b + lambda`, `lambda = -(1/pi) int_0^inf ln phi(s)/s^2 ds`. With `delta = g(B)`
-//! what is left out is of the second order in `h/b` under shapes that change little over a thickness, and told from the
-//! changes of the slope under others (docs/planner.md).
+//! The flexibility of long waves is `Fvv(0)`, so that `p = (delta - g)/Fvv(0)` but for stretches of a thickness or so
+//! at the edges. Seen from further away those only shift the edge: by Wiener and Hopf's factors of `phi(s) =
+//! Fvv(s)/Fvv(0)` the pressure runs out not at `b` but at `B = b + lambda`, `lambda = -(1/pi) int_0^inf ln phi(s)/s^2
+//! ds`. With `delta = g(B)` what is left out is of the second order in `h/b` under shapes that change little over a
+//! thickness, and told from the changes of the slope under others (docs/planner.md).
 
 use crate::engine::accuracy::quantity::{Numbers, Quantity};
 use crate::engine::numerics::root;
@@ -27,12 +28,13 @@ const LONG: [f64; 4] = [0.16, 0.08, 0.04, 0.02];
 const SHAPE: [usize; 2] = [64, 12];
 /// Error over `(m + 1)^2 (lambda^2 + |phi''(0)|/2 + 0.1) (h/b)^2`, `m = b g'/g`; measured in docs/planner.md.
 const SECOND_ORDER: f64 = 0.8;
-/// Powers of two over [`Thin::spread`] at which changes of the slope are looked at: what is narrower does not show, what is farther is
-/// not felt.
+/// Powers of two over [`Thin::spread`] at which changes of the slope are looked at: what is narrower does not show,
+/// what is farther is not felt.
 const CHANGES: RangeInclusive<i32> = -40..=4;
 /// [`Thin::spread`] over `(phi''(0)/2)^(1/2)`: of bonded layers the pressure falls a little more slowly than that.
 const SPREAD: f64 = 1.2;
-/// Length that an edge feels beside `lambda`, and more by so much of what [`Thin::spread`] is above one; measured in docs/planner.md.
+/// Length that an edge feels beside `lambda`, and more by so much of what [`Thin::spread`] is above one; measured in
+/// docs/planner.md.
 const EDGE: (f64, f64) = (0.1, 0.5);
 /// Parts of the contact at whose ends the pressure is looked at, beside the details of the shape.
 const PARTS: u32 = 64;
@@ -82,8 +84,8 @@ pub(crate) fn may_serve(problem: &Problem, allowed: f64) -> bool {
     }
 }
 
-/// The numbers of the contact and bounds on their relative errors, in layer units, of a contact that [`obstacle`] lets pass; refuses
-/// what cannot be told.
+/// The numbers of the contact and bounds on their relative errors, in layer units, of a contact that [`obstacle`] lets
+/// pass; refuses what cannot be told.
 pub(crate) fn told(problem: &Problem, response: &dyn LayerResponse) -> Result<(Numbers, Numbers), Refusal> {
     const NOTHING: &str = "the model `thin` tells nothing of a contact narrower than four thicknesses, of one that reaches a kink of the \
                            punch, or of one that may break up";
@@ -157,8 +159,8 @@ fn solve(problem: &Problem, response: &dyn LayerResponse) -> Option<(Numbers, Nu
     Some((numbers, errors))
 }
 
-/// `int_0^B (g(B) - g(x)) dx = int_0^B x g'(x) dx`, cut at places that ascend; up to the first over the fourth root of `x`: smooth for
-/// any power of it.
+/// `int_0^B (g(B) - g(x)) dx = int_0^B x g'(x) dx`, cut at places that ascend; up to the first over the fourth root of
+/// `x`: smooth for any power of it.
 fn raised(problem: &Problem, wide: f64, cuts: &[f64], rule: &QuadratureRule<f64>) -> f64 {
     let mut from = 0.0;
     let piece = |&to: &f64| {
@@ -219,16 +221,17 @@ impl Thin {
         Some(Self { compliance, shift, bend: bend / compliance, errors: (relative, (shift - coarse).abs() + relative) })
     }
 
-    /// How far away the pressure feels the shape: farther where the layer hardly yields but by flowing out, or has a stiff skin.
+    /// How far away the pressure feels the shape: farther where the layer hardly yields but by flowing out, or has a
+    /// stiff skin.
     fn spread(&self) -> f64 {
         (SPREAD * self.bend.abs().sqrt()).max(1.0)
     }
 
-    /// What is left out of `p Fvv(0)` beside `x`, in a contact that ends at `end`: `int |m'| (g'(x + t) - g'(x - t)) dt`, the transform
-    /// of `m` being `(1/phi - 1)/s^2`.
+    /// What is left out of `p Fvv(0)` beside `x`, in a contact that ends at `end`: `int |m'| (g'(x + t) - g'(x - t))
+    /// dt`, the transform of `m` being `(1/phi - 1)/s^2`.
     ///
-    /// `|m'|` is `Fvv(0)/(pi A0 t)` near by, for a surface yields to narrow loads as a half-plane does. Farther away it falls like an
-    /// exponential: where a layer only flows out, half of that.
+    /// `|m'|` is `Fvv(0)/(pi A0 t)` near by, for a surface yields to narrow loads as a half-plane does. Farther away it
+    /// falls like an exponential: where a layer only flows out, half of that.
     fn beside(&self, problem: &Problem, x: f64, end: f64) -> f64 {
         let spread = self.spread();
         let felt = |power: i32| {

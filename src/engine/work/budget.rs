@@ -4,9 +4,10 @@ use crate::engine::work::elimination;
 use slipzone_api::Refusal;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-/// Work that a scene may take, in multiplications: those of eliminations and of blended flat punches as they are, four in sums
-/// over a grid finer than the unknowns as one, a kernel read off its table as 10, a wave number as 10,000. Some ten seconds at
-/// the most. A loading curve may take twice as much again: its flat punches, and then its loads one by one where those do not tell it.
+/// Work that a scene may take, in multiplications: those of eliminations and of blended flat punches as they are, four
+/// in sums over a grid finer than the unknowns as one, a kernel read off its table as 10, a wave number as 10,000. Some
+/// ten seconds at the most. A loading curve may take twice as much again: its flat punches, and then its loads one by
+/// one where those do not tell it.
 pub const BUDGET: u64 = 20_000_000_000;
 /// So many multiplications in sums over a finer grid count as one: they run side by side.
 const SUMMED: u64 = 4;
@@ -89,8 +90,8 @@ impl Meter {
         self.limit.store(end - budget / TOLD, Ordering::Relaxed);
     }
 
-    /// Takes note of a system of so many equations and right-hand sides that is to be filled in, with so many multiplications `beside` the
-    /// kernel's readings, and solved; refuses it where it would exceed the budget.
+    /// Takes note of a system of so many equations and right-hand sides that is to be filled in, with so many
+    /// multiplications `beside` the kernel's readings, and solved; refuses it where it would exceed the budget.
     pub(crate) fn system(&self, (n, right): (usize, usize), beside: u64) -> Result<(), Refusal> {
         let work = elimination(n, right) + beside / SUMMED;
         self.room_for(work)?;

@@ -57,7 +57,8 @@ pub fn atlas_svg(sheet: &Sheet) -> String {
     .draw()
 }
 
-/// Numbers of an axis in full, unless one of them is long: then each in full or as a power of ten, whichever is shorter.
+/// Numbers of an axis in full, unless one of them is long: then each in full or as a power of ten, whichever is
+/// shorter.
 fn written(values: &[f64]) -> Vec<String> {
     const LONG: usize = 6;
     let in_full = |value: &f64| typeset(&value.to_string());

@@ -46,8 +46,8 @@ pub(super) fn line(
     Plot::Line(LinePlot::new().with_data(points).with_color(color).with_stroke_width(width).with_line_style(style))
 }
 
-/// The points of a curve that can be told apart, both ends among them; `place` gives a point's place in its panel, whose
-/// sides are 1.
+/// The points of a curve that can be told apart, both ends among them; `place` gives a point's place in its panel,
+/// whose sides are 1.
 pub(super) fn thinned(points: &[(f64, f64)], place: impl Fn((f64, f64)) -> (f64, f64)) -> Vec<(f64, f64)> {
     /// Points closer than this part of the panel are left out: nobody sees them.
     const UNSEEN: f64 = 1e-3;

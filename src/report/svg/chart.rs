@@ -1,5 +1,5 @@
-//! Work-precision charts of one scene: a row for each number measured, its error over time, over counted work, and over the
-//! tolerance that was asked for.
+//! Work-precision charts of one scene: a row for each number measured, its error over time, over counted work, and over
+//! the tolerance that was asked for.
 
 use super::canvas::{ALARM, INK, LETTERS, filled};
 use super::legend::Entry;

@@ -35,10 +35,10 @@ const BASE: f64 = 0.12;
 /// Differences of Poisson's ratio that are rounding.
 const SAME: f64 = 1e-9;
 
-/// A scene's layer as an SVG figure (UTF-8): modulus, and Poisson's ratio where it varies, over depth from the surface on;
-/// beside it the scaled flexibilities of its surface over the wave number, with the limits of short waves. The panel of
-/// what is not there (a solid that is the same at every depth, a flexibility that was refused) is left out. The same layer
-/// always gives the same text.
+/// A scene's layer as an SVG figure (UTF-8): modulus, and Poisson's ratio where it varies, over depth from the surface
+/// on; beside it the scaled flexibilities of its surface over the wave number, with the limits of short waves. The
+/// panel of what is not there (a solid that is the same at every depth, a flexibility that was refused) is left out.
+/// The same layer always gives the same text.
 pub fn layer_svg(
     scene: &Scene,
     depths: Option<&DepthProfile>,

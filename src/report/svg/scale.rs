@@ -64,7 +64,8 @@ impl Scale {
 
     /// Around both positive numbers on a logarithmic axis.
     pub(super) fn logarithmic(least: f64, most: f64, name: &str, unit: &str) -> Self {
-        /// Of the largest number to the least that is shown: kuva goes from power to power of ten, and never comes to infinity.
+        /// Of the largest number to the least that is shown: kuva goes from power to power of ten, and never comes to
+        /// infinity.
         const LONGEST: f64 = 1e280;
         /// Ticks that say how the axis is stepped; and of their distances, where these are equal.
         const FEWEST: usize = 3;
@@ -211,8 +212,8 @@ impl Scale {
         layout.with_y_label_offset(-beyond, 0.0)
     }
 
-    /// Room that the numbers beside the frame take, px, beyond what kuva reckons with: on a logarithmic axis that is for
-    /// numbers written its own way.
+    /// Room that the numbers beside the frame take, px, beyond what kuva reckons with: on a logarithmic axis that is
+    /// for numbers written its own way.
     fn beyond(&self, computed: &ComputedLayout) -> f64 {
         if !self.is_logarithmic {
             return 0.0;

@@ -46,9 +46,10 @@ pub struct StudyFigure {
     pub left_out: Option<String>,
 }
 
-/// A figure of a study as SVG (UTF-8), from the lines of its results in any order. Scenes that did not converge leave gaps,
-/// and a line under the title counts them; so it does with numbers that an axis in equal factors has no place for. The same
-/// results always give the same text. Without a note, the values that all scenes shown are confined to stand under the title.
+/// A figure of a study as SVG (UTF-8), from the lines of its results in any order. Scenes that did not converge leave
+/// gaps, and a line under the title counts them; so it does with numbers that an axis in equal factors has no place
+/// for. The same results always give the same text. Without a note, the values that all scenes shown are confined to
+/// stand under the title.
 ///
 /// Of the records only what is drawn is kept: of very many scenes a part, chosen by their numbers.
 pub fn study_svg(
@@ -68,7 +69,8 @@ pub fn study_svg(
     Ok(StudyFigure { svg: put_together(study, plot, note, drawing), left_out })
 }
 
-/// The one value that each scene shown has in common where the study has several, unless a curve or a panel is called that.
+/// The one value that each scene shown has in common where the study has several, unless a curve or a panel is called
+/// that.
 fn kept(study: &Study, shown: &Shown) -> String {
     let is_named = |place: &Place| shown.family.iter().chain(&shown.panels).any(|named| named.axis == place.axis);
     let values = shown.only.iter().filter(|(place, steps)| steps.len() == 1 && !is_named(place));

@@ -30,8 +30,8 @@ impl Style {
         Self { color, dashes, width, mark: 0, filled: false }
     }
 
-    /// Of a member, by its places in the axes of its family, each among so many: of two axes one has the colours, the other the dashes,
-    /// where these do for all members.
+    /// Of a member, by its places in the axes of its family, each among so many: of two axes one has the colours, the
+    /// other the dashes, where these do for all members.
     pub(super) fn of(member: usize, places: &[(usize, usize)]) -> Self {
         let (color, dashes) = match places {
             [(one, ones), (other, others)] if *ones <= COLORS.len() && *others <= DASHES.len() => (*one, *other),

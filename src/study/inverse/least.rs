@@ -8,7 +8,8 @@ use basin::{BoxBounds, Brent, ConstraintDescription, ConstraintSet, Constraints,
 const MOST: u64 = 100;
 
 impl Question<'_> {
-    /// Where `sign` times the excess is least between two places, and the excess there; `highest` is no less than it is around.
+    /// Where `sign` times the excess is least between two places, and the excess there; `highest` is no less than it is
+    /// around.
     pub(super) fn lowest(&self, sign: f64, [lower, upper]: [f64; 2], highest: f64) -> Result<Place, String> {
         let valley = Valley { question: self, sign, lower, upper, highest };
         let found = Executor::new(valley, Brent::new(), PointState::new(0.5 * (lower + upper)))
@@ -30,7 +31,8 @@ impl Question<'_> {
         let ends = ends.map(|end| self.reached(points, lowest, end));
         let highest = points.iter().fold(f64::NEG_INFINITY, |most, point| most.max(point.excess));
         let inside = self.lowest(1.0, ends.map(|end| end.0), highest)?;
-        // A value that falls to the very end of what can be solved has its least there, where Brent's method does not look.
+        // A value that falls to the very end of what can be solved has its least there, where Brent's method does not
+        // look.
         let (at, excess) = seen.chain(ends).chain([inside]).min_by(lower_of).unwrap_or(inside);
         self.is_surrounded(points, (at, excess))?;
         // Between the steps may be some that could not be solved.
@@ -40,8 +42,8 @@ impl Question<'_> {
         Ok((at, Moved::ByRoot(bend)))
     }
 
-    /// How far the number can be told on the way from a place where it can, and what it is there: to a place that was looked
-    /// at, or to within [`BESIDE`] of one where it cannot.
+    /// How far the number can be told on the way from a place where it can, and what it is there: to a place that was
+    /// looked at, or to within [`BESIDE`] of one where it cannot.
     pub(super) fn reached(&self, points: &[Point], from: Place, to: f64) -> Place {
         if let Some(point) = points.iter().find(|point| (point.at - to).abs() < BESIDE) {
             return point.place();
@@ -57,8 +59,8 @@ impl Question<'_> {
         told
     }
 
-    /// Refuses a least value beside which nothing can be solved, as the number may go on falling there, and one that is the same beside:
-    /// it is rounded, to nothing or to a whole.
+    /// Refuses a least value beside which nothing can be solved, as the number may go on falling there, and one that is
+    /// the same beside: it is rounded, to nothing or to a whole.
     fn is_surrounded(&self, points: &[Point], (at, excess): Place) -> Result<(), String> {
         let [lower, upper] = [(at - BESIDE).max(0.0), (at + BESIDE).min(1.0)];
         let beside =

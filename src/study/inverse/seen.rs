@@ -84,8 +84,8 @@ impl Question<'_> {
         Ok(Point { at, number, error, excess })
     }
 
-    /// The scene solved with the field at a value, for nothing but the number that decides where `alone`; an error where it
-    /// does not converge.
+    /// The scene solved with the field at a value, for nothing but the number that decides where `alone`; an error
+    /// where it does not converge.
     pub(super) fn solution(&self, value: f64, alone: bool) -> Result<Solution, String> {
         let replacement = Replacement::number(self.path, value);
         let mut scene = self.study.scene_where(self.row, replacement).map_err(|error| error.in_one_line())?;

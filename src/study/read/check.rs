@@ -18,8 +18,8 @@ pub(super) fn check_texts(document: &Document) -> Result<(), SceneError> {
     })
 }
 
-/// Each value makes a scene of the base: with the other axes at their first values, as the base has them, or at their last
-/// values. What is wrong only together is a line of the results.
+/// Each value makes a scene of the base: with the other axes at their first values, as the base has them, or at their
+/// last values. What is wrong only together is a line of the results.
 pub(super) fn check_values(document: &Document, study: &Study, files: &dyn Files) -> Result<(), SceneError> {
     for (a, axis) in study.axes.iter().enumerate() {
         for (c, column) in axis.columns.iter().enumerate() {
@@ -66,7 +66,8 @@ pub(super) fn check_values(document: &Document, study: &Study, files: &dyn Files
     Ok(())
 }
 
-/// An end of what a field is drawn from makes a scene, with all else as the base has it, or at its first or last values.
+/// An end of what a field is drawn from makes a scene, with all else as the base has it, or at its first or last
+/// values.
 fn check_end(
     document: &Document,
     study: &Study,
@@ -128,7 +129,8 @@ fn blamed(axis: &Axis, error: &SceneError) -> Option<usize> {
     axis.columns.iter().position(named)
 }
 
-/// An error of a scene at the place of the study that is to blame for that field, or with that where it has a place in a data file.
+/// An error of a scene at the place of the study that is to blame for that field, or with that where it has a place in
+/// a data file.
 fn placed(document: &Document, study: &Study, place: &[&str], error: &SceneError, path: &[String]) -> SceneError {
     let of = format!("`{}`", path.join("."));
     if error.file != study.base.name() {

@@ -25,7 +25,8 @@ pub(super) fn cases() -> Vec<Case> {
     all
 }
 
-/// The order observed between deviations, the thickness growing by `factor` each time: that farthest from what is expected.
+/// The order observed between deviations, the thickness growing by `factor` each time: that farthest from what is
+/// expected.
 fn order(sheet: &mut Sheet, name: &str, deviations: &[f64], factor: f64, expected: f64, slack: (f64, &str)) {
     let orders = deviations.windows(2).map(|pair| (pair[0] / pair[1]).abs().ln() / factor.ln());
     let off = |order: &f64| if order.is_nan() { f64::INFINITY } else { (order - expected).abs() };

@@ -24,8 +24,8 @@ pub(super) struct Pressure<'a> {
 }
 
 impl<'a> Pressure<'a> {
-    /// `half_plane(x)` is the pressure of the same punch on a half-plane, smooth but for `kink` and the middle, where it
-    /// is `tip ln(1/|x|)`.
+    /// `half_plane(x)` is the pressure of the same punch on a half-plane, smooth but for `kink` and the middle, where
+    /// it is `tip ln(1/|x|)`.
     pub(super) fn new(
         surface: &Surface,
         half_plane: &'a dyn Fn(f64) -> f64,

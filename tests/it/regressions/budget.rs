@@ -46,8 +46,8 @@ fn what_solving_refuses_is_known_before() {
     assert_ne!(slipzone::engine::solve(&served).status, Status::Refused);
 }
 
-/// Found by random scenes: what a growing contact on a thin layer could take had no bound, minutes at a time. It ends with what
-/// it has and says so, or is refused, within the budget.
+/// Found by random scenes: what a growing contact on a thin layer could take had no bound, minutes at a time. It ends
+/// with what it has and says so, or is refused, within the budget.
 #[test]
 fn work_has_a_bound() {
     use slipzone::engine::solve_within;
@@ -73,7 +73,8 @@ fn work_has_a_bound() {
     }
 }
 
-/// A contact that grew under more friction than its budget was worth lost its pressure, too, though that takes a fiftieth of the work.
+/// A contact that grew under more friction than its budget was worth lost its pressure, too, though that takes a
+/// fiftieth of the work.
 #[test]
 fn where_the_shear_takes_too_much_the_pressure_is_told() {
     let cylinder = |h: f64, base: f64, tolerance: f64| {
@@ -81,7 +82,8 @@ fn where_the_shear_takes_too_much_the_pressure_is_told() {
         let sketch = Sketch::on(format!("thickness = {h:?}\npoisson = 0.45\n{grading}")).cylinder();
         sketch.with(&format!("[solver]\ntolerance = {tolerance:e}"))
     };
-    // Resolutions enough to tell numbers, if only that of these no digit is sure: as little of the pressure as of the stick zone.
+    // Resolutions enough to tell numbers, if only that of these no digit is sure: as little of the pressure as of the
+    // stick zone.
     for (unsure, budget) in [(cylinder(0.04, 100.0, 1e-4), BUDGET / 5), (cylinder(0.05, 50.0, 1e-6), BUDGET / 10)] {
         let reason = solve_within(&unsure.rubbing(0.3).scene(), budget).reason.unwrap_or_default();
         assert!(reason.starts_with("the shear is not solved: "), "{reason}");
@@ -135,8 +137,8 @@ fn where_the_shear_takes_too_much_the_pressure_is_told() {
     assert!(alone.load.force.is_none() && alone.reason.is_some_and(|reason| !reason.contains("not told")));
 }
 
-/// Found by random scenes: four loads on the way to another, without friction, took all flat punches that the contact might
-/// be made of, a hundred times the work of the last load.
+/// Found by random scenes: four loads on the way to another, without friction, took all flat punches that the contact
+/// might be made of, a hundred times the work of the last load.
 #[test]
 fn a_few_loads_on_the_way_take_little() {
     let scene = Sketch::flat(0.05, 4.0, 0.3).cylinder().with("[solver]\ntolerance = 1e-6");
@@ -165,9 +167,9 @@ fn lengths_beyond_compare_do_not_panic() {
     }
 }
 
-/// Under 2,000 thicknesses a pinned resolution sums its kernels over a grid a hundred times as fine: that counted nothing beside the readings,
-/// and ten seconds of budget took a minute. Panels were cut as often, and ten milliseconds took 13 seconds: cut as each target sees them they
-/// take no more than that.
+/// Under 2,000 thicknesses a pinned resolution sums its kernels over a grid a hundred times as fine: that counted
+/// nothing beside the readings, and ten seconds of budget took a minute. Panels were cut as often, and ten milliseconds
+/// took 13 seconds: cut as each target sees them they take no more than that.
 #[test]
 fn what_a_finer_grid_costs_counts() {
     let within = |quadrature: &str, budget: u64| {
@@ -187,8 +189,8 @@ fn what_a_finer_grid_costs_counts() {
     assert!(solution.status != Status::Refused, "{:?}", solution.reason);
 }
 
-/// The slip zone beside a stick zone took 21 nodes for each thickness of the layer in it, 2e4 where the layer was a thousandth of the contact:
-/// half of all readings, for no digit.
+/// The slip zone beside a stick zone took 21 nodes for each thickness of the layer in it, 2e4 where the layer was a
+/// thousandth of the contact: half of all readings, for no digit.
 #[test]
 fn slip_zones_on_a_thin_coating_take_no_more_nodes_than_the_unknowns_tell() {
     let text = "format = 1\nlayer = { thickness = 1e-3, poisson = 0.3, grading = { type = \"homogeneous\", modulus = 2.0 }, \
@@ -204,9 +206,9 @@ fn slip_zones_on_a_thin_coating_take_no_more_nodes_than_the_unknowns_tell() {
     assert!(apart < solution.error.each["stick.ratio"], "{apart:e}");
 }
 
-/// Found by random scenes: each load of a curve tried again what the budget had refused, and a refused system was counted as
-/// done (98,280 loads, three minutes, 3,400 times the budget); a stick zone refused between two grids was told on the wrong one,
-/// which panicked.
+/// Found by random scenes: each load of a curve tried again what the budget had refused, and a refused system was
+/// counted as done (98,280 loads, three minutes, 3,400 times the budget); a stick zone refused between two grids was
+/// told on the wrong one, which panicked.
 #[test]
 fn what_the_budget_refused_is_not_tried_again() {
     let many = "format = 1\npunch = { type = \"flat\", half_width = 1374.0 }\nlayer = { thickness = 1.44, poisson = 0.43, \
@@ -229,8 +231,8 @@ fn what_the_budget_refused_is_not_tried_again() {
     }
 }
 
-/// Found by random scenes: loads told between the flat punches solved were told however many there were (100,000, 200 times the
-/// budget).
+/// Found by random scenes: loads told between the flat punches solved were told however many there were (100,000, 200
+/// times the budget).
 #[test]
 fn a_curve_told_from_flat_punches_keeps_to_its_budget_too() {
     let text = "format = 1\npunch = { type = \"cylinder\", radius = 272.0 }\n\
@@ -245,8 +247,8 @@ fn a_curve_told_from_flat_punches_keeps_to_its_budget_too() {
     assert!(solution.plan.work <= 3 * budget, "{:e} of {budget}", solution.plan.work as f64);
 }
 
-/// A load on the way was told less well than the tolerance by the flat punches of the last one, and that was left so, without a
-/// reason.
+/// A load on the way was told less well than the tolerance by the flat punches of the last one, and that was left so,
+/// without a reason.
 #[test]
 fn a_load_that_the_flat_punches_of_the_last_one_do_not_tell_is_solved_by_itself() {
     let text = "format = 1\nlayer = { thickness = 2.0, poisson = 0.3, grading = { type = \"exponential\", surface = 1.0, \
@@ -272,8 +274,8 @@ fn a_loading_curve_has_depths_where_there_is_a_datum() {
     assert_eq!(curve("", "half_width = [0.5, 1.0]"), None);
 }
 
-/// What the kernels of a layer are told to, more digits than there are, was refused; so was a contact whose tractions would have taken too
-/// much once all resolutions had been tried in vain.
+/// What the kernels of a layer are told to, more digits than there are, was refused; so was a contact whose tractions
+/// would have taken too much once all resolutions had been tried in vain.
 #[test]
 fn more_digits_than_there_are_get_the_digits_that_there_are() {
     let within = |text: &str, budget: u64| {
@@ -328,8 +330,8 @@ fn a_budget_spent_on_the_numbers_leaves_the_numbers() {
     assert!(solution.error.estimate.unwrap() < 1e-8);
 }
 
-/// Under a force it went on to half of its budget, half a minute, though nothing was left but what is not proved of the kernels. Under a
-/// half-width it stopped.
+/// Under a force it went on to half of its budget, half a minute, though nothing was left but what is not proved of the
+/// kernels. Under a half-width it stopped.
 #[test]
 fn a_force_takes_no_steps_for_what_no_step_mends() {
     let layer = "thickness = 0.33502499835163135, poisson = -0.5, plane = \"stress\", moduli = \"young\", \
@@ -369,8 +371,8 @@ fn the_strain_left_in_a_stick_zone_counts_as_work() {
     assert!(whole.status == Status::Converged && whole.profile.strain.is_some(), "{:?}", whole.reason);
 }
 
-/// On layers that stiffen steeply from their surface down, stacks of flat punches took grids for `split` that no budget allows, where
-/// `octaves` take a hundredth of the work. Other loads take the usual methods again.
+/// On layers that stiffen steeply from their surface down, stacks of flat punches took grids for `split` that no budget
+/// allows, where `octaves` take a hundredth of the work. Other loads take the usual methods again.
 #[test]
 fn octaves_solve_what_split_has_no_budget_for() {
     let text = "format = 1\nlayer = { thickness = 1.3, poisson = 0.3, grading = { type = \"linear\", surface = 1.0, base = 100.0 } }\n\
@@ -393,8 +395,8 @@ fn octaves_solve_what_split_has_no_budget_for() {
     assert_eq!((narrower.status, narrower.plan.kernel), (Status::Converged, "split"));
 }
 
-/// Under two thousand sublayers, each a twenty-five-hundredth of the half-width thick, `de-sinc` has no room for the unknowns that the
-/// tolerance takes; `octaves` take a fifth of a second.
+/// Under two thousand sublayers, each a twenty-five-hundredth of the half-width thick, `de-sinc` has no room for the
+/// unknowns that the tolerance takes; `octaves` take a fifth of a second.
 #[test]
 fn octaves_solve_stacks_too_fine_for_the_unknowns_of_split() {
     let moduli = ["1.0", "3.0", "7.0", "7.0", "3.0"];

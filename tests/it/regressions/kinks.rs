@@ -3,8 +3,8 @@
 use super::{within_three_estimates, written};
 use slipzone::engine::{Status, solve};
 
-/// A kink close to the contact's edge was a singularity beside an integral: the force lost digits, its slope more, and the
-/// pressure in the middle was off by 1.7e-7 with an error of 3e-12 claimed, by 5e-4 beside the kink.
+/// A kink close to the contact's edge was a singularity beside an integral: the force lost digits, its slope more, and
+/// the pressure in the middle was off by 1.7e-7 with an error of 3e-12 claimed, by 5e-4 beside the kink.
 #[test]
 fn the_pressure_beside_a_kink_is_as_good_as_elsewhere() {
     use slipzone::api::reference::{cylinder::Cylinder, rounded_flat::RoundedFlat};
@@ -31,8 +31,9 @@ fn the_pressure_beside_a_kink_is_as_good_as_elsewhere() {
     }
 }
 
-/// Half-widths tell how far beyond a corner they are by few digits, while the force goes with a root of that: the pressure in the middle was off by
-/// 1e-8 with a corner 1e-4 short of the edge and by 1e-2 with one 1e-13 short of it, 1e-11 claimed; the tighter the tolerance the worse.
+/// Half-widths tell how far beyond a corner they are by few digits, while the force goes with a root of that: the
+/// pressure in the middle was off by 1e-8 with a corner 1e-4 short of the edge and by 1e-2 with one 1e-13 short of it,
+/// 1e-11 claimed; the tighter the tolerance the worse.
 #[test]
 fn a_corner_just_inside_the_edge_of_the_contact_is_felt_as_it_is() {
     let (compliance, slope, curvature) = (0.7, 0.02, 0.1);
@@ -83,8 +84,8 @@ fn a_contact_hardly_wider_than_its_face_is_as_good_as_others() {
         );
         let solution = slipzone::engine::solve(&slipzone::scene::parse("face", &text).unwrap());
         assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
-        // p(0) = int dP/(pi b'), dP/db' = 2 b' psi/(A0 R), and psi = (2 e)^(1/2) (1 - 5 e/12 + 43 e^2/160) with b' = c (1 + e):
-        // differences in closed forms lose what is looked for.
+        // p(0) = int dP/(pi b'), dP/db' = 2 b' psi/(A0 R), and psi = (2 e)^(1/2) (1 - 5 e/12 + 43 e^2/160) with b' = c
+        // (1 + e): differences in closed forms lose what is looked for.
         let beyond = half_width / 0.5 - 1.0;
         let of = |a: f64, b: f64, c: f64| a + beyond * (b + beyond * c);
         let scale = (2.0 * beyond).sqrt() * beyond * 2.0 * 0.5 / (0.7 * 5.0);
@@ -160,8 +161,9 @@ fn a_load_that_hardly_exceeds_the_face_is_borne() {
     }
 }
 
-/// The force beyond a kink was a series that missed the rate at which it begins: at the end of a rounded flat punch's face the
-/// pressure was off by 9e-7 of the largest where 1e-7 was asked for, under a rounded wedge by 2e-7 where 1e-8 was.
+/// The force beyond a kink was a series that missed the rate at which it begins: at the end of a rounded flat punch's
+/// face the pressure was off by 9e-7 of the largest where 1e-7 was asked for, under a rounded wedge by 2e-7 where 1e-8
+/// was.
 #[test]
 fn the_pressure_at_a_kink_is_as_good_as_elsewhere() {
     let layer = "[layer]\nthickness = 0.7\npoisson = 0.3\n\
@@ -208,8 +210,8 @@ fn a_kink_over_a_thin_layer_is_told() {
     }
 }
 
-/// A series in `s` for the force beyond a kink feigned a rate that goes with `1/s`: tractions just at a kink without a corner were
-/// off by 18 tolerances, and by 200 estimates at 1e-10.
+/// A series in `s` for the force beyond a kink feigned a rate that goes with `1/s`: tractions just at a kink without a
+/// corner were off by 18 tolerances, and by 200 estimates at 1e-10.
 #[test]
 fn tractions_just_at_a_kink_are_those_beside_it() {
     let layer = "[layer]\nthickness = 0.7\npoisson = 0.3\n\
@@ -237,8 +239,8 @@ fn tractions_just_at_a_kink_are_those_beside_it() {
     }
 }
 
-/// The force beyond a kink like `max(|x| - c, 0)^p`, `p < 3/2`, begins like a low power, which no series tells: what is taken off as feigned was there.
-/// The peak is at the kink itself, and the pressure in the middle lacks that force.
+/// The force beyond a kink like `max(|x| - c, 0)^p`, `p < 3/2`, begins like a low power, which no series tells: what is
+/// taken off as feigned was there. The peak is at the kink itself, and the pressure in the middle lacks that force.
 #[test]
 fn what_is_taken_off_at_a_cusp_is_told() {
     // Pressures in the middle and at the kink by integrals of the half-plane's formula to 30 digits.
@@ -257,7 +259,8 @@ fn what_is_taken_off_at_a_cusp_is_told() {
     }
 }
 
-/// The slope beyond a kink at the very edge of the contact was taken for that before it: twice the force, and 1e-9 claimed.
+/// The slope beyond a kink at the very edge of the contact was taken for that before it: twice the force, and 1e-9
+/// claimed.
 #[test]
 fn a_kink_at_the_edge_of_the_contact_is_not_felt() {
     let layer = "thickness = 5.0, grading = { type = \"exponential\", surface = 1.0, base = 8.0 }";
@@ -273,8 +276,8 @@ fn a_kink_at_the_edge_of_the_contact_is_not_felt() {
     }
 }
 
-/// Under a corner the pressure is infinite, and resolutions were compared just there, at 0.3, 0.6 and 0.9 of the contact: no tolerance
-/// was ever met.
+/// Under a corner the pressure is infinite, and resolutions were compared just there, at 0.3, 0.6 and 0.9 of the
+/// contact: no tolerance was ever met.
 #[test]
 fn a_corner_where_pressures_are_compared_is_passed_over() {
     for (corner, half_width) in [(0.3, 1.0), (0.6, 1.0), (0.9, 1.0), (0.3, 0.5), (1.8, 2.0)] {
@@ -292,8 +295,8 @@ fn a_corner_where_pressures_are_compared_is_passed_over() {
     }
 }
 
-/// The series of the force stalls at what its points are good to, and twice as many coefficients tell less of its rate at the kink: the error of
-/// the peak stayed at 7e-5, whatever the resolution, until the work was used up.
+/// The series of the force stalls at what its points are good to, and twice as many coefficients tell less of its rate
+/// at the kink: the error of the peak stayed at 7e-5, whatever the resolution, until the work was used up.
 #[test]
 fn a_series_that_stalls_tells_a_kink_with_the_coefficients_that_tell_it_best() {
     let layer = "poisson = 0.3, grading = { type = \"stack\", layers = [\
@@ -316,8 +319,8 @@ fn a_series_that_stalls_tells_a_kink_with_the_coefficients_that_tell_it_best() {
     }
 }
 
-/// Flat punches from a narrow face on were told by polynomials alone, which know little of how a layer begins to be felt: on the way to a
-/// contact 2,000 times as wide as the face, one four times as wide was off by five estimates.
+/// Flat punches from a narrow face on were told by polynomials alone, which know little of how a layer begins to be
+/// felt: on the way to a contact 2,000 times as wide as the face, one four times as wide was off by five estimates.
 #[test]
 fn a_contact_hardly_wider_than_a_narrow_face_is_as_good_as_wide_ones() {
     let solved = |load: &str, tolerance: f64| {

@@ -120,8 +120,8 @@ fn large_differences_are_not_believed_to_shrink_fast() {
     assert!(error <= 5e-4, "error {error:e} at a tolerance of 5e-4");
 }
 
-/// Converged with 7.5 of its estimates, two tolerances: on a layer of a thirtieth of the half-width coarse resolutions agreed
-/// by chance.
+/// Converged with 7.5 of its estimates, two tolerances: on a layer of a thirtieth of the half-width coarse resolutions
+/// agreed by chance.
 #[test]
 fn resolutions_that_do_not_see_a_thin_layer_are_not_believed_to_agree() {
     let solved = |tolerance: &str| {
@@ -139,9 +139,9 @@ fn resolutions_that_do_not_see_a_thin_layer_are_not_believed_to_agree() {
     within_three_estimates(&found, &exact, &["load.force", "load.indentation", "pressure.centre"]);
 }
 
-/// Found by random scenes: a peak and a force that were within the tolerance, but beyond three of their own estimates. The nodes
-/// of a stack were too few for a steep shape; the grid of a pressure, and the error asked of its kernel, for a depth that is
-/// counted from a near datum. (A depth from 1e-4 b below was off by six tolerances.)
+/// Found by random scenes: a peak and a force that were within the tolerance, but beyond three of their own estimates.
+/// The nodes of a stack were too few for a steep shape; the grid of a pressure, and the error asked of its kernel, for
+/// a depth that is counted from a near datum. (A depth from 1e-4 b below was off by six tolerances.)
 #[test]
 fn neither_steep_shapes_nor_near_datums_are_surer_than_they_are() {
     let solved = |text: &str, solver: &str| {
@@ -169,8 +169,9 @@ fn neither_steep_shapes_nor_near_datums_are_surer_than_they_are() {
     }
 }
 
-/// Found by an adversary: a datum of 2e-5 thicknesses made the first panel of wave numbers so wide that all of the layer lay beside where it was
-/// looked at; the indentation was the half-plane's, 16 % off. (Against a solution of its own, by transfer and a Bessel series.)
+/// Found by an adversary: a datum of 2e-5 thicknesses made the first panel of wave numbers so wide that all of the
+/// layer lay beside where it was looked at; the indentation was the half-plane's, 16 % off. (Against a solution of its
+/// own, by transfer and a Bessel series.)
 #[test]
 fn a_datum_just_below_the_surface_feels_the_layer() {
     for (datum, tolerance) in [(1e-4, "1e-2"), (1e-4, "1e-4"), (1e-5, "1e-2")] {
@@ -187,8 +188,9 @@ fn a_datum_just_below_the_surface_feels_the_layer() {
     }
 }
 
-/// Found by an adversary: beyond the face of a rounded flat punch lies 1e-9 of the half-width that a force was found at, which so misses 4.8e-8
-/// of it; the depth claimed 5e-11. It is between those of flat punches as wide as the face and as the contact, 1e-9 apart.
+/// Found by an adversary: beyond the face of a rounded flat punch lies 1e-9 of the half-width that a force was found
+/// at, which so misses 4.8e-8 of it; the depth claimed 5e-11. It is between those of flat punches as wide as the face
+/// and as the contact, 1e-9 apart.
 #[test]
 fn what_a_half_width_beside_the_face_misses_of_its_force_is_told() {
     let text = |punch: &str, tolerance: &str| {
@@ -214,8 +216,8 @@ fn what_a_half_width_beside_the_face_misses_of_its_force_is_told() {
     assert!(off < error + 1e-9 && error > 1e-8, "off by {off:e}, told {error:e}");
 }
 
-/// Flat punches between those solved were told by polynomials alone once there were some forty of them, which converges slowly:
-/// the indentation under `|x|^3` on a thin layer was off by 4.8 of its estimates, within the tolerance.
+/// Flat punches between those solved were told by polynomials alone once there were some forty of them, which converges
+/// slowly: the indentation under `|x|^3` on a thin layer was off by 4.8 of its estimates, within the tolerance.
 #[test]
 fn stacked_contacts_are_not_surer_than_they_are() {
     let text = |solver: &str| {
@@ -232,8 +234,8 @@ fn stacked_contacts_are_not_surer_than_they_are() {
     within_three_estimates(&found, &exact, &["load.indentation", "load.half_width"]);
 }
 
-/// A contact's tables reached half as far as those of its finer twin, whose cut-off was therefore the same: the charts found a
-/// half-width off by 2.6e-8 that claimed 1e-13.
+/// A contact's tables reached half as far as those of its finer twin, whose cut-off was therefore the same: the charts
+/// found a half-width off by 2.6e-8 that claimed 1e-13.
 #[test]
 fn a_cut_off_is_judged_by_another() {
     let sketch = Sketch::flat(5.0, 0.125, 0.3).cylinder();
@@ -250,7 +252,8 @@ fn a_cut_off_is_judged_by_another() {
     }
 }
 
-/// Rounding of a Poisson's ratio that is the same in both materials was taken for a grading too fast, the nearer to 1/2 the more.
+/// Rounding of a Poisson's ratio that is the same in both materials was taken for a grading too fast, the nearer to 1/2
+/// the more.
 #[test]
 fn two_materials_that_are_next_to_incompressible_mix() {
     let solved = |grading: &str| {
@@ -269,8 +272,8 @@ fn two_materials_that_are_next_to_incompressible_mix() {
     assert!((one / other - 1.0).abs() < 1e-8, "{one} and {other}");
 }
 
-/// Where the pressure in the middle is a twenty-thousandth of the mean, an error of the kernels that is small beside the mean was
-/// taken to be as small beside that: 1e-2 off with 6e-4 claimed.
+/// Where the pressure in the middle is a twenty-thousandth of the mean, an error of the kernels that is small beside
+/// the mean was taken to be as small beside that: 1e-2 off with 6e-4 claimed.
 #[test]
 fn a_pressure_faint_in_the_middle_is_as_sure_as_told() {
     slipzone::link_plugins();
@@ -294,8 +297,8 @@ fn a_pressure_faint_in_the_middle_is_as_sure_as_told() {
     }
 }
 
-/// Sums over the kernel of a layer so thin lost more digits with each finer grid, for want of room, and the last was reported: 9 % off
-/// at 1e-8 where 1e-3 was met.
+/// Sums over the kernel of a layer so thin lost more digits with each finer grid, for want of room, and the last was
+/// reported: 9 % off at 1e-8 where 1e-3 was met.
 #[test]
 fn a_layer_too_thin_for_finer_grids_keeps_what_coarser_ones_found() {
     let scene = |solver: &str| {
@@ -325,8 +328,8 @@ fn a_layer_too_thin_for_finer_grids_keeps_what_coarser_ones_found() {
     }
 }
 
-/// Under a tip there is no pressure in the middle, and nothing told that the rest was not known: noise passed for a punch that lifts off,
-/// with `-inf times the mean`.
+/// Under a tip there is no pressure in the middle, and nothing told that the rest was not known: noise passed for a
+/// punch that lifts off, with `-inf times the mean`.
 #[test]
 fn a_pressure_that_is_not_known_is_not_said_to_pull() {
     let text = "format = 1\nlayer = { thickness = 5.0, poisson = 0.3, grading = { type = \"exponential\", surface = 1.0, base = 8.0 } }\n\
@@ -358,8 +361,9 @@ fn an_unsure_depth_is_no_unsure_pressure() {
     assert!(error("load.indentation") > 3.0 * error("pressure.centre"), "{:?}", solution.error.each);
 }
 
-/// A modulus whose derivatives at the surface are beyond all proportion: jump and logarithm of its kernels cancelled each other
-/// down to noise of 1e190, which was reported as an indentation of -2e187. Without a method named it is solved by one that asks for none.
+/// A modulus whose derivatives at the surface are beyond all proportion: jump and logarithm of its kernels cancelled
+/// each other down to noise of 1e190, which was reported as an indentation of -2e187. Without a method named it is
+/// solved by one that asks for none.
 #[test]
 #[cfg(feature = "formula")]
 fn kernels_that_are_all_noise_are_refused() {
@@ -395,8 +399,8 @@ fn skinned(skin: f64, gradients: [f64; 2]) -> String {
     )
 }
 
-/// The kernels' jump was windowed at the length of the skin, and went on below it as a step that no node saw: off by 4 tolerances and 5
-/// estimates, and `not-converged` at tighter ones.
+/// The kernels' jump was windowed at the length of the skin, and went on below it as a step that no node saw: off by 4
+/// tolerances and 5 estimates, and `not-converged` at tighter ones.
 #[test]
 fn a_jump_goes_on_below_a_thin_skin_of_nearly_the_same_gradient() {
     let layer = skinned(1e-4, [0.6, 0.5]);
@@ -407,8 +411,8 @@ fn a_jump_goes_on_below_a_thin_skin_of_nearly_the_same_gradient() {
     assert!(found.plan.unknowns <= 33, "{} unknowns", found.plan.unknowns);
 }
 
-/// A break between two sublayers of one law is none, and costs a few wave numbers: cut where its skin ends, the kernels took ten times as many,
-/// and 25 times the work.
+/// A break between two sublayers of one law is none, and costs a few wave numbers: cut where its skin ends, the kernels
+/// took ten times as many, and 25 times the work.
 #[test]
 fn a_thin_skin_of_the_layers_own_law_is_not_felt() {
     for (punch, load) in [
@@ -440,7 +444,8 @@ fn a_thin_skin_of_the_layers_own_law_is_not_felt() {
     }
 }
 
-/// What a faint break sends back is small, does not fall until its wave is as short as it is deep, and was taken for noise that no panel resolves.
+/// What a faint break sends back is small, does not fall until its wave is as short as it is deep, and was taken for
+/// noise that no panel resolves.
 #[test]
 fn a_faint_break_is_no_noise() {
     for below in [1.000_001, 1.000_000_1, 1.000_000_01] {
@@ -458,8 +463,8 @@ fn a_faint_break_is_no_noise() {
     }
 }
 
-/// A law that begins with `y^1.5` was not converged by its kernels, and nothing said so. Now it is, unless a strategy is asked for that does not
-/// know its singularity.
+/// A law that begins with `y^1.5` was not converged by its kernels, and nothing said so. Now it is, unless a strategy
+/// is asked for that does not know its singularity.
 #[test]
 fn a_law_that_is_not_smooth_at_the_surface_is_named() {
     let with = |solver: &str| {
@@ -477,8 +482,8 @@ fn a_law_that_is_not_smooth_at_the_surface_is_named() {
     assert!(pinned.reason.as_ref().is_some_and(|reason| reason.contains("`octaves`")), "{:?}", pinned.reason);
 }
 
-/// A skin whose modulus has no slope at the surface has kernels without a jump, and their logarithm, measured by that jump, was windowed to a
-/// thousandth of the skin: refused at 1e-8, as at any coarser tolerance.
+/// A skin whose modulus has no slope at the surface has kernels without a jump, and their logarithm, measured by that
+/// jump, was windowed to a thousandth of the skin: refused at 1e-8, as at any coarser tolerance.
 #[test]
 #[cfg(feature = "formula")]
 fn a_skin_without_a_slope_at_the_surface_is_split_as_others_are() {
@@ -496,8 +501,9 @@ fn a_skin_without_a_slope_at_the_surface_is_split_as_others_are() {
     }
 }
 
-/// Once there are as many flat punches as there may be, what a coarse resolution had left of their series stayed with each finer one: the
-/// peak under a rounded flat on a thin skin missed the default tolerance by 20 times, and 5000 times at a ninth digit.
+/// Once there are as many flat punches as there may be, what a coarse resolution had left of their series stayed with
+/// each finer one: the peak under a rounded flat on a thin skin missed the default tolerance by 20 times, and 5000
+/// times at a ninth digit.
 #[test]
 fn the_peak_under_a_rounded_flat_on_a_thin_skin_meets_the_default_tolerance() {
     let solved = |tolerance: &str| {
@@ -514,8 +520,9 @@ fn the_peak_under_a_rounded_flat_on_a_thin_skin_meets_the_default_tolerance() {
     within_three_estimates(&solved("1e-8"), &solved("1e-9"), &["load.force", "pressure.centre", "pressure.peak"]);
 }
 
-/// A steep skin over more of what it ends in: to the tenth digit the cut was made for a depth below the kink, as the series of few terms was cut
-/// further out and saw nothing there. What that left was seen, but not mended: an error of 1.3.
+/// A steep skin over more of what it ends in: to the tenth digit the cut was made for a depth below the kink, as the
+/// series of few terms was cut further out and saw nothing there. What that left was seen, but not mended: an error of
+/// 1.3.
 #[test]
 fn a_kink_that_a_series_of_few_terms_does_not_see_is_cut_for() {
     let solved = |tolerance: &str| {
@@ -532,8 +539,9 @@ fn a_kink_that_a_series_of_few_terms_does_not_see_is_cut_for() {
     within_three_estimates(&solved("1e-10"), &solved("1e-8"), &["load.force", "load.indentation", "pressure.centre"]);
 }
 
-/// Found by an adversary: where a modulus begins with a root the series of the flexibility has terms too large for a number; errors that
-/// were no number counted as none, and what was solved was a half-plane, nine times too stiff, told to 1e-13.
+/// Found by an adversary: where a modulus begins with a root the series of the flexibility has terms too large for a
+/// number; errors that were no number counted as none, and what was solved was a half-plane, nine times too stiff, told
+/// to 1e-13.
 #[test]
 fn a_series_that_is_no_number_is_no_half_plane() {
     let root = "grading = { type = \"formula\", modulus = \"0.04+sqrt(y/h)\" }";
@@ -567,8 +575,8 @@ fn a_series_that_is_no_number_is_no_half_plane() {
     }
 }
 
-/// Found by an adversary: on a surface that is soft down to a hundred thousandth of the thickness and stiffens with a broken power below, two
-/// resolutions agreed by chance: the edge was off by 3 tolerances and 127 estimates.
+/// Found by an adversary: on a surface that is soft down to a hundred thousandth of the thickness and stiffens with a
+/// broken power below, two resolutions agreed by chance: the edge was off by 3 tolerances and 127 estimates.
 #[test]
 fn resolutions_that_do_not_see_a_kernel_turn_are_not_believed_to_agree() {
     let solved = |tolerance: f64| {

@@ -4,10 +4,11 @@ use super::{within_three_estimates, written};
 use slipzone::api::reference::power::Power;
 use slipzone::engine::{Solution, Solver, Status, solve};
 
-/// The peak under shapes of high powers is a narrow one near the edge: looked for in equal steps of x, it was 38 tolerances
-/// too low and claimed to be good. Where the power is no even number, the pressure is stacked by integrals that had too few
-/// nodes for so steep a load: it was off by up to 300 tolerances. Against the closed form at 2,000 angles, with a parabola
-/// through the highest three: its error is of the fourth order in steps of `1/50` of the peak's width.
+/// The peak under shapes of high powers is a narrow one near the edge: looked for in equal steps of x, it was 38
+/// tolerances too low and claimed to be good. Where the power is no even number, the pressure is stacked by integrals
+/// that had too few nodes for so steep a load: it was off by up to 300 tolerances. Against the closed form at 2,000
+/// angles, with a parabola through the highest three: its error is of the fourth order in steps of `1/50` of the peak's
+/// width.
 #[test]
 fn the_peak_under_a_shape_of_a_high_power() {
     use slipzone::api::reference::power::Power;
@@ -75,8 +76,8 @@ fn what_the_series_of_a_force_misses_is_told() {
     }
 }
 
-/// Nearly a wedge: most of the pressure in the middle is that of the last bit of the tip, which a grid in the half-width cut off.
-/// `|x|^1.05` was 0.9 % off and `|x|^1.0001` 99 %, with 1e-11 claimed.
+/// Nearly a wedge: most of the pressure in the middle is that of the last bit of the tip, which a grid in the
+/// half-width cut off. `|x|^1.05` was 0.9 % off and `|x|^1.0001` 99 %, with 1e-11 claimed.
 #[test]
 fn the_pressure_under_a_tip_hardly_blunter_than_a_wedge() {
     let scene = |layer: &str, exponent: f64, tolerance: f64| {
@@ -150,7 +151,8 @@ fn a_size_is_looked_for_where_the_shape_rises() {
     }
 }
 
-/// A peak between two of 24 samples was passed by: the number told was up to 80 times too small, and every resolution agreed on it.
+/// A peak between two of 24 samples was passed by: the number told was up to 80 times too small, and every resolution
+/// agreed on it.
 #[test]
 fn the_largest_pressure_is_found_however_narrow_its_peak() {
     for face in [0.9, 0.999, 0.999_999] {
@@ -171,8 +173,8 @@ fn the_largest_pressure_is_found_however_narrow_its_peak() {
     }
 }
 
-/// No node of the first resolutions sees how a tip is worn: they agreed on the pressure of the parabola beside it, 3 % off and
-/// claimed to 1e-10.
+/// No node of the first resolutions sees how a tip is worn: they agreed on the pressure of the parabola beside it, 3 %
+/// off and claimed to 1e-10.
 #[test]
 fn smooth_details_are_seen_however_fast_they_fade() {
     let solved = |slope: &str, load: &str| {
@@ -194,7 +196,8 @@ fn smooth_details_are_seen_however_fast_they_fade() {
         for tolerance in [1e-4, 1e-8] {
             let bump = format!("0.1*x + 0.05*x*exp(-(x/{width})^2)");
             let found = solved(&bump, &format!("solver = {{ tolerance = {tolerance} }}"));
-            // The slope a x makes a b/A0 of the pressure in the middle, and a x exp(-(x/w)^2) makes a w/(sqrt(pi) A0) and a share w^2/4 more.
+            // The slope a x makes a b/A0 of the pressure in the middle, and a x exp(-(x/w)^2) makes a w/(sqrt(pi) A0)
+            // and a share w^2/4 more.
             let plain = solved("0.1*x", "").number("pressure.centre").expect("a pressure");
             let more = found.number("pressure.centre").expect("a pressure") - plain;
             let exact = 0.05 * width * plain / 0.1 / std::f64::consts::PI.sqrt();
@@ -204,8 +207,8 @@ fn smooth_details_are_seen_however_fast_they_fade() {
     }
 }
 
-/// Of a faint detail the slope alone was looked at, where it begins: under a step the pressure was off by up to 9 tolerances, and under a bump
-/// by 3. Others were too large for a grid and too small for a stack.
+/// Of a faint detail the slope alone was looked at, where it begins: under a step the pressure was off by up to 9
+/// tolerances, and under a bump by 3. Others were too large for a grid and too small for a stack.
 #[test]
 fn faint_details_are_seen_as_far_as_the_pressure_feels_them() {
     let solved = |slope: &str, tolerance: f64| {
@@ -241,8 +244,8 @@ fn faint_details_are_seen_as_far_as_the_pressure_feels_them() {
     }
 }
 
-/// Heights written as a difference lose the digits that the slope has: under friction, which asks for heights, the documented circle was
-/// pressed in by 0.3 % less, claimed to 1e-5, and by 21 % less where its radius is 1e8.
+/// Heights written as a difference lose the digits that the slope has: under friction, which asks for heights, the
+/// documented circle was pressed in by 0.3 % less, claimed to 1e-5, and by 21 % less where its radius is 1e8.
 #[test]
 #[cfg(feature = "formula")]
 fn heights_have_the_digits_of_the_slope() {
@@ -269,7 +272,8 @@ fn heights_have_the_digits_of_the_slope() {
     }
 }
 
-/// Dents narrower than the steps at which a shape is looked over were seen by the solver alone: `converged`, with a pressure that pulls.
+/// Dents narrower than the steps at which a shape is looked over were seen by the solver alone: `converged`, with a
+/// pressure that pulls.
 #[test]
 #[cfg(feature = "formula")]
 fn narrow_dents_and_narrow_sides_are_told() {
@@ -304,8 +308,8 @@ fn narrow_dents_and_narrow_sides_are_told() {
     }
 }
 
-/// Under a sum of two powers no series of the force is analytic at the tip, and its last coefficients are far less than all that are left out: the
-/// pressure in the middle was off by up to 2,800 estimates, 20 tolerances.
+/// Under a sum of two powers no series of the force is analytic at the tip, and its last coefficients are far less than
+/// all that are left out: the pressure in the middle was off by up to 2,800 estimates, 20 tolerances.
 #[test]
 #[cfg(feature = "formula")]
 fn sums_of_powers_are_as_sure_as_they_say() {
@@ -331,8 +335,8 @@ fn sums_of_powers_are_as_sure_as_they_say() {
     }
 }
 
-/// Close to its tip `1 - exp(-x^2)` is of rounding. A series over the force's share of the height took that for a wave all over the
-/// contact: loads on the way to the last were off by up to 40 of their estimates.
+/// Close to its tip `1 - exp(-x^2)` is of rounding. A series over the force's share of the height took that for a wave
+/// all over the contact: loads on the way to the last were off by up to 40 of their estimates.
 #[test]
 fn loads_on_the_way_are_right_where_a_formula_loses_digits_at_its_tip() {
     let solved = |height: &str, load: &str| {
@@ -357,8 +361,9 @@ fn loads_on_the_way_are_right_where_a_formula_loses_digits_at_its_tip() {
     }
 }
 
-/// Cut into pieces for a tight tolerance, a force that grows by forty orders over one of them was told to rounding of where that ends:
-/// loads on the way to the last were off by up to 1e26 times what they are, some of them pulled, and 2e-9 was claimed.
+/// Cut into pieces for a tight tolerance, a force that grows by forty orders over one of them was told to rounding of
+/// where that ends: loads on the way to the last were off by up to 1e26 times what they are, some of them pulled, and
+/// 2e-9 was claimed.
 #[test]
 fn forces_under_a_steep_punch_are_right_however_small_they_are_beside_the_last() {
     let solved = |layer: &str, punch: &str, load: &str| {
@@ -412,8 +417,8 @@ fn forces_under_a_steep_punch_are_right_however_small_they_are_beside_the_last()
     }
 }
 
-/// A punch of slope `rise x` with steps by `jump` rounded off over `width`, and its pressure in the middle of a half-plane were they sharp:
-/// `A0 p(0) = rise + (2/pi) jump arcosh(1/c)`, summed over the steps.
+/// A punch of slope `rise x` with steps by `jump` rounded off over `width`, and its pressure in the middle of a
+/// half-plane were they sharp: `A0 p(0) = rise + (2/pi) jump arcosh(1/c)`, summed over the steps.
 fn stepped(places: &[f64], width: f64, tolerance: f64) -> (Solution, f64) {
     let (jump, rise) = (0.04, 0.01);
     let steps: Vec<String> =
@@ -432,8 +437,9 @@ fn stepped(places: &[f64], width: f64, tolerance: f64) -> (Solution, f64) {
     (scene(&format!("{rise}*x + {}", steps.join(" + "))), plain * (1.0 + of_steps / rise))
 }
 
-/// Too many details to be stacked were left to grids that saw none of them and agreed: up to a quarter off, claimed to 1e-2. Three were found at
-/// coarse tolerances and not at tight ones. And of one the foot was cut off where a piece ends: 1e-6 off whatever the tolerance.
+/// Too many details to be stacked were left to grids that saw none of them and agreed: up to a quarter off, claimed to
+/// 1e-2. Three were found at coarse tolerances and not at tight ones. And of one the foot was cut off where a piece
+/// ends: 1e-6 off whatever the tolerance.
 #[test]
 fn many_details_are_resolved_or_flagged() {
     for (places, width, tolerance) in [
@@ -462,7 +468,8 @@ fn an_error_that_is_no_number_is_all_of_the_number() {
     assert!(solution.error.each.values().all(|error| error.is_finite()), "{:?}", solution.error.each);
 }
 
-/// A force was refused as soon as flat punches beyond the end of a circle might have been needed: half of what the whole circle bears.
+/// A force was refused as soon as flat punches beyond the end of a circle might have been needed: half of what the
+/// whole circle bears.
 #[test]
 #[cfg(feature = "formula")]
 fn a_circle_by_its_formula_bears_forces_up_to_its_end() {
@@ -488,8 +495,8 @@ fn a_circle_by_its_formula_bears_forces_up_to_its_end() {
     assert!(beyond.reason.as_ref().unwrap().contains("x = 1.01"), "{:?}", beyond.reason);
 }
 
-/// The same shape, written so that its formula may have details: pieces were cut as if they had to resolve the singular tip itself,
-/// a hundred of them, at 600 times the work and 20 seconds.
+/// The same shape, written so that its formula may have details: pieces were cut as if they had to resolve the singular
+/// tip itself, a hundred of them, at 600 times the work and 20 seconds.
 #[test]
 #[cfg(feature = "formula")]
 fn a_singular_tip_is_not_cut_for_details_elsewhere() {
@@ -507,8 +514,9 @@ fn a_singular_tip_is_not_cut_for_details_elsewhere() {
     assert!(squared.plan.work < 3 * plain.plan.work, "{} for {}", squared.plan.work, plain.plan.work);
 }
 
-/// A contact that has hardly left its face takes a force from flat punches close to their ends, where values wave with the resolution:
-/// three resolutions agreed, and it was off by up to 20 tolerances and 32 estimates, its peak by 58 tolerances.
+/// A contact that has hardly left its face takes a force from flat punches close to their ends, where values wave with
+/// the resolution: three resolutions agreed, and it was off by up to 20 tolerances and 32 estimates, its peak by 58
+/// tolerances.
 #[test]
 fn a_contact_just_wider_than_its_face() {
     let layer = "thickness = 1.056, poisson = -0.5, grading = { type = \"exponential\", surface = 1.0, base = 13.3 }";
@@ -525,8 +533,9 @@ fn a_contact_just_wider_than_its_face() {
     }
 }
 
-/// A kink beyond the contact does not matter: it was a stack of flat punches all the same, at 4 to 36 times the factorisations, which a
-/// circle by its formula on a thin skinned layer missed the default tolerance with. What is wider than the kink is stacked as ever.
+/// A kink beyond the contact does not matter: it was a stack of flat punches all the same, at 4 to 36 times the
+/// factorisations, which a circle by its formula on a thin skinned layer missed the default tolerance with. What is
+/// wider than the kink is stacked as ever.
 #[test]
 #[cfg(feature = "formula")]
 fn a_contact_that_ends_before_the_first_kink_is_solved_as_a_smooth_one() {
@@ -559,7 +568,8 @@ fn a_contact_that_ends_before_the_first_kink_is_solved_as_a_smooth_one() {
     assert!((found.load.half_width.unwrap() - 1.0).abs() < 2e-8, "{:?}", found.load);
 }
 
-/// A first attempt before the kink must not cost what a layer knows: its flat punches go on to the stack that takes the attempt's place.
+/// A first attempt before the kink must not cost what a layer knows: its flat punches go on to the stack that takes the
+/// attempt's place.
 #[test]
 #[cfg(feature = "formula")]
 fn an_attempt_before_the_first_kink_leaves_the_flat_punches_of_the_layer() {
@@ -581,8 +591,9 @@ fn an_attempt_before_the_first_kink_leaves_the_flat_punches_of_the_layer() {
     assert!(3 * again < alone, "{again} of {alone}");
 }
 
-/// Found by random scenes: a peak between the middle and the next point looked at was taken for the pressure in the middle, lower by up to
-/// 1e-5 and claimed to 1e-8. Of `m x^2 + x^4` on a half-plane it is at `x^2 = (3 - m)/6`, the pressure as `sqrt(1 - x^2) (m + 1 + 2 x^2)`.
+/// Found by random scenes: a peak between the middle and the next point looked at was taken for the pressure in the
+/// middle, lower by up to 1e-5 and claimed to 1e-8. Of `m x^2 + x^4` on a half-plane it is at `x^2 = (3 - m)/6`, the
+/// pressure as `sqrt(1 - x^2) (m + 1 + 2 x^2)`.
 #[test]
 fn a_peak_beside_the_middle() {
     for m in [2.5_f64, 2.8, 2.95, 2.99] {

@@ -24,7 +24,8 @@ fn a_stick_zone_too_narrow_to_be_found_is_a_bound_amid_full_sliding() {
     }
 }
 
-/// Slip zones narrower than the nodes are dense were bounds. They are those of a half-plane beside what the nodes tell of the layer.
+/// Slip zones narrower than the nodes are dense were bounds. They are those of a half-plane beside what the nodes tell
+/// of the layer.
 #[test]
 fn a_slip_zone_narrower_than_the_nodes_tell_is_as_good_as_its_estimate() {
     for eta in [0.3, 1.0, 3.0, 10.0] {
@@ -42,8 +43,8 @@ fn a_slip_zone_narrower_than_the_nodes_tell_is_as_good_as_its_estimate() {
     }
 }
 
-/// The coarsest resolution turned down the one zone that holds and took all to stick, the finer ones believed it, and the finest found that
-/// friction does not bear that: no stick zone was said to hold.
+/// The coarsest resolution turned down the one zone that holds and took all to stick, the finer ones believed it, and
+/// the finest found that friction does not bear that: no stick zone was said to hold.
 #[test]
 fn a_stick_zone_turned_down_by_the_coarsest_resolution_is_found_again() {
     for ((h, ratio), eta) in [((0.2, 1.0), 0.5), ((0.2, 1.0), 0.53), ((0.1, 0.5), 0.5)] {
@@ -57,8 +58,8 @@ fn a_stick_zone_turned_down_by_the_coarsest_resolution_is_found_again() {
     }
 }
 
-/// Narrow stick zones feel all that couples shear to pressure, and zones where little of it is left feel what the kernels are off by: the
-/// first was off by 61 estimates, 37 tolerances, the others by 23, 4, and 3.
+/// Narrow stick zones feel all that couples shear to pressure, and zones where little of it is left feel what the
+/// kernels are off by: the first was off by 61 estimates, 37 tolerances, the others by 23, 4, and 3.
 #[test]
 fn zones_that_feel_what_the_kernels_are_off_by_want_finer_ones() {
     let steep = "thickness = 3.23\npoisson = 0.49\nbase = { type = \"half-plane\", shear = 0.127, poisson = 0.0 }\n\
@@ -96,8 +97,8 @@ fn a_stick_ratio_is_not_believed_by_one_lucky_difference() {
     assert!(error <= 3e-8, "error {error:e} at the default tolerance of 1e-8");
 }
 
-/// A root predicted just inside what was the widest stick zone and lying just outside it was none of the known cases; then everything stuck.
-/// Beside so narrow slip zones the friction coefficient grows by `beta/pi` times the logarithm.
+/// A root predicted just inside what was the widest stick zone and lying just outside it was none of the known cases;
+/// then everything stuck. Beside so narrow slip zones the friction coefficient grows by `beta/pi` times the logarithm.
 #[test]
 fn narrow_slip_zones_are_told_by_their_logarithm() {
     let (ratio, nu) = (0.805_497_261_671_614_2, 0.427_123_904_932_582_34);
@@ -137,7 +138,8 @@ fn stick_zones_are_as_good_as_their_resolutions() {
     }
 }
 
-/// Where in its growth a contact first defies the search moves with the resolution: all 14 were solved, for half a minute.
+/// Where in its growth a contact first defies the search moves with the resolution: all 14 were solved, for half a
+/// minute.
 #[test]
 fn a_history_that_cannot_be_told_is_not_refined_for_ever() {
     let solution = Sketch::flat(4.4, 1.0, 0.5).cylinder().rubbing(0.1).with("[solver]\ntolerance = 1e-4").solve();
@@ -156,8 +158,8 @@ fn stick_zones_are_not_surer_than_a_few_resolutions_can_tell() {
     }
 }
 
-/// A zone that failed its checks was looked for anew and told as roughly as a search tells it: the slip zone was off by 125
-/// tolerances.
+/// A zone that failed its checks was looked for anew and told as roughly as a search tells it: the slip zone was off by
+/// 125 tolerances.
 #[test]
 fn a_zone_looked_for_anew_is_as_good_as_any() {
     let sketch = Sketch::flat(0.141, 1.0 / 15.7, 0.3).rubbing(0.0184);
@@ -198,8 +200,8 @@ fn a_contact_wider_than_it_looked_at_first_has_its_stick_zone() {
     }
 }
 
-/// Goodman's pressure knows nothing of friction: where that contradicts itself on the way to a load the pressure was left as coarse as it was
-/// then, a thousandth, and the stick zone of a much narrower contact was told as this one's.
+/// Goodman's pressure knows nothing of friction: where that contradicts itself on the way to a load the pressure was
+/// left as coarse as it was then, a thousandth, and the stick zone of a much narrower contact was told as this one's.
 #[test]
 fn a_pressure_is_as_good_where_friction_cannot_be_told() {
     let solved = |rest: &str| {
@@ -228,8 +230,8 @@ fn a_pressure_is_as_good_where_friction_cannot_be_told() {
     }
 }
 
-/// Where the kernel of the coupling takes nearly all of what drives the shear, its error is as large beside the rest: zones were off by
-/// up to 4,000 of their estimates.
+/// Where the kernel of the coupling takes nearly all of what drives the shear, its error is as large beside the rest:
+/// zones were off by up to 4,000 of their estimates.
 #[test]
 fn zones_driven_by_a_small_difference_are_not_surer_than_it_is() {
     let scene = |(thickness, poisson, friction): (f64, f64, f64), solver: &str| {
@@ -252,9 +254,9 @@ fn zones_driven_by_a_small_difference_are_not_surer_than_it_is() {
     }
 }
 
-/// A slope of the friction curve was measured under one flat punch of the stack where the curve jumps from one grid of the slip zone to
-/// another, 28 times too steep; it was believed, and moved the stick zones beside it by no more than a part of the way, at each resolution.
-/// The error told was 1.2e-3.
+/// A slope of the friction curve was measured under one flat punch of the stack where the curve jumps from one grid of
+/// the slip zone to another, 28 times too steep; it was believed, and moved the stick zones beside it by no more than a
+/// part of the way, at each resolution. The error told was 1.2e-3.
 #[test]
 fn one_slope_measured_across_a_jump_does_not_spoil_the_stack() {
     let text = r#"
@@ -277,7 +279,8 @@ fn one_slope_measured_across_a_jump_does_not_spoil_the_stack() {
     assert!((ratio - 0.943_344_037).abs() < 2e-9, "{ratio}");
 }
 
-/// It shrinks by half a per cent around 0.1, between two flat punches that the contact is stacked of or across one, as the widest has it.
+/// It shrinks by half a per cent around 0.1, between two flat punches that the contact is stacked of or across one, as
+/// the widest has it.
 #[test]
 fn a_stick_zone_that_shrinks_for_a_while_is_seen_under_any_load() {
     for b in [0.3, 0.5, 1.0, 1.125] {
@@ -294,8 +297,9 @@ fn a_stick_zone_that_shrinks_for_a_while_is_seen_under_any_load() {
     }
 }
 
-/// From 4e-17 of the contact it shrinks by 3 %, from 1e-31 by 1 %, at less than a hundredth of the last half-width: flat punches, each solved for
-/// itself, have it so. Coarse tolerances took that for what the series between the members leaves.
+/// From 4e-17 of the contact it shrinks by 3 %, from 1e-31 by 1 %, at less than a hundredth of the last half-width:
+/// flat punches, each solved for itself, have it so. Coarse tolerances took that for what the series between the
+/// members leaves.
 #[test]
 fn a_narrow_stick_zone_that_shrinks_by_a_hundredth_is_seen_at_any_tolerance() {
     let rigid = |nu: f64, surface: f64| {
@@ -321,8 +325,9 @@ fn a_narrow_stick_zone_that_shrinks_by_a_hundredth_is_seen_at_any_tolerance() {
     }
 }
 
-/// Under a flat punch that pulls in the middle the friction curve rises to a pole beyond its narrowest sample. The root that its asymptote predicted
-/// on the other side passed for one of all that sticks, and a cylinder whose stick zone had shrunk to nothing for one that sticks without shear.
+/// Under a flat punch that pulls in the middle the friction curve rises to a pole beyond its narrowest sample. The root
+/// that its asymptote predicted on the other side passed for one of all that sticks, and a cylinder whose stick zone
+/// had shrunk to nothing for one that sticks without shear.
 #[test]
 fn a_contact_on_a_soft_base_does_not_stick_because_a_flat_punch_would_lift_off() {
     let layer = "thickness = 1.0\npoisson = 0.3\nbase = { type = \"half-plane\", shear = 0.2, poisson = 0.2 }\n\
@@ -335,7 +340,8 @@ fn a_contact_on_a_soft_base_does_not_stick_because_a_flat_punch_would_lift_off()
     }
 }
 
-/// `a/b` below 7e-13 was a bound, and a growing contact that had passed through such zones was refused or not, as its members had it.
+/// `a/b` below 7e-13 was a bound, and a growing contact that had passed through such zones was refused or not, as its
+/// members had it.
 #[test]
 fn a_stick_zone_narrower_than_any_sampled_is_where_the_asymptote_has_it() {
     use slipzone::api::reference::partial_slip;
@@ -366,8 +372,9 @@ fn a_stick_zone_narrower_than_any_sampled_is_where_the_asymptote_has_it() {
     }
 }
 
-/// What is left of the friction curve at a root was held against the coefficient of friction alone: with a tiny one the root passed for a pole, and
-/// a contact whose middle slips outwards and whose rim slips inwards for one that slides fully.
+/// What is left of the friction curve at a root was held against the coefficient of friction alone: with a tiny one the
+/// root passed for a pole, and a contact whose middle slips outwards and whose rim slips inwards for one that slides
+/// fully.
 #[test]
 fn a_root_under_hardly_any_friction_is_no_pole() {
     for coefficient in [1e-3, 1e-6, 1e-9, 1e-12] {
@@ -379,8 +386,9 @@ fn a_root_under_hardly_any_friction_is_no_pole() {
     }
 }
 
-/// Nearly incompressible layers: narrow contacts slip beside 1e-9 of their half-width, wide ones beside 1e-15 or, so to say, 1e-140. Members of both
-/// kinds were in one history, which was a bound or refused. What sticks always is the same whatever the friction.
+/// Nearly incompressible layers: narrow contacts slip beside 1e-9 of their half-width, wide ones beside 1e-15 or, so to
+/// say, 1e-140. Members of both kinds were in one history, which was a bound or refused. What sticks always is the same
+/// whatever the friction.
 #[test]
 fn a_history_of_slip_zones_of_all_sizes_is_told() {
     let grown = |nu: f64, eta: f64, tolerance: f64| {
@@ -416,8 +424,8 @@ fn a_history_of_slip_zones_of_all_sizes_is_told() {
     assert!(apart <= claimed && claimed < 5e-6, "{apart:e}, {claimed:e} claimed");
 }
 
-/// Members narrower than the contact have stick zones below 5e-131 of themselves: the search went on to where squares underflow, and ended in a
-/// system "singular to working precision".
+/// Members narrower than the contact have stick zones below 5e-131 of themselves: the search went on to where squares
+/// underflow, and ended in a system "singular to working precision".
 #[test]
 fn zones_below_all_that_are_looked_for_are_said_to_be() {
     let layer = "thickness = 1.0\npoisson = 0.3\ngrading = { type = \"power-law\", surface = 1.0, length = 0.1, exponent = -1.0 }";
@@ -433,7 +441,8 @@ fn zones_below_all_that_are_looked_for_are_said_to_be() {
     }
 }
 
-/// Refinement ended as soon as the pressure under such a zone was good to be shown: the indentation was told to 2.8e-9 here.
+/// Refinement ended as soon as the pressure under such a zone was good to be shown: the indentation was told to 2.8e-9
+/// here.
 #[test]
 fn beside_a_zone_too_narrow_the_rest_is_as_sure_as_asked_for() {
     let layer = "thickness = 5.0\npoisson = 0.0\ngrading = { type = \"exponential\", surface = 1.0, base = 1e6 }";
@@ -446,7 +455,8 @@ fn beside_a_zone_too_narrow_the_rest_is_as_sure_as_asked_for() {
     }
 }
 
-/// Said to turn at the member that was looked at, by up to 25 % too early: it is said between which two it does, whatever the last load.
+/// Said to turn at the member that was looked at, by up to 25 % too early: it is said between which two it does,
+/// whatever the last load.
 #[test]
 fn slip_turns_between_the_half_widths_told() {
     let to = |b: f64| {
@@ -466,8 +476,9 @@ fn slip_turns_between_the_half_widths_told() {
     }
 }
 
-/// A slice of a grown contact need not bear its own shear, but the face that it grew from bears that of its own. Where that slides outward
-/// the stick zone beside the edge, of inward slip, was taken for the slices', as it came first, and friction did not bear the contact's.
+/// A slice of a grown contact need not bear its own shear, but the face that it grew from bears that of its own. Where
+/// that slides outward the stick zone beside the edge, of inward slip, was taken for the slices', as it came first, and
+/// friction did not bear the contact's.
 #[test]
 fn a_contact_that_grew_from_a_face_slides_as_that_did() {
     let ply = "thickness = 0.5, poisson = 0.45, grading = { type = \"homogeneous\", modulus = 1.0 }";
@@ -482,8 +493,9 @@ fn a_contact_that_grew_from_a_face_slides_as_that_did() {
     assert!((grown / flat - 1.0).abs() < 2e-6 && flat < 0.4, "{grown} and {flat}");
 }
 
-/// Flat punches down to half the contact's half-width were solved under faces wider than that: the direction of slip was that of one narrower
-/// than the face, and friction was said not to bear it, or not to let all stick and then a part, where there had been no contact.
+/// Flat punches down to half the contact's half-width were solved under faces wider than that: the direction of slip
+/// was that of one narrower than the face, and friction was said not to bear it, or not to let all stick and then a
+/// part, where there had been no contact.
 #[test]
 fn no_contact_narrower_than_the_face_is_asked() {
     for (h, ratio, nu, face, eta) in [(1.421, 22.87, 0.4, 0.851, 0.0457), (1.009, 10.83, 0.5, 0.811, 0.467)] {
@@ -502,8 +514,8 @@ fn no_contact_narrower_than_the_face_is_asked() {
     }
 }
 
-/// Where friction is so much that the slip zone is narrower than any looked for, a root far from there that slides the wrong way was all
-/// that was looked at: full stick was lost between coefficients of 2 and 20.
+/// Where friction is so much that the slip zone is narrower than any looked for, a root far from there that slides the
+/// wrong way was all that was looked at: full stick was lost between coefficients of 2 and 20.
 #[test]
 fn full_stick_is_found_beside_a_root_that_slides_the_wrong_way() {
     let plies = plies(&[(0.687, 0.49, 1.82), (0.657, 0.5, 0.243)]);
@@ -518,8 +530,9 @@ fn full_stick_is_found_beside_a_root_that_slides_the_wrong_way() {
     }
 }
 
-/// The shear of laws that begin with a broken power of the depth was told by polynomials of a root of the distance to the contact's end, and
-/// beside slip zones of any narrowness there are their logarithms: 1.6 % at a tolerance of 1e-3, 17 estimates, and none came at 1e-4.
+/// The shear of laws that begin with a broken power of the depth was told by polynomials of a root of the distance to
+/// the contact's end, and beside slip zones of any narrowness there are their logarithms: 1.6 % at a tolerance of 1e-3,
+/// 17 estimates, and none came at 1e-4.
 #[test]
 #[cfg(feature = "formula")]
 fn slip_zones_below_all_gaps_under_a_broken_power_are_as_good_as_their_estimates() {
@@ -533,7 +546,8 @@ fn slip_zones_below_all_gaps_under_a_broken_power_are_as_good_as_their_estimates
     within_three_estimates(&solved(1e-3), &solved(1e-6), &["stick.one_minus_ratio"]);
 }
 
-/// What is analytic beside the powers of the distance in the kernel of the coupling was told by rounding: stick zones were off by 20 estimates.
+/// What is analytic beside the powers of the distance in the kernel of the coupling was told by rounding: stick zones
+/// were off by 20 estimates.
 #[test]
 #[cfg(feature = "formula")]
 fn a_logarithm_among_broken_powers_is_told_at_the_origin() {
@@ -547,8 +561,8 @@ fn a_logarithm_among_broken_powers_is_told_at_the_origin() {
     within_three_estimates(&solved(1e-8), &solved(1e-10), &["stick.one_minus_ratio", "stick.half_width"]);
 }
 
-/// Found by an adversary: under a pressure of which nothing was known, told as uncertain by 8e7 of itself, a stick zone too narrow to be found left
-/// a slip share "known" to 5e-131, where it is 0.0056.
+/// Found by an adversary: under a pressure of which nothing was known, told as uncertain by 8e7 of itself, a stick zone
+/// too narrow to be found left a slip share "known" to 5e-131, where it is 0.0056.
 #[test]
 fn under_an_unknown_pressure_a_bound_of_the_stick_zone_is_none() {
     let text = "format = 1\n[layer]\nthickness = 0.02\npoisson = 0.3\n\
@@ -563,8 +577,8 @@ fn under_an_unknown_pressure_a_bound_of_the_stick_zone_is_none() {
     assert!(!is_told || error("stick.one_minus_ratio") >= error("pressure.centre"), "{:?}", solution.error.each);
 }
 
-/// Three resolutions of a pressure of which nothing was known yet agreed that everything sticks. Asked for the stick zone alone, these were
-/// enough: `a/b = 1`, to 5e-131, and not converged.
+/// Three resolutions of a pressure of which nothing was known yet agreed that everything sticks. Asked for the stick
+/// zone alone, these were enough: `a/b = 1`, to 5e-131, and not converged.
 #[test]
 fn a_stick_zone_under_an_unknown_pressure_is_none_to_end_with() {
     let layer = "thickness = 0.079\npoisson = 0.4995\nbase = { type = \"rigid\" }\n\
@@ -578,7 +592,8 @@ fn a_stick_zone_under_an_unknown_pressure_is_none_to_end_with() {
     }
 }
 
-/// Two resolutions agreed on slip zones that the next took back, by ten estimates: contacts that grew, asked for nothing but their zone.
+/// Two resolutions agreed on slip zones that the next took back, by ten estimates: contacts that grew, asked for
+/// nothing but their zone.
 #[test]
 fn narrow_slip_zones_of_contacts_that_grew_are_as_sure_as_told() {
     let wedge = "[punch]\ntype = \"wedge\"\nslope = 0.05";
@@ -621,10 +636,12 @@ fn rounded(layer: &str, face: f64, eta: f64, load: &str, solver: &str) -> slipzo
     slipzone::scene::parse("round.toml", &text).expect("a scene")
 }
 
-/// A thin layer on which flat punches slip outwards, and seem to slip inwards as well: only of shear that friction does not bear.
+/// A thin layer on which flat punches slip outwards, and seem to slip inwards as well: only of shear that friction does
+/// not bear.
 const OUTWARD: &str = "thickness = 0.5\npoisson = 0.45\ngrading = { type = \"homogeneous\", modulus = 1.0 }";
 
-/// The load was looked for from the face itself, and what was found of that as a slice was taken for what it is as a face.
+/// The load was looked for from the face itself, and what was found of that as a slice was taken for what it is as a
+/// face.
 #[test]
 fn a_face_slides_alike_however_the_load_is_given() {
     let solved = |load: &str| solve(&rounded(OUTWARD, 0.95, 0.1, load, "tolerance = 1e-5"));
@@ -639,8 +656,8 @@ fn a_face_slides_alike_however_the_load_is_given() {
     }
 }
 
-/// Flat punches found for a cylinder served a punch with a face, which slides as the face does: a study of many rows was violated where one
-/// of few was not.
+/// Flat punches found for a cylinder served a punch with a face, which slides as the face does: a study of many rows
+/// was violated where one of few was not.
 #[test]
 fn a_face_slides_alike_whatever_was_pressed_before() {
     let scene = |face: f64| rounded(OUTWARD, face, 0.1, "half_width = 1.0", "tolerance = 1e-5");
@@ -659,7 +676,8 @@ fn number(solution: &Solution, path: &str) -> f64 {
     solution.number(path).unwrap_or_else(|| panic!("no {path}: {:?}", solution.reason))
 }
 
-/// Flat punches wider than the contact are there to leave room for a load: that their stick zones shrink is none of its history.
+/// Flat punches wider than the contact are there to leave room for a load: that their stick zones shrink is none of its
+/// history.
 #[test]
 fn zones_that_shrink_beyond_the_contact_are_none_of_its_history() {
     let soft = "thickness = 1.0\npoisson = 0.3\ngrading = { type = \"exponential\", surface = 1.0, base = 0.25 }\n\
@@ -694,8 +712,8 @@ fn no_stick_zone_is_wider_than_its_contact() {
     assert!(stick <= contact, "{stick} of {contact}");
 }
 
-/// The twin that tells the error of a pinned quadrature knows no size before: flat punches a third wider than the contact, whose zones jump, were
-/// 110 times the error of the slip zone.
+/// The twin that tells the error of a pinned quadrature knows no size before: flat punches a third wider than the
+/// contact, whose zones jump, were 110 times the error of the slip zone.
 #[test]
 fn a_twins_room_is_no_error() {
     let layer = "thickness = 0.17628182539333784\npoisson = 0.48\n\

@@ -4,8 +4,8 @@ use super::{plies, written};
 use crate::sketch::{Sketch, pressure_apart, shear_apart};
 use slipzone::engine::{Solution, Status, solve};
 
-/// The shear within a stick zone that ends 3e-12 short of the edge is a difference of numbers as large as that at its end:
-/// its noise had the zone refined to 513 unknowns.
+/// The shear within a stick zone that ends 3e-12 short of the edge is a difference of numbers as large as that at its
+/// end: its noise had the zone refined to 513 unknowns.
 #[test]
 fn noise_of_the_shear_beside_a_crowded_edge_does_not_cost_resolutions() {
     let sketch = Sketch::flat(137.952_570_553_333_23, 0.387, 0.411_208_707_690_638_9).rubbing(1.351_623_164_871_539);
@@ -35,8 +35,8 @@ fn the_shear_is_as_good_all_along_as_the_stick_zone() {
     }
 }
 
-/// Between its nodes a pressure is known later than all its numbers: it was off by up to 14 tolerances, and nothing said so. The shear
-/// that it drives was off by 6 to 95 of its estimates.
+/// Between its nodes a pressure is known later than all its numbers: it was off by up to 14 tolerances, and nothing
+/// said so. The shear that it drives was off by 6 to 95 of its estimates.
 #[test]
 fn tractions_are_known_between_the_nodes() {
     let flat = |h: f64, ratio: f64, nu: f64| Sketch::flat(h, ratio, nu);
@@ -69,8 +69,8 @@ fn tractions_are_known_between_the_nodes() {
     }
 }
 
-/// Past the last node but one the pressure beside a corner is on its way to what it goes on with beyond the last: of 918 solves, half of
-/// them of flat punches, 114 were off there, by 3 to 32 of their estimates.
+/// Past the last node but one the pressure beside a corner is on its way to what it goes on with beyond the last: of
+/// 918 solves, half of them of flat punches, 114 were off there, by 3 to 32 of their estimates.
 #[test]
 fn the_pressure_close_to_a_corner_is_told_as_well() {
     let gaps = (4..=40).map(|k| 10_f64.powf(-0.25 * f64::from(k)));
@@ -89,8 +89,8 @@ fn the_pressure_close_to_a_corner_is_told_as_well() {
     }
 }
 
-/// Where everything sticks its shear was the difference to what slides, `eta p`, however large: under a cylinder it was off by up to 60
-/// estimates, nearly a hundred tolerances.
+/// Where everything sticks its shear was the difference to what slides, `eta p`, however large: under a cylinder it was
+/// off by up to 60 estimates, nearly a hundred tolerances.
 #[test]
 fn what_sticks_is_no_worse_for_more_friction() {
     for (h, ratio, nu) in [(3.0, 10.0, 0.3), (1.0, 10.0, 0.49), (3.0, 0.125, 0.3)] {
@@ -102,7 +102,8 @@ fn what_sticks_is_no_worse_for_more_friction() {
             let [apart, claimed] = shear_apart(&found, &exact);
             assert!(apart <= 2.0 * claimed, "{apart:e} apart, {claimed:e} claimed at {tolerance:e}, h = {h} b");
             println!("h = {h} b, {tolerance:e}: {apart:.1e} apart, {claimed:.1e} claimed");
-            // Six are not refined further, and what series over the half-width leave is added: 7 under a coefficient of 10.
+            // Six are not refined further, and what series over the half-width leave is added: 7 under a coefficient of
+            // 10.
             assert!(claimed <= 10.0 * tolerance, "{claimed:e} claimed at {tolerance:e}, h = {h} b");
         }
     }
@@ -118,8 +119,8 @@ fn a_shear_is_not_believed_for_a_phase_that_suits_it() {
         0.127_399_069_977_697_8,
     )
     .rubbing(0.922_472_721_286_488_7);
-    // Of two that are solved again on finer grids, one needs the first difference to be that of the resolution before (it was off
-    // by 6.7 estimates), the other the bound of the rate (15).
+    // Of two that are solved again on finer grids, one needs the first difference to be that of the resolution before
+    // (it was off by 6.7 estimates), the other the bound of the rate (15).
     let led = Sketch::flat(3.369, 0.14, 0.327).rubbing(1.575);
     let hurried = Sketch::flat(1.345, 4.86, 0.41).rubbing(1.415);
     // Right at all seven points, and off by 2.3 estimates between.
@@ -138,8 +139,9 @@ fn a_shear_is_not_believed_for_a_phase_that_suits_it() {
     }
 }
 
-/// What the kernel of the coupling makes of the pressure is known at that one's points alone, however fine a grid the shear itself has. On
-/// layers thinner than those are apart the shear was off by up to 13 of its estimates, and by 3.7 tolerances.
+/// What the kernel of the coupling makes of the pressure is known at that one's points alone, however fine a grid the
+/// shear itself has. On layers thinner than those are apart the shear was off by up to 13 of its estimates, and by 3.7
+/// tolerances.
 #[test]
 fn a_shear_is_no_surer_than_what_drives_it() {
     let skin = "thickness = 0.1\npoisson = 0.498\nbase = { type = \"half-plane\", shear = 10.0, poisson = 0.5 }\n\
@@ -162,8 +164,8 @@ fn a_shear_is_no_surer_than_what_drives_it() {
     }
 }
 
-/// Where the stick zone ends just short of the contact's edge its shear was told as the difference of numbers as large as that at
-/// its end: known to a few 1e-4 only.
+/// Where the stick zone ends just short of the contact's edge its shear was told as the difference of numbers as large
+/// as that at its end: known to a few 1e-4 only.
 #[test]
 fn the_shear_beside_a_crowded_edge_is_as_good_as_any() {
     for sketch in [
@@ -192,7 +194,8 @@ fn a_crowded_stick_zone_takes_no_more_unknowns_than_the_pressure() {
     assert!(apart < 2.0 * claimed, "{apart:e} apart, {claimed:e} claimed");
 }
 
-/// What a stiff skin does beside the edge is as narrow as the skin: 32 samples of the pressure and 48 of the shear passed it by.
+/// What a stiff skin does beside the edge is as narrow as the skin: 32 samples of the pressure and 48 of the shear
+/// passed it by.
 #[test]
 fn neither_tension_nor_too_much_shear_hides_between_samples() {
     let on_skin = |skin: f64, modulus: f64, below: f64, rest: &str| {
@@ -213,8 +216,9 @@ fn neither_tension_nor_too_much_shear_hides_between_samples() {
     assert!(slides.reason.as_ref().is_some_and(|why| why.contains("1.31")), "{:?}", slides.reason);
 }
 
-/// Where everything sticks the coarser of two shears may have been left far from the zone, where it is no number: that passed for
-/// agreement. And one whose pressure was less sure than asked for was not refined at all. They were off by 14 and 180 estimates.
+/// Where everything sticks the coarser of two shears may have been left far from the zone, where it is no number: that
+/// passed for agreement. And one whose pressure was less sure than asked for was not refined at all. They were off by
+/// 14 and 180 estimates.
 #[test]
 fn the_shear_of_full_stick_is_no_surer_than_it_is() {
     for (layer, tolerance) in [
@@ -235,8 +239,9 @@ fn the_shear_of_full_stick_is_no_surer_than_it_is() {
     }
 }
 
-/// Everything sticks, under nearly incompressible layers, and so there is no zone to compare: two resolutions that agreed on the pressure
-/// passed for two that agree on the shear. It was off by 32, 61 and 82 estimates, 10 to 22 tolerances.
+/// Everything sticks, under nearly incompressible layers, and so there is no zone to compare: two resolutions that
+/// agreed on the pressure passed for two that agree on the shear. It was off by 32, 61 and 82 estimates, 10 to 22
+/// tolerances.
 #[test]
 fn the_shear_of_a_contact_that_grew_and_sticks_is_no_surer_than_it_is() {
     for (layer, punch, eta, tolerance) in [
@@ -265,8 +270,8 @@ fn the_shear_of_a_contact_that_grew_and_sticks_is_no_surer_than_it_is() {
     }
 }
 
-/// What a shear lacks of sliding is taken off a pressure, and that under a rounded tip was known at its nodes alone: shears were off by 26
-/// and 14 estimates, pressures by two tolerances that nobody told.
+/// What a shear lacks of sliding is taken off a pressure, and that under a rounded tip was known at its nodes alone:
+/// shears were off by 26 and 14 estimates, pressures by two tolerances that nobody told.
 #[test]
 fn tractions_under_friction_are_known_between_the_nodes_of_the_pressure() {
     for (width, h, nu, base, eta, tolerance) in
@@ -294,8 +299,8 @@ fn tractions_under_friction_are_known_between_the_nodes_of_the_pressure() {
     }
 }
 
-/// The flat punches that a contact is a stack of are told between a few. As many of them on every resolution agree on what all of
-/// them miss: forces were off by up to 27 of their estimates, depths by 75, shears by 20.
+/// The flat punches that a contact is a stack of are told between a few. As many of them on every resolution agree on
+/// what all of them miss: forces were off by up to 27 of their estimates, depths by 75, shears by 20.
 #[test]
 fn what_is_missed_between_flat_punches_is_in_the_errors() {
     let wedge = |h: f64, ratio: f64, nu: f64, eta: f64, tolerance: f64| {
@@ -326,8 +331,8 @@ fn what_is_missed_between_flat_punches_is_in_the_errors() {
     }
 }
 
-/// Beyond the last point of a grid the strain goes with the root of the gap, and what is known of the shear is finite: taken for constant, and
-/// for vanishing, both were missed by the gap, 1e-6 of the numbers where this grid ends.
+/// Beyond the last point of a grid the strain goes with the root of the gap, and what is known of the shear is finite:
+/// taken for constant, and for vanishing, both were missed by the gap, 1e-6 of the numbers where this grid ends.
 #[test]
 fn beyond_a_grid_things_go_on_as_they_do() {
     let solved = |layer: &str, grid: &str| {
@@ -351,8 +356,8 @@ fn beyond_a_grid_things_go_on_as_they_do() {
     }
 }
 
-/// Where the slip zone is 7e-11 of the contact, the series of the shear was cut where its slope still changes: it came no closer than 1e-7 with up
-/// to 90 unknowns, and at 1e-10 systems of up to 2,048 were solved for it, again and again.
+/// Where the slip zone is 7e-11 of the contact, the series of the shear was cut where its slope still changes: it came
+/// no closer than 1e-7 with up to 90 unknowns, and at 1e-10 systems of up to 2,048 were solved for it, again and again.
 #[test]
 fn the_shear_beside_a_narrow_slip_zone_takes_few_unknowns() {
     slipzone::link_plugins();
@@ -383,8 +388,8 @@ fn the_shear_beside_a_narrow_slip_zone_takes_few_unknowns() {
     }
 }
 
-/// The middle of a growing contact feels all flat punches at once: the grid over them was too coarse there, and as coarse at each resolution,
-/// so that its pressure was off by up to 35 estimates.
+/// The middle of a growing contact feels all flat punches at once: the grid over them was too coarse there, and as
+/// coarse at each resolution, so that its pressure was off by up to 35 estimates.
 #[test]
 fn the_middle_of_a_stack_is_as_good_as_it_says() {
     let plies = plies(&[(0.643, 0.5, 16.4), (0.746, 0.0, 1.11), (0.864, -0.3, 31.3)]);
@@ -392,8 +397,8 @@ fn the_middle_of_a_stack_is_as_good_as_it_says() {
     centre_claimed(&layer, (3.3, 1e-10), &[1e-4, 1e-6, 1e-8]);
 }
 
-/// Under a law that begins with a broken power the force of narrow contacts is no series in the square root of their half-widths: beneath a tip,
-/// which narrow ones press, the pressure was off by up to 166 estimates.
+/// Under a law that begins with a broken power the force of narrow contacts is no series in the square root of their
+/// half-widths: beneath a tip, which narrow ones press, the pressure was off by up to 166 estimates.
 #[test]
 #[cfg(feature = "formula")]
 fn the_middle_under_a_tip_on_a_broken_power_is_as_good_as_it_says() {
@@ -401,7 +406,8 @@ fn the_middle_under_a_tip_on_a_broken_power_is_as_good_as_it_says() {
     centre_claimed(layer, (1.02, 1e-9), &[1e-4, 1e-7]);
 }
 
-/// Solves under `|x|^exponent` at some tolerances: the pressure in the middle is to be that of the finest within both estimates.
+/// Solves under `|x|^exponent` at some tolerances: the pressure in the middle is to be that of the finest within both
+/// estimates.
 fn centre_claimed(layer: &str, (exponent, finest): (f64, f64), tolerances: &[f64]) {
     let punch = format!("type = \"power\", coefficient = 0.01, exponent = {exponent}");
     let solved = |tolerance: f64| {
@@ -418,7 +424,8 @@ fn centre_claimed(layer: &str, (exponent, finest): (f64, f64), tolerances: &[f64
     }
 }
 
-/// The ends went through the layer's units and came out a rounding beyond the half-width: the root of `b^2 - x^2` was no number there.
+/// The ends went through the layer's units and came out a rounding beyond the half-width: the root of `b^2 - x^2` was
+/// no number there.
 #[test]
 fn points_along_a_contact_end_where_it_is_said_to_end() {
     let layer = "thickness = 10.7063, poisson = 0.25, grading = { type = \"homogeneous\", modulus = 1.0 }";

@@ -1,8 +1,8 @@
 //! Frictionless wedge with a tip rounded off to a hyperbola on a half-plane: `g = s (sqrt(x^2 + c^2) - c)`.
 //!
 //! Derived here from Abel's integrals: with `D = sqrt(b^2 + c^2)` and the complete elliptic integrals of `m = b^2/D^2`,
-//! `P = (2 s/A0) (D E - c^2 K/D)` and `dP/db = (2 s/A0) (b/D) E`. Its singular points `+-i c` stand as close to the middle as
-//! it is sharp, though it is smooth.
+//! `P = (2 s/A0) (D E - c^2 K/D)` and `dP/db = (2 s/A0) (b/D) E`. Its singular points `+-i c` stand as close to the
+//! middle as it is sharp, though it is smooth.
 
 use super::adaptive::integral;
 use spec_math::cephes64::{ellpe, ellpk};
@@ -33,7 +33,8 @@ impl Hyperbola {
         2.0 * self.slope / self.compliance * self.half_width / self.distance() * self.second_kind()
     }
 
-    /// The pressure, summed over flat punches `b' = |x| cosh t`, in the middle `(2 s/(pi A0)) (b/D) K`; 0 outside the contact.
+    /// The pressure, summed over flat punches `b' = |x| cosh t`, in the middle `(2 s/(pi A0)) (b/D) K`; 0 outside the
+    /// contact.
     pub fn pressure(self, x: f64) -> f64 {
         let (x, b) = (x.abs(), self.half_width);
         if x >= b {

@@ -1,4 +1,5 @@
-//! What every quadrature promises of densities that it is to find, and of kernels beside the Cauchy part: against closed forms.
+//! What every quadrature promises of densities that it is to find, and of kernels beside the Cauchy part: against
+//! closed forms.
 
 use super::rules::solve;
 use crate::contract::ensure;
@@ -9,8 +10,8 @@ use std::f64::consts::{FRAC_1_PI, PI};
 const HALF_WIDTH: f64 = 3.0;
 /// How many steps finer than at first the rules are, or as many less as they refuse.
 const FINER: u32 = 4;
-/// What they may be off by, over the largest: what is looked for is smooth, and so are the kernels; rules of the second order have some
-/// dozens of unknowns by then.
+/// What they may be off by, over the largest: what is looked for is smooth, and so are the kernels; rules of the second
+/// order have some dozens of unknowns by then.
 const WITHIN: f64 = 1e-3;
 /// Where densities are looked at, over the half-width.
 const AT: [f64; 6] = [-0.9, -0.35, 0.0, 0.2, 0.65, 0.97];
@@ -36,8 +37,8 @@ fn smooth(rule: &mut dyn Rule) -> Result<(), String> {
     resultant(rule, &unknowns, 0.5 * PI * HALF_WIDTH * HALF_WIDTH)
 }
 
-/// `(1/pi) PV int r sqrt(c^2 - r^2)/(x - r) dr = x^2 - c^2/2`. One equation too many: how much a constant is to be added to what is given,
-/// which is nothing.
+/// `(1/pi) PV int r sqrt(c^2 - r^2)/(x - r) dr = x^2 - c^2/2`. One equation too many: how much a constant is to be
+/// added to what is given, which is nothing.
 fn continued(rule: &mut dyn Rule) -> Result<(), String> {
     let square = HALF_WIDTH * HALF_WIDTH;
     let (rows, right) = equations(rule, None, |x| x * x - 0.5 * square);
@@ -51,8 +52,8 @@ fn continued(rule: &mut dyn Rule) -> Result<(), String> {
     values(rule, &unknowns, |x| x * (square - x * x).sqrt())
 }
 
-/// Under `k(t) = t` a flat punch bears `p = (P/pi) [1 + x^2 - c^2/2]/sqrt(c^2 - x^2)`, and `1 + t^2` of it makes the potential
-/// `(P/pi) (1 + c^2/2 + c^4/8)` in the middle.
+/// Under `k(t) = t` a flat punch bears `p = (P/pi) [1 + x^2 - c^2/2]/sqrt(c^2 - x^2)`, and `1 + t^2` of it makes the
+/// potential `(P/pi) (1 + c^2/2 + c^4/8)` in the middle.
 fn sharp(rule: &mut dyn Rule) -> Result<(), String> {
     let square = HALF_WIDTH * HALF_WIDTH;
     let slope = Smooth(|t| t);

@@ -148,7 +148,8 @@ fn apart(found: SurfaceFlexibility, expected: SurfaceFlexibility) -> f64 {
     each.into_iter().map(|part| if part.is_nan() { f64::INFINITY } else { part.abs() }).fold(0.0, f64::max)
 }
 
-/// `s F/A0` of a layer on a base that has a compliance, by steps of Runge and Kutta from the base up (theory.md section 2).
+/// `s F/A0` of a layer on a base that has a compliance, by steps of Runge and Kutta from the base up (theory.md section
+/// 2).
 fn marched(layer: &LayerModel, s: f64) -> SurfaceFlexibility {
     let mut compliance = layer.substrate().map_or([0.0; 3], |Material { shear, elastic }| {
         let of_half_plane = -elastic.a0() / (shear * s);

@@ -97,7 +97,8 @@ impl ModulusLaw for Power {
     }
 }
 
-/// Where no wave feels the base, `s` under `1 + c y^p` is `s/l` under `1 + c l^-p y^p`. Panels that shrink towards the surface are no kink.
+/// Where no wave feels the base, `s` under `1 + c y^p` is `s/l` under `1 + c l^-p y^p`. Panels that shrink towards the
+/// surface are no kink.
 #[test]
 fn a_broken_power_is_followed_to_where_the_shortest_waves_are() {
     for power in [0.2, 0.5, 0.8] {
@@ -155,8 +156,8 @@ fn a_kink_that_is_not_told_is_found() {
     assert!((found - 0.3).abs() < 2e-6, "{found}"); // twice the thickness that shows a kink
 }
 
-/// `s Fvv/A0` of a homogeneous layer on a base without friction, whatever its Poisson's ratio: `2 sinh^2 w/(2w + sinh 2w)`
-/// (theory, section 7).
+/// `s Fvv/A0` of a homogeneous layer on a base without friction, whatever its Poisson's ratio: `2 sinh^2 w/(2w + sinh
+/// 2w)` (theory, section 7).
 fn sliding_vv(w: f64) -> f64 {
     let fade = (-2.0 * w).exp();
     // Both times 2 exp(-2w), and sinh^2 without cancellation.

@@ -26,8 +26,8 @@ struct Rows {
 type Block = [[f64; LANES]; LANES];
 
 impl Orders {
-    /// Those up to the `terms`-th: from the entries of `H0` that vary not at all, from its coupling, whose coefficients that
-    /// are left out are zero, and from the logarithmic gradient to `terms` coefficients.
+    /// Those up to the `terms`-th: from the entries of `H0` that vary not at all, from its coupling, whose coefficients
+    /// that are left out are zero, and from the logarithmic gradient to `terms` coefficients.
     pub(super) fn new(first: SurfaceFlexibility, coupling: &[f64], gradient: &[f64], terms: usize) -> Self {
         let rows = || Rows::new(terms + 1, terms + 1);
         let mut orders = Self { vv: rows(), uu: rows(), uv: rows() };

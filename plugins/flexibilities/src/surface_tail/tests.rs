@@ -80,7 +80,8 @@ fn the_series_is_the_flexibility_once_the_base_is_out_of_sight() {
         let tail = Compliance {}.respond(&layer).unwrap().tail(20);
         for s in [40.0, 80.0] {
             for rest in rest(&layer, &tail, s) {
-                // 20 terms: (2.08/40)^21 = 1e-27. The base: exp(-80) times a polynomial. Round-off of order-one numbers.
+                // 20 terms: (2.08/40)^21 = 1e-27. The base: exp(-80) times a polynomial. Round-off of order-one
+                // numbers.
                 assert!(rest.abs() < 5e-15, "{material:?}, gamma = {gamma}, s = {s}: {rest:e}");
             }
         }

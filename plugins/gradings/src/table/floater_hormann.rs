@@ -2,8 +2,8 @@
 
 use slipzone_api::taylor::Taylor;
 
-/// The highest blending degree: that of the polynomials that are reproduced. A higher one gains an order, and loses a factor of
-/// two in what the scatter of the values is magnified by.
+/// The highest blending degree: that of the polynomials that are reproduced. A higher one gains an order, and loses a
+/// factor of two in what the scatter of the values is magnified by.
 pub(super) const DEGREE: usize = 4;
 
 /// What lies as near to a node, over its depth, is that node: a depth in other units and back.
@@ -46,8 +46,8 @@ impl Interpolant {
 
     /// The same, and how many times the errors of the values it may be off by.
     ///
-    /// The value at the nearest node is taken out first: what the sums round is beside what the others differ from it, so that values
-    /// that are all the same come back exactly, whatever their size and however uneven the nodes.
+    /// The value at the nearest node is taken out first: what the sums round is beside what the others differ from it,
+    /// so that values that are all the same come back exactly, whatever their size and however uneven the nodes.
     #[inline(always)]
     pub(super) fn magnified(&self, x: f64, values: &[f64]) -> (f64, f64) {
         let near = self.nodes.partition_point(|node| *node < x * (1.0 - ROUNDING));

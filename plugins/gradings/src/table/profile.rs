@@ -11,23 +11,25 @@ const LEAST: usize = 4;
 /// By how much of itself a table may end above the base: roundings of decimals and of units.
 const ROUNDING: f64 = 1e-9;
 
-/// By how much the logarithm of the modulus may leave those of the rows beside it, over the largest step between rows, and at least.
+/// By how much the logarithm of the modulus may leave those of the rows beside it, over the largest step between rows,
+/// and at least.
 ///
-/// A curve of the highest degree that strays no farther than the first of these is taken, or else the one that strays least: between rows
-/// whose distances differ much those of higher degrees swing. None may stray beyond the second.
+/// A curve of the highest degree that strays no farther than the first of these is taken, or else the one that strays
+/// least: between rows whose distances differ much those of higher degrees swing. None may stray beyond the second.
 const STRAYS: f64 = 0.25;
 const SWINGS: f64 = 0.5;
 const LEAST_STEP: f64 = std::f64::consts::LN_2;
 
-/// A curve of a lower degree that does not swing takes the place of one that may be off by so many times what its rows are: between rows
-/// that are far closer together in one place than in another, those of higher degrees tell the rounding of the decimals.
+/// A curve of a lower degree that does not swing takes the place of one that may be off by so many times what its rows
+/// are: between rows that are far closer together in one place than in another, those of higher degrees tell the
+/// rounding of the decimals.
 const MAGNIFIES: f64 = 1e3;
 
-/// By how much of itself the modulus may leave the straight line between two rows before users are told: one that grows exponentially
-/// does so where it grows by a factor of 1.9 from row to row.
+/// By how much of itself the modulus may leave the straight line between two rows before users are told: one that grows
+/// exponentially does so where it grows by a factor of 1.9 from row to row.
 const TOLD: f64 = 0.05;
-/// How near to a row a curve is looked at, over the distance of the rows beside it: rows close together make it swing nearer to them than
-/// to those farther off.
+/// How near to a row a curve is looked at, over the distance of the rows beside it: rows close together make it swing
+/// nearer to them than to those farther off.
 const BESIDE: f64 = 0.25;
 
 /// A table this many times as deep as the layer is to have as many rows within it as a table has at least.
@@ -47,8 +49,8 @@ pub(super) struct Profile {
 /// What a curve does between its rows.
 #[derive(Debug, Default)]
 struct Seen {
-    /// By how much the logarithm of the modulus leaves those of the rows that it lies between, over the largest step between rows, at most;
-    /// after which row, and at which depth.
+    /// By how much the logarithm of the modulus leaves those of the rows that it lies between, over the largest step
+    /// between rows, at most; after which row, and at which depth.
     strays: f64,
     after: usize,
     at: f64,
@@ -100,15 +102,15 @@ impl Profile {
         swings.map_or(Ok(profile), Err)
     }
 
-    /// What makes a curve worse than one of another degree, the worst first: that it swings, that it magnifies what the rows are off by, that
-    /// it strays.
+    /// What makes a curve worse than one of another degree, the worst first: that it swings, that it magnifies what the
+    /// rows are off by, that it strays.
     fn rank(&self) -> (bool, bool, f64) {
         let Seen { strays, magnifies, overshoots, .. } = self.seen;
         (strays > SWINGS || overshoots, magnifies > MAGNIFIES, if strays > STRAYS { strays } else { 0.0 })
     }
 
-    /// Depths after a row at which the curve is looked at: half-way to the next, a quarter of the way from each, as it may cross a line
-    /// half-way, and each time half as far from a row as long as those on its other side are as near.
+    /// Depths after a row at which the curve is looked at: half-way to the next, a quarter of the way from each, as it
+    /// may cross a line half-way, and each time half as far from a row as long as those on its other side are as near.
     fn looked_at(&self, row: usize) -> impl Iterator<Item = f64> {
         let depths = self.curve.nodes();
         let (from, to) = (depths[row], depths[row + 1]);
@@ -163,7 +165,8 @@ impl Profile {
         })
     }
 
-    /// A modulus far beyond those of the rows that it lies between: a steep step makes a smooth curve swing on both sides.
+    /// A modulus far beyond those of the rows that it lies between: a steep step makes a smooth curve swing on both
+    /// sides.
     fn swing(&self) -> Fault {
         let (depths, logarithms) = (self.curve.nodes(), &self.logarithms);
         let Seen { after: i, at: depth, .. } = self.seen;

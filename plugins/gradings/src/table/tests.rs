@@ -183,7 +183,8 @@ fn a_curve_that_swings_between_the_rows_is_refused() {
     }
 }
 
-/// A coating whose rows crowd at its end, and rows that crowd at the surface: with degree 4 the first had a modulus of `exp(2000)`.
+/// A coating whose rows crowd at its end, and rows that crowd at the surface: with degree 4 the first had a modulus of
+/// `exp(2000)`.
 #[test]
 fn rows_at_uneven_distances_have_a_curve_of_lower_degree() {
     let tables = [
@@ -250,7 +251,8 @@ fn the_law_is_the_rows_at_its_probes() {
     }
 }
 
-/// Rows of an exponential that grows tenfold from one to the next: half-way the curve is `sqrt(10)` where a straight line is 5.5. Nobody was told.
+/// Rows of an exponential that grows tenfold from one to the next: half-way the curve is `sqrt(10)` where a straight
+/// line is 5.5. Nobody was told.
 #[test]
 fn a_curve_that_leaves_straight_lines_between_rows_is_told_with_place_and_size() {
     let rows = |factor: f64| (0..6).map(|i| vec![f64::from(i), factor.powi(i)]).collect();
@@ -259,13 +261,14 @@ fn a_curve_that_leaves_straight_lines_between_rows_is_told_with_place_and_size()
         table.law(&Setting::thick(Positive::new(thickness).unwrap())).unwrap().remarks()
     };
     let told = remarks(10.0, 5.0);
-    // A quarter of the way: 10^(1/4)/(1 + 9/4) - 1 = -0.453; half-way: sqrt(10)/5.5 - 1 = -0.425; each the same between any two rows.
+    // A quarter of the way: 10^(1/4)/(1 + 9/4) - 1 = -0.453; half-way: sqrt(10)/5.5 - 1 = -0.425; each the same between
+    // any two rows.
     assert!(told.len() == 1 && told[0].contains("up to 45 %") && told[0].ends_with("smaller"), "{told:?}");
     // The logarithm of a factor decides: (1 + f)/2/sqrt(f) - 1 passes 5 % between 1.8 and 2.
     assert!(remarks(1.8, 5.0).is_empty() && remarks(2.0, 5.0).len() == 1);
 
-    // Below the base nothing is told; above it, what the law itself does at that depth: a bump at 8 is felt most at the table's end, where all
-    // rows are 1.
+    // Below the base nothing is told; above it, what the law itself does at that depth: a bump at 8 is felt most at the
+    // table's end, where all rows are 1.
     let mut bump: Vec<_> = (0..12).map(|i| vec![f64::from(i), 1.0]).collect();
     bump[8][1] = 1.6;
     let told = |thickness: f64| {
@@ -281,8 +284,9 @@ fn a_curve_that_leaves_straight_lines_between_rows_is_told_with_place_and_size()
     );
 }
 
-/// Depths as they are chosen for an indenter, 1, 2, 5 and so on, magnified what was off by up to 1e9 times: a layer whose rows were all 116
-/// was refused for its rounding, as others were in pascals and not in gigapascals, and a fifth digit changed what the curve did between rows.
+/// Depths as they are chosen for an indenter, 1, 2, 5 and so on, magnified what was off by up to 1e9 times: a layer
+/// whose rows were all 116 was refused for its rounding, as others were in pascals and not in gigapascals, and a fifth
+/// digit changed what the curve did between rows.
 #[test]
 fn rows_far_closer_together_in_one_place_than_in_another_are_not_magnified() {
     let depths = [0.0, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0].map(|depth| depth * THICKNESS);
@@ -301,8 +305,8 @@ fn rows_far_closer_together_in_one_place_than_in_another_are_not_magnified() {
     assert!(between().all(|y| (179.0..235.0).contains(&rows.modulus(y))));
 }
 
-/// The curve swings beside two rows that are close together, at a distance between theirs and that of their neighbours: looked at half-way
-/// alone, one that was 5000 times too high there was said to stray by 17 %.
+/// The curve swings beside two rows that are close together, at a distance between theirs and that of their neighbours:
+/// looked at half-way alone, one that was 5000 times too high there was said to stray by 17 %.
 #[test]
 fn a_swing_beside_rows_close_together_is_seen() {
     for apart in [1e-9, 1e-6, 1e-4] {
@@ -316,7 +320,8 @@ fn a_swing_beside_rows_close_together_is_seen() {
     }
 }
 
-/// Between depths that are infinite, or all the same, there is no end of places to look at: 24 GB were filled with them.
+/// Between depths that are infinite, or all the same, there is no end of places to look at: 24 GB were filled with
+/// them.
 #[test]
 fn units_beyond_those_of_numbers_are_refused() {
     for unit in [f64::MAX, 1e-323] {

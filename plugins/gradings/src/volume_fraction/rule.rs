@@ -43,8 +43,8 @@ impl Mixture {
         }
     }
 
-    /// `G = G1 + V dG/(1 + (1 - V) dG/(G1 + F))`, `F = G1 (9 K1 + 8 G1)/(6 (K1 + 2 G1))`, and `K` likewise with `4 G1/3`
-    /// for `F`; written with `1/K`, so that no phase needs a finite one.
+    /// `G = G1 + V dG/(1 + (1 - V) dG/(G1 + F))`, `F = G1 (9 K1 + 8 G1)/(6 (K1 + 2 G1))`, and `K` likewise with `4
+    /// G1/3` for `F`; written with `1/K`, so that no phase needs a finite one.
     fn spheres<N: Arithmetic>(&self, share: &N) -> (N, N) {
         let (g1, g2) = (self.matrix.shear(self.moduli), self.inclusions.shear(self.moduli));
         let (k1, k2) = (self.matrix.compressibility(self.moduli), self.inclusions.compressibility(self.moduli));
@@ -57,8 +57,8 @@ impl Mixture {
     }
 }
 
-/// `a` at a share of 0, `b` at 1, in proportion between; where both are the same without rounding, of which a material next to
-/// incompressible would make much.
+/// `a` at a share of 0, `b` at 1, in proportion between; where both are the same without rounding, of which a material
+/// next to incompressible would make much.
 fn between<N: Arithmetic>(a: f64, b: f64, share: &N) -> N {
     if a.to_bits() == b.to_bits() {
         return share.clone() * 0.0 + a;

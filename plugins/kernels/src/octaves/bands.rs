@@ -7,7 +7,8 @@ use num_complex::Complex64;
 use slipzone_api::{Component, KernelRequest, LayerResponse, Refusal, SurfaceFlexibility, contract};
 use spec_math::cephes64::erfc;
 
-/// Gauss nodes of a band: a function that is analytic but at the origin has Legendre coefficients there that fall like `5.8^-l`.
+/// Gauss nodes of a band: a function that is analytic but at the origin has Legendre coefficients there that fall like
+/// `5.8^-l`.
 const NODES: usize = 20;
 /// Coefficients that must be small at the end of a series.
 const LAST: usize = 3;
@@ -23,11 +24,11 @@ const NARROWEST: f64 = 1e-3;
 const NEAREST: f64 = 1e-9;
 /// Most wave numbers for one table.
 const MOST_SAMPLES: usize = 1 << 14;
-/// What is faded out is felt by this part of the accuracy at most: by contacts, and by what is as narrow as may be, slip zones and rounded
-/// corners.
+/// What is faded out is felt by this part of the accuracy at most: by contacts, and by what is as narrow as may be,
+/// slip zones and rounded corners.
 const FELT: (f64, f64) = (1e-3, 0.1);
-/// `W` that is no larger, and over so many octaves gets no smaller than by that factor, is what the flexibility itself is off by. The slowest
-/// powers that get that small before the highest wave number take more than half off.
+/// `W` that is no larger, and over so many octaves gets no smaller than by that factor, is what the flexibility itself
+/// is off by. The slowest powers that get that small before the highest wave number take more than half off.
 const FLAT: (f64, usize, f64) = (1e-10, 3, 0.9);
 /// Highest wave number over the inverse of the extent: shorter waves are for none.
 pub(super) const HIGHEST: f64 = 1e30;
@@ -148,8 +149,8 @@ impl Bands {
                 let of_nodes: [f64; NODES] = std::array::from_fn(|i| own[i]);
                 let off = self.rule.unresolved(&of_nodes, &own[NODES..]);
                 let largest = own.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-                // An error over the band makes one of the kernel that is as wide up to `t = 1/half` and falls like 1/t from there on. A pole
-                // that is taken off leaves the rounding of what it was.
+                // An error over the band makes one of the kernel that is as wide up to `t = 1/half` and falls like 1/t
+                // from there on. A pole that is taken off leaves the rounding of what it was.
                 let (felt, size) = if integrand.component == Component::Depth {
                     (2.0 * half, largest.max(middle.recip()))
                 } else {

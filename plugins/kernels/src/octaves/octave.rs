@@ -7,8 +7,8 @@ use crate::piece::{Kernel, NEAR_ORIGIN, Piece, Pieces, Sample, Variable, place};
 use num_complex::Complex64;
 use slipzone_api::{Component, KernelRequest, Parts};
 
-/// Nodes of a piece: a function that is analytic but at the origin has Chebyshev coefficients there that fall like `5.8^-k`; of a piece
-/// at the origin parity leaves half.
+/// Nodes of a piece: a function that is analytic but at the origin has Chebyshev coefficients there that fall like
+/// `5.8^-k`; of a piece at the origin parity leaves half.
 const NODES: (usize, usize) = (10, 18);
 /// Where the first piece ends, over the inverse of the highest wave number.
 const FIRST: f64 = 0.5;
@@ -16,10 +16,12 @@ const FIRST: f64 = 0.5;
 const SHARE: f64 = 5e-3;
 /// Narrowest piece over its upper end.
 const NARROWEST: f64 = 3e-2;
-/// Noise of the transforms, in the terms of the request: over that of values which are rounded once, and whatever their size.
+/// Noise of the transforms, in the terms of the request: over that of values which are rounded once, and whatever their
+/// size.
 const NOISE: (f64, f64) = (50.0, 1e-13);
 
-/// The kernels on octaves of distance, each halved until it is resolved; and the sum of the errors, in the terms of the request.
+/// The kernels on octaves of distance, each halved until it is resolved; and the sum of the errors, in the terms of the
+/// request.
 ///
 /// What is known next to the `origin` is in a first piece of its own, without a polynomial.
 pub(super) fn tabulated(

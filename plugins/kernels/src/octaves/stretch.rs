@@ -4,7 +4,8 @@ use super::bands::{HIGHEST, PHASE};
 use crate::integrand::Integrand;
 use slipzone_api::{Component, LayerResponse, Refusal, contract};
 
-/// Where the stretch ends on which they are found, over the root of the accuracy: what is analytic in the kernels counts by the square of it.
+/// Where the stretch ends on which they are found, over the root of the accuracy: what is analytic in the kernels
+/// counts by the square of it.
 const END: (f64, f64) = (0.3, 1e-5);
 /// And where it begins: `z` there over that at its end.
 const BEGINNING: f64 = 0.1;

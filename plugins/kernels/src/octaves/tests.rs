@@ -60,8 +60,8 @@ impl Broken {
         Self { q, is_known, off: 0.0 }
     }
 
-    /// Along the cut from `i` upwards: `sin(pi q) int_1^inf y^k (y^2 - 1)^-q exp(-ty) dy`, `k` being 1 for the slopes and 0 for the
-    /// coupling; by the trapezoidal rule in `log(y - 1)`.
+    /// Along the cut from `i` upwards: `sin(pi q) int_1^inf y^k (y^2 - 1)^-q exp(-ty) dy`, `k` being 1 for the slopes
+    /// and 0 for the coupling; by the trapezoidal rule in `log(y - 1)`.
     fn kernel(&self, component: Component, t: f64) -> f64 {
         let step = 0.02;
         let term = |i: i32| {
@@ -93,7 +93,8 @@ fn kernels_like_a_broken_power_are_told_down_to_the_smallest_distances() {
     }
 }
 
-/// `W` is 1e-6 where wave numbers end, and fades out before. A kernel that goes on says how well, and one that ends where nothing is felt nothing.
+/// `W` is 1e-6 where wave numbers end, and fades out before. A kernel that goes on says how well, and one that ends
+/// where nothing is felt nothing.
 #[test]
 fn what_an_edge_feels_of_waves_beyond_the_last_is_told() {
     let told = |q: f64, is_known: bool| table(&Broken::new(q, is_known), 2.0, &ALL[..2], 1e-8).edge_error();
@@ -138,7 +139,8 @@ fn a_power_that_is_known_is_told_down_to_nothing() {
     }
 }
 
-/// An even kernel like `log t` at the origin, beside powers of `t^(1/2)`, and one like a power that meets none of what is analytic.
+/// An even kernel like `log t` at the origin, beside powers of `t^(1/2)`, and one like a power that meets none of what
+/// is analytic.
 #[test]
 fn even_kernels_have_more_than_powers_beside_the_origin() {
     // W = (1 + s^2)^(-p/2), k = 2^(1/2 - p/2) sqrt(pi)/Gamma(p/2) t^((p - 1)/2) K_((1 - p)/2)(t): as above, q = p/2.
@@ -225,8 +227,8 @@ fn kernels_of_a_rational_response_are_si_and_ci() {
     }
 }
 
-/// Beside the origin, where waves end, what is left out of the slope is as good as nothing to a contact: the integral over the nearest
-/// distances is that of `split`, whose jump is exact.
+/// Beside the origin, where waves end, what is left out of the slope is as good as nothing to a contact: the integral
+/// over the nearest distances is that of `split`, whose jump is exact.
 #[test]
 fn what_fades_out_is_not_felt() {
     let (response, reach) = (Rational::knowing(usize::MAX), 0.4);

@@ -18,12 +18,13 @@ pub(super) struct Told {
 }
 
 impl Told {
-    /// So many terms that the last of them are least at the `origin`, a place beyond `[-1, 1]`: fewer miss what is there, and more are noise, which grows towards it.
-    /// One of them may be small by chance, so that others tell the error: no less than what is off where the function is no such series, but one
-    /// in other powers or with logarithms.
+    /// So many terms that the last of them are least at the `origin`, a place beyond `[-1, 1]`: fewer miss what is
+    /// there, and more are noise, which grows towards it. One of them may be small by chance, so that others tell the
+    /// error: no less than what is off where the function is no such series, but one in other powers or with
+    /// logarithms.
     ///
-    /// `beside` are the coefficients of what no series tells. The coefficients left over meet it: next to the places of a whole
-    /// interpolant it would differ from that by less than the noise.
+    /// `beside` are the coefficients of what no series tells. The coefficients left over meet it: next to the places of
+    /// a whole interpolant it would differ from that by less than the noise.
     pub(super) fn by(all: &[f64], beside: Option<&[f64]>, origin: f64) -> Self {
         // There `T_k` is `cosh(k growth)`, but for its sign.
         let growth = origin.abs().acosh();
@@ -80,7 +81,8 @@ mod tests {
         assert!((told.analytic / 3e-4 - 1.0).abs() < 1e-2, "{:e}", told.analytic);
     }
 
-    /// Other powers of `z` and logarithms, `z` times what is told: nearer to the origin than 0.1 it is off by hardly more than is said.
+    /// Other powers of `z` and logarithms, `z` times what is told: nearer to the origin than 0.1 it is off by hardly
+    /// more than is said.
     #[test]
     fn what_is_no_series_is_not_said_to_be_one() {
         let powers = [0.5, 0.9, 0.99, 1.001, 1.034, 1.25, 1.5, 2.5, 3.3];

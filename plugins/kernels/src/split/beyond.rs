@@ -67,8 +67,8 @@ impl Cut {
     }
 
     /// Bound on `int_S^inf |W - series| ds`: the terms that are known but not used, and by two values of what all of
-    /// them leave: at `S`, and one `e^2` of the base's decay further out, where what falls algebraically is left and the
-    /// base's part shows even if it changes its sign at `S`. The cut's own flexibility is handed back.
+    /// them leave: at `S`, and one `e^2` of the base's decay further out, where what falls algebraically is left and
+    /// the base's part shows even if it changes its sign at `S`. The cut's own flexibility is handed back.
     pub(super) fn rest(
         self,
         columns: &[Column],
@@ -103,8 +103,8 @@ impl Cut {
     }
 }
 
-/// Fewest terms whose remainder beyond `cutoff` is below `enough`, or the number that leaves least; and what
-/// they leave: twice the largest of the next terms, integrated. Single coefficients may vanish, and of a law that begins
+/// Fewest terms whose remainder beyond `cutoff` is below `enough`, or the number that leaves least; and what they
+/// leave: twice the largest of the next terms, integrated. Single coefficients may vanish, and of a law that begins
 /// with `y^n` all but each `n`-th do: so as many terms are looked at as vanish before the first, and two more.
 fn shortest(tail: &[SurfaceFlexibility], cutoff: f64, enough: f64) -> (usize, f64) {
     let mut power = 1.0;

@@ -5,8 +5,9 @@ use slipzone_api::{Component, LayerResponse, SurfaceFlexibility};
 /// `k(t) = int_0^inf W(s) {sin, cos}(st) ds` with `W ~ sum_k series[k - 1] s^-k` as `s` grows.
 ///
 /// The depth needs no special treatment here: `W = s Fvv/(A0 s)` is finite at `s = 0` on a rigid base, and its
-/// logarithm comes from the leading term of its series, which is 1. Of a pole `c/s` at the origin, which a layer that slides
-/// on its base brings, `W` and its series are freed: `int_0^inf (c/s) sin(st) ds = c (pi/2) sign(t)` is added at the end.
+/// logarithm comes from the leading term of its series, which is 1. Of a pole `c/s` at the origin, which a layer that
+/// slides on its base brings, `W` and its series are freed: `int_0^inf (c/s) sin(st) ds = c (pi/2) sign(t)` is added at
+/// the end.
 #[derive(Clone, Debug)]
 pub(super) struct Column {
     pub(super) component: Component,
@@ -88,8 +89,8 @@ impl Column {
         sizes.sum::<f64>() <= MODERATE * self.series.first().map_or(1.0, |c| c.abs().max(1.0))
     }
 
-    /// The number of terms up to the first beyond `terms` that is not known to vanish: what is left falls like one power
-    /// more.
+    /// The number of terms up to the first beyond `terms` that is not known to vanish: what is left falls like one
+    /// power more.
     pub(super) fn vanishing(&self, terms: usize) -> usize {
         self.series[terms..].iter().position(|c| *c != 0.0).map_or(self.series.len(), |more| terms + more)
     }

@@ -4,8 +4,8 @@ use num_complex::Complex64;
 use slipzone_api::elementary::EULER_GAMMA;
 use std::f64::consts::FRAC_PI_2;
 
-/// Up to here `E_1` comes from its power series (terms up to `exp(u)/u`, so two digits are lost at most), beyond from the
-/// continued fraction.
+/// Up to here `E_1` comes from its power series (terms up to `exp(u)/u`, so two digits are lost at most), beyond from
+/// the continued fraction.
 const SERIES: f64 = 3.0;
 
 /// Terms of the power series below this are left out.
@@ -14,8 +14,8 @@ const SETTLED: f64 = 1e-16;
 /// Most terms of it; never reached.
 const MOST_TERMS: u32 = 60;
 
-/// Terms of the continued fraction for [`ALL_DIGITS`], found by trying: so many, and this many more over `u`. It gains like
-/// `exp(-sqrt(terms))`, so that fewer digits ask for fewer terms by the square.
+/// Terms of the continued fraction for [`ALL_DIGITS`], found by trying: so many, and this many more over `u`. It gains
+/// like `exp(-sqrt(terms))`, so that fewer digits ask for fewer terms by the square.
 const FRACTION: (f64, f64) = (9.0, 210.0);
 
 /// Digits beyond which only rounding is left.
@@ -23,8 +23,8 @@ pub(super) const ALL_DIGITS: f64 = 16.0;
 
 /// `out[k - 1] = E_k(-iu) = u^(k-1) int_u^inf exp(is) s^-k ds`, in the sense of Abel for `k = 1`; `u > 0`.
 ///
-/// `k E_(k+1) = exp(iu) + iu E_k` is stable upwards from `k = u` and downwards from there, so that is where
-/// it starts (DLMF 8.19.12; continued fraction 8.19.17). Absolute error about 1e-15, or as many digits as are asked for.
+/// `k E_(k+1) = exp(iu) + iu E_k` is stable upwards from `k = u` and downwards from there, so that is where it starts
+/// (DLMF 8.19.12; continued fraction 8.19.17). Absolute error about 1e-15, or as many digits as are asked for.
 pub(super) fn sequence(u: f64, digits: f64, out: &mut [Complex64]) {
     let last = out.len();
     if last == 0 {

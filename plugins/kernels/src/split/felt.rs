@@ -15,7 +15,8 @@ pub(super) struct Felt {
 
 /// Part of the error that what is not felt may take, and that what the cut of the whole layer leaves may.
 const SHARE: (f64, f64) = (0.1, 0.5);
-/// Where the whole layer is looked at, over the cut that goes with it: what its base sends back, and what the series leaves out, is nothing there.
+/// Where the whole layer is looked at, over the cut that goes with it: what its base sends back, and what the series
+/// leaves out, is nothing there.
 const BEYOND: f64 = 2.0;
 /// From one wave number that is looked at to the next; a power of two, so that parts are whole again.
 pub(super) const NEARER: f64 = 4.0;
@@ -28,10 +29,11 @@ impl Felt {
         Self { depth, left: 0.0, evaluations: 0 }
     }
 
-    /// Past breaks, the first of them at the depth `nearest`, of which next to nothing comes back: between two sublayers of one law, or nearly.
+    /// Past breaks, the first of them at the depth `nearest`, of which next to nothing comes back: between two
+    /// sublayers of one law, or nearly.
     ///
-    /// `cut` is that of a layer without any. Looked at from where the first break fades to longer waves, until something is seen; the cut is to
-    /// lie where nothing is.
+    /// `cut` is that of a layer without any. Looked at from where the first break fades to longer waves, until
+    /// something is seen; the cut is to lie where nothing is.
     pub(super) fn of(
         response: &dyn LayerResponse,
         (columns, cut): (&[Column], Cut),

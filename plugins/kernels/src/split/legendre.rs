@@ -82,8 +82,8 @@ impl End {
 pub(super) struct Legendre {
     nodes: Vec<f64>,
     weights: Vec<f64>,
-    /// `(l + 1/2) P_l` for all `l` at one node after the other, the negative half, each filled up with zeros to whole vectors: the
-    /// nodes are symmetric.
+    /// `(l + 1/2) P_l` for all `l` at one node after the other, the negative half, each filled up with zeros to whole
+    /// vectors: the nodes are symmetric.
     polynomials: Vec<f64>,
     /// `largest[l]` is a bound on `|j_l|` everywhere.
     largest: Vec<f64>,
@@ -129,7 +129,8 @@ impl Legendre {
         self.largest.iter().enumerate().map(bound).take_while(|wave| *wave > NO_WAVE).collect()
     }
 
-    /// Samples the panel between two ends for waves up to `reach`, which are `summed` over the nodes or told by their orders.
+    /// Samples the panel between two ends for waves up to `reach`, which are `summed` over the nodes or told by their
+    /// orders.
     pub(super) fn sample(
         &self,
         columns: &[Column],
@@ -223,9 +224,9 @@ impl WithSimd for Coefficients<'_> {
 }
 
 /// What `n` Gauss nodes leave of `int W(x) exp(iwx) dx/2` for a function whose Legendre coefficients fall
-/// geometrically, `waves[l]` being a bound on `|j_l(w)|`: the coefficients from the `n`-th on, and what they feign in the
-/// lower ones (`P_(2n-l)` looks like `P_l` on the nodes). `summed` at the nodes, not by orders of the wave, it is also
-/// `P_(n+j)` in the wave that is taken for `P_(n-j)`.
+/// geometrically, `waves[l]` being a bound on `|j_l(w)|`: the coefficients from the `n`-th on, and what they feign in
+/// the lower ones (`P_(2n-l)` looks like `P_l` on the nodes). `summed` at the nodes, not by orders of the wave, it is
+/// also `P_(n+j)` in the wave that is taken for `P_(n-j)`.
 ///
 /// `seen` is the error of the interpolant seen at the ends, and the `noise` in the values is counted elsewhere. Also
 /// returns the factor from one coefficient to the next, and whether they have ended in noise.
@@ -291,8 +292,8 @@ const LANDAU: f64 = 0.846;
 /// scale of the modulus ratio there.
 const SOFT: f64 = 3.0;
 
-/// Power to which the decay seen at the origin is raised before it is trusted for as many coefficients again, for it may
-/// slow down: on something about as soft, and on something much softer.
+/// Power to which the decay seen at the origin is raised before it is trusted for as many coefficients again, for it
+/// may slow down: on something about as soft, and on something much softer.
 const CAUTION: (f64, f64) = (0.95, 0.85);
 
 /// Slowest decay assumed from one Legendre coefficient to the next.

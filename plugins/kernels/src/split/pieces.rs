@@ -6,8 +6,8 @@ use crate::piece::{Kernel, NEAR_ORIGIN, Piece, Pieces, Sample, Values, Variable,
 pub(super) struct Plan {
     /// End of the range.
     pub(super) reach: f64,
-    /// Whether far away the odd kernels are `-1/t` and the others nothing, but for what falls exponentially: the layer is
-    /// bonded to a rigid base.
+    /// Whether far away the odd kernels are `-1/t` and the others nothing, but for what falls exponentially: the layer
+    /// is bonded to a rigid base.
     pub(super) is_local: bool,
     /// First width tried.
     pub(super) width: f64,
@@ -108,8 +108,8 @@ impl Pieces {
 }
 
 impl Plan {
-    /// The width tried from `lower` on, after a piece that should have been `fit` times as wide as it was; `None` where it was noise,
-    /// which says nothing of a better width.
+    /// The width tried from `lower` on, after a piece that should have been `fit` times as wide as it was; `None` where
+    /// it was noise, which says nothing of a better width.
     fn next_width(&self, lower: f64, width: f64, fit: Option<f64>) -> f64 {
         let widest = match self.is_local {
             _ if lower < self.local => self.widest,

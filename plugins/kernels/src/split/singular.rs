@@ -22,8 +22,9 @@ pub(super) struct Singular {
 
 /// How much larger than the kernel's order of magnitude jump and logarithm may be on short reaches.
 const TAME: f64 = 20.0;
-/// Widest window, over the thickness: the smooth part then varies no faster than the layer makes it. Not over the depth that the surface
-/// feels: of a jump that goes on below a skin, a window as narrow as the skin would leave the smooth part a step that no node sees.
+/// Widest window, over the thickness: the smooth part then varies no faster than the layer makes it. Not over the depth
+/// that the surface feels: of a jump that goes on below a skin, a window as narrow as the skin would leave the smooth
+/// part a step that no node sees.
 const WIDEST: f64 = 0.8;
 /// The window narrows by this factor until the parts are small enough.
 const NARROWER: f64 = 0.85;
@@ -61,8 +62,8 @@ impl Singular {
         singular
     }
 
-    /// Whether the parts of the first `terms` of a series, as they are, do not outgrow the kernel on `[0, reach]` by more than
-    /// what a smooth rest undoes without loss.
+    /// Whether the parts of the first `terms` of a series, as they are, do not outgrow the kernel on `[0, reach]` by
+    /// more than what a smooth rest undoes without loss.
     pub(super) fn is_tame(column: &Column, terms: usize, reach: f64) -> bool {
         let taylor: Vec<f64> = signed_taylor(column, column.used(terms), terms).collect();
         Self::windowed(column, &taylor, 0.0).stays_below(TAME * taylor[0].abs().max(1.0), reach)

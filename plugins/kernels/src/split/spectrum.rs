@@ -32,7 +32,8 @@ pub(super) struct Told {
 
 /// Part of the error that each panel may have: most often there are two.
 const SHARE: f64 = 0.35;
-/// Nodes that a panel takes, fitted to some thousand layers: enough for nine out of ten: another try costs as many again.
+/// Nodes that a panel takes, fitted to some thousand layers: enough for nine out of ten: another try costs as many
+/// again.
 #[derive(Clone, Copy)]
 struct Guess {
     least: f64,
@@ -61,8 +62,9 @@ const FAR: f64 = 400.0;
 const FIRST_SPLIT: f64 = 0.2;
 /// Where the first panel is looked at beside its nodes, over its width.
 const BESIDE_ORIGIN: f64 = 1e-4;
-/// The same over the inverse of the solid's extent, where that is less. A datum of 2e-5 thicknesses made the first panel so wide that all of
-/// what the layer is lay beside its place: the indentation was that of a half-plane, 16 % to 100 % off.
+/// The same over the inverse of the solid's extent, where that is less. A datum of 2e-5 thicknesses made the first
+/// panel so wide that all of what the layer is lay beside its place: the indentation was that of a half-plane, 16 % to
+/// 100 % off.
 const BESIDE_EXTENT: f64 = 0.1;
 /// Most wave numbers for one table.
 const MOST_SAMPLES: usize = 4096;
@@ -101,8 +103,8 @@ impl Spectrum {
         while let Some((lower, upper, nodes, before, was_noisy)) = stack.pop() {
             let (panel, resolved) = Legendre::of(nodes).sample(columns, response, lower, upper, (reach, summed))?;
             spectrum.evaluations += nodes;
-            // In units of the aim; of noise nothing more is expected, once a finer panel finds it, too: what a faint break sends back may be as
-            // small.
+            // In units of the aim; of noise nothing more is expected, once a finer panel finds it, too: what a faint
+            // break sends back may be as small.
             let noisy = resolved.iter().any(|resolved| resolved.noisy);
             let missed = columns.iter().zip(&resolved).filter(|(_, resolved)| !(resolved.noisy && was_noisy));
             let worst = missed.map(|(column, resolved)| resolved.error / column.aim).fold(0.0, f64::max);

@@ -1,4 +1,5 @@
-//! The tables of real layers: their parts, their far end, their work. `bounds` holds the errors against what they claim.
+//! The tables of real layers: their parts, their far end, their work. `bounds` holds the errors against what they
+//! claim.
 
 mod bounds;
 

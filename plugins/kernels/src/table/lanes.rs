@@ -6,7 +6,8 @@ use pulp::Simd;
 /// through, and few enough for sums and variables to stay in the 16 vectors that a processor has.
 const WIDE: usize = 6;
 
-/// All bits but that of the sign. `abs_f64s` makes it anew for each vector, by two calls in builds for tests: a tenth of all they run.
+/// All bits but that of the sign. `abs_f64s` makes it anew for each vector, by two calls in builds for tests: a tenth
+/// of all they run.
 const UNSIGNED: f64 = f64::from_bits(i64::MAX.cast_unsigned());
 
 /// The three polynomials of a kernel on one piece.

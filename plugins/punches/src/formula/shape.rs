@@ -163,7 +163,8 @@ impl Graph {
 
     /// The first flaw up to a half-width, looked for at places of its own and at those given.
     fn flaw_among(&self, half_width: f64, places: &[f64]) -> Option<Flaw> {
-        // Terms that cancel round by their sizes: heights by that of the tip as written, slopes by that where the contact ends.
+        // Terms that cancel round by their sizes: heights by that of the tip as written, slopes by that where the
+        // contact ends.
         let steepest = Some(self.steepness(half_width).abs()).filter(|slope| slope.is_finite()).unwrap_or(0.0);
         let known = if self.gives == Gives::Height { (self.tip.abs(), steepest) } else { (0.0, 0.0) };
         let found = examine::first_flaw_beside(known, &Written(self), half_width, places);
@@ -218,8 +219,8 @@ impl Graph {
         self.formula.at(x).value - self.tip
     }
 
-    /// Up to where the height as written has lost digits: of `R - sqrt(R^2 - x^2)` few are left where `x` is far smaller than `R`, and all of
-    /// the slope.
+    /// Up to where the height as written has lost digits: of `R - sqrt(R^2 - x^2)` few are left where `x` is far
+    /// smaller than `R`, and all of the slope.
     fn lossy(&self) -> f64 {
         *self.lossy.get_or_init(|| {
             let is_lossy = |halved: i32| {
@@ -289,7 +290,8 @@ impl Graph {
             return f64::NAN;
         }
         let (coarse, fine) = (by(24), by(48));
-        // The finer grid's error is about the square of the coarser one's. Close to its tip a slope may be of rounding, which no cut mends.
+        // The finer grid's error is about the square of the coarser one's. Close to its tip a slope may be of rounding,
+        // which no cut mends.
         let rounding = 1e-15 * (to - from) * self.steepness(self.natural_length).abs();
         let differ = (coarse - fine).abs() > rounding.max(1e-11 * fine.abs());
         let middle = from + 0.5 * (to - from);
@@ -374,8 +376,8 @@ fn leave_a_jump(least: f64, beside: [f64; 4]) -> bool {
     near.abs() > least && near.abs() > 1e-3 * beside[3].abs() && (near / far - 1.0).abs() < 1e-3
 }
 
-/// A punch as it is written, to be looked over without an integral at each point: where the slope is given, the height has the right sign as long
-/// as that has not begun to fall.
+/// A punch as it is written, to be looked over without an integral at each point: where the slope is given, the height
+/// has the right sign as long as that has not begun to fall.
 #[derive(Debug)]
 struct Written<'g>(&'g Graph);
 

@@ -43,7 +43,8 @@ fn a_formula_may_be_what_another_punch_is() {
     }
 }
 
-/// Where terms cancel, the level face of such a punch rounds: a dip of one last bit was a punch that leaves the surface.
+/// Where terms cancel, the level face of such a punch rounds: a dip of one last bit was a punch that leaves the
+/// surface.
 #[test]
 fn rounding_of_terms_that_cancel_is_no_flaw() {
     for i in 1..40 {

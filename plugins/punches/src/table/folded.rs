@@ -27,7 +27,8 @@ pub(super) struct Folded {
     pub(super) tip: f64,
     /// What rounding makes of the heights.
     pub(super) rounding: f64,
-    /// The last decimal to which all heights are given, in units of their range; 0 where they have more than are told apart.
+    /// The last decimal to which all heights are given, in units of their range; 0 where they have more than are told
+    /// apart.
     pub(super) decimal: f64,
 }
 

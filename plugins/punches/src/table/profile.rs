@@ -14,8 +14,8 @@ const SMOOTH: f64 = 1e-10;
 /// Places under a contact at which a curve and a finer one are compared.
 const LOOKS: u32 = 16;
 
-/// By how much of the height at the contact's edge the shape may leave straight lines from row to row before users are told: a parabola
-/// does so where two rows or fewer are under half of the contact.
+/// By how much of the height at the contact's edge the shape may leave straight lines from row to row before users are
+/// told: a parabola does so where two rows or fewer are under half of the contact.
 const TOLD: f64 = 0.05;
 
 /// A fitted table.
@@ -133,7 +133,8 @@ fn scaled(pieces: &[Piece], reach: f64, rise: f64) -> Vec<Piece> {
     scaled.collect()
 }
 
-/// Between which neighbours a convex curve lies deeper below the straight line between them than between any before, from the middle outwards.
+/// Between which neighbours a convex curve lies deeper below the straight line between them than between any before,
+/// from the middle outwards.
 fn deepest(points: &[Point], fitted: impl Fn(f64) -> f64) -> impl Iterator<Item = Sag> {
     let gaps = points.windows(2).filter(|pair| pair[0].x < pair[1].x);
     let mut most = 0.0;

@@ -16,8 +16,9 @@ pub(super) const CERTAIN: f64 = 8.0;
 /// By how much more than that of a parabola a line between neighbours may be off.
 const ROOM: f64 = 4.0;
 
-/// All flaws found, at most one of each kind; `residuals` are heights less those of the fit, which are rounded to so much, and to the last
-/// decimal given: neighbours that are rounded alike do not scatter, and their means are off by half of it.
+/// All flaws found, at most one of each kind; `residuals` are heights less those of the fit, which are rounded to so
+/// much, and to the last decimal given: neighbours that are rounded alike do not scatter, and their means are off by
+/// half of it.
 pub(super) fn flaws(points: &[Point], residuals: &[f64], (rounding, decimal): (f64, f64)) -> Vec<Flaw> {
     let noise = noise(points, residuals) + rounding;
     let bent = bent(points, noise, decimal).map(|x| Flaw::new("the punch is not convex", x));
@@ -42,8 +43,9 @@ fn noise(points: &[Point], residuals: &[f64]) -> f64 {
     of_fit.min(of_neighbours).sqrt()
 }
 
-/// Where block means stand above the straight line between others by more than chance, most of all. Those of a convex shape never do,
-/// wherever the points are: the line is above each point between, and a mean above the shape at the mean `x`.
+/// Where block means stand above the straight line between others by more than chance, most of all. Those of a convex
+/// shape never do, wherever the points are: the line is above each point between, and a mean above the shape at the
+/// mean `x`.
 fn bent(points: &[Point], noise: f64, decimal: f64) -> Option<f64> {
     let blocks: Vec<(f64, f64, f64)> = blocks(points.len(), BLOCKS)
         .map(|block| {
@@ -59,8 +61,8 @@ fn bent(points: &[Point], noise: f64, decimal: f64) -> Option<f64> {
     worst.filter(|(_, excess)| *excess > CERTAIN * noise).map(|(x, _)| x)
 }
 
-/// How far points with ascending `x >= 0` are above the lower convex hull of them and their mirror images, which shows heights that first
-/// fall, too.
+/// How far points with ascending `x >= 0` are above the lower convex hull of them and their mirror images, which shows
+/// heights that first fall, too.
 pub(super) fn above_hull(points: &[(f64, f64)]) -> impl Iterator<Item = (f64, f64)> {
     let mirrored = points.iter().rev().filter(|(x, _)| *x > 0.0).map(|(x, height)| (-x, *height));
     let hull = hull(mirrored.chain(points.iter().copied()));
@@ -85,8 +87,9 @@ fn hull(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
     hull
 }
 
-/// Where left and right differ by more than chance, first: by what each point on the left is off the straight line between its neighbours
-/// on the right, of which one is its mirror image as a rule. What the fit misses is the same on both sides, and bends that line.
+/// Where left and right differ by more than chance, first: by what each point on the left is off the straight line
+/// between its neighbours on the right, of which one is its mirror image as a rule. What the fit misses is the same on
+/// both sides, and bends that line.
 fn uneven(points: &[Point], residuals: &[f64], noise: f64, decimal: f64) -> Option<f64> {
     let side = |left: bool| {
         let side = points.iter().zip(residuals).filter(move |(point, _)| point.left == left);
@@ -124,7 +127,8 @@ impl Difference {
         }
         let (from, first) = *others.get(after.checked_sub(1)?)?;
         let line = first + (last - first) * (x - from) / (to - from);
-        // As a parabola through both and the next on either side would, with room for what bends more and more towards a tip.
+        // As a parabola through both and the next on either side would, with room for what bends more and more towards
+        // a tip.
         let bends = |index: usize| match others.get(index..index + 3) {
             Some(&[(x0, r0), (x1, r1), (x2, r2)]) => ((r2 - r1) / (x2 - x1) - (r1 - r0) / (x1 - x0)) / (x2 - x0),
             _ => 0.0,

@@ -2,9 +2,10 @@
 //!
 //! Lengths along `x` are in units of the last of them, heights in units of their range. Half the spline, `x >= 0`, is
 //! `g = a + s x + double integral of g''`, with `g''` piecewise linear between its values `c_j` at the knots: `a` is
-//! free, and `s >= 0`, `c_j >= 0` make it convex. Within each interval of the finest knots all of this is one cubic, so the
-//! points of an interval are first reduced, without loss, to the four equations that their squares ask of its
-//! coefficients (QR by rotations); what is then solved has at most 128 rows, or 256 for the finer one, however many points there are.
+//! free, and `s >= 0`, `c_j >= 0` make it convex. Within each interval of the finest knots all of this is one cubic, so
+//! the points of an interval are first reduced, without loss, to the four equations that their squares ask of its
+//! coefficients (QR by rotations); what is then solved has at most 128 rows, or 256 for the finer one, however many
+//! points there are.
 
 use super::folded::Point;
 use nalgebra::{DMatrix, DVector};
@@ -153,7 +154,8 @@ fn reduce(points: &[Point], knots: &[f64]) -> Vec<Asked> {
     intervals
 }
 
-/// The convex spline on every `stride`-th of the finest knots, with or without a corner, and the sum of squares left over.
+/// The convex spline on every `stride`-th of the finest knots, with or without a corner, and the sum of squares left
+/// over.
 fn solve(reduced: &[Asked], finest: &[f64], stride: usize, corner: bool) -> (Spline, f64) {
     let knots: Vec<f64> = finest.iter().copied().step_by(stride).collect();
     // Columns: offset, corner, g'' at the knots.

@@ -1,8 +1,8 @@
 //! Single rows that are off the convex curve through all others: a lost decimal point, a spike of the instrument.
 //!
-//! Least squares bends to a row in proportion to how far it is off, and what it leaves over everywhere hides that row among the scatter
-//! it makes. So the worst rows are left out one after the other; those that turn out to be off by much more than the rest scatter, and
-//! stand where nothing convex does, are no part of the shape.
+//! Least squares bends to a row in proportion to how far it is off, and what it leaves over everywhere hides that row
+//! among the scatter it makes. So the worst rows are left out one after the other; those that turn out to be off by
+//! much more than the rest scatter, and stand where nothing convex does, are no part of the shape.
 
 use super::fit::Fit;
 use super::scatter::{CERTAIN, above_hull};

@@ -98,7 +98,8 @@ fn noise_is_smoothed_out_and_reported() {
     }
 }
 
-/// How far a curve of more pieces lies elsewhere: far, where the rows beyond the contact decide; hardly, where noise is what is left over.
+/// How far a curve of more pieces lies elsewhere: far, where the rows beyond the contact decide; hardly, where noise is
+/// what is left over.
 #[test]
 fn a_curve_knows_how_sure_it_is() {
     let of_fourth = |count: u32, last: f64| of_points(sampled(0.0, last, count, |x| 0.02 * x.powi(4)));
@@ -349,7 +350,8 @@ fn a_million_rows() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// Whatever the points are, the shape is convex, starts at 0, and its slope is its height's derivative; or there is none.
+    /// Whatever the points are, the shape is convex, starts at 0, and its slope is its height's derivative; or there is
+    /// none.
     #[test]
     fn any_points_give_a_convex_shape(heights in prop::collection::vec(-1.0..1.0_f64, 4..80), power in 0.3..3.0_f64) {
         let count = heights.len() as f64;
@@ -398,8 +400,8 @@ fn few_rows_under_a_contact_are_told() {
     assert!(told[0].contains("up to 25 % of its height") && told[0].ends_with("x = 1.4"), "{told:?}");
 }
 
-/// Exact heights, and those of a drawing: what the fit misses of them was taken for a flaw, as blocks of neighbours had other points on the
-/// left than on the right, and bend by themselves.
+/// Exact heights, and those of a drawing: what the fit misses of them was taken for a flaw, as blocks of neighbours had
+/// other points on the left than on the right, and bend by themselves.
 #[test]
 fn clean_tables_of_convex_symmetric_shapes_have_no_flaw() {
     let shapes: [fn(f64) -> f64; 6] = [

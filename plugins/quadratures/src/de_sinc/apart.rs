@@ -24,8 +24,8 @@ impl Apart {
         Self { factor, cosh, sinh: descending(&pi_sinh, n * factor - factor / 2, -1.0) }
     }
 
-    /// Writes `x_i - x_k` for the first fine nodes, of which the factors `sech w_k` are given, to full relative precision also where
-    /// both are near the same end.
+    /// Writes `x_i - x_k` for the first fine nodes, of which the factors `sech w_k` are given, to full relative
+    /// precision also where both are near the same end.
     #[inline(always)]
     pub(super) fn minus_into(&self, (i, v): (usize, &Place), sech: &[f64], out: &mut [f64]) {
         let (rows, factor) = (self.cosh.len() / (2 * self.factor), self.factor);
@@ -36,8 +36,8 @@ impl Apart {
     }
 }
 
-/// What is given at half-integer distances `1/2, 3/2, ...`, from the `farthest` of them down and on to negative ones, where it is
-/// `mirror` times as much.
+/// What is given at half-integer distances `1/2, 3/2, ...`, from the `farthest` of them down and on to negative ones,
+/// where it is `mirror` times as much.
 pub(super) fn descending(ascending: &[f64], farthest: usize, mirror: f64) -> Vec<f64> {
     let positive = ascending[..farthest].iter().rev().copied();
     positive.chain(ascending.iter().map(|value| mirror * value)).collect()

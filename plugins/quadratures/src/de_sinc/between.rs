@@ -10,7 +10,8 @@ use std::cell::Cell;
 use std::f64::consts::PI;
 use std::ops::Range;
 
-/// Rows, and vectors of unknowns, that are summed side by side: more sums than these do not stay where the processor adds.
+/// Rows, and vectors of unknowns, that are summed side by side: more sums than these do not stay where the processor
+/// adds.
 const ROWS: usize = 4;
 const WIDE: usize = 2;
 
@@ -19,11 +20,12 @@ thread_local! {
     static ROOM: Cell<Vec<f64>> = const { Cell::new(Vec::new()) };
 }
 
-/// `(step/factor) slope_j [sinc(t - j) +- sinc(t + j)]` at the fine nodes `t = q + r/factor`, `0 < r < factor`, that are no nodes. The last
-/// unknown stands for the places beyond it as well.
+/// `(step/factor) slope_j [sinc(t - j) +- sinc(t + j)]` at the fine nodes `t = q + r/factor`, `0 < r < factor`, that
+/// are no nodes. The last unknown stands for the places beyond it as well.
 ///
-/// As `sin(pi (t -+ j)) = (-1)^j sin(pi t)` it is a factor of `t`, a factor of `j` and `1/(t - j) +- 1/(t + j)`, whose fractions depend on
-/// sums and differences of whole numbers: they are all that is kept, not a row of unknowns for each `t`.
+/// As `sin(pi (t -+ j)) = (-1)^j sin(pi t)` it is a factor of `t`, a factor of `j` and `1/(t - j) +- 1/(t + j)`, whose
+/// fractions depend on sums and differences of whole numbers: they are all that is kept, not a row of unknowns for each
+/// `t`.
 pub(super) struct Between {
     factor: usize,
     odd: bool,
@@ -34,8 +36,8 @@ pub(super) struct Between {
     fractions: (Vec<f64>, usize),
     /// `step/(pi factor) sin(pi r/factor)` for `r = 0, 1, ...`; the sign of `sin(pi t)` alternates with `q`.
     sines: Vec<f64>,
-    /// `(-1)^j slope_j` for the nodes and the places beyond, the other sign where odd, filled up with zeros: where odd, both fractions
-    /// are taken with the opposite sign.
+    /// `(-1)^j slope_j` for the nodes and the places beyond, the other sign where odd, filled up with zeros: where odd,
+    /// both fractions are taken with the opposite sign.
     slopes: Vec<f64>,
     /// For each fine node what the places beyond add to the last unknown's; 0 at the nodes.
     beyond: Vec<f64>,
@@ -72,7 +74,8 @@ impl Between {
         Self { slopes, beyond: of_last, ..between }
     }
 
-    /// What the last node, and each of the places beyond it, adds to the sum over all these nodes per unit of `F` there.
+    /// What the last node, and each of the places beyond it, adds to the sum over all these nodes per unit of `F`
+    /// there.
     pub(super) fn sums_from_last(&self) -> Vec<f64> {
         let (last, width) = (self.cells, self.slopes.len() - self.cells - LANES);
         let mut sums = vec![0.0; width];
@@ -105,7 +108,8 @@ impl Between {
         [self.fractions(r, q + j), self.fractions(self.factor - r, j - q - 1)]
     }
 
-    /// Adds what a density with these numbers, `(-1)^j F_j slope_j` from node `first` on, is at the fine nodes between, times the fine step.
+    /// Adds what a density with these numbers, `(-1)^j F_j slope_j` from node `first` on, is at the fine nodes between,
+    /// times the fine step.
     fn spread_from(&self, first: usize, signed: &[f64], out: &mut [f64]) {
         for (q, cell) in out.chunks_exact_mut(self.factor).take(self.cells).enumerate() {
             for (r, out) in cell.iter_mut().enumerate().skip(1) {
@@ -128,8 +132,9 @@ impl Between {
         }
     }
 
-    /// Adds to each of the rows of unknowns its scale times the sum of what it has `folded` at these nodes times the density there. `rows`
-    /// are of the length given, and so is what is folded; fine nodes from `reach` on have nothing.
+    /// Adds to each of the rows of unknowns its scale times the sum of what it has `folded` at these nodes times the
+    /// density there. `rows` are of the length given, and so is what is folded; fine nodes from `reach` on have
+    /// nothing.
     pub(super) fn add(&self, folded: (&[f64], usize), scale: &[f64], rows: (&mut [f64], usize), reach: usize) {
         if self.factor > 1 {
             self.added(folded, scale, rows, reach, |add| Arch::new().dispatch(add));
@@ -155,7 +160,8 @@ impl Between {
         });
     }
 
-    /// What some rows have folded in the first cells, times the factor of `t`: for each row all `q` of one `r` side by side.
+    /// What some rows have folded in the first cells, times the factor of `t`: for each row all `q` of one `r` side by
+    /// side.
     fn by_phase<'a>(
         &self,
         (folded, count): (&[f64], usize),

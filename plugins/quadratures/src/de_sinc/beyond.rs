@@ -18,11 +18,13 @@ pub(super) struct Beyond {
     shares: Vec<f64>,
     /// Their gaps.
     gaps: Vec<f64>,
-    /// Means of the powers `1, 2, ...` of the gaps over that of the node, over 1, 2, ...: coefficients of the series of `-log(1 - gap)`.
+    /// Means of the powers `1, 2, ...` of the gaps over that of the node, over 1, 2, ...: coefficients of the series of
+    /// `-log(1 - gap)`.
     powers: [f64; POWERS],
 }
 
-/// Gap over a distance up to which the mean of logarithms is told by [`POWERS`] terms of a series: what is left out is below `1e-19`.
+/// Gap over a distance up to which the mean of logarithms is told by [`POWERS`] terms of a series: what is left out is
+/// below `1e-19`.
 const SMALL: f64 = 1e-3;
 const POWERS: usize = 6;
 

@@ -30,7 +30,8 @@ pub(super) struct Fine {
     /// `Ci(pi d)` like the weights of the sign.
     cosine_descending: Vec<f64>,
     cosine_ascending: Vec<f64>,
-    /// What the weights of both logarithms are at the last node, for each staggered point: it stands for the places beyond, too.
+    /// What the weights of both logarithms are at the last node, for each staggered point: it stands for the places
+    /// beyond, too.
     log_beyond: Vec<[f64; 2]>,
     /// [`Rows`] of all staggered points, unless these are many.
     held: Vec<f64>,
@@ -52,8 +53,9 @@ pub(super) struct Fine {
     pub(super) weight: Vec<f64>,
     /// The same for the fine nodes between.
     between: Between,
-    /// What of the last two `F` of a density that is finite at the end to take for the last one: its weights stand for the places beyond,
-    /// where such a density goes on otherwise than an unknown one. Of densities that may be singular, or vanish, it is not known.
+    /// What of the last two `F` of a density that is finite at the end to take for the last one: its weights stand for
+    /// the places beyond, where such a density goes on otherwise than an unknown one. Of densities that may be
+    /// singular, or vanish, it is not known.
     finite_end: [f64; 2],
 }
 
@@ -61,11 +63,12 @@ pub(super) struct Fine {
 /// where the kernel is some `1e7` times as large as the Cauchy part.
 const NEGLIGIBLE: f64 = 1e-22;
 
-/// Most numbers of all rows that are held, 8 MB; more are found again whenever rows are summed, which takes half as long again.
+/// Most numbers of all rows that are held, 8 MB; more are found again whenever rows are summed, which takes half as
+/// long again.
 const HELD: usize = 1 << 20;
 
-/// Some rows, one for each staggered point or for the end: at each fine node `x_i - x_k`, then the weights of the logarithm of
-/// `|x_i - x_k|`, then those of the logarithm of `x_i + x_k`.
+/// Some rows, one for each staggered point or for the end: at each fine node `x_i - x_k`, then the weights of the
+/// logarithm of `|x_i - x_k|`, then those of the logarithm of `x_i + x_k`.
 #[derive(Clone, Copy)]
 pub(super) struct Rows<'a> {
     fine: &'a Fine,
@@ -160,7 +163,8 @@ impl Fine {
         fine
     }
 
-    /// Lets the last node's weights of sign and logarithm stand for those of the places beyond it as well, as its weight in the sum does.
+    /// Lets the last node's weights of sign and logarithm stand for those of the places beyond it as well, as its
+    /// weight in the sum does.
     fn go_on(&mut self, beyond: &Beyond, (sign_at_centre, cosine_at_centre): (&[f64], &[f64])) {
         let (filled, rows) = (self.x.len(), self.rows());
         let last = rows * self.factor;
@@ -222,8 +226,8 @@ impl Fine {
         self.reach[i]
     }
 
-    /// `rows[i][j] = cauchy[i][j] + scale[i] sum_k folded[i][k] (step/factor) dP_k/dF_j` for a few rows of that length, from row `first`
-    /// on, and all unknowns `j`.
+    /// `rows[i][j] = cauchy[i][j] + scale[i] sum_k folded[i][k] (step/factor) dP_k/dF_j` for a few rows of that length,
+    /// from row `first` on, and all unknowns `j`.
     pub(super) fn gather(
         &self,
         grid: &Grid,

@@ -84,8 +84,8 @@ impl Grid {
         ending(x, self.odd)
     }
 
-    /// The places beyond the last node in steps of a `factor`-th, with `F` there over that at the last node: it goes on as that of
-    /// the simplest density does. Those that weigh less than a rounding are left out.
+    /// The places beyond the last node in steps of a `factor`-th, with `F` there over that at the last node: it goes on
+    /// as that of the simplest density does. Those that weigh less than a rounding are left out.
     pub(super) fn beyond(&self, factor: usize) -> Vec<(Place, f64)> {
         let last = self.nodes.len() - 1;
         let (end, fine_step) = (self.nodes[last], self.step / factor as f64);
@@ -97,8 +97,8 @@ impl Grid {
             .collect()
     }
 
-    /// Adds to the last column what those places contribute: left out, it would be missed by as much as the density there
-    /// weighs, the root of the last gap at a sharp edge.
+    /// Adds to the last column what those places contribute: left out, it would be missed by as much as the density
+    /// there weighs, the root of the last gap at a sharp edge.
     fn go_on(&mut self) {
         let (unknowns, beyond) = (self.unknowns(), self.beyond(1));
         for (v, row) in self.staggered.iter().zip(self.cauchy.chunks_exact_mut(unknowns)) {
@@ -109,8 +109,8 @@ impl Grid {
         }
     }
 
-    /// Factors of the last two `F` that make `F` at a place beyond, of a density that is finite at the end: it goes on with its slope over the
-    /// root of the gap.
+    /// Factors of the last two `F` that make `F` at a place beyond, of a density that is finite at the end: it goes on
+    /// with its slope over the root of the gap.
     pub(super) fn finite_beyond(&self, place: &Place) -> [f64; 2] {
         let [.., before, last] = &self.nodes[..] else { unreachable!("two nodes at least") };
         let rise = (last.sech - place.sech) / (before.sech - last.sech);
@@ -158,8 +158,8 @@ impl Grid {
     /// `C/sqrt(1 - t^2)` for odd ones; the rows of the Cauchy matrix are its samples at the staggered points.
     fn edge_functional(&self) -> Vec<f64> {
         let mut row: Vec<f64> = self.resultant.iter().map(|r| r / PI).collect();
-        // Beyond the last point C goes on with its slope over the root of the gap. Weights there are summed, not taken as the rest of
-        // pi/2: the rest's rounding would be multiplied by 1/scale.
+        // Beyond the last point C goes on with its slope over the root of the gap. Weights there are summed, not taken
+        // as the rest of pi/2: the rest's rounding would be multiplied by 1/scale.
         let points = self.staggered.len();
         let [before, last] = [points - 2, points - 1].map(|i| self.staggered[i].sech);
         let mut share = vec![self.step; points];
@@ -274,8 +274,8 @@ fn simplest_integral(v: &Place, edge: Edge, odd: bool) -> f64 {
 mod tests {
     use super::*;
 
-    /// A stick zone ends where nothing of `F` is left but what goes with the gap and with its power 3/2: without the power `1 - a/b` was off by
-    /// 6e-10 with this grid, and is by 8e-11.
+    /// A stick zone ends where nothing of `F` is left but what goes with the gap and with its power 3/2: without the
+    /// power `1 - a/b` was off by 6e-10 with this grid, and is by 8e-11.
     #[test]
     fn the_condition_at_the_end_of_a_stick_zone_takes_off_the_gap_and_its_power() {
         let grid = Grid::new(32, 2.2, true, Edge::Continued);

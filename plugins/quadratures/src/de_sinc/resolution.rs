@@ -39,10 +39,11 @@ const MOST_DIGITS: f64 = 36.0;
 
 /// Where a grid of `n` steps ends in `u`: where what is taken for granted beyond weighs as much as what the steps miss.
 ///
-/// Beyond its end densities and strains go on, so that as much as the last gap is missed, or less. Measured on flat punches (sharp), cylinders
-/// (smooth) and stick zones (continued) on layers from a half to twenty half-widths thick: at a sharp edge 11, 16 and 22 steps miss 2e-8, 5e-11 and
-/// 4e-14 of the numbers at the best ends, 2.0, 2.4 and 2.6, at a smooth one 3e-7, 1e-9 and 1e-12 at 2.1, 2.4 and 2.6. A stick zone is known best
-/// with ends 0.1 to 0.2 before these; where the slip zone is narrower than the last gap its shear is missed by the root of the gap.
+/// Beyond its end densities and strains go on, so that as much as the last gap is missed, or less. Measured on flat
+/// punches (sharp), cylinders (smooth) and stick zones (continued) on layers from a half to twenty half-widths thick:
+/// at a sharp edge 11, 16 and 22 steps miss 2e-8, 5e-11 and 4e-14 of the numbers at the best ends, 2.0, 2.4 and 2.6, at
+/// a smooth one 3e-7, 1e-9 and 1e-12 at 2.1, 2.4 and 2.6. A stick zone is known best with ends 0.1 to 0.2 before these;
+/// where the slip zone is narrower than the last gap its shear is missed by the root of the gap.
 pub(super) fn reach(n: usize, edge: Edge) -> f64 {
     match edge {
         Edge::Sharp => (1.7 + 0.7 * (n as f64 / 6.0).ln()).clamp(1.5, 3.4),
@@ -75,8 +76,8 @@ impl Resolution {
 
     /// What a kernel's sum misses because a finer grid has no room.
     ///
-    /// A flat punch on a layer of a thousandth of its half-width, at 128, 181 and 256 steps: about 2e-8, 4e-6 and 1e-4. The errors told there were
-    /// 2e-6, 1e-4 and 2.5e-3, where the first is that of the coarser steps before.
+    /// A flat punch on a layer of a thousandth of its half-width, at 128, 181 and 256 steps: about 2e-8, 4e-6 and 1e-4.
+    /// The errors told there were 2e-6, 1e-4 and 2.5e-3, where the first is that of the coarser steps before.
     pub(super) fn lost_for_room(self, thinness: f64) -> f64 {
         let factor = self.oversampling(thinness);
         let next = FACTORS.iter().find(|next| **next > factor);
@@ -87,8 +88,8 @@ impl Resolution {
     }
 }
 
-/// Most distances of all rows of a fine grid. A finer one would be asked for by more than 512 steps over a thin layer only; too coarse a
-/// one shows against its refined twin.
+/// Most distances of all rows of a fine grid. A finer one would be asked for by more than 512 steps over a thin layer
+/// only; too coarse a one shows against its refined twin.
 const MOST_ENTRIES: usize = 1 << 22;
 
 /// `Im u` at `x = c (1 + i gap)`, and 15 % off that: measured 0.6, 0.45, 0.3, 0.24, 0.2 at gaps of 1, 0.3, 0.1,

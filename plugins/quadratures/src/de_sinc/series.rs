@@ -25,11 +25,13 @@ pub(super) struct Series<'a> {
 }
 
 impl Series<'_> {
-    /// About how far it is off between its samples: by what of its spectrum they do not tell apart from lower frequencies.
+    /// About how far it is off between its samples: by what of its spectrum they do not tell apart from lower
+    /// frequencies.
     ///
-    /// With the frequency the spectrum falls like `Y exp(-d w)` per radian and step, to `w = pi`, the highest that the samples tell; there
-    /// `(-1)^j y_h` sums to half of it. As much as lies beyond, `int_pi^inf`, is taken for something lower: about
-    /// `2 Y exp(-pi d)/(pi d)` is lost. It waves as it falls, and may vanish at one frequency by chance: several tell it.
+    /// With the frequency the spectrum falls like `Y exp(-d w)` per radian and step, to `w = pi`, the highest that the
+    /// samples tell; there `(-1)^j y_h` sums to half of it. As much as lies beyond, `int_pi^inf`, is taken for
+    /// something lower: about `2 Y exp(-pi d)/(pi d)` is lost. It waves as it falls, and may vanish at one frequency by
+    /// chance: several tell it.
     pub(super) fn lost_between(&self) -> f64 {
         let Self { signed, odd, offset } = *self;
         let (count, whole) = (signed.len() as f64, signed.iter().map(|y| y.abs()).sum::<f64>());

@@ -44,8 +44,9 @@ impl<'a> Shape<'a> {
         Series { signed, odd: *odd, offset: 0.0 }.lost_between()
     }
 
-    /// About how far it is off as close to a sharp end as that, over the half-width: past the last node but one it is on its way to
-    /// the limit, which it is taken to have reached at the last. There `y` is still something like the last gap.
+    /// About how far it is off as close to a sharp end as that, over the half-width: past the last node but one it is
+    /// on its way to the limit, which it is taken to have reached at the last. There `y` is still something like the
+    /// last gap.
     pub(super) fn lost_at_end(&self, nearest: f64) -> f64 {
         let Self { grid, signed, .. } = *self;
         if grid.edge != Edge::Sharp {
@@ -124,8 +125,8 @@ const SPREAD: f64 = 4.0;
 
 /// Where the first value stands that is noise, and about how large it is; nothing where there is none.
 ///
-/// `F` goes with `s^2 = 1 - x^2` at the end, which noise does not. That may be far less than the rounding of the largest value: a stick zone's
-/// system tells small unknowns beside the end as well as large ones.
+/// `F` goes with `s^2 = 1 - x^2` at the end, which noise does not. That may be far less than the rounding of the
+/// largest value: a stick zone's system tells small unknowns beside the end as well as large ones.
 fn first_noise(f: &[f64], grid: &Grid, largest: f64) -> Option<(usize, f64)> {
     let mut steepest = largest;
     for (j, (f, node)) in f.iter().zip(&grid.nodes).enumerate().skip(grid.first) {
@@ -141,11 +142,11 @@ fn first_noise(f: &[f64], grid: &Grid, largest: f64) -> Option<(usize, f64)> {
     None
 }
 
-/// The node at which to cut `F`, which is known to within `noise`: `f` is off there by `noise/s`, and by `s` times what `F/s^2` still changes by
-/// beyond, as far as noise does not explain it. Where both together are least.
+/// The node at which to cut `F`, which is known to within `noise`: `f` is off there by `noise/s`, and by `s` times what
+/// `F/s^2` still changes by beyond, as far as noise does not explain it. Where both together are least.
 ///
-/// Under a narrow slip zone `F/s^2` changes until the gap is well below its width: cut where `F` is the power 2/3 of its noise, as does where
-/// it goes on with the root of the gap, it took three times as many unknowns.
+/// Under a narrow slip zone `F/s^2` changes until the gap is well below its width: cut where `F` is the power 2/3 of
+/// its noise, as does where it goes on with the root of the gap, it took three times as many unknowns.
 fn cut(f: &[f64], grid: &Grid, noise: f64) -> usize {
     let (mut best, mut least) = (f.len().saturating_sub(1), f64::INFINITY);
     let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);

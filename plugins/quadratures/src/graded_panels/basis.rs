@@ -50,7 +50,8 @@ impl Basis {
         if self.edge == Edge::Sharp { 1.0 } else { mesh.vanishing(u) }
     }
 
-    /// `f sin(theta)` over the polynomial, where the angle has that sine: of `f = F/sin(theta)` that is what `F` is over it.
+    /// `f sin(theta)` over the polynomial, where the angle has that sine: of `f = F/sin(theta)` that is what `F` is
+    /// over it.
     pub(super) fn measure_at(self, mesh: &Mesh, u: f64, sine: f64) -> f64 {
         self.factor(mesh, u) * if self.edge == Edge::Smooth { sine } else { 1.0 }
     }

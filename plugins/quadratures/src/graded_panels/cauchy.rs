@@ -37,7 +37,8 @@ pub(super) fn row_into(
     let rest = if even { even_rest } else { odd_rest };
     let angle = mesh.angle(target);
     let image = mesh.place_of(PI - angle);
-    // What is integrated, and what is summed: in `u` the last of them lies beside the real line, but where that is the angle.
+    // What is integrated, and what is summed: in `u` the last of them lies beside the real line, but where that is the
+    // angle.
     let is_angle = mesh.root == 1;
     let poles = [(target, 1.0), (image, -basis.parity.mirror()), (-target, -1.0)];
     let (products, sums) = poles.split_at(if is_angle { 3 } else { 2 });

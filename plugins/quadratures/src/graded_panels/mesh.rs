@@ -17,8 +17,9 @@ const RATIO: f64 = 0.25;
 
 /// Panels over `0 <= theta <= pi/2`, the contact's end at 0 and its middle at `pi/2`; `x = c cos(theta)`.
 ///
-/// They are panels of `u`, of which the angle is a power: `theta = u^root`. On each a polynomial of degree `degree`, by its values at
-/// `degree + 1` Chebyshev-Lobatto points; the end points belong to both neighbours, so that what is described is continuous.
+/// They are panels of `u`, of which the angle is a power: `theta = u^root`. On each a polynomial of degree `degree`, by
+/// its values at `degree + 1` Chebyshev-Lobatto points; the end points belong to both neighbours, so that what is
+/// described is continuous.
 #[derive(Clone, Debug)]
 pub(super) struct Mesh {
     pub(super) degree: usize,
@@ -103,7 +104,8 @@ impl Mesh {
         sum
     }
 
-    /// What `slope/(theta - theta_p)` is beside its pole `1/(u - p)`: `sum (k + 1) u^k p^(root - 2 - k)` over [`Self::rise`].
+    /// What `slope/(theta - theta_p)` is beside its pole `1/(u - p)`: `sum (k + 1) u^k p^(root - 2 - k)` over
+    /// [`Self::rise`].
     pub(super) fn rest_of_pole(&self, u: f64, p: f64) -> f64 {
         let (mut sum, mut power) = (0.0, 1.0);
         for k in (1..self.root).rev() {

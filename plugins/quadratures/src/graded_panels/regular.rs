@@ -8,22 +8,25 @@ use slipzone_api::elementary::sin_pi;
 use slipzone_api::{Component, KernelTable, Parts, PartsVec, root};
 use std::f64::consts::PI;
 
-/// Longest piece in `x` that a target may be near to or in, over the length on which the kernel parts vary (distance of their poles).
+/// Longest piece in `x` that a target may be near to or in, over the length on which the kernel parts vary (distance of
+/// their poles).
 ///
 /// Measured on flat punches, kernels with poles at that distance, lengths from 2 to 0.01 half-widths, against
 /// pieces of 0.2 with more points: unknowns off by 1e-13 of the largest (1e-12 at 0.01, rounding); with pieces
 /// of 2 by 2e-9 at 6 nodes.
 pub(super) const PIECE: f64 = 1.0;
-/// Longest piece over its distance to the target: the kernel as a whole is analytic but beside the origin. Where its parts are analytic
-/// there, too, a piece is to be so far away that the whole is summed.
+/// Longest piece over its distance to the target: the kernel as a whole is analytic but beside the origin. Where its
+/// parts are analytic there, too, a piece is to be so far away that the whole is summed.
 const AWAY: f64 = 2.0 / (NEAR - 1.0);
 /// The same where they are singular: `2.2^(-2 q)` is left by `q` Gauss points.
 const GRADED: f64 = 6.0;
 
-/// Longest piece next to the target that is summed in the power of the distance with which kernels begin there, over the target's distance to
-/// the contact's end in `u`: as short where a root in which both are polynomials is unknown, or high.
+/// Longest piece next to the target that is summed in the power of the distance with which kernels begin there, over
+/// the target's distance to the contact's end in `u`: as short where a root in which both are polynomials is unknown,
+/// or high.
 const NEXT: f64 = 1e-5;
-/// What may be left of a density on a longer one, which varies on that share of the distance to the contact's end, or over nodes of a panel.
+/// What may be left of a density on a longer one, which varies on that share of the distance to the contact's end, or
+/// over nodes of a panel.
 const LEFT: f64 = 1e-14;
 const VARIES: f64 = 0.1;
 
@@ -53,7 +56,8 @@ enum Sum {
     Near,
 }
 
-/// Gauss points over `[0, 1]` in a root of the distance in which it and its power are polynomials, or nearly so; twice their weights.
+/// Gauss points over `[0, 1]` in a root of the distance in which it and its power are polynomials, or nearly so; twice
+/// their weights.
 #[derive(Default)]
 struct Powers {
     power: f64,
@@ -65,7 +69,8 @@ struct Powers {
 
 impl Powers {
     fn set(&mut self, power: f64, gauss: &Gauss) {
-        /// A power of the root is a polynomial if it is as near to a whole number as that; as good as one if it is that large.
+        /// A power of the root is a polynomial if it is as near to a whole number as that; as good as one if it is that
+        /// large.
         const WHOLE: f64 = 1e-3;
         const SMOOTH: f64 = 4.0;
         const LARGEST: u32 = 20;
@@ -101,7 +106,8 @@ pub(super) struct Regular {
     /// Of the kernel, or of its parts.
     values: Vec<f64>,
     parts: PartsVec,
-    /// What the density is multiplied with at the points of a piece, at those of a whole panel, and at all others of it.
+    /// What the density is multiplied with at the points of a piece, at those of a whole panel, and at all others of
+    /// it.
     of_piece: Vec<f64>,
     summand: Vec<f64>,
     cut: Weighted,
@@ -169,7 +175,8 @@ pub(super) fn points(layout: &Layout, thinness: f64) -> usize {
 }
 
 impl Regular {
-    /// Cuts the panels, as seen from the angle `target`: into pieces that are no longer than the kernel allows where they are near.
+    /// Cuts the panels, as seen from the angle `target`: into pieces that are no longer than the kernel allows where
+    /// they are near.
     fn cut(&mut self, target: f64, views: &[View; 2], layout: &Layout, half_width: f64, table: &dyn KernelTable) {
         let (finest, ratio) = match table.nearest() {
             Some(nearest) => (nearest, GRADED),
@@ -223,7 +230,8 @@ impl Regular {
         }
     }
 
-    /// The points of the pieces: their offsets from the pole that sees them, and their distances from the angle `target`.
+    /// The points of the pieces: their offsets from the pole that sees them, and their distances from the angle
+    /// `target`.
     fn place(&mut self, target: f64, views: &[View; 2], layout: &Layout, half_width: f64) {
         let q = layout.gauss.z.len();
         let points = q * self.pieces.len();
@@ -261,7 +269,8 @@ impl Regular {
                 distances.iter_mut().zip(&*offsets).for_each(|(out, offset)| *out = view.angle_to(*offset));
                 let cos = if piece.is_image { -cos } else { cos };
                 for (distance, sine) in distances.iter_mut().zip(sines) {
-                    // As products of sines of half the angle between and of that from the target; no cosine is negative.
+                    // As products of sines of half the angle between and of that from the target; no cosine is
+                    // negative.
                     let half = sin_pi((0.5 / PI) * *distance);
                     let other = (1.0 - half * half).max(0.0).sqrt();
                     *sine = (sin * (1.0 - 2.0 * half * half) + cos * 2.0 * half * other).max(0.0);
@@ -273,8 +282,8 @@ impl Regular {
         }
     }
 
-    /// `row[j]` = what the `j`-th unknown contributes to `(c/pi) int_0^(pi/2) F measure (k(x - r) + mirror k(x + r)) dtheta` at the
-    /// angle `target`.
+    /// `row[j]` = what the `j`-th unknown contributes to `(c/pi) int_0^(pi/2) F measure (k(x - r) + mirror k(x + r))
+    /// dtheta` at the angle `target`.
     pub(super) fn row_into(
         &mut self,
         target: f64,
@@ -291,7 +300,8 @@ impl Regular {
         self.place(target, &views, layout, half_width);
         let q = layout.gauss.z.len();
         let points = self.distances.len();
-        // Of a kernel that begins with a power all pieces are next to the origin or far from it: its parts tell nothing more.
+        // Of a kernel that begins with a power all pieces are next to the origin or far from it: its parts tell nothing
+        // more.
         let has_parts = table.power().is_none();
         if has_parts {
             self.parts.resize(points);

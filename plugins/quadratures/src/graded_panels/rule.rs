@@ -8,8 +8,9 @@ use slipzone_api::{Component, Densities, Edge, KernelTable, Parity, Rule, Statio
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// Multiplications, of those that run side by side, that a point costs a target beside the kernel there: its distance, its weight, and a
-/// panel's polynomials, one after the other. Measured under 3,000 thicknesses, 16e6 points: 20 ns, where one of an elimination takes 0.5 and one of these counts a quarter of it.
+/// Multiplications, of those that run side by side, that a point costs a target beside the kernel there: its distance,
+/// its weight, and a panel's polynomials, one after the other. Measured under 3,000 thicknesses, 16e6 points: 20 ns,
+/// where one of an elimination takes 0.5 and one of these counts a quarter of it.
 const PER_POINT: u64 = 160;
 
 /// The layout, stretched.
@@ -30,7 +31,8 @@ impl PanelRule {
         self.layout.basis
     }
 
-    /// Whether a kernel's integral over the density may be singular at the contact's end: it is sampled times `sin(theta)`.
+    /// Whether a kernel's integral over the density may be singular at the contact's end: it is sampled times
+    /// `sin(theta)`.
     fn is_singular(&self, table: &dyn KernelTable) -> bool {
         self.basis().edge == Edge::Sharp && table.power().is_some()
     }

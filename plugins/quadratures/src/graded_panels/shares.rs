@@ -28,9 +28,11 @@ impl Weighted {
 
 /// Polynomials by their values at Chebyshev-Lobatto points, ascending, in terms of Chebyshev polynomials.
 ///
-/// Sums are taken of these, three operations each in lanes that know nothing of each other, where Lagrange's ask for a division.
+/// Sums are taken of these, three operations each in lanes that know nothing of each other, where Lagrange's ask for a
+/// division.
 pub(super) struct Shares {
-    /// `rows[k * (degree + 1) + i]`: of the `k`-th Chebyshev polynomial in what is one at the node `i` and zero at the others.
+    /// `rows[k * (degree + 1) + i]`: of the `k`-th Chebyshev polynomial in what is one at the node `i` and zero at the
+    /// others.
     rows: Vec<f64>,
     width: usize,
 }

@@ -37,8 +37,8 @@ impl Nodes {
         self.r.len() + self.far.len()
     }
 
-    /// Writes `r - x` for each node, then `r + x` where the kernel is asked for, for each of the stations, whose gaps are to the
-    /// end at `a`.
+    /// Writes `r - x` for each node, then `r + x` where the kernel is asked for, for each of the stations, whose gaps
+    /// are to the end at `a`.
     pub(super) fn distances_into(&self, at: &[Station], out: &mut [f64]) {
         Arch::new().dispatch(Distances { nodes: self, at, out });
     }

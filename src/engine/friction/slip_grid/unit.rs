@@ -9,8 +9,8 @@ use std::sync::Arc;
 pub(super) const END: f64 = 3.6;
 /// Points that stand for all nodes where a function hardly varies over the slip zone: whole vectors of them.
 const POINTS: usize = 8;
-/// A function does where it is analytic up to this many widths of the slip zone from it: of a pole there the interpolant misses
-/// `2 58^-8`, or 2e-14, and less of what is milder.
+/// A function does where it is analytic up to this many widths of the slip zone from it: of a pole there the
+/// interpolant misses `2 58^-8`, or 2e-14, and less of what is milder.
 pub(super) const APART: f64 = 14.0;
 
 /// The grid, and how to do with a few points.
@@ -41,8 +41,8 @@ impl Unit {
 
     fn new(count: usize, end: f64) -> Self {
         let mut nodes = double_exponential::nodes_up_to(1.0, count, end);
-        // Beside the stick zone the pressure is finite: nodes there matter as little as what is left out at the contact's edge
-        // once they are as near as the root of its gap.
+        // Beside the stick zone the pressure is finite: nodes there matter as little as what is left out at the
+        // contact's edge once they are as near as the root of its gap.
         let least = nodes[0].from_lower.sqrt();
         nodes.retain(|node| node.from_lower > least);
         let points = std::array::from_fn(|i| 0.5 - 0.5 * (PI * (2 * i + 1) as f64 / (2 * POINTS) as f64).cos());

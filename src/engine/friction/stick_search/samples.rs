@@ -1,7 +1,7 @@
 //! The friction curve sampled, and what it is in between.
 //!
-//! Under a layer it is told beside that of a half-plane: as long as it rises with that, not too unevenly, no root hides between a few
-//! samples, and the quotient of both is a polynomial.
+//! Under a layer it is told beside that of a half-plane: as long as it rises with that, not too unevenly, no root hides
+//! between a few samples, and the quotient of both is a polynomial.
 
 use super::FrictionCurve;
 use crate::engine::friction::half_plane_shear::HalfPlaneShear;
@@ -18,11 +18,11 @@ const ASYMPTOTIC_ABOVE: f64 = 5.0;
 const ON_ASYMPTOTE: f64 = 0.03;
 /// Step of the scan where the layer is thinner than the contact is wide.
 const STEP_ON_THIN: f64 = 1.0;
-/// Step where it is thicker. Half of it, where the curve's slope over the half-plane's changes from step to step by more than that factor,
-/// or changes sign.
+/// Step where it is thicker. Half of it, where the curve's slope over the half-plane's changes from step to step by
+/// more than that factor, or changes sign.
 ///
-/// Of 5,400 random contacts on layers whose kernels are longer than the contact is wide, steps of 3 kept that in 4,300; of these none
-/// had a slope of another sign in steps a twelfth as long.
+/// Of 5,400 random contacts on layers whose kernels are longer than the contact is wide, steps of 3 kept that in 4,300;
+/// of these none had a slope of another sign in steps a twelfth as long.
 const STEP: f64 = 3.0;
 const UNEVEN: f64 = 3.0;
 /// Step of the scan's continuation where the asymptote is late.
@@ -68,7 +68,8 @@ impl Samples {
     }
 }
 
-/// The root of `eta(lambda) = target` to be expected between a sample and the next, at which the differences have two signs.
+/// The root of `eta(lambda) = target` to be expected between a sample and the next, at which the differences have two
+/// signs.
 pub(super) fn expected(samples: &[Sample], first: usize, target: f64) -> Near {
     let (from, to) = (&samples[first], &samples[first + 1]);
     let start = (first + 1).saturating_sub(NEIGHBOURS / 2).min(samples.len().saturating_sub(NEIGHBOURS));
@@ -102,7 +103,8 @@ fn on_half_plane(lambda: f64) -> f64 {
 }
 
 impl FrictionCurve<'_> {
-    /// Samples the curve: up to where it follows its asymptotes on most layers, and where it does not rise evenly on all.
+    /// Samples the curve: up to where it follows its asymptotes on most layers, and where it does not rise evenly on
+    /// all.
     pub(crate) fn sample(&mut self) -> Result<Samples, Refusal> {
         let thin = (2.0 * self.normal.half_width / self.layer.length()).max(1.0).ln();
         let top = (ASYMPTOTIC_ABOVE + thin).min(Self::WIDEST);
@@ -157,8 +159,8 @@ impl FrictionCurve<'_> {
         Ok(Sample { lambda, friction: self.at(lambda)?, on_half_plane: on_half_plane(lambda) })
     }
 
-    /// The strain that the pressure causes in the middle, `beta' p(0) = beta p(0) - (1/pi) int p k_uv`, over `p(0)`: where the stick zone is
-    /// narrow, `d(1/eta)/d lambda = -2/(pi beta')`.
+    /// The strain that the pressure causes in the middle, `beta' p(0) = beta p(0) - (1/pi) int p k_uv`, over `p(0)`:
+    /// where the stick zone is narrow, `d(1/eta)/d lambda = -2/(pi beta')`.
     pub(super) fn strained(&mut self) -> f64 {
         let middle = Station { x: 0.0, gap: self.normal.half_width };
         let mut coupled = [0.0];
@@ -167,7 +169,8 @@ impl FrictionCurve<'_> {
     }
 }
 
-/// Whether the curve's slope over the half-plane's changes slowly from sample to sample, and to what it is before the first and beyond the last.
+/// Whether the curve's slope over the half-plane's changes slowly from sample to sample, and to what it is before the
+/// first and beyond the last.
 fn rises_evenly(points: &[Sample], (before, beyond): (f64, f64)) -> bool {
     let within = points.windows(2).map(|pair| pair[0].rise_to(&pair[1]));
     let rises: Vec<f64> = [before].into_iter().chain(within).chain([beyond]).collect();

@@ -5,9 +5,9 @@ use crate::engine::friction::stick_search::{FrictionCurve, Root};
 use crate::engine::numerics::root::CERTAIN;
 
 impl Members {
-    /// The stick zone of a member to within an error from near it, by systems that `one` solves: for the zone given it finds the next one
-    /// along the slope given. What the shear lacks is moved with the last step: it is linear in so short a one. `None`
-    /// where the guess was not near.
+    /// The stick zone of a member to within an error from near it, by systems that `one` solves: for the zone given it
+    /// finds the next one along the slope given. What the shear lacks is moved with the last step: it is linear in so
+    /// short a one. `None` where the guess was not near.
     pub(super) fn approach<E>(
         &mut self,
         error: f64,
@@ -85,8 +85,8 @@ mod tests {
     use super::*;
     use std::convert::Infallible;
 
-    /// A zone approached along the slope given, where the friction rises by 0.14 per unit to what is wanted at 7, and jumps by so much just
-    /// before the start.
+    /// A zone approached along the slope given, where the friction rises by 0.14 per unit to what is wanted at 7, and
+    /// jumps by so much just before the start.
     fn approached(slope: f64, doubt: f64, jump: f64) -> Option<Member> {
         let excess = |lambda: f64| 0.14 * (lambda - 7.0) + if lambda > 6.98995 { jump } else { 0.0 };
         let start = Root { lambda: 6.99, branch: 1.0, slope, doubt };

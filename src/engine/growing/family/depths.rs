@@ -1,8 +1,9 @@
 //! Depths of the flat punches of a family against a datum.
 //!
-//! Over the distance to the datum they change by far more than anything else does, and members that tell the pressures tell too little of
-//! that. But each is told by its pressure, and that by these members: so depths are taken at half-widths of their own, even in
-//! `asinh(b/datum)`, which is the half-width well within that distance and its logarithm well beyond.
+//! Over the distance to the datum they change by far more than anything else does, and members that tell the pressures
+//! tell too little of that. But each is told by its pressure, and that by these members: so depths are taken at
+//! half-widths of their own, even in `asinh(b/datum)`, which is the half-width well within that distance and its
+//! logarithm well beyond.
 
 use super::{OF_PRESSURE, blend};
 use crate::engine::growing::blend::Blend;

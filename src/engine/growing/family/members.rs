@@ -23,10 +23,12 @@ const NEAR: f64 = 0.3;
 /// Error of the members' stick zones over the tolerance.
 const REFINED: f64 = 0.1;
 
-/// A member and whether the conditions of friction were found to hold under it, or what is to be said of its stick zone.
+/// A member and whether the conditions of friction were found to hold under it, or what is to be said of its stick
+/// zone.
 type Solved = Result<(Member, bool), Box<Rubbing>>;
 
-/// By how much a coarser family was wrong about members of this one, each in proportion to its half-width: narrow ones bear little.
+/// By how much a coarser family was wrong about members of this one, each in proportion to its half-width: narrow ones
+/// bear little.
 #[derive(Default)]
 struct Wrong(Option<f64>);
 
@@ -47,7 +49,8 @@ impl Wrong {
     }
 }
 
-/// Where the places end at which shears are told under members one of which has that stick zone, if any has. Narrow ones are half-planes'.
+/// Where the places end at which shears are told under members one of which has that stick zone, if any has. Narrow
+/// ones are half-planes'.
 fn end_of_shear(flat: &Problem, zone: Option<Root>) -> f64 {
     /// Of a zone as wide as that, at [`END`] the shear has met `eta p`.
     const MET: f64 = 18.0;
@@ -76,8 +79,8 @@ impl Family {
         Ok(())
     }
 
-    /// By how much pressure and `W` of the member solved last differ at the edge, relative, from what a coarser resolution tells of
-    /// them: resolutions agree there long before they do elsewhere.
+    /// By how much pressure and `W` of the member solved last differ at the edge, relative, from what a coarser
+    /// resolution tells of them: resolutions agree there long before they do elsewhere.
     fn apart_at_edge(&mut self, coarse: &Family, b: f64) -> f64 {
         let told = [
             coarse.contact.normal.edge_factor_of(coarse.pressed.pressure(b, &mut self.room)),
@@ -155,8 +158,8 @@ impl Family {
         Ok(self.look_closer(layer, task)?)
     }
 
-    /// What is said of contacts that stick as a whole at one of two half-widths, and not at the other: where that ends, or begins. A stick zone
-    /// of a wider one that is smaller than that shrinks.
+    /// What is said of contacts that stick as a whole at one of two half-widths, and not at the other: where that ends,
+    /// or begins. A stick zone of a wider one that is smaller than that shrinks.
     fn sticks_between(
         &mut self,
         layer: &mut PreparedLayer,
@@ -184,8 +187,8 @@ impl Family {
         Ok(Unfit::Friction(sticks, Box::new(rubbing)))
     }
 
-    /// Solves for the stick zones between the members that are told to shrink, but by less than is sure: narrow ones are told no better
-    /// than wide ones ask for.
+    /// Solves for the stick zones between the members that are told to shrink, but by less than is sure: narrow ones
+    /// are told no better than wide ones ask for.
     fn look_closer(&mut self, layer: &mut PreparedLayer, task: Task) -> Result<(), Refusal> {
         let Some(rubbed) = self.rubbed.as_ref().filter(|_| self.shrinks(0.0..f64::INFINITY, STEADY).is_none()) else {
             return Ok(());
@@ -205,8 +208,8 @@ impl Family {
         Ok(())
     }
 
-    /// The stick zone of one member by a search of its own: the others follow. Of several it is one that slides as the contact has from the
-    /// beginning: where that is a face, as that does.
+    /// The stick zone of one member by a search of its own: the others follow. Of several it is one that slides as the
+    /// contact has from the beginning: where that is a face, as that does.
     fn search(&mut self, layer: &mut PreparedLayer, task: Task, (b, face): (f64, f64)) -> Result<Root, Unfit> {
         let mut outcome = self.contact.solve(layer, task, None, None)?;
         let is_one_of_several =
@@ -309,8 +312,9 @@ impl Family {
         Ok(())
     }
 
-    /// Solves one member under friction from a guess of its stick zone, and leaves its pressure in the contact: what is found,
-    /// and whether the conditions of friction were found to hold where that is asked; or else what is to be said of it.
+    /// Solves one member under friction from a guess of its stick zone, and leaves its pressure in the contact: what is
+    /// found, and whether the conditions of friction were found to hold where that is asked; or else what is to be said
+    /// of it.
     fn solve_member(
         &mut self,
         layer: &mut PreparedLayer,

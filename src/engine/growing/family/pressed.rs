@@ -64,8 +64,8 @@ impl Pressed {
         density
     }
 
-    /// The pressures of all half-widths times `sqrt(1 - (x/b)^2)`, with what tells them between the members; `normal` is the contact of
-    /// their unknowns.
+    /// The pressures of all half-widths times `sqrt(1 - (x/b)^2)`, with what tells them between the members; `normal`
+    /// is the contact of their unknowns.
     pub(super) fn spread(&mut self, normal: &mut Normal) -> (&Blend, &Sheet) {
         let Self { blend, pressure, spread, .. } = self;
         let sheet = spread.get_or_insert_with(|| {

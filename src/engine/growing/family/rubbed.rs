@@ -26,14 +26,17 @@ pub(super) struct Rubbed {
     pub(super) zones: Vec<Seen>,
     /// How unsure those between are, relative, times the half-width.
     unsure: f64,
-    /// How much of each function of the half-width there is in it, and in the slope of the friction coefficient over it.
+    /// How much of each function of the half-width there is in it, and in the slope of the friction coefficient over
+    /// it.
     of_lambda: Vec<f64>,
     of_slope: Vec<f64>,
-    /// How much of the slopes is left to the function that varies fastest, relative: one member's that is none of the others' shows.
+    /// How much of the slopes is left to the function that varies fastest, relative: one member's that is none of the
+    /// others' shows.
     slope_left: f64,
     /// `+1` where the slip is inward, `-1` where it is outward.
     pub(super) branch: f64,
-    /// Whether all of every member sticks: what the shear lacks is then told to none at all, for what slides is out of all proportion.
+    /// Whether all of every member sticks: what the shear lacks is then told to none at all, for what slides is out of
+    /// all proportion.
     pub(super) sticks: bool,
     /// What the shear lacks in the stick zone, times `sqrt(b^2 - x^2)`.
     pub(super) lack: Sheet,
@@ -55,8 +58,8 @@ impl Rubbed {
         Root { lambda: self.lambda_at(half_width), branch: self.branch, slope, doubt: doubt.max(self.slope_left) }
     }
 
-    /// By how much a member of that half-width, of a finer resolution, differs from what is told of it, as far as that is the series: by
-    /// its stick zone, on which resolutions agree long before they do on the shear.
+    /// By how much a member of that half-width, of a finer resolution, differs from what is told of it, as far as that
+    /// is the series: by its stick zone, on which resolutions agree long before they do on the shear.
     pub(super) fn apart_from(&self, member: &Member, half_width: f64) -> f64 {
         self.slower * (self.lambda_at(half_width) - member.root.lambda).abs() / felt(member.root.lambda)
     }
@@ -119,7 +122,8 @@ pub(super) struct Member {
 }
 
 impl Member {
-    /// What the shear solved last lacks to a friction coefficient's, times `sqrt(b^2 - x^2)`, as a series over the places up to an end.
+    /// What the shear solved last lacks to a friction coefficient's, times `sqrt(b^2 - x^2)`, as a series over the
+    /// places up to an end.
     pub(super) fn lack(contact: &Contact, friction: f64, end: f64) -> Vec<f64> {
         let shear = contact.shear.as_ref().expect("friction has shear");
         let zone = shear.zone;
@@ -189,7 +193,8 @@ impl Members {
         Some(Root { lambda, branch: self.branch, slope: *self.slope.last()?, doubt: f64::INFINITY })
     }
 
-    /// Two half-widths side by side, everything sticking at the first and not at the second; `None` where it does at all, or at none.
+    /// Two half-widths side by side, everything sticking at the first and not at the second; `None` where it does at
+    /// all, or at none.
     pub(super) fn sticks_at_times(&self, half_widths: &[f64]) -> Option<(f64, f64)> {
         let sticks = |lambda: f64| lambda > FrictionCurve::WIDEST;
         let change = self.lambda.windows(2).position(|pair| sticks(pair[0]) != sticks(pair[1]))?;
@@ -300,7 +305,8 @@ impl Seen {
     }
 }
 
-/// Stick zones at the members, the widest first, and as told at the ends of the parts between, where they are so `unsure`.
+/// Stick zones at the members, the widest first, and as told at the ends of the parts between, where they are so
+/// `unsure`.
 fn zones(blend: &Blend, lambda: &[f64], of_lambda: &[f64], unsure: f64) -> Vec<Seen> {
     let half_widths = blend.half_widths();
     let mut zones = Vec::with_capacity(PARTS * half_widths.len());
@@ -313,8 +319,9 @@ fn zones(blend: &Blend, lambda: &[f64], of_lambda: &[f64], unsure: f64) -> Vec<S
     zones
 }
 
-/// Whether each slope is near that of the member before. One that was measured where the curve jumps, from one grid of the slip zone to
-/// another, is not, and what is between it and others moves no zone far enough, at this resolution and at all that come after.
+/// Whether each slope is near that of the member before. One that was measured where the curve jumps, from one grid of
+/// the slip zone to another, is not, and what is between it and others moves no zone far enough, at this resolution and
+/// at all that come after.
 fn are_alike(slopes: &[f64]) -> bool {
     /// A step along a slope that many times another, or less, still leaves no more than half of the way.
     const NEAR: f64 = 1.5;
@@ -330,8 +337,8 @@ fn side_by_side(mut series: Vec<Vec<f64>>) -> (Vec<f64>, usize) {
     (series.concat(), width)
 }
 
-/// How many times as many places as the unknowns alone ask for tell the shear where convergence is that much slower; in powers of
-/// `sqrt 2`, so that neighbours have as many.
+/// How many times as many places as the unknowns alone ask for tell the shear where convergence is that much slower; in
+/// powers of `sqrt 2`, so that neighbours have as many.
 fn finer(crowding: f64) -> f64 {
     /// A zone that ends far from the contact's edge asks for no more.
     const NEARLY: f64 = 0.65;

@@ -2,16 +2,16 @@
 
 /// Series fall off with at least this power of their members.
 const ORDER: f64 = 8.0;
-/// The root of what is left too much by which members are added: nothing is as slow as that, and the resolutions that come add
-/// what is still missing.
+/// The root of what is left too much by which members are added: nothing is as slow as that, and the resolutions that
+/// come add what is still missing.
 ///
-/// Measured on 180 random contacts at 1e-8 and 1e-10: with 18 a tenth more work, with 32 less on most of them, but up to six times
-/// on a few, and shears off by up to 14 estimates.
+/// Measured on 180 random contacts at 1e-8 and 1e-10: with 18 a tenth more work, with 32 less on most of them, but up
+/// to six times on a few, and shears off by up to 14 estimates.
 const GROWTH: f64 = 24.0;
 /// A series leaves no more than so many times its last coefficient.
 ///
-/// Measured on stick zones: a thirtieth of it on a layer five times as thick as the contact is wide, 10 to 80 times it on layers
-/// a tenth or ten times as stiff above as below, which are as thick as the contact is wide.
+/// Measured on stick zones: a thirtieth of it on a layer five times as thick as the contact is wide, 10 to 80 times it
+/// on layers a tenth or ten times as stiff above as below, which are as thick as the contact is wide.
 const BESIDE_LAST: f64 = 100.0;
 /// Members over those of the coarsest resolution: beside these they show what that left.
 const COMPARED: f64 = 1.25;
@@ -39,7 +39,8 @@ impl Told {
     pub(super) fn new(members: usize, last: f64, coarse: Option<(Self, f64)>) -> Self {
         match coarse {
             None => Self::first(members, last),
-            // Where both go through the same values nothing is seen, but what a better resolution leaves of the last coefficient.
+            // Where both go through the same values nothing is seen, but what a better resolution leaves of the last
+            // coefficient.
             Some((coarse, _)) if coarse.members == members => {
                 Self { last, left: coarse.left.min(BESIDE_LAST * last), ..coarse }
             }
@@ -100,8 +101,8 @@ mod tests {
         assert_eq!(same.left().to_bits(), coarse.left().to_bits());
     }
 
-    /// Through the most members there are, values of a better resolution take nothing but rounding on: under rounded flats on thin skins it
-    /// was the coarse one that was left of, at each finer one.
+    /// Through the most members there are, values of a better resolution take nothing but rounding on: under rounded
+    /// flats on thin skins it was the coarse one that was left of, at each finer one.
     #[test]
     fn a_better_resolution_of_as_many_members_leaves_less() {
         let coarse = Told::new(12, 1e-6, Some((Told::first(8, 1e-5), 1e-4)));

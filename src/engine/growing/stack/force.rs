@@ -6,22 +6,24 @@ use crate::engine::numerics::chebyshev::{Points, Series};
 use crate::engine::numerics::lanes::LANES;
 use crate::engine::problem::Problem;
 
-/// Coefficients of the force over a piece that are tried first; twice as many follow. The fewer leave out 2e-9, 2e-7 and 2e-6 on layers
-/// 50, 5 and 1 half-widths thick, and are not tried where less than this is to be left.
+/// Coefficients of the force over a piece that are tried first; twice as many follow. The fewer leave out 2e-9, 2e-7
+/// and 2e-6 on layers 50, 5 and 1 half-widths thick, and are not tried where less than this is to be left.
 const COEFFICIENTS: [usize; 2] = [12, 24];
 const OF_FEWER: f64 = 1e-7;
 /// Most of them; fewer where twice as many from so many on are no better.
 const MOST_COEFFICIENTS: usize = 384;
 const STALLING: usize = 48;
-/// What twice as many leave of what a series misses that is singular at the tip: more of them are worth less than a cut nearer to it.
+/// What twice as many leave of what a series misses that is singular at the tip: more of them are worth less than a cut
+/// nearer to it.
 const SLOW: f64 = 0.1;
-/// What a pressure exactly at a kink misses, over what the series does of the rate there: one that goes with a low power of the distance has
-/// most of it nearest to the kink.
+/// What a pressure exactly at a kink misses, over what the series does of the rate there: one that goes with a low
+/// power of the distance has most of it nearest to the kink.
 const AT_KINK: f64 = 4.0;
-/// Root of the distance from where a piece begins in which its force is a series; over the first piece that of the flat punches, if higher.
+/// Root of the distance from where a piece begins in which its force is a series; over the first piece that of the flat
+/// punches, if higher.
 const ROOT: u32 = 2;
-/// Over a piece shorter than this, beside where it ends, the force hardly grows: what its series does below rounding would be no small part of
-/// that.
+/// Over a piece shorter than this, beside where it ends, the force hardly grows: what its series does below rounding
+/// would be no small part of that.
 const SHORT: f64 = 1e-3;
 /// A height below this, beside the others of a shape, is none.
 const FAINTEST: f64 = 1e-290;
@@ -37,17 +39,18 @@ pub(super) struct Piece {
 
 /// How the force is written.
 enum Force {
-    /// From a point: `rho` times the height, which is `kappa b' g'(b')`; both series in a root of `b'/to`. So the force has
-    /// the order of the shape from the start. A height that a formula gives may have lost all digits there, a slope has
-    /// not.
+    /// From a point: `rho` times the height, which is `kappa b' g'(b')`; both series in a root of `b'/to`. So the force
+    /// has the order of the shape from the start. A height that a formula gives may have lost all digits there, a slope
+    /// has not.
     OfHeight { rho: Series, kappa: Series },
-    /// From the end of a face, without a corner: `s^2` times a series in `s = ((b' - from)/(to - from))^(1/2)`. There is no
-    /// force at first, and it begins to grow at no rate: what the series misses of that is felt all over the face's end.
+    /// From the end of a face, without a corner: `s^2` times a series in `s = ((b' - from)/(to - from))^(1/2)`. There
+    /// is no force at first, and it begins to grow at no rate: what the series misses of that is felt all over the
+    /// face's end.
     FromFace(Series),
-    /// From anywhere else: a series in `s`. Only beyond a corner its slope there is more than what the series misses; what it feigns
-    /// elsewhere is taken off as far as its points do not reach: a rate that goes with `1/s` would be felt at the kink itself,
-    /// where the pressure of what is stacked does so, too. (A series for the growth over `s^2`, as from a face, would be of
-    /// rounding: here there is a force already.)
+    /// From anywhere else: a series in `s`. Only beyond a corner its slope there is more than what the series misses;
+    /// what it feigns elsewhere is taken off as far as its points do not reach: a rate that goes with `1/s` would be
+    /// felt at the kink itself, where the pressure of what is stacked does so, too. (A series for the growth over
+    /// `s^2`, as from a face, would be of rounding: here there is a force already.)
     Plain { series: Series, feigned: f64 },
 }
 
@@ -83,7 +86,8 @@ impl Stack {
             } else {
                 self.fit_plain(problem, family, ends, &points)
             };
-            // A kink at the beginning feels the rate of the force, which a plain series misses by so much more than the force.
+            // A kink at the beginning feels the rate of the force, which a plain series misses by so much more than the
+            // force.
             let felt = if matches!(force, Force::Plain { .. }) { (count * count) as f64 } else { 1.0 };
             let is_enough = missed < (digits / felt).max(ROUNDING);
             let slow = if force.is_singular_at_tip() { SLOW } else { 0.5 };
@@ -104,8 +108,8 @@ impl Stack {
         }
     }
 
-    /// How large a pressure the force of a piece would make where it begins, all of it having grown over the piece, beside that of the
-    /// widest contact; no more than 1.
+    /// How large a pressure the force of a piece would make where it begins, all of it having grown over the piece,
+    /// beside that of the widest contact; no more than 1.
     fn share_at_kink(&self, problem: &Problem, piece: &Piece) -> f64 {
         let Piece { from, to, .. } = *piece;
         let made = piece.force(problem, to) / (2.0 * from * (to - from)).sqrt();
@@ -194,11 +198,12 @@ impl Piece {
         self.force.is_singular_at_tip()
     }
 
-    /// What the series leaves out of the force at a half-width, relative to that force. A series of the force itself is as good as its
-    /// largest coefficient has digits; beside the force close to where the piece begins that may be anything.
+    /// What the series leaves out of the force at a half-width, relative to that force. A series of the force itself is
+    /// as good as its largest coefficient has digits; beside the force close to where the piece begins that may be
+    /// anything.
     ///
-    /// Measured under `|x|^64` on a layer of 0.56 half-widths, at 0.3 of the half-width: the force there is 2e-34 of the last, and was
-    /// -0.5 of what it is.
+    /// Measured under `|x|^64` on a layer of 0.56 half-widths, at 0.3 of the half-width: the force there is 2e-34 of
+    /// the last, and was -0.5 of what it is.
     pub(super) fn missed_at(&self, problem: &Problem, b: f64) -> f64 {
         let s = self.variable((b - self.from).max(0.0));
         let missed = match &self.force {
@@ -220,8 +225,8 @@ impl Piece {
         self.told(problem, (b, s), series.value_and_slope(s), kappa.map_or(0.0, |kappa| kappa.value_and_slope(s).0)).0
     }
 
-    /// Multiplies what slices weigh by the rate `dP/db'` of the force there; their distances to the lower end are not left to
-    /// differences.
+    /// Multiplies what slices weigh by the rate `dP/db'` of the force there; their distances to the lower end are not
+    /// left to differences.
     pub(super) fn weigh(&self, problem: &Problem, slices: &mut [Slice], from_lower: &[f64]) {
         let (series, kappa) = self.series();
         for (slices, from_lower) in slices.chunks_mut(LANES).zip(from_lower.chunks(LANES)) {

@@ -7,14 +7,15 @@ use slipzone_api::elementary::sinh;
 
 /// The longest way in `t` of `b' = x cosh(t)` that one grid integrates over.
 const LONGEST: f64 = 6.0;
-/// Shapes whose slope begins with a lower power of `x` than this press so much on the last bit of their tip that the middle
-/// of the contact feels more of it than a grid in `b'` sees: that bit is told in closed form.
+/// Shapes whose slope begins with a lower power of `x` than this press so much on the last bit of their tip that the
+/// middle of the contact feels more of it than a grid in `b'` sees: that bit is told in closed form.
 const POINTED: f64 = 0.5;
 /// A lower power than this is rounding.
 const BLUNT: f64 = 1e-9;
 /// Parts of the first piece between which that power is measured; it is taken to hold from the second inwards,
 const TIP: [f64; 2] = [1e-24, 1e-20];
-/// and where a law begins with a power of the depth, from where what that leaves is below this, but at the least from there.
+/// and where a law begins with a power of the depth, from where what that leaves is below this, but at the least from
+/// there.
 const FELT: f64 = 1e-16;
 const LEAST_TIP: f64 = 1e-200;
 
@@ -64,9 +65,10 @@ impl Stack {
 
 /// Nodes between two half-widths beyond `x > 0`, of a piece that begins `from` there or before.
 ///
-/// What is stacked has its singularity, of the order `(b' - x)^(-1/2)`, at `x` or just before, and varies with `x/b'`; beyond a kink the
-/// force grows like `(b' - from)^(-1/2)` besides. The way begins at one of the two or at both: by `t` with `b' = x cosh(t)` where there is no
-/// kink, and with `b' - lower = d sinh(t)^2`, `d` the distance of the other, where there is one.
+/// What is stacked has its singularity, of the order `(b' - x)^(-1/2)`, at `x` or just before, and varies with `x/b'`;
+/// beyond a kink the force grows like `(b' - from)^(-1/2)` besides. The way begins at one of the two or at both: by `t`
+/// with `b' = x cosh(t)` where there is no kink, and with `b' - lower = d sinh(t)^2`, `d` the distance of the other,
+/// where there is one.
 pub(super) fn nodes_beyond(
     ways: &Ways,
     (x, from): (f64, f64),
@@ -99,14 +101,15 @@ fn twice(root: f64) -> f64 {
     2.0 * root * (1.0 + root * root).sqrt()
 }
 
-/// The part of the first piece within which the slope's power is taken to hold, and no power with which the law begins is felt.
+/// The part of the first piece within which the slope's power is taken to hold, and no power with which the law begins
+/// is felt.
 pub(super) fn tip(problem: &Problem) -> f64 {
     let of_law = problem.layer.law.broken_power().map(|power| FELT.powf(power.recip()).max(LEAST_TIP));
     of_law.into_iter().fold(TIP[1], f64::min)
 }
 
-/// The power of `x` that the slope of a shape begins with, where it is so low that a grid in `b'` is too coarse for the tip. A corner
-/// has none.
+/// The power of `x` that the slope of a shape begins with, where it is so low that a grid in `b'` is too coarse for the
+/// tip. A corner has none.
 fn pointed(problem: &Problem, upper: f64) -> Option<f64> {
     let [inner, outer] = TIP.map(|part| problem.slope(part * upper));
     let power = (outer / inner).ln() / (TIP[1] / TIP[0]).ln();
@@ -117,8 +120,9 @@ fn pointed(problem: &Problem, upper: f64) -> Option<f64> {
 mod tests {
     use super::*;
 
-    /// What a tip presses on the middle, where the flat punches feel a broken power of the depth: so long as the tip told in one place is the same
-    /// part of every contact, whatever the power, all contacts are off alike, and none shows it.
+    /// What a tip presses on the middle, where the flat punches feel a broken power of the depth: so long as the tip
+    /// told in one place is the same part of every contact, whatever the power, all contacts are off alike, and none
+    /// shows it.
     #[test]
     #[cfg(feature = "formula")]
     fn a_tip_is_told_from_where_the_law_is_no_longer_felt() {

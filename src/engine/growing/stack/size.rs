@@ -47,8 +47,9 @@ impl Stack {
         }
     }
 
-    /// A half-width that bears the load, with what it misses of that: the force grows from a face like a power of what is beyond it, of which the
-    /// half-width holds few digits, a millionth where that is 1e-10 of it. Where the load may shrink, with how it grows there, too.
+    /// A half-width that bears the load, with what it misses of that: the force grows from a face like a power of what
+    /// is beyond it, of which the half-width holds few digits, a millionth where that is 1e-10 of it. Where the load
+    /// may shrink, with how it grows there, too.
     pub(crate) fn size(&mut self, problem: &Problem, family: &mut Family, half_width: f64) -> Size {
         let size = Size::exactly(half_width).missing(self.excess(problem, family, problem.load, half_width).abs());
         if may_shrink(problem, problem.load) { size.growing(self.growth(problem, family, half_width)) } else { size }
@@ -71,7 +72,8 @@ impl Stack {
         Some((if face > 0.0 { face * (1.0 + 1e-12) } else { widest * 1e-9 }, widest))
     }
 
-    /// A half-width at which a load is borne that may shrink again while the contact grows, and before which it was borne nowhere, as far as
+    /// A half-width at which a load is borne that may shrink again while the contact grows, and before which it was
+    /// borne nowhere, as far as
     /// [`CLIMB_STEPS`] and the parabolas through them tell; the widest of the range where it is borne nowhere.
     fn first_rise(
         &mut self,
@@ -125,7 +127,8 @@ impl Stack {
     }
 }
 
-/// Whether a load of that kind may shrink while the contact grows: a stiff surface bends, and a datum may sink as fast as the punch.
+/// Whether a load of that kind may shrink while the contact grows: a stiff surface bends, and a datum may sink as fast
+/// as the punch.
 fn may_shrink(problem: &Problem, load: LoadInLayerUnits) -> bool {
     match load {
         LoadInLayerUnits::HalfWidth(_) => false,

@@ -25,8 +25,8 @@ struct Row {
     violated: bool,
 }
 
-/// Some of the scenes: all, as long as they are few; then every second, fourth, ... by a hash of their numbers, so that the
-/// choice depends on the scenes alone and not on the order in which they come.
+/// Some of the scenes: all, as long as they are few; then every second, fourth, ... by a hash of their numbers, so that
+/// the choice depends on the scenes alone and not on the order in which they come.
 #[derive(Default)]
 struct Rows {
     kept: Vec<Row>,
@@ -107,8 +107,8 @@ fn row(groups: &Groups, x: Source, shot: &Shot) -> (Row, u64) {
     (Row { index, panel, member, x: placed, y: ys, violated }, lost)
 }
 
-/// Takes out numbers that something contradicts and that lie farther from all others than these from each other: a frame that held
-/// them would show little else. Says how many.
+/// Takes out numbers that something contradicts and that lie farther from all others than these from each other: a
+/// frame that held them would show little else. Says how many.
 fn hide_what_is_far(groups: &Groups, rows: &mut [Row]) -> Option<String> {
     let is_log = groups.plot.y_scale == Steps::Log;
     let along = |y: f64| if is_log { y.ln() } else { y };
@@ -251,8 +251,8 @@ pub(super) fn legend(groups: &Groups, is_marked: bool, has_violated: bool) -> Ve
     members.chain(lines).chain(points).chain(violated).filter(|entry| !entry.name.is_empty()).collect()
 }
 
-/// A scale that shows all of the numbers; `None` without any. From 0 where the least is small beside the largest, and with
-/// room at its ends where asked for.
+/// A scale that shows all of the numbers; `None` without any. From 0 where the least is small beside the largest, and
+/// with room at its ends where asked for.
 pub(super) fn scale(
     values: impl Iterator<Item = f64>,
     steps: Steps,

@@ -72,8 +72,8 @@ fn column(study: &Study, place: Place) -> &Column {
     &study.axes[place.axis].columns[place.column]
 }
 
-/// A value of an axis: `µ₁/µ₃ = 1/8`, or the name alone where it says more than a number; with digits that tell it apart
-/// from its values at other steps.
+/// A value of an axis: `µ₁/µ₃ = 1/8`, or the name alone where it says more than a number; with digits that tell it
+/// apart from its values at other steps.
 pub(super) fn value(study: &Study, place: Place, step: u64, others: &[u64]) -> String {
     /// What reminds of a number; what makes two of them that differ.
     const DIGITS: std::ops::Range<usize> = 4..15;

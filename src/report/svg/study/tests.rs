@@ -126,7 +126,8 @@ fn crosses(svg: &str) -> usize {
     document.descendants().filter(|n| n.has_tag_name("path") && n.attribute("stroke-width") == Some("1.7")).count()
 }
 
-/// They have numbers, as computed. Without them a figure of pressures ended where the punch lifts off, and nobody saw how far it was off.
+/// They have numbers, as computed. Without them a figure of pressures ended where the punch lifts off, and nobody saw
+/// how far it was off.
 #[test]
 fn what_contradicts_an_assumption_is_marked_and_not_left_out() {
     let study = study(AXES, CURVES);
@@ -348,8 +349,8 @@ fn a_plateau_of_a_map_has_no_line() {
     assert_eq!((count("1.0"), count("0.8")), (1, 2), "beside the bar alone, and on a line as well: {found:?}");
 }
 
-/// On three rows a line of equal value runs through one colour from frame to frame: those of the cells would change by a
-/// step, and far more, where it leaves one for the next.
+/// On three rows a line of equal value runs through one colour from frame to frame: those of the cells would change by
+/// a step, and far more, where it leaves one for the next.
 #[test]
 fn lines_of_a_map_with_few_rows_match_its_colours() {
     let axes = "[[axes]]\nfield = 'layer.thickness'\nvalues = [1.0, 2.0, 4.0]\n\

@@ -64,8 +64,8 @@ fn a_series_that_is_short_or_unknown_widens_the_bound_and_never_breaks_it() {
 
 #[test]
 fn agrees_with_direct_quadrature_between_the_zeros_of_the_wave() {
-    // mu1/mu3, t/h, and k_vv, k_uu, k_uv, G/A0 at nu = 0.3: the integrals themselves by another program (eigenvectors of
-    // the depth equation, 24 Gauss nodes between zeros, Euler's transformation of the alternating sum).
+    // mu1/mu3, t/h, and k_vv, k_uu, k_uv, G/A0 at nu = 0.3: the integrals themselves by another program (eigenvectors
+    // of the depth equation, 24 Gauss nodes between zeros, Euler's transformation of the alternating sum).
     let expected = [
         (8.0, 1.0, [0.528_393_873_017_2, 0.389_330_580_173_4, 0.719_212_076_489_0, 0.287_773_413_672_3]),
         (0.125, 1.0, [-0.982_313_945_399_5, -0.681_970_100_195_7, 0.016_553_721_732_8, -0.007_617_152_694_3]),
@@ -155,7 +155,8 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// The same where a coarse table is made of a flexibility that is no better than it must be, before a fine one or after.
+    /// The same where a coarse table is made of a flexibility that is no better than it must be, before a fine one or
+    /// after.
     #[test]
     fn bounds_hold_of_rough_flexibilities(
         slope in 0.05_f64..3.0,

@@ -34,7 +34,8 @@ fn convergence_is_exponential() {
     let kernel = graded(1.0);
     let exact = flat_numbers(&kernel, 96);
     let digits = [8, 16, 32].map(|n| -worst(&flat_numbers(&kernel, n), &exact).log10());
-    // n/u_max, to which the digits should be proportional, grows by 1.6 and 1.7; the first end costs less than its share.
+    // n/u_max, to which the digits should be proportional, grows by 1.6 and 1.7; the first end costs less than its
+    // share.
     assert!(digits[1] > 1.4 * digits[0] && digits[2] > 1.45 * digits[1] && digits[2] > 11.0, "digits {digits:?}");
 }
 
@@ -94,8 +95,8 @@ fn potentials_agree_with_the_operator() {
     }
 }
 
-/// The shear that vanishes at the ends of a stick zone and outside, and strains it like a pressure of unit force beyond which the
-/// contact goes on, but for a constant: that constant, and the shear at a gap.
+/// The shear that vanishes at the ends of a stick zone and outside, and strains it like a pressure of unit force beyond
+/// which the contact goes on, but for a constant: that constant, and the shear at a gap.
 ///
 /// The constant is the mean `(1/pi) int p/sqrt(a^2 - x^2) dx = 2 K(a)/pi^2`, the contact's half-width being 1.
 fn stick(zone: Stick, n: usize, gap: f64) -> [f64; 2] {

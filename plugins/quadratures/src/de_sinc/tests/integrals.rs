@@ -67,8 +67,8 @@ fn jump_and_logarithm_are_integrated_exactly() {
     }
 }
 
-/// A grid that ends soon misses what the density differs by from what it is at the end: of the order of the last gap, where the root of that weighs
-/// beyond it.
+/// A grid that ends soon misses what the density differs by from what it is at the end: of the order of the last gap,
+/// where the root of that weighs beyond it.
 #[test]
 fn a_density_goes_on_beyond_the_last_node() {
     let (c, n, u_max) = (2.5, 32, 2.2);

@@ -48,7 +48,8 @@ fn values_between_the_nodes() {
     }
 }
 
-/// Told from the values at the nodes alone, how far those between are off: at most by three times that, and by a tenth of it at least.
+/// Told from the values at the nodes alone, how far those between are off: at most by three times that, and by a tenth
+/// of it at least.
 #[test]
 fn what_is_lost_between_the_nodes_is_told() {
     let c = 2.0;

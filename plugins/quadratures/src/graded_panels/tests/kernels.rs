@@ -197,8 +197,8 @@ impl KernelTable for Power {
     }
 }
 
-/// A kernel singular like a power of the distance: `int |x - r|^(p-1)/sqrt(1 - r^2) dr` is `B(p/2, 1/2)` in the middle; elsewhere rules of
-/// different panels agree.
+/// A kernel singular like a power of the distance: `int |x - r|^(p-1)/sqrt(1 - r^2) dr` is `B(p/2, 1/2)` in the middle;
+/// elsewhere rules of different panels agree.
 #[test]
 fn a_broken_power_at_the_origin_is_summed() {
     // Gamma(1/4) Gamma(1/2)/Gamma(3/4) and Gamma(3/4) Gamma(1/2)/Gamma(5/4).
@@ -223,7 +223,8 @@ fn a_broken_power_at_the_origin_is_summed() {
     }
 }
 
-/// The same where densities are told in a root of the angle: the kernel is a power down to nothing, next to the target and at the contact's end.
+/// The same where densities are told in a root of the angle: the kernel is a power down to nothing, next to the target
+/// and at the contact's end.
 #[test]
 fn a_power_of_the_distance_is_summed_in_a_root_of_the_angle() {
     // Gamma(p/2) Gamma(1/2)/Gamma((p + 1)/2); 12 p is whole but for one.
@@ -265,8 +266,8 @@ fn a_power_of_the_distance_is_summed_in_a_root_of_the_angle() {
     }
 }
 
-/// A jump and a logarithm, as of a kernel that tells them where the law begins with a broken power all the same: against `1/sqrt(1 - r^2)` the one is
-/// `2 asin(x)/pi`, the other `-log 2`.
+/// A jump and a logarithm, as of a kernel that tells them where the law begins with a broken power all the same:
+/// against `1/sqrt(1 - r^2)` the one is `2 asin(x)/pi`, the other `-log 2`.
 #[test]
 fn jumps_and_logarithms_are_integrated_in_a_root_of_the_angle() {
     for p in [0.2, 0.5, 0.8] {

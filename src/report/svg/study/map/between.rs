@@ -14,8 +14,8 @@ pub(super) struct Between {
 }
 
 impl Between {
-    /// From the values at the middles of cells: linear along columns and rows, and beyond the outer middles, to the ends of
-    /// the frame, as on them.
+    /// From the values at the middles of cells: linear along columns and rows, and beyond the outer middles, to the
+    /// ends of the frame, as on them.
     pub(super) fn new([columns, rows]: [&[f64]; 2], [across, up]: [(f64, f64); 2], values: &[Option<f64>]) -> Self {
         let (x, y) = (finer(columns, across), finer(rows, up));
         let linear = |from: Option<f64>, to: Option<f64>, share: f64| {

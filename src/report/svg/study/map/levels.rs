@@ -33,7 +33,8 @@ pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, between: &Betwe
     }
 }
 
-/// Where a number passes through a level: marching squares with straight lines. Squares with a missing corner are left out.
+/// Where a number passes through a level: marching squares with straight lines. Squares with a missing corner are left
+/// out.
 fn level_line(Between { columns, rows, values, .. }: &Between, level: f64) -> Vec<Part> {
     let mut parts = Vec::new();
     for row in 1..rows.len() {
