@@ -12,22 +12,18 @@ use crate::engine::numerics::chebyshev::Points;
 use crate::engine::numerics::root;
 use crate::engine::prepared_layer::PreparedLayer;
 use crate::engine::pressure::normal::Normal;
-use basin::RootError;
 use slipzone_api::Refusal;
 
 /// The range of `lambda = ln(a/(b - a))` that is scanned.
 pub(crate) const SCANNED: std::ops::RangeInclusive<f64> = -14.0..=16.0;
 /// The steps taken through it.
 const SCAN_STEP: f64 = 0.75;
-/// Step of the differences that tell `dC/d lambda` in a scan.
-const STEP: f64 = 0.01;
+const SCAN_STEPS: usize = 41;
 /// Half of the range about the extremum of a coarser resolution over which `C` is a polynomial, and through how many
 /// points. A wider one of as many would be off by 1e-12 of `C`; a narrower one magnifies rounding more than the fifty
-/// times that this does.
+/// times that this does. Through as many over a whole step of the scan to either side it is off by 1e-9.
 const RANGE: f64 = 0.12;
 const POINTS: usize = 9;
-/// Position tolerance.
-const POSITION: f64 = 1e-10;
 
 /// `C/A0` as a function of `lambda`, at one resolution.
 pub(crate) struct RateCurve<'a> {
@@ -46,53 +42,42 @@ impl RateCurve<'_> {
         self.shear.solve_strained(self.layer, self.normal, self.beta, self.friction, zone)
     }
 
-    /// `dC/d lambda` over `A0`.
-    fn slope(&mut self, lambda: f64) -> Result<f64, Refusal> {
-        let last = self.at(lambda + 2.0 * STEP)?;
-        let (after, before, first) = (self.at(lambda + STEP)?, self.at(lambda - STEP)?, self.at(lambda - 2.0 * STEP)?);
-        Ok((8.0 * (after - before) - (last - first)) / (12.0 * STEP))
-    }
-
     /// Where `C` is extremal: near a place known, or anywhere.
     pub(crate) fn extrema(&mut self, known: Option<f64>) -> Result<Vec<f64>, Refusal> {
         if let Some(known) = known
-            && let Some(found) = self.about(known)?
+            && let Some(found) = self.about(known, RANGE)?
         {
             return Ok(vec![found]);
         }
-        let (mut found, mut before) = (Vec::new(), None);
-        let mut lambda = *SCANNED.start();
-        while SCANNED.contains(&lambda) {
-            let slope = self.slope(lambda)?;
-            if let Some((at, was)) = before.filter(|(_, was)| slope * was <= 0.0) {
-                found.push(self.between([at, lambda], [was, slope])?);
+        let rates: Vec<f64> =
+            (0..SCAN_STEPS + 4).map(|step| self.at(scanned(step) - 2.0 * SCAN_STEP)).collect::<Result<_, _>>()?;
+        // Of `C` over the steps, but for a factor.
+        let slope = |rates: &[f64]| 8.0 * (rates[3] - rates[1]) - (rates[4] - rates[0]);
+        let slopes: Vec<f64> = rates.windows(5).map(slope).collect();
+        let mut found = Vec::new();
+        for (step, ends) in slopes.windows(2).enumerate() {
+            if ends[0] * ends[1] <= 0.0
+                && let Some(roughly) = self.about(scanned(step) + 0.5 * SCAN_STEP, SCAN_STEP)?
+            {
+                found.push(self.about(roughly, RANGE)?.unwrap_or(roughly));
             }
-            before = Some((lambda, slope));
-            lambda += SCAN_STEP;
         }
         Ok(found)
     }
 
     /// Where `C` is extremal within a range about a place; `None` where that is not inside.
-    fn about(&mut self, place: f64) -> Result<Option<f64>, Refusal> {
+    fn about(&mut self, place: f64, range: f64) -> Result<Option<f64>, Refusal> {
         let points = Points::get(POINTS);
-        let lambda = |part: f64| place + RANGE * (2.0 * part - 1.0);
+        let lambda = |part: f64| place + range * (2.0 * part - 1.0);
         let rates: Result<Vec<f64>, Refusal> = points.at.iter().map(|part| self.at(lambda(*part))).collect();
         let series = points.through(&rates?);
-        Ok(root::between((0.0, 1.0), f64::EPSILON, |part| series.value_and_slope(part).1).map(lambda))
+        let between = |ends| root::between(ends, f64::EPSILON, |part| series.value_and_slope(part).1);
+        // Another one may be near the ends.
+        Ok(between((0.25, 0.75)).or_else(|| between((0.0, 1.0))).map(lambda))
     }
+}
 
-    /// The root between two places where the slope has different signs.
-    fn between(&mut self, ends: [f64; 2], slopes: [f64; 2]) -> Result<f64, Refusal> {
-        let known = |lambda: f64| slopes.into_iter().zip(ends).find(|(_, end)| end.to_bits() == lambda.to_bits());
-        let slope = |lambda| known(lambda).map_or_else(|| self.slope(lambda), |(slope, _)| Ok(slope));
-        match root::bracketed((ends[0], ends[1]), POSITION, slope) {
-            Ok(found) => Ok(found.at),
-            Err(RootError::Evaluation(refusal)) => Err(refusal),
-            Err(other) => Err(Refusal::Limit {
-                why: format!("where the strain's rate C is extremal could not be found: {other}"),
-                remedy: "leave out strain = \"linear\"",
-            }),
-        }
-    }
+/// A place of the scan.
+fn scanned(step: usize) -> f64 {
+    SCANNED.start() + SCAN_STEP * step as f64
 }
