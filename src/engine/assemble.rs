@@ -77,7 +77,7 @@ impl Solved<'_> {
         };
         let slip = self.stage.signed_friction().filter(|_| {
             // Or nothing slips, or nothing was found.
-            !rubbing.is_full && !matches!(rubbing.verdict, Verdict::NoShear | Verdict::NotScanned)
+            !rubbing.is_full && rubbing.verdict != Verdict::NoShear && rubbing.has_zone()
         });
         Some(StickReport {
             half_width: number(Quantity::StickHalfWidth, length),

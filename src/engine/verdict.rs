@@ -19,6 +19,7 @@ const UNSURE: f64 = 0.25;
 
 /// In Goodman's approximation friction changes nothing else.
 const REST_HOLDS: &str = "; stick zone and shear do not hold, all other numbers do, each within its error";
+const NO_ROOT: &str = "no stick zone belongs to this friction coefficient with slip in one direction only";
 
 /// Status and reason of a solved contact.
 pub(super) fn verdict(
@@ -79,14 +80,16 @@ fn objection(
             || format!("the pressure is uncertain by {doubt:.1e} of itself: where the punch lifts off cannot be known");
         return Some(if error > tolerance { inexact() } else { (Status::NotConverged, untold()) });
     }
+    let rubbing = judged.outcome.rubbing.as_ref();
     if let Some((x, p)) = stage.tension(layer, problem, &judged.outcome) {
         let why = format!(
             "the pressure is negative, {p:.4} times the mean at |x| = {x:.4} b: the punch lifts off there, and contact \
              with gaps is not modelled"
         );
-        return Some((Status::AssumptionViolated, why));
+        let has_root = rubbing.is_none_or(|rubbing| rubbing.verdict != Verdict::NoRoot);
+        return Some((Status::AssumptionViolated, if has_root { why } else { format!("{why}; {NO_ROOT}") }));
     }
-    let of_stick = judged.outcome.rubbing.as_ref().and_then(|rubbing| of_stick(rubbing, problem.is_stacked()));
+    let of_stick = rubbing.and_then(|rubbing| of_stick(rubbing, problem.is_stacked()));
     of_stick.or_else(|| (error > tolerance).then(inexact))
 }
 
@@ -102,10 +105,7 @@ fn of_stick(rubbing: &Rubbing, has_grown: bool) -> Option<(Status, String)> {
             Some((Status::AssumptionViolated, format!("the stick zone is not solved: {how}{REST_HOLDS}")))
         }
         Verdict::Untold(why) => Some((Status::NotConverged, format!("the stick zone cannot be found: {why}"))),
-        Verdict::NoRoot => {
-            let why = "no stick zone belongs to this friction coefficient with slip in one direction only";
-            Some((Status::AssumptionViolated, format!("{why}{REST_HOLDS}")))
-        }
+        Verdict::NoRoot => Some((Status::AssumptionViolated, format!("{NO_ROOT}{REST_HOLDS}"))),
         Verdict::NotScanned => {
             let [narrowest, widest] = [SCANNED.start(), SCANNED.end()].map(|lambda| StickZone::from_log(*lambda, 1.0));
             let why = format!(

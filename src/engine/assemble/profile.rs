@@ -50,15 +50,15 @@ impl Solved<'_> {
         let mut inside: Vec<Station> = relative.iter().map(station).collect();
         inside.retain(|station| station.gap > 0.0);
         let mut pressure = vec![0.0; inside.len()];
-        let mut shear = Some(Vec::with_capacity(inside.len()));
+        let is_known = judged.outcome.rubbing.as_ref().is_none_or(Rubbing::has_zone);
+        let mut shear = is_known.then(|| Vec::with_capacity(inside.len()));
         let at_once = if problem.is_stacked() { STACKED_AT_ONCE } else { AT_ONCE };
         for (at, pressure) in inside.chunks(at_once).zip(pressure.chunks_mut(at_once)) {
             layer.meter().within()?;
             stage.pressure_into(problem, at, pressure);
-            let found = stage.shear(problem, at, pressure);
-            shear = shear.zip(found).map(|(mut all, found)| {
-                all.extend(found);
-                all
+            shear = shear.and_then(|mut all| {
+                all.extend(stage.shear(problem, at, pressure)?);
+                Some(all)
             });
         }
         // Points on the edge or beyond it have no value of their own.
@@ -87,7 +87,7 @@ impl Solved<'_> {
     /// make of it.
     pub(super) fn add_strain(&mut self, scene: &Scene, profile: &mut Profile) -> Result<Option<f64>, Refusal> {
         let (problem, judged, b) = (self.problem, self.judged, self.half_width());
-        let rubbing = judged.outcome.rubbing.as_ref().filter(|_| scene.output.strain);
+        let rubbing = judged.outcome.rubbing.as_ref().filter(|rubbing| scene.output.strain && rubbing.has_zone());
         let Some((rubbing, friction)) = rubbing.zip(problem.friction) else { return Ok(None) };
         let relative = profile.x.iter().map(|x| x / (problem.length * b));
         let mean = judged.outcome.numbers.get(Quantity::Mean).unwrap_or(0.0);

@@ -108,6 +108,11 @@ impl Rubbing {
         Self { shear: Some(shear), ..self }
     }
 
+    /// Whether there is a zone to report: one that was found, holds or not, or a bound of it.
+    pub(crate) fn has_zone(&self) -> bool {
+        !matches!(self.verdict, Verdict::NoRoot | Verdict::NotScanned)
+    }
+
     /// The zone to report: all of the contact where everything sticks.
     pub(crate) fn reported_zone(&self) -> StickZone {
         if self.is_full { self.zone.widened() } else { self.zone }

@@ -83,6 +83,14 @@ impl Judged {
 
     /// Completes what the resolutions told: errors that their differences do not see, and which of them count.
     pub(crate) fn conclude(&mut self, problem: &Problem, layer: &PreparedLayer, tolerance: f64) {
+        if self.outcome.rubbing.as_ref().is_some_and(|rubbing| !rubbing.has_zone()) {
+            // What stands for it in the differences is where the search began.
+            for quantity in Quantity::ALL.into_iter().filter(|quantity| quantity.is_of_shear()) {
+                self.outcome.numbers.take(quantity);
+                self.errors.take(quantity);
+            }
+            self.of_shear = None;
+        }
         if let Some(of_shear) = self.of_shear {
             self.errors.set(Quantity::Shear, of_shear);
         }
@@ -284,14 +292,13 @@ pub(crate) fn share_in_shear(outcome: &Outcome) -> f64 {
     if share > 0.0 { share.min(1.0) } else { 1.0 }
 }
 
-/// Errors of a stick zone that is only bounded, however close the bound is, or not found at all, in a contact as
-/// uncertain as that; `None` where it is found.
+/// Errors of a stick zone that is only bounded, however close the bound is, in a contact as uncertain as that; `None`
+/// where it is found, or nothing is.
 fn bound_of_stick(outcome: &Outcome, of_contact: f64) -> Option<Numbers> {
     let rubbing = outcome.rubbing.as_ref()?;
     let (ratio, one_minus) = (rubbing.zone.ratio(), rubbing.zone.one_minus_ratio());
     let (of_ratio, of_gap) = match rubbing.verdict {
         Verdict::TooNarrow => (1.0, ratio / one_minus),
-        Verdict::NotScanned => (1.0, 1.0),
         // There is none beside it.
         _ if rubbing.is_full => (one_minus / ratio, one_minus / ratio),
         _ => return None,
