@@ -24,8 +24,10 @@ use std::borrow::Cow;
 const PRESSURE: &str = "profile.pressure";
 /// Where the strain left stands in a result.
 const STRAIN: &str = "profile.strain";
-/// Indentation over the thickness, and slope of the punch in contact, from which strains are no longer called small.
+/// Indentation over the thickness, mean pressure over the shear modulus, and slope of the punch in contact, from which
+/// strains are no longer called small.
 const DEEP: f64 = 0.1;
+const PRESSED: f64 = 1.0;
 const STEEP: f64 = 0.3;
 /// What is said where the cost of Goodman's approximation is not known.
 const COST_UNTOLD: &str = "Goodman: what it costs that q does not change p is not known: its estimate fails here, as on layers much thinner than the contact, or where much friction lets little slip";
@@ -212,8 +214,13 @@ fn large_strains(problem: &Problem, numbers: &Numbers) -> Option<String> {
     // Convex: steepest at the edge.
     let grown = numbers.get(Quantity::HalfWidth).filter(|_| problem.fixed_half_width().is_none());
     let (depth, slope) = (depth.unwrap_or(0.0), grown.map_or(0.0, |b| problem.slope(b)));
+    // Of the surface and of what the layer rests on; on a rigid base pressure may be high where nothing gives way.
+    let shear = problem.layer.substrate().map_or(1.0, |substrate| substrate.shear.max(1.0));
+    let mean = numbers.get(Quantity::Mean).filter(|_| !problem.is_on_rigid_base()).map_or(0.0, |mean| mean / shear);
     let what = if depth > DEEP {
         format!("the indentation is {depth:.2} times the thickness")
+    } else if mean > PRESSED {
+        format!("the mean pressure is {mean:.2} times the shear modulus")
     } else if slope > STEEP {
         format!("the punch has a slope of {slope:.2} at the contact's edge")
     } else {

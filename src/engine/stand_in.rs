@@ -177,9 +177,9 @@ fn obstacle(model: Model, scene: &Scene, problem: &Problem) -> Option<Obstacle> 
         Model::CorrectedHalfPlane if !matches!(scene.layer.base, Base::Rigid | Base::Frictionless) => {
             Some(Obstacle::No("takes a layer on a rigid base"))
         }
-        Model::HalfPlane if problem.wants_depth() && scene.layer.has_depths() => {
-            Some(Obstacle::No("has no indentation: leave `load.indentation` out of `output.quantities`"))
-        }
+        Model::HalfPlane if problem.wants_depth() && scene.layer.has_depths() => Some(Obstacle::No(
+            "has no indentation: name the others in `[output] quantities`, as in [\"load.force\", \"pressure\", \"edge\", \"stick\"]",
+        )),
         Model::Homogeneous if is_infinite => Some(Obstacle::No("takes a layer on a base: `half-plane` is one without")),
         _ => None,
     }

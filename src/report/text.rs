@@ -1,6 +1,6 @@
 //! What a tribologist reads on the terminal.
 
-use crate::engine::{Curve, Slip, Solution, Status};
+use crate::engine::{Curve, Slip, Solution, Status, StickReport};
 use crate::report::labels::{Labels, one_line, with_unit};
 use crate::report::number::{digits, significant, trimmed};
 use crate::report::scene_line::{ASCII, scene_parts};
@@ -34,8 +34,8 @@ pub fn text(solution: &Solution) -> String {
     if solution.status != Status::Refused {
         line(&mut page, "");
         table(&mut page, &rows(solution), &solution.error.each);
-        if let Some(slip) = solution.stick.as_ref().and_then(|stick| stick.slip) {
-            pair(&mut page, "slip", direction(slip));
+        if let Some(slip) = solution.stick.as_ref().and_then(slip) {
+            pair(&mut page, "slip", slip);
         }
         if let Some(curve) = &solution.path {
             path(&mut page, curve, &Labels::new(&solution.units));
@@ -57,10 +57,16 @@ fn status(status: Status) -> &'static str {
     }
 }
 
-fn direction(slip: Slip) -> &'static str {
-    match slip {
-        Slip::Inward => "inward: beside the stick zone the surface slides towards the middle (q = +eta p at x > a)",
-        Slip::Outward => "outward: beside the stick zone the surface slides away from the middle (q = -eta p at x > a)",
+/// Where it slides; `None` where that was not found or not asked for.
+fn slip(stick: &StickReport) -> Option<&'static str> {
+    match stick.slip {
+        Some(Slip::Inward) => {
+            Some("inward: beside the stick zone the surface slides towards the middle (q = +eta p at x > a)")
+        }
+        Some(Slip::Outward) => {
+            Some("outward: beside the stick zone the surface slides away from the middle (q = -eta p at x > a)")
+        }
+        None => (stick.one_minus_ratio == Some(0.0)).then_some("none: everything sticks"),
     }
 }
 

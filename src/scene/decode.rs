@@ -105,7 +105,10 @@ fn explain(document: &Document, path: &Path, message: &str) -> SceneError {
         }
         Complaint::OutOfRange { expected, found } => {
             blamed(document, &mut path, message);
-            let error = document.not_allowed(&path, expected);
+            let mut error = document.not_allowed(&path, expected);
+            if found == Some("neither") {
+                error.message = format!("`{}` lacks a key", dotted(&path));
+            }
             let is_friction = path == ["friction", "coefficient"];
             let error = if is_friction { error.hint(FRICTIONLESS) } else { error };
             if let Some(found) = found { error.found(found) } else { error }

@@ -105,6 +105,9 @@ fn slivers_of_slip_are_found_whichever_way() {
         println!("mu1/mu3 = {ratio}: 1 - a/b = {:e}, {error:.1e} apart, {allowed:.1e} claimed", gap(&sinc));
         assert!(error.abs() < allowed, "mu1/mu3 = {ratio}: {error:.1e} apart, {allowed:.1e} claimed");
         assert!(gap(&sinc) < 1e-8, "mu1/mu3 = {ratio}: a sliver");
+        // The contact is exactly as wide as the punch.
+        let each = ["stick.half_width", "stick.ratio"].map(|path| sinc.error.each[path]);
+        assert!((each[0] / each[1] - 1.0).abs() < 1e-9, "{each:?}");
     }
 }
 
@@ -113,6 +116,8 @@ fn without_coupling_everything_sticks_and_nothing_shears() {
     // nu = 1/2 in plane strain: beta = 0, and a half-plane has no other coupling.
     let solution = Sketch::half_plane(0.5).rubbing(0.3).solve();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+    assert!(slipzone::report::text(&solution).contains("none: everything sticks"));
+    assert!(solution.error.each["stick.one_minus_ratio"] < f64::MIN_POSITIVE, "known: {:?}", solution.error);
     let stick = solution.stick.expect("friction");
     assert_eq!((stick.ratio, stick.one_minus_ratio, stick.slip), (Some(1.0), Some(0.0), None));
     let shear = solution.profile.shear.expect("friction");

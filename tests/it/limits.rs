@@ -69,14 +69,15 @@ fn units_change_nothing_but_units() {
 /// Linear elasticity answers any load; where its strains are not small the result says so.
 #[test]
 fn strains_that_are_not_small_are_named() {
-    let said = |punch: &str, load: &str| {
+    let said_on = |base: &str, punch: &str, load: &str| {
         let text = format!(
-            "format = 1\nlayer = {{ thickness = 2.0, poisson = 0.3, grading = {{ type = \"exponential\", surface = 1.0, base = 8.0 }} }}\n\
+            "format = 1\nlayer = {{ {base} poisson = 0.3, grading = {{ type = \"homogeneous\", modulus = 2.0 }} }}\n\
              punch = {{ {punch} }}\nload = {{ {load} }}\nsolver = {{ tolerance = 1e-4 }}\n"
         );
         let solution = slipzone::engine::solve(&slipzone::scene::parse("large.toml", &text).unwrap());
         solution.assumptions.into_iter().find(|what| what.contains("strains are not small"))
     };
+    let said = |punch: &str, load: &str| said_on("thickness = 2.0,", punch, load);
     let (flat, cylinder) = ("type = \"flat\", half_width = 1.0", "type = \"cylinder\", radius = 1.0");
     assert_eq!(said(flat, "indentation = 0.19"), None);
     assert!(said(flat, "indentation = 0.24").unwrap().starts_with("the indentation is 0.12 times the thickness"));
@@ -84,4 +85,15 @@ fn strains_that_are_not_small_are_named() {
     assert!(
         said(cylinder, "half_width = 0.4").unwrap().starts_with("the punch has a slope of 0.40 at the contact's edge")
     );
+    // Where depths are unknown a force in the wrong unit shows in the pressure.
+    let bases = [
+        ("base = { type = \"infinite\" },", 2.0),
+        ("thickness = 2.0, base = { type = \"half-plane\", shear = 1.0, poisson = 0.3 },", 2.0),
+        ("thickness = 2.0, base = { type = \"half-plane\", shear = 5.0, poisson = 0.3 },", 5.0),
+    ];
+    for (base, shear) in bases {
+        assert_eq!(said_on(base, flat, &format!("force = {:?}", 1.9 * shear)), None);
+        let found = said_on(base, flat, &format!("force = {:?}", 3.0 * shear)).expect("more than the modulus");
+        assert!(found.starts_with("the mean pressure is 1.50 times the shear modulus"), "{base} {found}");
+    }
 }

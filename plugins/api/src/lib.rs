@@ -7,9 +7,10 @@
 //! record, so that tools can list, explain and try it.
 //!
 //! # Units
-//! The run-time halves work in the layer's own units: lengths in its thickness `h` (in the user's unit
-//! of length on an infinite solid), stresses in the surface shear modulus `mu1`. Signs and symbols are
-//! those of `docs/theory.md`: `y` points into the solid, `p` and `q` act on it along +y and +x.
+//! A [`PunchShape`] is in the user's units, and so are the moduli of a [`ModulusLaw`]. All else of the run-time halves is
+//! in the layer's own: lengths in its thickness `h` (in the user's unit of length on an infinite solid), stresses in the
+//! surface shear modulus `mu1`. Signs and symbols are those of `docs/theory.md`: `y` points into the solid, `p` and `q`
+//! act on it along +y and +x.
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub mod chebyshev;

@@ -12,7 +12,7 @@ pub struct Cylinder {
 }
 
 slipzone_api::register!(Punch, "cylinder", "parabolic tip of a radius: the contact grows with the load and ends smoothly",
-    also: ["circle", "circular", "disc", "disk", "sphere", "spherical", "parabola", "parabolic", "hertz", "hertzian"],
+    also: ["circle", "circular", "disc", "disk", "parabola", "parabolic", "hertz", "hertzian"],
     example: "type = \"cylinder\"\nradius = 10.0",
     parameters: [("radius", "radius of the cylinder (length)", true, [1.0, 10.0, 1000.0], Positive)],
     source: "CC13 section 4, eqs. 61-67");

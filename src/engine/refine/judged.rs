@@ -241,18 +241,19 @@ pub(crate) fn with_the_rest(
     errors.add(Quantity::Peak, of_peak(outcome));
     // These are beside the mean.
     errors.add(Quantity::Centre, rest * (1.0 / share_in_middle(outcome) - 1.0));
-    share_zones(&mut errors, &outcome.numbers);
+    share_zones(problem, &mut errors, &outcome.numbers);
     errors
 }
 
 /// Stick zone and slip zones make up the contact: what is wrong of the narrower is wrong of the wider, over its width.
-fn share_zones(errors: &mut Numbers, numbers: &Numbers) {
+fn share_zones(problem: &Problem, errors: &mut Numbers, numbers: &Numbers) {
     let parts = [Quantity::StickRatio, Quantity::OneMinusRatio];
     let [Some(stick), Some(slip)] = parts.map(|part| numbers.get(part)) else { return };
     let (narrow, wide, quotient) =
         if slip < stick { (parts[1], parts[0], slip / stick) } else { (parts[0], parts[1], stick / slip) };
     let Some(of_wide) = errors.get(narrow).map(|of_narrow| (quotient * of_narrow).max(SLIP_ROUNDING)) else { return };
-    let of_contact = errors.get(Quantity::HalfWidth).unwrap_or(0.0);
+    let is_given = problem.given().any(|given| given == Quantity::HalfWidth);
+    let of_contact = errors.get(Quantity::HalfWidth).filter(|_| !is_given).unwrap_or(0.0);
     let half_width = (wide == Quantity::StickRatio).then_some((Quantity::StickHalfWidth, of_wide + of_contact));
     for (quantity, most) in [(wide, of_wide)].into_iter().chain(half_width) {
         if let Some(error) = errors.get(quantity) {
@@ -299,6 +300,7 @@ fn bound_of_stick(outcome: &Outcome, of_contact: f64) -> Option<Numbers> {
     let (ratio, one_minus) = (rubbing.zone.ratio(), rubbing.zone.one_minus_ratio());
     let (of_ratio, of_gap) = match rubbing.verdict {
         Verdict::TooNarrow => (1.0, ratio / one_minus),
+        Verdict::NoShear => (0.0, 0.0),
         // There is none beside it.
         _ if rubbing.is_full => (one_minus / ratio, one_minus / ratio),
         _ => return None,
