@@ -4,6 +4,7 @@ use super::prepared_layer::PreparedLayer;
 use super::problem::Problem;
 use super::solution::Status;
 use crate::engine::accuracy::quantity::Quantity;
+use crate::engine::friction::checks::place;
 use crate::engine::friction::linear_strain::SCANNED;
 use crate::engine::friction::rubbing::{Rubbing, Verdict};
 use crate::engine::friction::stick_zone::StickZone;
@@ -83,8 +84,9 @@ fn objection(
     let rubbing = judged.outcome.rubbing.as_ref();
     if let Some((x, p)) = stage.tension(layer, problem, &judged.outcome) {
         let why = format!(
-            "the pressure is negative, {p:.4} times the mean at |x| = {x:.4} b: the punch lifts off there, and contact \
-             with gaps is not modelled"
+            "the pressure is negative, {p:.4} times the mean at {} on either side: the punch lifts off there, and \
+             contact with gaps is not modelled",
+            place(x)
         );
         let has_root = rubbing.is_none_or(|rubbing| rubbing.verdict != Verdict::NoRoot);
         return Some((Status::AssumptionViolated, if has_root { why } else { format!("{why}; {NO_ROOT}") }));

@@ -427,8 +427,8 @@ impl Contact {
             }
         }
         let slip_check = self.slip_check.get_or_insert_default();
-        slip_check
-            .wrong_slip(layer, problem, normal, shear)
-            .map(|x| format!("with {direction} slip and {zone}, the surface slides the other way at x = {x:.4} b"))
+        slip_check.wrong_slip(layer, problem, normal, shear).map(|x| {
+            format!("with {direction} slip and {zone}, the surface slides the other way at {}", checks::place(x))
+        })
     }
 }

@@ -98,9 +98,21 @@ pub(crate) fn is_too_little(bears: f64) -> bool {
 /// the pressure pulls.
 pub(crate) fn overloaded(load: f64, at: f64) -> String {
     if load.is_finite() {
-        format!("|q| reaches {load:.3} eta p at x = {at:.4} b")
+        format!("|q| reaches {load:.3} eta p at {}", place(at))
     } else {
-        format!("the pressure pulls at x = {at:.4} b")
+        format!("the pressure pulls at {}", place(at))
+    }
+}
+
+/// A place `x/b`, in words: beside the edge by how far it is from there.
+pub(crate) fn place(at: f64) -> String {
+    let from_edge = 1.0 - at;
+    if from_edge < f64::EPSILON {
+        "the edge".into()
+    } else if from_edge < 1e-3 {
+        format!("x = b - {from_edge:.0e} b")
+    } else {
+        format!("x = {at:.4} b")
     }
 }
 
@@ -271,6 +283,12 @@ mod tests {
     use crate::plan;
     use crate::scene::parse;
     use slipzone_api::Edge;
+
+    #[test]
+    fn a_place_beside_the_edge_is_told_from_there() {
+        let told = [0.52917, 0.998, 1.0 - 3e-7, 1.0].map(place);
+        assert_eq!(told, ["x = 0.5292 b", "x = 0.9980 b", "x = b - 3e-7 b", "the edge"]);
+    }
 
     #[test]
     fn what_pulls_is_not_said_to_be_infinitely_loaded() {
