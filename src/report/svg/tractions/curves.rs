@@ -81,11 +81,10 @@ impl Curves {
         // What goes on while the pressure is in the frame: the shear near a sharp edge leaves it too.
         let visible = self.pressure.iter().filter(|point| point.1 <= top).map(|point| point.0);
         let (left, right) = visible.fold((1.0, -1.0), |(l, r): (f64, f64), x| (l.min(x), r.max(x)));
-        let lowest = (self.shear.iter().filter(|point| point.0 >= left && point.0 <= right))
-            .chain(&self.pressure)
-            .map(|point| point.1)
-            .fold(0.0, f64::min)
-            .max(-top);
+        let tractions = self.shear.iter().filter(|point| point.0 >= left && point.0 <= right).chain(&self.pressure);
+        // The lower limit of friction is seen to its end, unless there is none.
+        let limit = self.eta.filter(|_| !self.unbounded).map_or(0.0, |eta| -eta * highest);
+        let lowest = tractions.map(|point| point.1).fold(limit, f64::min).max(-top);
         let step = if top - lowest > 5.0 {
             1.0
         } else if top - lowest > 1.5 {
