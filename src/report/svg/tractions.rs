@@ -157,19 +157,25 @@ fn rules(stick: Option<&StickReport>, frame: Frame) -> Vec<Plot> {
 
 #[cfg(test)]
 mod tests {
-    use super::curves::PRESSURE;
+    use super::curves::{LIMIT, PRESSURE};
     use super::*;
     use crate::engine::Status;
     use crate::report::samples;
+    use crate::report::svg::legend::Entry;
     use crate::report::svg::texts;
 
-    /// Ordinates (px) of the solid, thick pressure curve from left to right, and those of the frame's top and bottom.
+    /// Ordinates (px) of the pressure from left to right, and those of the frame's top and bottom.
     fn pressure_curve(svg: &str) -> (Vec<f64>, [f64; 2]) {
+        curve(svg, &PRESSURE)
+    }
+
+    /// The same of the last curve drawn in such a way.
+    fn curve(svg: &str, entry: &Entry) -> (Vec<f64>, [f64; 2]) {
         let document = roxmltree::Document::parse(svg).unwrap();
         let path = document
             .descendants()
-            .find(|n| n.has_tag_name("path") && n.attribute("stroke") == Some(PRESSURE.style.color))
-            .expect("a pressure curve");
+            .rfind(|n| n.has_tag_name("path") && n.attribute("stroke") == Some(entry.style.color))
+            .expect("such a curve");
         let numbers = path.attribute("d").unwrap().split([' ', 'M', 'L']).filter(|s| !s.is_empty());
         let numbers: Vec<f64> = numbers.map(|s| s.parse().unwrap()).collect();
         let frame = document.descendants().find(|n| n.has_tag_name("clipPath")).unwrap().first_element_child().unwrap();
@@ -253,6 +259,15 @@ mod tests {
         }
         let (curve, [top, bottom]) = pressure_curve(&svg(&samples::cylinder_without_friction()).unwrap());
         assert!(curve.iter().all(|y| *y >= top && *y <= bottom), "a bounded pressure stays inside");
+    }
+
+    #[test]
+    fn the_lower_limit_of_friction_stays_inside() {
+        let mut solution = samples::cylinder_without_friction();
+        solution.scene.friction = samples::flat(0.5, 0.8, Slip::Inward, 5).scene.friction;
+        let (curve, [top, bottom]) = curve(&svg(&solution).unwrap(), &LIMIT);
+        let lowest = curve.iter().copied().fold(top, f64::max);
+        assert!(lowest > f64::midpoint(top, bottom) && lowest <= bottom, "{lowest} in a frame from {top} to {bottom}");
     }
 
     #[test]

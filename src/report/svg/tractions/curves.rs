@@ -18,7 +18,7 @@ const TOP: f64 = 6.0;
 /// The dashes tell the curves apart where the colours are lost in print.
 pub(super) const PRESSURE: Entry = Entry::line("pressure p", "#1f4e8c", 2.4, "none");
 const SHEAR: Entry = Entry::line("shear q", "#b5401c", 2.4, "8 4");
-const LIMIT: Entry = Entry::line("friction limit ±ηp", "#555555", 1.3, "1.5 3");
+pub(super) const LIMIT: Entry = Entry::line("friction limit ±ηp", "#555555", 1.3, "1.5 3");
 
 /// The range of the ordinate, in mean pressures, and the distance of its ticks.
 #[derive(Clone, Copy)]
