@@ -250,7 +250,7 @@ fn figure_8_more_friction_sticks_more_and_so_does_a_stiffer_base() {
         // Beyond, 1 - a/b tells them apart.
         let rest =
             column("figure8", &[("mu1/mu3", json!(ratio)), ("punch", json!("flat punch"))], "stick.one_minus_ratio");
-        assert!(falls(&rest), "{rest:?}");
+        assert!(falls(&rest[8..]), "{rest:?}");
         assert_said(&format!("{:.1e}", rest.last().expect("a number")));
         // The profile does not matter, where the history goes one way.
         for record in results("figure8", &[("mu1/mu3", json!(ratio)), ("punch", json!("cylinder, R/b = 10"))]) {

@@ -16,9 +16,9 @@ use slipzone_api::Refusal;
 
 /// The range of `lambda = ln(a/(b - a))` that is scanned.
 pub(crate) const SCANNED: std::ops::RangeInclusive<f64> = -14.0..=16.0;
-/// The steps taken through it.
+/// The steps taken through it, and how many places that makes.
 const SCAN_STEP: f64 = 0.75;
-const SCAN_STEPS: usize = 41;
+const SCAN_PLACES: usize = 41;
 /// Half of the range about the extremum of a coarser resolution over which `C` is a polynomial, and through how many
 /// points. A wider one of as many would be off by 1e-12 of `C`; a narrower one magnifies rounding more than the fifty
 /// times that this does. Through as many over a whole step of the scan to either side it is off by 1e-9.
@@ -50,14 +50,14 @@ impl RateCurve<'_> {
             return Ok(vec![found]);
         }
         let rates: Vec<f64> =
-            (0..SCAN_STEPS + 4).map(|step| self.at(scanned(step) - 2.0 * SCAN_STEP)).collect::<Result<_, _>>()?;
-        // Of `C` over the steps, but for a factor.
+            (0..SCAN_PLACES + 4).map(|place| self.at(scanned(place) - 2.0 * SCAN_STEP)).collect::<Result<_, _>>()?;
+        // Of `C` by five places in a row, but for a factor.
         let slope = |rates: &[f64]| 8.0 * (rates[3] - rates[1]) - (rates[4] - rates[0]);
         let slopes: Vec<f64> = rates.windows(5).map(slope).collect();
         let mut found = Vec::new();
-        for (step, ends) in slopes.windows(2).enumerate() {
+        for (place, ends) in slopes.windows(2).enumerate() {
             if ends[0] * ends[1] <= 0.0
-                && let Some(roughly) = self.about(scanned(step) + 0.5 * SCAN_STEP, SCAN_STEP)?
+                && let Some(roughly) = self.about(scanned(place) + 0.5 * SCAN_STEP, SCAN_STEP)?
             {
                 found.push(self.about(roughly, RANGE)?.unwrap_or(roughly));
             }
@@ -78,6 +78,6 @@ impl RateCurve<'_> {
 }
 
 /// A place of the scan.
-fn scanned(step: usize) -> f64 {
-    SCANNED.start() + SCAN_STEP * step as f64
+fn scanned(place: usize) -> f64 {
+    SCANNED.start() + SCAN_STEP * place as f64
 }
