@@ -215,8 +215,8 @@ fn large_strains(problem: &Problem, numbers: &Numbers) -> Option<String> {
     let grown = numbers.get(Quantity::HalfWidth).filter(|_| problem.fixed_half_width().is_none());
     let (depth, slope) = (depth.unwrap_or(0.0), grown.map_or(0.0, |b| problem.slope(b)));
     // Of the surface and of what the layer rests on; on a rigid base pressure may be high where nothing gives way.
-    let shear = problem.layer.substrate().map_or(1.0, |substrate| substrate.shear.max(1.0));
-    let mean = numbers.get(Quantity::Mean).filter(|_| !problem.is_on_rigid_base()).map_or(0.0, |mean| mean / shear);
+    let over_shear = |mean: f64| mean / problem.layer.substrate().map_or(1.0, |substrate| substrate.shear.max(1.0));
+    let mean = numbers.get(Quantity::Mean).filter(|_| !problem.is_on_rigid_base()).map_or(0.0, over_shear);
     let what = if depth > DEEP {
         format!("the indentation is {depth:.2} times the thickness")
     } else if mean > PRESSED {

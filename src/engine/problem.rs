@@ -291,6 +291,11 @@ impl Problem {
         [by_load].into_iter().chain(sharp.then_some(Quantity::HalfWidth)).chain(mean).chain(edge)
     }
 
+    /// Whether the scene says how wide the contact is.
+    pub(crate) fn has_half_width(&self) -> bool {
+        matches!(self.load, LoadInLayerUnits::HalfWidth(_)) || self.fixed_half_width().is_some()
+    }
+
     /// Half-width that the punch's corners fix, in layer units.
     pub(crate) fn fixed_half_width(&self) -> Option<f64> {
         self.shape.fixed_half_width().map(|b| b / self.length)

@@ -50,15 +50,15 @@ impl Solved<'_> {
         let mut inside: Vec<Station> = relative.iter().map(station).collect();
         inside.retain(|station| station.gap > 0.0);
         let mut pressure = vec![0.0; inside.len()];
-        let is_known = judged.outcome.rubbing.as_ref().is_none_or(Rubbing::has_zone);
-        let mut shear = is_known.then(|| Vec::with_capacity(inside.len()));
+        let mut shear = Some(Vec::with_capacity(inside.len()));
         let at_once = if problem.is_stacked() { STACKED_AT_ONCE } else { AT_ONCE };
         for (at, pressure) in inside.chunks(at_once).zip(pressure.chunks_mut(at_once)) {
             layer.meter().within()?;
             stage.pressure_into(problem, at, pressure);
-            shear = shear.and_then(|mut all| {
-                all.extend(stage.shear(problem, at, pressure)?);
-                Some(all)
+            let found = stage.shear(problem, at, pressure);
+            shear = shear.zip(found).map(|(mut all, found)| {
+                all.extend(found);
+                all
             });
         }
         // Points on the edge or beyond it have no value of their own.
@@ -66,7 +66,8 @@ impl Solved<'_> {
             let mut values = values.into_iter();
             relative.iter().map(|x| value(if station(x).gap > 0.0 { values.next() } else { None })).collect()
         };
-        let shear = shear.map(|shear| spread(shear.into_iter().map(|q| q * as_told).collect()));
+        let is_known = judged.outcome.rubbing.as_ref().is_none_or(Rubbing::has_zone);
+        let shear = shear.filter(|_| is_known).map(|shear| spread(shear.into_iter().map(|q| q * as_told).collect()));
         Ok(Profile {
             x: relative.iter().map(|x| x * half_width).collect(),
             pressure: spread(pressure),

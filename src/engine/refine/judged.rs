@@ -252,8 +252,7 @@ fn share_zones(problem: &Problem, errors: &mut Numbers, numbers: &Numbers) {
     let (narrow, wide, quotient) =
         if slip < stick { (parts[1], parts[0], slip / stick) } else { (parts[0], parts[1], stick / slip) };
     let Some(of_wide) = errors.get(narrow).map(|of_narrow| (quotient * of_narrow).max(SLIP_ROUNDING)) else { return };
-    let is_given = problem.given().any(|given| given == Quantity::HalfWidth);
-    let of_contact = errors.get(Quantity::HalfWidth).filter(|_| !is_given).unwrap_or(0.0);
+    let of_contact = if problem.has_half_width() { 0.0 } else { errors.get(Quantity::HalfWidth).unwrap_or(0.0) };
     let half_width = (wide == Quantity::StickRatio).then_some((Quantity::StickHalfWidth, of_wide + of_contact));
     for (quantity, most) in [(wide, of_wide)].into_iter().chain(half_width) {
         if let Some(error) = errors.get(quantity) {
