@@ -135,6 +135,7 @@ impl Chosen {
 /// Fills in what the scene leaves open.
 pub(crate) fn choose(scene: &Scene) -> Chosen {
     let mut scene = scene.clone();
+    let is_linear = matches!(scene.friction_needed(), Some(Friction::Goodman { strain: FrozenStrain::Linear, .. }));
     let solver = &mut scene.solver;
     let mut reasons = Vec::with_capacity(USUAL_REASONS);
     let is_open = solver.flexibility.is_none() && solver.kernel.is_none() && solver.quadrature.is_none();
@@ -149,9 +150,8 @@ pub(crate) fn choose(scene: &Scene) -> Chosen {
     // Under other quadratures kernels of any power are no better than those that `split` tells.
     let by_panels = solver.quadrature.as_ref().is_none_or(|quadrature| quadrature.typetag_name() == PANELS);
     let is_broken = by_panels && solver.kernel.is_none() && model.as_ref().is_some_and(begins_broken);
-    let is_strained = solver.tolerance.get() <= STRAINED
-        && matches!(scene.friction, Some(Friction::Goodman { strain: FrozenStrain::Linear, .. }))
-        && !model.as_ref().is_some_and(is_homogeneous_half_plane);
+    let is_strained =
+        is_linear && solver.tolerance.get() <= STRAINED && !model.as_ref().is_some_and(is_homogeneous_half_plane);
     let kernel = solver.kernel.get_or_insert_with(|| {
         if is_broken {
             because(
@@ -241,7 +241,7 @@ const SMOOTH: f64 = 3.5;
 const STRAINED: f64 = 1e-5;
 
 /// Whether a solid has no kernels.
-fn is_homogeneous_half_plane(model: &LayerModel) -> bool {
+pub(crate) fn is_homogeneous_half_plane(model: &LayerModel) -> bool {
     matches!(model.base, Base::Infinite) && model.exponent() == Some(0.0)
 }
 

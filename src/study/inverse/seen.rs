@@ -5,7 +5,6 @@ use crate::engine::{Solution, Status, solve};
 use crate::plan;
 use crate::scene::{Asked, Layer, Load, Replacement, Scene};
 use crate::study::find::{Find, Wanted};
-use slipzone_api::Base;
 
 /// Ranges wider than this factor are stepped by factors.
 const WIDE: f64 = 4.0;
@@ -118,7 +117,7 @@ fn half_plane(scene: &Scene) -> Result<Scene, String> {
         return Err("an indentation is undefined on a half-plane: prescribe the force or the half-width".into());
     }
     let model = scene.layer.model().map_err(|refusal| refusal.to_string())?;
-    if matches!(scene.layer.base, Base::Infinite) && model.law.exponent() == Some(0.0) {
+    if plan::is_homogeneous_half_plane(&model) {
         return Err("that is the homogeneous half-plane already".into());
     }
     Ok(Scene { layer: Layer { datum, ..plan::half_plane(&scene.layer, &model) }, ..scene.clone() })
