@@ -52,21 +52,26 @@ pub(super) fn solution(
 ) -> Result<Solution, Refusal> {
     let (problem, judged) = (solved.problem, solved.judged);
     let mut profile = if problem.wishes.profile { solved.profile(scene)? } else { Profile::default() };
-    let of_strain = solved.add_strain(scene, &mut profile)?;
     let is_found = |rubbing: &&Rubbing| matches!(rubbing.verdict, Verdict::Holds | Verdict::Sticks);
     let rubbing = judged.outcome.rubbing.as_ref().filter(is_found);
     let neglected = rubbing.map(|rubbing| coupling::neglected(solved.layer, problem, rubbing, scene));
     plan.coupling_neglected = neglected.and_then(|neglected| neglected.ok()?.friction);
+    // Where the budget does not reach for the strain, all else is told.
+    let of_strain = if problem.wishes.profile { solved.add_strain(scene, &mut profile) } else { Ok(None) };
     let stick = solved.stick().filter(|_| scene.output.asks_of_stick());
     let told = of_pressure(scene, plan, problem, &judged.outcome.numbers, &judged.errors, how(judged));
     let mut solution = Solution { status, reason, stick, profile, ..told };
-    tell_of_profile(&mut solution, judged, of_strain);
+    tell_of_profile(&mut solution, judged, of_strain.as_ref().copied().unwrap_or_default());
     match neglected {
         Some(Ok(neglected)) => tell_of_neglected(&mut solution, neglected),
         Some(Err(Untold)) => solution.assumptions.push(COST_UNTOLD.into()),
         None => {}
     }
-    finite(solution)
+    let solution = finite(solution)?;
+    Ok(match of_strain {
+        Ok(_) => solution,
+        Err(refusal) => solution.lacking(&format!("the strain left in the stick zone is not known: {refusal}")),
+    })
 }
 
 impl Solved<'_> {

@@ -7,6 +7,7 @@
 //! kernels jump.
 
 use crate::engine::prepared_layer::PreparedLayer;
+use crate::engine::work::budget::Meter;
 use slipzone_api::double_exponential::{self, Node};
 use slipzone_api::{Component, Refusal, Station};
 use std::f64::consts::PI;
@@ -72,7 +73,7 @@ pub(crate) struct Sampling<'a> {
 
 impl Sampling<'_> {
     /// The strains over `A0` at points `0 <= x < b`, by grids as fine as `wanted` asks; `tractions` tells `p` and `q`
-    /// at points inside the contact, and `None` where they are not known.
+    /// at points inside the contact, and `None` where they are not known. Refused where the budget is used up.
     pub(crate) fn strains(
         &self,
         layer: &PreparedLayer,
@@ -80,13 +81,17 @@ impl Sampling<'_> {
         (at, wanted): (&[f64], f64),
         mut tractions: impl FnMut(&[Station]) -> Option<[Vec<f64>; 2]>,
     ) -> Result<Option<Strains<f64>>, Refusal> {
+        if at.is_empty() {
+            return Ok(Some(Strains { each: Vec::new(), apart: 0.0 }));
+        }
         // Every so many of them are compared.
         let every = at.len().div_ceil(COMPARED).max(1);
         let left_out = left_out(layer);
         let (mut share, mut apart) = (FIRST_SHARE, f64::INFINITY);
         let mut before: Option<Vec<f64>> = None;
         loop {
-            let Some(mut strain) = Strain::new(self, (share, left_out), &mut tractions) else { return Ok(None) };
+            let sampled = Strain::new(self, (share, left_out), layer.meter(), &mut tractions)?;
+            let Some(mut strain) = sampled else { return Ok(None) };
             let now = at.iter().step_by(every).map(|x| strain.at(layer, beta, *x)).collect::<Result<Vec<f64>, _>>()?;
             if let Some(before) = before {
                 let moved = before.iter().zip(&now).map(|(before, now)| (before - now).abs()).fold(0.0, f64::max);
@@ -155,9 +160,10 @@ impl Strain {
     fn new(
         &Sampling { breaks, corners, crowding, length }: &Sampling,
         (share, left_out): (f64, f64),
+        meter: &Meter,
         tractions: &mut impl FnMut(&[Station]) -> Option<[Vec<f64>; 2]>,
-    ) -> Option<Self> {
-        let half_width = *breaks.last()?;
+    ) -> Result<Option<Self>, Refusal> {
+        let half_width = breaks[breaks.len() - 1];
         let longest = breaks.windows(2).map(|ends| ends[1] - ends[0]).fold(0.0, f64::max);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a positive count; `as` saturates
         let count = |nodes: f64| ((share * nodes).ceil() as usize).min(MOST_NODES);
@@ -175,7 +181,8 @@ impl Strain {
                 x: lower + width * node.from_lower,
                 gap: (half_width - upper) + width * node.to_upper,
             };
-            let mut sampled = tractions(&asked.iter().map(at).collect::<Vec<_>>())?;
+            meter.within()?;
+            let Some(mut sampled) = tractions(&asked.iter().map(at).collect::<Vec<_>>()) else { return Ok(None) };
             for values in &mut sampled {
                 if corners.contains(&lower) {
                     continue_logarithm(values.iter_mut().zip(asked.iter().map(|node| width * node.from_lower)), lower);
@@ -189,7 +196,7 @@ impl Strain {
             pieces.push(Piece { lower, upper, p, q });
         }
         let (sources, distances, kernels) = (Vec::new(), Vec::new(), [Vec::new(), Vec::new()]);
-        Some(Self { half_width, pieces, told: asked.len(), grid, towards, sources, distances, kernels })
+        Ok(Some(Self { half_width, pieces, told: asked.len(), grid, towards, sources, distances, kernels }))
     }
 
     /// `u'(x)/A0` at `0 <= x < b`; refused where the budget is used up.
@@ -367,7 +374,7 @@ mod tests {
             asked += at.len();
             Some([at.iter().map(p).collect(), at.iter().map(q).collect()])
         };
-        let strain = Strain::new(&sampling, (1.0, LEFT_OUT), &mut tractions).unwrap();
+        let strain = Strain::new(&sampling, (1.0, LEFT_OUT), &Meter::default(), &mut tractions).unwrap().unwrap();
         assert_eq!(asked, 2 * (2 * 256 + 1));
         assert!(strain.grid.len() > 4 * strain.told, "{} nodes", strain.grid.len());
         for piece in &strain.pieces {

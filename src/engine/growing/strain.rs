@@ -43,13 +43,15 @@ impl Growing {
         breaks.sort_by(f64::total_cmp);
         breaks.dedup_by(|next, before| *next - *before < NO_PIECE * *next);
         breaks.retain(|end| *end < b * (1.0 - NO_PIECE));
+        // Of a slip zone too narrow to be a piece nothing has to be resolved.
+        let is_piece = breaks.last().is_some_and(|end| *end >= zone.half_width * (1.0 - NO_PIECE));
         breaks.push(b);
         let breaks = graded(&breaks);
         // What touched first was not strained yet when it stuck, and a corner has no strain.
         let is_unstrained = |x: f64| x < never_slipped || x == 0.0 && !problem.is_corner(x);
         let asked: Vec<f64> = at.iter().copied().filter(|x| !is_unstrained(*x) && !problem.is_corner(*x)).collect();
         let corners: Vec<f64> = problem.corners().filter(|corner| *corner > 0.0).collect();
-        let crowding = zone.crowding().max(1.0 - MORE_IF_NARROW * zone.log());
+        let crowding = if is_piece { zone.crowding() } else { 1.0 }.max(1.0 - MORE_IF_NARROW * zone.log());
         let length = layer.length();
         let sampling = Sampling { breaks: &breaks, corners: &corners, crowding, length };
         let a0 = problem.elastic.a0();

@@ -154,7 +154,7 @@ impl Family {
             return Err(self.sticks_between(layer, Task { problem: &flat, ..task }, found)?);
         }
         let told = coarse_zones.map(|coarse| (coarse.told, wrong.over(blend.widest())));
-        self.rubbed = Some(members.blended(blend, self.end_of_shear, told));
+        self.rubbed = Some(members.blended(blend, (self.end_of_shear, self.accuracy), told));
         Ok(self.look_closer(layer, task)?)
     }
 

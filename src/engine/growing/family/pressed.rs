@@ -65,8 +65,8 @@ impl Pressed {
     }
 
     /// The pressures of all half-widths times `sqrt(1 - (x/b)^2)`, with what tells them between the members; `normal`
-    /// is the contact of their unknowns.
-    pub(super) fn spread(&mut self, normal: &mut Normal) -> (&Blend, &Sheet) {
+    /// is the contact of their unknowns, `wanted` the error of the numbers.
+    pub(super) fn spread(&mut self, normal: &mut Normal, wanted: f64) -> (&Blend, &Sheet) {
         let Self { blend, pressure, spread, .. } = self;
         let sheet = spread.get_or_insert_with(|| {
             let places = Places::of(pressure.width as f64, END);
@@ -78,7 +78,7 @@ impl Pressed {
                 normal.values_of(1.0, row, stations, &mut rows[first..]);
                 rows[first..].iter_mut().zip(stations).for_each(|(p, at)| *p *= (at.gap * (2.0 - at.gap)).sqrt());
             }
-            Sheet::through(&places, &rows)
+            Sheet::through(&places, &rows, wanted)
         });
         (blend, sheet)
     }

@@ -226,8 +226,8 @@ impl Members {
         self.branch.to_bits() == member.root.branch.to_bits()
     }
 
-    /// All members were found, their shears told at places up to an end.
-    pub(super) fn blended(self, blend: Blend, end: f64, coarse: Option<(Told, f64)>) -> Rubbed {
+    /// All members were found, their shears told at places up to an end; `wanted` is the error of the numbers.
+    pub(super) fn blended(self, blend: Blend, (end, wanted): (f64, f64), coarse: Option<(Told, f64)>) -> Rubbed {
         let blend = Arc::new(blend);
         let is_known = self.moves.len() == self.lack.len();
         let sticks = self.stuck.len() == self.lack.len();
@@ -260,7 +260,7 @@ impl Members {
             branch: self.branch,
             sticks,
             slower: (of_lack / of_zone).max(1.0),
-            lack: Sheet::new(lack, width, end),
+            lack: Sheet::new(lack, width, end, wanted),
             moves: moves.or(self.known),
             checked: self.checked,
             blend,
@@ -362,7 +362,7 @@ mod tests {
                 let root = Root { lambda: 5.0 + b, branch: 1.0, slope, doubt: 0.0 };
                 found.add(Member { root, lack: vec![1.0], stuck: None, moves: None });
             }
-            found.blended(blend, END, None).root_at(1.0, 0.005).doubt
+            found.blended(blend, (END, 1e-10), None).root_at(1.0, 0.005).doubt
         };
         assert!(doubt_of(0.14) < CERTAIN);
         assert!(doubt_of(0.3) > CERTAIN && doubt_of(-6.0) > CERTAIN);

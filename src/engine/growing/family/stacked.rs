@@ -20,8 +20,8 @@ pub(crate) struct Slice {
 impl Family {
     /// The pressure of slices at a point.
     pub(crate) fn stacked_pressure(&mut self, slices: &[Slice], x: f64) -> f64 {
-        self.meter.count_multiplications(slices.len() * self.pressed.pressure.numbers.len());
-        let (blend, sheet) = self.pressed.spread(&mut self.contact.normal);
+        let (blend, sheet) = self.pressed.spread(&mut self.contact.normal, self.accuracy);
+        self.meter.count_multiplications(slices.len() * sheet.products());
         let (mut places, mut factors) = ([0.0; LANES], [0.0; LANES]);
         let mut sum = 0.0;
         for slices in slices.chunks(LANES) {
@@ -43,7 +43,7 @@ impl Family {
 
     /// Whether the pressure of no member pulls anywhere, as far as a few places tell.
     pub(crate) fn presses(&mut self) -> bool {
-        let (blend, sheet) = self.pressed.spread(&mut self.contact.normal);
+        let (blend, sheet) = self.pressed.spread(&mut self.contact.normal, self.accuracy);
         blend.half_widths().chunks(LANES).all(|members| {
             let mut half_widths = [members[0]; LANES];
             half_widths[..members.len()].copy_from_slice(members);
@@ -60,7 +60,7 @@ impl Family {
     /// What the shear of slices lacks to that of full sliding, `eta p - q`, at a point.
     pub(crate) fn stacked_lack(&mut self, slices: &[Slice], x: f64) -> f64 {
         let rubbed = self.rubbed.as_ref().expect("a family with friction");
-        self.meter.count_multiplications(slices.len() * rubbed.blend.functions() * rubbed.lack.width());
+        self.meter.count_multiplications(slices.len() * rubbed.lack.products());
         let (mut places, mut factors) = ([0.0; LANES], [0.0; LANES]);
         let mut sum = 0.0;
         for slices in slices.chunks(LANES) {
