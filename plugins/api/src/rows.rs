@@ -157,7 +157,8 @@ pub fn of_file(
             let fault = Fault::new(&["file"], format!("not a row of {} columns", columns.number)).at(at(whole));
             let found = if count == 1 { "1 column".into() } else { format!("{count} columns") };
             let expected = format!("{}, between commas, semicolons, tabs or blanks", columns.names);
-            return Err(fault.found(found).expected(expected));
+            let fault = fault.found(found).expected(expected);
+            return Err(if has_decimal_comma(content.trim()) { fault.hint(WITH_A_POINT) } else { fault });
         }
         let mut row = [0.0; MOST_COLUMNS];
         for ((number, span), cell) in numbers.zip(fields).zip(&mut row) {
@@ -165,7 +166,7 @@ pub fn of_file(
                 let found = &content[span.clone()];
                 let fault = Fault::new(&["file"], "not a number").at(at(span.clone()));
                 let fault = fault.found(format!("`{}`", clip(found, 40))).expected("a number such as 0.5");
-                if found.contains(',') { fault.hint("decimals are written with a point") } else { fault }
+                if found.contains(',') { fault.hint(WITH_A_POINT) } else { fault }
             })?;
         }
         take(&row[..count]).map_err(|wrong| {
@@ -174,6 +175,15 @@ pub fn of_file(
         })?;
     }
     Ok(())
+}
+
+/// What is said of a comma within a number.
+const WITH_A_POINT: &str = "decimals are written with a point";
+
+/// Whether a line that something else divides into columns has a comma between two digits.
+fn has_decimal_comma(line: &str) -> bool {
+    let is_within = |digits: &[u8]| digits[0].is_ascii_digit() && digits[1] == b',' && digits[2].is_ascii_digit();
+    line.contains([' ', '\t', ';']) && line.as_bytes().windows(3).any(is_within)
 }
 
 /// The most columns that a table may have.

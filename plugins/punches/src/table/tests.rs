@@ -279,6 +279,18 @@ fn files_are_read_as_programs_write_them() {
 }
 
 #[test]
+fn commas_within_numbers_are_told_from_those_between() {
+    let hint = |rows: &str| of_text(rows).expect_err(rows).hint;
+    let decimal = Some("decimals are written with a point");
+    for rows in ["0,0 0,0\n0,5 0,001\n", "0 0\n0,5\t0,001\n", "0;0\n0,5;0,001\n"] {
+        assert_eq!(hint(rows).as_deref(), decimal, "{rows}");
+    }
+    for rows in ["0,0,0\n", "0, 0, 0\n", "0, 0\n1, 2, 3\n"] {
+        assert_eq!(hint(rows), None, "{rows}");
+    }
+}
+
+#[test]
 fn faults_in_a_file_are_located() {
     let rows = "x, height\n0, 0\n1, 0.05\n2, 0.2\n3, 0.45\n4, 0.8\n";
     let cases = [
