@@ -16,11 +16,11 @@ const CORNER: f64 = 8.0 * f64::EPSILON;
 /// distance feels it.
 const CLOSE: f64 = 1e-3;
 
-/// Sublayers above one so much softer than the surface bend as they do on a soft base. Under wedges and rounded ones on
-/// two sublayers, loads led past the first contact where the lower was softer by 33 and more, and now and then by 10.
+/// What is above a depth so much softer bends as it does on a soft base. Under wedges and rounded ones on two
+/// sublayers, loads led past the first contact where the lower was softer by 33 and more, and now and then by 10.
 const SOFT: f64 = 1.0 / 9.0;
-/// Depths at which it is looked at.
-const DEPTHS: u32 = 32;
+/// Parts of a stretch at whose ends it is looked at.
+const DEPTHS: u32 = 16;
 
 /// What the engine solves.
 pub(crate) struct Problem {
@@ -246,11 +246,18 @@ impl Problem {
         matches!(self.layer.base, Base::HalfPlane { shear, .. } if shear.get() < self.layer.surface_shear)
     }
 
-    /// Whether sublayers stand on one that gives way far more than the surface does.
-    pub(crate) fn has_soft_sublayer(&self) -> bool {
-        let law = &*self.layer.law;
-        let is_soft = |depth: f64| self.layer.material(law, depth).shear < SOFT;
-        !law.sublayers().is_empty() && (1..=DEPTHS).any(|i| is_soft(f64::from(i) / f64::from(DEPTHS)))
+    /// Whether the layer gives way far more at some depth than it does somewhere above: what is stiff there bends.
+    pub(crate) fn is_softer_below(&self) -> bool {
+        let mut stiffest = 0.0_f64;
+        let mut is_soft = |law, depth: f64| {
+            let shear = self.layer.material(law, depth).shear;
+            stiffest = stiffest.max(shear);
+            shear < SOFT * stiffest
+        };
+        self.layer.law.stretches().iter().any(|stretch| {
+            let part = (stretch.to - stretch.from) / f64::from(DEPTHS);
+            (0..=DEPTHS).any(|i| is_soft(stretch.law, stretch.from + part * f64::from(i)))
+        })
     }
 
     /// Whether the layer stands on something that does not give way at all.

@@ -183,6 +183,55 @@ fn the_first_contact_that_bears_a_force_is_met() {
     }
 }
 
+/// The same above a skin that softens by degrees, a stiff sheet within, or a line of glue: loads led past the first
+/// contact to one that pulls, but where the layer was a stack of a few thick sublayers.
+#[test]
+fn the_first_contact_is_met_above_whatever_is_soft() {
+    let graded = |grading: &str| format!("thickness = 1.0\npoisson = 0.3\ngrading = {{ {grading} }}");
+    let ply = |(thickness, modulus): (f64, f64)| {
+        format!("{{ thickness = {thickness:?}, grading = {{ type = \"homogeneous\", modulus = {modulus:?} }} }}")
+    };
+    let glue = [(0.05, 1.0), (0.005, 1e-5), (0.945, 1.0)].map(ply).join(", ");
+    let layers = [
+        graded("type = \"sigmoid\", above = 30.0, below = 1.0, centre = 0.1, width = 0.03"),
+        graded("type = \"exponential\", surface = 1000.0, base = 1.0"),
+        graded(
+            "type = \"table\", points = [[0.0, 100.0], [0.1, 50.0], [0.2, 1.0], [0.3, 1.0], [0.5, 1.0], [1.0, 1.0]]",
+        ),
+        graded("type = \"formula\", modulus = \"1 + 1000*exp(-((y - 0.1)/0.05)^2)\""),
+        format!("poisson = 0.3\ngrading = {{ type = \"stack\", layers = [{glue}] }}"),
+    ];
+    let punches = [
+        "type = \"wedge\"\nslope = 0.03",
+        "type = \"rounded-wedge\"\nslope = 0.03\nradius = 0.01",
+        "type = \"power\"\ncoefficient = 0.1\nexponent = 1.5",
+    ];
+    slipzone::link_plugins();
+    let mut met = 0;
+    for (layer, punch) in layers.iter().flat_map(|layer| punches.map(|punch| (layer, punch))) {
+        let solved = |load: &str| {
+            let text =
+                format!("format = 1\n[layer]\n{layer}\n[punch]\n{punch}\n[load]\n{load}\n[solver]\ntolerance = 1e-6");
+            solve(&parse("bending.toml", &text).expect("a scene"))
+        };
+        for b in [0.01, 0.05, 0.2] {
+            let told = solved(&format!("half_width = {b}"));
+            if told.status == Status::AssumptionViolated {
+                continue;
+            }
+            met += 1;
+            let (force, depth) = (told.load.force.expect("a force"), told.load.indentation.expect("a depth"));
+            for load in [format!("force = {force:?}"), format!("indentation = {depth:?}")] {
+                let found = solved(&load);
+                assert_eq!(found.status, Status::Converged, "{layer}, {punch}, {load}: {:?}", found.reason);
+                let width = found.load.half_width.expect("a contact");
+                assert!((width / b - 1.0).abs() < 1e-5, "{layer}, {punch}, {load}: {width} for {b}");
+            }
+        }
+    }
+    assert!(met > 20, "{met} of 45 bear a load");
+}
+
 /// What flat punches told between those solved leave of a force changes its sign from one to the next: resolutions with
 /// the same flat punches agreed on a peak beside the edge that was off by 32 tolerances.
 #[test]

@@ -259,19 +259,18 @@ impl Search<'_> {
         if is_near && self.excess(walk.limit)? < 0.0 {
             return Err(outgrown(problem.reach() * problem.length));
         }
-        let mut found = self.walk(walk);
-        if !bends
-            && problem.has_soft_sublayer()
-            && let Ok(Crossing { log_b, .. }) = found
-            && self.excess(log_b).is_ok()
-            && self.pulls
-        {
+        let mut found = self.walk(walk).or_else(|refusal| self.walk_to_flaw(walk, refusal));
+        let mut missed = found.as_ref().map_or(Ok(0.0), |found| self.excess(found.log_b))?;
+        if !bends && (found.is_err() || self.pulls) && problem.is_softer_below() {
             // Beyond the contact that a stiff surface bears before it bends.
             let start = (FAR_BELOW * first()).ln();
-            found = self.walk(Walk { start, step: LN_2, bends: true, ..walk }).or(found);
+            if let Ok(narrower) = self.walk(Walk { start, step: LN_2, bends: true, ..walk }) {
+                missed = self.excess(narrower.log_b)?;
+                found = Ok(narrower);
+            }
         }
-        let Crossing { log_b, slope, is_beside_top } = found.or_else(|refusal| self.walk_to_flaw(walk, refusal))?;
-        let missed = self.excess(log_b)?.abs();
+        let Crossing { log_b, slope, is_beside_top } = found?;
+        let missed = missed.abs();
         let slope = if bends || SLOPES.contains(&slope) { slope } else { f64::NAN };
         Ok(Size { half_width: log_b.exp(), slope, missed, is_guess: false, is_beside_top })
     }

@@ -132,7 +132,7 @@ impl Stack {
 fn may_shrink(problem: &Problem, load: LoadInLayerUnits) -> bool {
     match load {
         LoadInLayerUnits::HalfWidth(_) => false,
-        LoadInLayerUnits::Force(_) => problem.is_on_soft_base() || problem.has_soft_sublayer(),
-        LoadInLayerUnits::Indentation(_) => !problem.layer.is_grounded() || problem.has_soft_sublayer(),
+        LoadInLayerUnits::Force(_) => problem.is_on_soft_base() || problem.is_softer_below(),
+        LoadInLayerUnits::Indentation(_) => !problem.layer.is_grounded() || problem.is_softer_below(),
     }
 }
