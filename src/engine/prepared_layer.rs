@@ -27,6 +27,8 @@ pub(crate) struct PreparedLayer {
     is_grounded: bool,
     strategy: Box<dyn KernelStrategy>,
     tables: Option<Tables>,
+    /// Up to which reach the strategy could not serve what, and why.
+    given_up: Option<(f64, Wanted, Refusal)>,
     flexibility_evaluations: usize,
     /// Work on it so far, on tables that were replaced too.
     meter: Arc<Meter>,
@@ -67,6 +69,13 @@ pub(crate) struct Wanted {
     pub(crate) level: u32,
 }
 
+impl Wanted {
+    /// Whether it asks for all of another's, at least as finely.
+    fn asks(&self, less: &Self) -> bool {
+        self.accuracy <= less.accuracy && (self.frictional || !less.frictional) && (self.deep || !less.deep)
+    }
+}
+
 /// No kernel counted from a datum is asked for more: rounding of its sums.
 const FINEST: f64 = 1e-14;
 
@@ -80,6 +89,7 @@ impl PreparedLayer {
             response,
             strategy: methods.kernel.clone(),
             tables: None,
+            given_up: None,
             flexibility_evaluations: 0,
             meter: Arc::default(),
         })
@@ -118,21 +128,19 @@ impl PreparedLayer {
             _ => reach,
         };
         self.meter.within()?;
+        if let Some((short, less, refusal)) = &self.given_up
+            && reach >= *short
+            && wanted.asks(less)
+            && (wanted.level == less.level || self.tables.as_ref().is_some_and(Tables::prove))
+        {
+            return Err(refusal.clone());
+        }
         let strategy = self.strategy.refined(wanted.level);
-        let tabulate = |response: &dyn LayerResponse, components, accuracy| -> Result<Counted, Refusal> {
-            let table = strategy.tabulate(response, &KernelRequest { reach, components, accuracy });
+        let (kernels, depth) = self.tables_of(&*strategy, (half_width, reach), wanted).inspect_err(|refusal| {
             // Who gives up does not say after how much.
-            let table = table.inspect_err(|_| self.meter.count_wave_numbers(GIVEN_UP))?;
-            let table = foreign::table(strategy.typetag_name(), table)?;
-            Ok(Counted { table, meter: Arc::clone(&self.meter) })
-        };
-        let components = &ALL[usize::from(!(self.is_grounded && wanted.deep))..if wanted.frictional { 4 } else { 2 }];
-        let kernels =
-            if self.is_plain() { None } else { Some(tabulate(&*self.response, components, wanted.accuracy)?) };
-        let from_datum = self.against_datum.as_deref().filter(|_| wanted.deep);
-        let share = self.shallowness(half_width);
-        let accuracy = (wanted.accuracy / share).max(FINEST);
-        let depth = from_datum.map(|response| tabulate(response, &ALL[..1], accuracy)).transpose()?;
+            self.meter.count_wave_numbers(GIVEN_UP);
+            self.given_up = Some((reach, wanted, refusal.clone()));
+        })?;
         let tables = Tables { kernels, depth, reach, serves: wanted };
         let evaluations = tables.evaluations();
         self.flexibility_evaluations += evaluations;
@@ -153,6 +161,28 @@ impl PreparedLayer {
         }
         self.tables = Some(tables);
         Ok(())
+    }
+
+    /// The tables of a strategy for contacts up to a half-width: those of all kernels wanted, and the depth's from a
+    /// datum.
+    fn tables_of(
+        &self,
+        strategy: &dyn KernelStrategy,
+        (half_width, reach): (f64, f64),
+        wanted: Wanted,
+    ) -> Result<(Option<Counted>, Option<Counted>), Refusal> {
+        let tabulate = |response: &dyn LayerResponse, components, accuracy| {
+            let table = strategy.tabulate(response, &KernelRequest { reach, components, accuracy })?;
+            let table = foreign::table(strategy.typetag_name(), table)?;
+            Ok(Counted { table, meter: Arc::clone(&self.meter) })
+        };
+        let components = &ALL[usize::from(!(self.is_grounded && wanted.deep))..if wanted.frictional { 4 } else { 2 }];
+        let response = (!self.is_plain()).then_some(&*self.response);
+        let kernels = response.map(|response| tabulate(response, components, wanted.accuracy)).transpose()?;
+        let from_datum = self.against_datum.as_deref().filter(|_| wanted.deep);
+        let accuracy = (wanted.accuracy / self.shallowness(half_width)).max(FINEST);
+        let depth = from_datum.map(|response| tabulate(response, &ALL[..1], accuracy)).transpose()?;
+        Ok((kernels, depth))
     }
 
     /// Whether its kernels vary with the distance itself down to the origin, as a power of it does.

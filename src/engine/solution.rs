@@ -9,7 +9,7 @@ use crate::plan::Plan;
 use crate::scene::{Load, LoadKind, Scene, Units};
 use loading_curve::Curve;
 use serde::{Deserialize, Serialize};
-use slipzone_api::{Base, Friction, FrozenStrain};
+use slipzone_api::{Base, Friction, FrozenStrain, exactly};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -256,7 +256,9 @@ fn assumptions(scene: &Scene) -> Vec<Cow<'static, str>> {
         Base::Infinite => "no base: the solid goes on for ever",
     };
     let depths = match scene.layer.datum {
-        Some(datum) => format!("indentation counted from depth {} below the middle of the contact", datum.get()).into(),
+        Some(datum) => {
+            format!("indentation counted from depth {} below the middle of the contact", exactly(datum.get())).into()
+        }
         None if scene.layer.has_depths() => Cow::Borrowed(""),
         None => "the indentation is undefined on an elastic half-plane: no `layer.datum` is named".into(),
     };

@@ -8,7 +8,7 @@ use crate::engine::friction::checks::place;
 use crate::engine::friction::linear_strain::SCANNED;
 use crate::engine::friction::rubbing::{Rubbing, Verdict};
 use crate::engine::friction::stick_zone::StickZone;
-use crate::engine::refine::judged::{Judged, ROUNDED, UNKNOWN};
+use crate::engine::refine::judged::{Judged, ROUNDED, UNKNOWN, of_kernels};
 use crate::engine::refine::stage::Stage;
 
 /// A shape that is unsure by more than that, over its height at the contact's edge, is not the punch's.
@@ -67,6 +67,8 @@ fn objection(
         {
             "; the modulus begins at the surface with a power of the depth that is no whole number, and of its kernels little \
              can be proved: leave out `kernel` and `quadrature`, or take `octaves` and `graded-panels`"
+        } else if of_kernels(layer, &judged.outcome) > 0.5 * error {
+            "; what is proved of the kernels leaves as much at every resolution: take a larger `tolerance`"
         } else {
             ""
         };

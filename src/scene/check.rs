@@ -5,6 +5,7 @@ use super::document::{Document, dotted, number, one_of, owned};
 use super::error::{Kind, SceneError};
 use super::keys::{ABSCISSAE, LISTED, LONGEST_LABEL, MOST_FRICTION, POINTS, STAND_INS, TOLERANCES};
 use super::{Load, Model, Scene};
+use crate::engine::caught;
 use slipzone_api::{Base, Friction, LawFlaw, MODERATE, PunchShape, Refusal, short};
 use std::ops::Range;
 use toml::Spanned;
@@ -18,7 +19,8 @@ pub(super) fn all(document: &Document, scene: &Scene) -> Result<(), SceneError> 
     const MAGNITUDES: Check = |document, _| magnitudes(document, &["friction", "load", "solver"]);
     const CHECKS: [Check; 12] =
         [labels, friction, tolerance, models, output, quantities, MAGNITUDES, thickness, grading, datum, load, ratios];
-    CHECKS.iter().try_for_each(|check| check(document, scene))
+    // A plugin that panics is told of where the scene is solved.
+    CHECKS.iter().try_for_each(|check| caught(|| check(document, scene)).unwrap_or(Ok(())))
 }
 
 /// What the engine relies on of a scene, told by a few comparisons: all that is checked of one that was parsed, and one

@@ -6,7 +6,7 @@ use slipzone::api::{Component, KernelRequest, KernelStrategy, KernelTable, Layer
 use slipzone::engine::{Solution, Status, solve};
 use slipzone::scene::{Asked, Scene};
 use slipzone_kernels::Split;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 
 thread_local! {
@@ -33,6 +33,48 @@ impl KernelStrategy for Witness {
     fn is_pinned(&self) -> bool {
         self.0.is_pinned()
     }
+}
+
+thread_local! {
+    /// How often a reach was refused.
+    static REFUSED: Cell<usize> = const { Cell::new(0) };
+}
+
+/// `split` up to a contact as wide as the layer is thick.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+struct Short(Split);
+
+#[typetag::serde(name = "short")]
+impl KernelStrategy for Short {
+    fn tabulate(&self, response: &dyn LayerResponse, request: &KernelRequest) -> Result<Box<dyn KernelTable>, Refusal> {
+        if request.reach > 1.0 {
+            REFUSED.set(REFUSED.get() + 1);
+            return Err(Refusal::Limit { why: "this kernel is short".into(), remedy: "press less" });
+        }
+        self.0.tabulate(response, request)
+    }
+
+    fn refined(&self, _: u32) -> Box<dyn KernelStrategy> {
+        Box::new(self.clone())
+    }
+
+    fn is_pinned(&self) -> bool {
+        self.0.is_pinned()
+    }
+}
+
+/// Each resolution asked for it again, until that had used up the budget: then nothing told of the other methods.
+#[test]
+fn what_kernels_cannot_serve_is_not_asked_for_again() {
+    let on = "thickness = 1.0\npoisson = 0.3\ndatum = 9.0\nbase = { type = \"half-plane\", shear = 0.1, poisson = 0.25 }\n\
+              grading = { type = \"homogeneous\", modulus = 1.0 }";
+    let mut scene = Sketch::on(on).cylinder().loaded("force = 1.0").scene();
+    scene.solver.kernel = Some(Box::new(Short::default()));
+    REFUSED.set(0);
+    let solution = solve(&scene);
+    assert_eq!(solution.status, Status::Refused);
+    assert!(solution.reason.is_some_and(|why| why.contains("this kernel is short")));
+    assert!((1..=2).contains(&REFUSED.get()), "refused {} times", REFUSED.get());
 }
 
 /// A scene solved, and the kernels that it took.

@@ -315,6 +315,9 @@ impl<'t> Parser<'t> {
         let fault = fault(span, format!("unknown {what} `{}` in the formula", clip(name, SHOWN)))
             .found(format!("`{}`", clip(name, SHOWN)))
             .expected(format!("one of {}", list.join(", ")));
+        if is_called && ["sign", "sgn", "signum"].contains(&name) {
+            return fault.hint(format!("the sign of {0} is {0}/abs({0})", self.variable));
+        }
         match nearest(name, &names) {
             Some(near) => fault.hint(format!("did you mean `{near}`?")),
             None if is_called => fault,

@@ -99,6 +99,7 @@ fn faults_are_located_and_helpful() {
     let cases = [
         ("x^2/(2*r)", 7..8, "unknown name `r`", Some("did you mean `R`?")),
         ("sqr(x)", 0..3, "unknown function `sqr`", Some("did you mean `sqrt`?")),
+        ("sign(x)", 0..4, "unknown function `sign`", Some("the sign of x is x/abs(x)")),
         ("x*length", 2..8, "unknown name `length`", Some("give it a value: parameters = { length = 1.0 }")),
         ("2x", 1..2, "no formula", Some("a product is written with `*`, as in 2*x")),
         ("2(x)", 1..2, "no formula", Some("a product is written with `*`, as in 2*x")),

@@ -1,7 +1,7 @@
 //! The layer in words: what it is made of, what its surface knows of it, and what its base means for the indentation.
 
 use super::Known;
-use crate::api::{Base, LayerModel, Moduli, ModulusLaw, exactly, rounded};
+use crate::api::{Base, LayerModel, Moduli, ModulusLaw, exactly, rounded, short};
 use crate::engine::DepthProfile;
 use crate::scene::Scene;
 use std::fmt::{Result, Write};
@@ -31,7 +31,7 @@ pub(super) fn write(text: &mut String, scene: &Scene, known: &Known) -> Result {
                     Ok(Some(length)) => (depth * length, unit_of_length),
                     _ => (depth, "natural length"),
                 };
-                let deep = exactly(deep);
+                let deep = short(deep);
                 writeln!(
                     text,
                     "# felt below   d = {deep}  ({unit}): depth of the first base, jump or kink, or else over which the \

@@ -28,7 +28,7 @@ impl Solved<'_> {
         Ok(Profile {
             x: with_mirror(&half.x, left, |x| -x),
             pressure: with_mirror(&half.pressure, left, |p| p),
-            shear: half.shear.map(|shear| with_mirror(&shear, left, |q| q.map(|q| -q))),
+            shear: half.shear.map(|shear| with_mirror(&shear, left, |q| q.map(|q| 0.0 - q))),
             strain: None,
         })
     }

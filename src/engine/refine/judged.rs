@@ -270,6 +270,13 @@ pub(crate) fn share_in_middle(outcome: &Outcome) -> f64 {
     share.abs().clamp(f64::MIN_POSITIVE, 1.0)
 }
 
+/// What the number that feels it most may be off by because the kernels are, as far as that is proved.
+pub(crate) fn of_kernels(layer: &PreparedLayer, outcome: &Outcome) -> f64 {
+    let half_width = outcome.numbers.get(Quantity::HalfWidth).unwrap_or(0.0);
+    let felt = (moves(outcome) / share_in_middle(outcome)).max(share_in_shear(outcome).recip());
+    layer.kernel_error(half_width).unwrap_or(0.0) * felt
+}
+
 /// By how many times what the load is off by moves the numbers of the contact.
 pub(crate) fn moves(outcome: &Outcome) -> f64 {
     outcome.size.map_or(1.0, |size| size.moves())

@@ -86,6 +86,13 @@ impl Solver {
         other.limit(self.budget);
         // Telling what was found has its own.
         other.begin_whole();
+        if let (Some(found), Some(first)) = (&mut other.judged, &self.judged)
+            && found.stopped.is_some()
+            && first.stopped.is_some()
+        {
+            // Of the budget that the scene has, not of what was left for this.
+            found.stopped.clone_from(&first.stopped);
+        }
         (other.worst() <= self.tolerance().max(FAR_LESS * self.worst())).then_some(other)
     }
 

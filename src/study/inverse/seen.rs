@@ -114,7 +114,7 @@ impl Question<'_> {
 fn half_plane(scene: &Scene) -> Result<Scene, String> {
     let datum = scene.layer.datum;
     if matches!(scene.load, Load::Indentation(_)) && datum.is_none() {
-        return Err("an indentation is undefined on a half-plane: prescribe the force or the half-width".into());
+        return Err("this scene is compared with a half-plane, on which its indentation is undefined: prescribe the force or the half-width".into());
     }
     let model = scene.layer.model().map_err(|refusal| refusal.to_string())?;
     if plan::is_homogeneous_half_plane(&model) {

@@ -433,3 +433,18 @@ fn octaves_are_not_tried_where_a_forced_model_misses_the_tolerance() {
     let forced = solve(&slipzone::scene::parse("forced", &forced).unwrap());
     assert_eq!((forced.status, forced.plan.kernel), (Status::NotConverged, "split"));
 }
+
+/// What the kernels prove of themselves is felt by several times as much under a load that hardly tells the contact: it
+/// was "not converged" without a word, and took no more digits from a smaller tolerance.
+#[test]
+fn what_kernels_leave_is_said() {
+    let layer = "datum = 2.0, thickness = 0.05, poisson = 0.3, base = { type = \"half-plane\", shear = 1.0, poisson = 0.3 }, \
+                 grading = { type = \"exponential\", surface = 10000.0, base = 2.0 }";
+    let solved = |load: &str| written(layer, "type = \"cylinder\", radius = 1.0", load, "");
+    let exact = solved("half_width = 0.1");
+    assert_eq!(exact.status, Status::Converged, "{:?}", exact.reason);
+    let found = solved(&format!("force = {:?}", exact.load.force.unwrap()));
+    assert!((found.load.half_width.unwrap() / 0.1 - 1.0).abs() < 1e-10);
+    let reason = found.reason.unwrap_or_default();
+    assert!(reason.contains("proved of the kernels") && reason.contains("larger `tolerance`"), "{reason}");
+}
