@@ -56,8 +56,9 @@ pub(super) fn solution(
     let rubbing = judged.outcome.rubbing.as_ref().filter(is_found);
     let neglected = rubbing.map(|rubbing| coupling::neglected(solved.layer, problem, rubbing, scene));
     plan.coupling_neglected = neglected.and_then(|neglected| neglected.ok()?.friction);
-    // Where the budget does not reach for the strain, all else is told.
-    let of_strain = if problem.wishes.profile { solved.add_strain(scene, &mut profile) } else { Ok(None) };
+    let asks_of_strain = scene.output.strain && problem.wishes.profile;
+    // Where the budget does not reach for it, all else is told.
+    let of_strain = if asks_of_strain { solved.add_strain(scene, &mut profile) } else { Ok(None) };
     let stick = solved.stick().filter(|_| scene.output.asks_of_stick());
     let told = of_pressure(scene, plan, problem, &judged.outcome.numbers, &judged.errors, how(judged));
     let mut solution = Solution { status, reason, stick, profile, ..told };
@@ -67,11 +68,10 @@ pub(super) fn solution(
         Some(Err(Untold)) => solution.assumptions.push(COST_UNTOLD.into()),
         None => {}
     }
-    let solution = finite(solution)?;
-    Ok(match of_strain {
-        Ok(_) => solution,
-        Err(refusal) => solution.lacking(&format!("the strain left in the stick zone is not known: {refusal}")),
-    })
+    if let Err(refusal) = of_strain {
+        solution = solution.lacking(&format!("the strain left in the stick zone is not known: {refusal}"));
+    }
+    finite(solution)
 }
 
 impl Solved<'_> {

@@ -27,11 +27,17 @@ pub(crate) struct PreparedLayer {
     is_grounded: bool,
     strategy: Box<dyn KernelStrategy>,
     tables: Option<Tables>,
-    /// Up to which reach the strategy could not serve what, and why.
-    given_up: Option<(f64, Wanted, Refusal)>,
+    given_up: Option<Box<GivenUp>>,
     flexibility_evaluations: usize,
     /// Work on it so far, on tables that were replaced too.
     meter: Arc<Meter>,
+}
+
+/// What a strategy could not serve, and why.
+struct GivenUp {
+    reach: f64,
+    wanted: Wanted,
+    refusal: Refusal,
 }
 
 /// Kernels over a range of lengths.
@@ -128,18 +134,18 @@ impl PreparedLayer {
             _ => reach,
         };
         self.meter.within()?;
-        if let Some((short, less, refusal)) = &self.given_up
-            && reach >= *short
-            && wanted.asks(less)
-            && (wanted.level == less.level || self.tables.as_ref().is_some_and(Tables::prove))
+        if let Some(known) = &self.given_up
+            && reach >= known.reach
+            && wanted.asks(&known.wanted)
+            && (wanted.level == known.wanted.level || self.tables.as_ref().is_some_and(Tables::prove))
         {
-            return Err(refusal.clone());
+            return Err(known.refusal.clone());
         }
         let strategy = self.strategy.refined(wanted.level);
         let (kernels, depth) = self.tables_of(&*strategy, (half_width, reach), wanted).inspect_err(|refusal| {
             // Who gives up does not say after how much.
             self.meter.count_wave_numbers(GIVEN_UP);
-            self.given_up = Some((reach, wanted, refusal.clone()));
+            self.given_up = Some(Box::new(GivenUp { reach, wanted, refusal: refusal.clone() }));
         })?;
         let tables = Tables { kernels, depth, reach, serves: wanted };
         let evaluations = tables.evaluations();

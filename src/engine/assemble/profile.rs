@@ -83,12 +83,11 @@ impl Solved<'_> {
         self.problem.friction.zip(found).map_or(1.0, |(told, found)| told / found.abs())
     }
 
-    /// Adds the strain left in the stick zone to the tractions, where the scene asks for it and it can be told. How
-    /// uncertain it is, over `A0 eta P/(2b)`: by what coarser grids change it, and by what the errors of the tractions
-    /// make of it.
+    /// Adds the strain left in the stick zone to the tractions, where it can be told. How uncertain it is, over `A0 eta
+    /// P/(2b)`: by what coarser grids change it, and by what the errors of the tractions make of it.
     pub(super) fn add_strain(&mut self, scene: &Scene, profile: &mut Profile) -> Result<Option<f64>, Refusal> {
         let (problem, judged, b) = (self.problem, self.judged, self.half_width());
-        let rubbing = judged.outcome.rubbing.as_ref().filter(|rubbing| scene.output.strain && rubbing.has_zone());
+        let rubbing = judged.outcome.rubbing.as_ref().filter(|rubbing| rubbing.has_zone());
         let Some((rubbing, friction)) = rubbing.zip(problem.friction) else { return Ok(None) };
         let relative = profile.x.iter().map(|x| x / (problem.length * b));
         let mean = judged.outcome.numbers.get(Quantity::Mean).unwrap_or(0.0);
