@@ -20,8 +20,10 @@ pub(crate) struct Slice {
 impl Family {
     /// The pressure of slices at a point.
     pub(crate) fn stacked_pressure(&mut self, slices: &[Slice], x: f64) -> f64 {
+        let unknowns = self.pressed.pressure.numbers.len();
         let (blend, sheet) = self.pressed.spread(&mut self.contact.normal, self.accuracy);
-        self.meter.count_multiplications(slices.len() * sheet.products());
+        // A sheet may have more numbers than its unknowns, but sums them side by side.
+        self.meter.count_multiplications(slices.len() * sheet.products().min(unknowns));
         let (mut places, mut factors) = ([0.0; LANES], [0.0; LANES]);
         let mut sum = 0.0;
         for slices in slices.chunks(LANES) {
