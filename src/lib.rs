@@ -43,6 +43,7 @@
 //! What a scene can name are plugins of five families, whose contracts are in [`api`]; the repository's `docs/`
 //! has their formulas, the theory and a worked example of a new one.
 
+mod caught;
 pub mod chart;
 #[cfg(feature = "cli")]
 pub mod cli;

@@ -2,7 +2,8 @@
 
 use super::judge::{self, Judge};
 use super::{Charted, Effort, Errors, Measured, Method, Setting};
-use crate::engine::{Plan, Solution, Solver, Status, caught, first_not_finite};
+use crate::caught::caught;
+use crate::engine::{Plan, Solution, Solver, Status, first_not_finite};
 use crate::scene::Scene;
 use serde::Serialize;
 use slipzone_api::Refusal;

@@ -20,7 +20,7 @@ mod solve;
 mod sweep;
 mod verify;
 
-use crate::engine::caught;
+use crate::caught::caught;
 use args::{Arguments, Command};
 use clap::Parser;
 use failure::Failure;

@@ -13,13 +13,11 @@
 //! | `verdict`, `assemble`, `solution` | whether to believe it, and the result in the scene's units |
 //! | `stand_in`, `layer`, `culprit`, `solver` | a cheaper solid where one will do; what one load leaves to the next; whose numbers are none where it fails |
 //! | `portrait` | what a layer looks like, whether or not it is solved |
-//! | `caught` | panics of plugins, in words |
 //!
 //! It knows the traits of `slipzone-api` and no plugin by name, prints nothing and reads no file.
 
 mod accuracy;
 mod assemble;
-mod caught;
 mod contact;
 mod culprit;
 pub(crate) mod foreign;
@@ -39,8 +37,8 @@ mod stand_in;
 mod verdict;
 mod work;
 
+use crate::caught::caught;
 pub use crate::plan::Plan;
-pub(crate) use caught::caught;
 pub use layer::Layer;
 pub use portrait::{DepthProfile, FlexibilityProfile, response};
 pub use solution::finite::first_not_finite;

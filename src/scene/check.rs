@@ -5,7 +5,7 @@ use super::document::{Document, dotted, number, one_of, owned};
 use super::error::{Kind, SceneError};
 use super::keys::{ABSCISSAE, LISTED, LONGEST_LABEL, MOST_FRICTION, POINTS, STAND_INS, TOLERANCES};
 use super::{Load, Model, Scene};
-use crate::engine::caught;
+use crate::caught::caught;
 use slipzone_api::{Base, Friction, LawFlaw, MODERATE, PunchShape, Refusal, short};
 use std::ops::Range;
 use toml::Spanned;

@@ -2,7 +2,8 @@
 
 use super::record::Record;
 use super::{Study, inverse};
-use crate::engine::{Solution, Solver, caught, solve};
+use crate::caught::caught;
+use crate::engine::{Solution, Solver, solve};
 use crate::scene::Scene;
 use rayon::iter::{ParallelBridge, ParallelIterator};
 use std::ops::ControlFlow;

@@ -24,7 +24,8 @@ mod references;
 
 pub use check::{Check, Measure, Value};
 
-use crate::engine::{Program, caught};
+use crate::caught::caught;
+use crate::engine::Program;
 use check::Sheet;
 use rayon::prelude::*;
 use serde::Serialize;

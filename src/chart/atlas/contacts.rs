@@ -1,9 +1,10 @@
 //! One contact by every method.
 
 use super::{Cell, Ended};
+use crate::caught::caught;
 use crate::chart::method::{table, with_middle};
 use crate::chart::{Errors, Measured, Method};
-use crate::engine::{BUDGET, Solution, Status, caught, first_not_finite, solve_within};
+use crate::engine::{BUDGET, Solution, Status, first_not_finite, solve_within};
 use crate::scene::parse;
 use slipzone_api::Family;
 
