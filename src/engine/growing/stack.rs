@@ -80,6 +80,8 @@ pub(crate) struct Stack {
     /// The same of a pressure exactly at a kink.
     lost_at_kinks: f64,
     climbed: Climbed,
+    /// Whether the layer is stiff above what is soft, where that was asked.
+    bends: Option<bool>,
     room: Room,
 }
 
@@ -161,6 +163,7 @@ impl Stack {
             lost: 0.0,
             lost_at_kinks: 0.0,
             climbed: None,
+            bends: None,
             room: Room::default(),
         };
         stack.lost = stack.measured(problem, 2 * nodes);

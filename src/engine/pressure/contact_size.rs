@@ -259,20 +259,24 @@ impl Search<'_> {
         if is_near && self.excess(walk.limit)? < 0.0 {
             return Err(outgrown(problem.reach() * problem.length));
         }
-        let mut found = self.walk(walk).or_else(|refusal| self.walk_to_flaw(walk, refusal));
-        let mut missed = found.as_ref().map_or(Ok(0.0), |found| self.excess(found.log_b))?;
-        if !bends && (found.is_err() || self.pulls) && problem.is_softer_below() {
+        let found = self.walk(walk).or_else(|refusal| self.walk_to_flaw(walk, refusal));
+        let mut met = found.and_then(|crossing| self.meet(crossing));
+        if !bends && (met.is_err() || self.pulls) && problem.is_softer_below() {
             // Beyond the contact that a stiff surface bears before it bends.
             let start = (FAR_BELOW * first()).ln();
-            if let Ok(narrower) = self.walk(Walk { start, step: LN_2, bends: true, ..walk }) {
-                missed = self.excess(narrower.log_b)?;
-                found = Ok(narrower);
-            }
+            let narrower = self.walk(Walk { start, step: LN_2, bends: true, ..walk });
+            met = narrower.or(met.map(|(wider, _)| wider)).and_then(|crossing| self.meet(crossing));
         }
-        let Crossing { log_b, slope, is_beside_top } = found?;
+        let (Crossing { log_b, slope, is_beside_top }, missed) = met?;
         let missed = missed.abs();
         let slope = if bends || SLOPES.contains(&slope) { slope } else { f64::NAN };
         Ok(Size { half_width: log_b.exp(), slope, missed, is_guess: false, is_beside_top })
+    }
+
+    /// Presses the contact at a crossing; with what it misses of the load.
+    fn meet(&mut self, crossing: Crossing) -> Result<(Crossing, f64), Refusal> {
+        let missed = self.excess(crossing.log_b)?;
+        Ok((crossing, missed))
     }
 
     /// What a walk that was refused finds before the first flaw of the punch: beyond it nothing was worth trying, nor

@@ -25,7 +25,7 @@ impl Stack {
             return Some(half_width);
         }
         let (least, widest) = self.range()?;
-        let end = if may_shrink(problem, load) {
+        let end = if self.may_shrink(problem, load) {
             self.first_rise(problem, family, load, (least, widest)).min(widest)
         } else {
             widest
@@ -52,7 +52,11 @@ impl Stack {
     /// may shrink, with how it grows there, too.
     pub(crate) fn size(&mut self, problem: &Problem, family: &mut Family, half_width: f64) -> Size {
         let size = Size::exactly(half_width).missing(self.excess(problem, family, problem.load, half_width).abs());
-        if may_shrink(problem, problem.load) { size.growing(self.growth(problem, family, half_width)) } else { size }
+        if self.may_shrink(problem, problem.load) {
+            size.growing(self.growth(problem, family, half_width))
+        } else {
+            size
+        }
     }
 
     /// A size to start from, where the stack finds the load at that half-width: with how the load grows there.
@@ -125,14 +129,15 @@ impl Stack {
             borne
         })
     }
-}
 
-/// Whether a load of that kind may shrink while the contact grows: a stiff surface bends, and a datum may sink as fast
-/// as the punch.
-fn may_shrink(problem: &Problem, load: LoadInLayerUnits) -> bool {
-    match load {
-        LoadInLayerUnits::HalfWidth(_) => false,
-        LoadInLayerUnits::Force(_) => problem.is_on_soft_base() || problem.is_softer_below(),
-        LoadInLayerUnits::Indentation(_) => !problem.layer.is_grounded() || problem.is_softer_below(),
+    /// Whether a load of that kind may shrink while the contact grows: a stiff surface bends, and a datum may sink as
+    /// fast as the punch.
+    fn may_shrink(&mut self, problem: &Problem, load: LoadInLayerUnits) -> bool {
+        let mut bends = || *self.bends.get_or_insert_with(|| problem.is_softer_below());
+        match load {
+            LoadInLayerUnits::HalfWidth(_) => false,
+            LoadInLayerUnits::Force(_) => problem.is_on_soft_base() || bends(),
+            LoadInLayerUnits::Indentation(_) => !problem.layer.is_grounded() || bends(),
+        }
     }
 }
