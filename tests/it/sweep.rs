@@ -914,6 +914,34 @@ fn the_error_of_an_answer_has_no_unit() {
     assert!((small / large - 1.0).abs() < 0.1, "{small}, {large}");
 }
 
+/// The indentation is that of modulus 1 over the modulus `1 + c (p - 20.3)^2` or `1 + c p`, so that its relative error
+/// `e` moves the place where it is greatest by `sqrt(e/c)`, and that where it is as wanted by `e (1 + c p)/c`.
+#[test]
+fn the_error_of_an_answer_is_how_far_that_of_the_number_moves_it() {
+    let asked = |modulus: &str, wish: &str, tolerance: &str| {
+        let scene = format!(
+            "format = 1\nlayer = {{ thickness = 2.0, poisson = 0.3, grading = {{ type = \"formula\", \
+             modulus = \"({modulus})*(1 + y/4)\", parameters = {{ p = 12.0 }} }} }}\n\
+             punch = {{ type = \"flat\", half_width = 1.0 }}\nload = {{ force = 1.0 }}\n[solver]\ntolerance = {tolerance}\n"
+        );
+        let find = format!(
+            "field = \"layer.grading.parameters.p\"\nfrom = 10.0\nto = 34.0\nquantity = \"load.indentation\"\n{wish}"
+        );
+        let record = found(&scene, &find);
+        let [value, error] = ["value", "error"].map(|key| record["found"][key].as_f64().unwrap());
+        (value, error, record["error"]["each"]["load.indentation"].as_f64().unwrap())
+    };
+    let places = 34.0 - 10.0;
+    for (tolerance, looked_for) in [("1e-2", 1e-2), ("1e-4", 1e-4), ("1e-8", 1e-8)] {
+        let (at, error, of_number) = asked("1 + 0.01*(p - 20.3)^2", "maximum = true", tolerance);
+        let expected = ((of_number / 0.01).sqrt() + looked_for * places) / at;
+        assert!((error / expected - 1.0).abs() < 0.05, "greatest, to {tolerance}: {error}, not {expected}");
+        let (at, error, of_number) = asked("1 + 0.01*p", "target = 0.155", tolerance);
+        let expected = (of_number * (1.0 + 0.01 * at) / 0.01 + looked_for * places) / at;
+        assert!((error / expected - 1.0).abs() < 0.05, "as wanted, to {tolerance}: {error}, not {expected}");
+    }
+}
+
 /// The force that holds a contact is least on a layer some fourteen half-widths thick, which is between two steps.
 #[test]
 fn a_number_that_turns_between_steps_is_met_on_either_side() {
