@@ -131,7 +131,7 @@ impl LoadPath {
         if !Self::POINTS.contains(&points) {
             return Err(PathError::Count { allowed: Self::POINTS, found: points });
         }
-        if most.value().get() / (points as f64) < f64::MIN_POSITIVE {
+        if share(most.value().get(), 1, points) < f64::MIN_POSITIVE {
             return Err(PathError::TooSmall(most.value().get()));
         }
         Ok(Self { kind: most.kind(), steps: Steps::Until { most: most.value(), points } })
@@ -158,9 +158,8 @@ impl LoadPath {
         assert!(index < self.points(), "load {index} of {}", self.points());
         self.kind.load(match &self.steps {
             Steps::Listed(loads) => loads[index],
-            // The last share is 1 without rounding, so that the last load is the one given.
             Steps::Until { most, points } => {
-                Positive::new(most.get() * ((index + 1) as f64 / *points as f64)).expect("a positive share")
+                Positive::new(share(most.get(), index + 1, *points)).expect("a positive share")
             }
         })
     }
@@ -182,6 +181,16 @@ impl LoadPath {
             Steps::Until { .. } => "until",
         }
     }
+}
+
+/// So many steps of as many as lead to the load given, the last to the last bit.
+fn share(most: f64, steps: usize, points: usize) -> f64 {
+    if steps == points { most } else { to_fifteen_digits(most * (steps as f64 / points as f64)) }
+}
+
+/// 0.3 and not 0.30000000000000004, which is no better a step.
+pub(crate) fn to_fifteen_digits(value: f64) -> f64 {
+    format!("{value:.14e}").parse().unwrap_or(value)
 }
 
 /// What `[load]` says: the load that is solved for, and those on the way to it.
@@ -301,8 +310,10 @@ mod tests {
             let values: Vec<Positive> = path.loads().map(Load::value).collect();
             assert!(values.is_sorted_by(|one, next| one < next), "{points} points");
             let first = most.get() / points as f64;
-            assert!((values[0].get() / first - 1.0).abs() < 1e-15, "a product in place of a quotient");
+            assert!((values[0].get() / first - 1.0).abs() < 1e-14, "as many digits as one types");
         }
+        let path = LoadPath::until(Load::Indentation(positive(0.02)), 20).expect("a path");
+        assert_eq!(path.load(8), Load::Indentation(positive(0.009)), "and not 0.009000000000000001");
     }
 
     #[test]

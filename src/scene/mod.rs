@@ -29,6 +29,7 @@ pub(crate) use check::printable;
 pub(crate) use error::Kind;
 pub use error::SceneError;
 pub use keys::KEYS;
+pub(crate) use load_path::to_fifteen_digits;
 pub use load_path::{LoadKind, LoadPath, PathError};
 pub use model::Model;
 pub use schema::schema;

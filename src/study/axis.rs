@@ -1,5 +1,6 @@
 //! What changes from scene to scene.
 
+use crate::scene::to_fifteen_digits;
 use std::borrow::Cow;
 use std::fmt;
 
@@ -142,11 +143,6 @@ impl Column {
 #[allow(clippy::cast_possible_truncation)]
 fn at(step: u64) -> usize {
     step as usize
-}
-
-/// 0.3 and not 0.30000000000000004, which is no better a step.
-fn to_fifteen_digits(value: f64) -> f64 {
-    format!("{value:.14e}").parse().unwrap_or(value)
 }
 
 fn between(from: f64, to: f64, share: f64, by_factors: bool) -> f64 {
