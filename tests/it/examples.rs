@@ -113,6 +113,29 @@ fn the_readme_shows_what_the_program_prints() {
     }
 }
 
+/// The table of edge factors, row by row.
+#[cfg(feature = "cli")]
+#[test]
+fn the_readme_tells_edge_factors_as_the_program_prints_them() {
+    let rows =
+        include_str!("../../README.md").lines().map(|line| line.split('|').map(str::trim).collect::<Vec<&str>>());
+    let mut compared = 0;
+    for row in rows {
+        let ["", thickness, ratio, _, value, error, independent, ""] = row[..] else { continue };
+        if independent.parse::<f64>().is_err() {
+            continue;
+        }
+        let scene = format!("examples/table1_h{thickness}_ratio{}.toml", ratio.replace('/', "_"));
+        let output = crate::run::run(env!("CARGO_MANIFEST_DIR").as_ref(), ["solve", &scene]);
+        let printed = String::from_utf8(output.stdout).expect("the program writes UTF-8");
+        let line = printed.lines().find(|line| line.starts_with("edge ratio")).expect("an edge ratio");
+        let told: Vec<&str> = line.split_whitespace().rev().take(2).collect();
+        assert_eq!([value, error], [told[1], told[0]], "{scene}");
+        compared += 1;
+    }
+    assert_eq!(compared, 9, "rows");
+}
+
 #[test]
 fn the_messages_in_the_documents_are_what_the_program_says() {
     let document = include_str!("../../docs/punches.md");

@@ -233,6 +233,15 @@ fn sane(found: &Solution, budget: u64) -> Result<(), String> {
     if lengths.into_iter().flatten().any(|length| length != profile.x.len()) {
         return Err("the columns of the profile differ in length".into());
     }
+    if found.status == Status::Converged
+        && let Some(peak) = found.pressure.peak
+        && let Some(beyond) = profile.pressure.iter().flatten().copied().reduce(f64::max).map(|most| most / peak - 1.0)
+    {
+        let estimate = |path: &str| found.error.each.get(path).copied().unwrap_or(0.0);
+        if beyond > 3.0 * (estimate("pressure.peak") + estimate("profile.pressure")) + ROUNDING {
+            return Err(format!("a pressure of the profile is beyond the largest by {beyond:.1e}: {:?}", found.error));
+        }
+    }
     let budgets = if found.path.is_some() { 3.0 } else { 1.0 };
     if found.plan.work as f64 > budgets * budget as f64 + OVERSHOT {
         return Err(format!("more than the budget of {budget:.0e}: {:?}", found.plan));

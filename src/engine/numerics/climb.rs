@@ -4,9 +4,11 @@ use arrayvec::ArrayVec;
 use slipzone_api::Station;
 
 /// Parabolas through a place between two that are lower.
-const CLIMBS: usize = 10;
+const CLIMBS: usize = 20;
 /// How near to that place the next one may be, over the distance of those two.
 const BESIDE_TOP: f64 = 0.02;
+/// Share of the wider side of a bracket at which it is cut where parabolas do not halve it: the golden section.
+const GOLDEN: f64 = 0.381_966_011_250_105;
 /// Tops lower than this are not climbed on the way to zero.
 const TOO_LOW: f64 = -0.7;
 /// How often it is looked nearer to the middle for a top beside it, at half the distance each time.
@@ -44,7 +46,7 @@ impl Trail {
         } else {
             [left, top, next]
         };
-        let (at, height) = climb(three, excess, |height, _| height >= 0.0 || height <= TOO_LOW);
+        let (at, height) = climb(three, excess, |height| height >= 0.0 || height <= TOO_LOW);
         if height >= 0.0 {
             return Some((three[0].0, at));
         }
@@ -68,28 +70,42 @@ pub(crate) fn top([left, top, right]: [(f64, f64); 3], mut height: impl FnMut(f6
         Some((at, _)) => [top, (at, height(at)), right],
         None => [left, top, right],
     };
-    let found = climb(three, height, |height, more| more <= LEVEL * height.abs());
+    let found = climb(three, height, |_| false);
     if found.1 < right.1 { right } else { found }
 }
 
-/// The highest place among three and what parabolas find that close in, as soon as it is high enough, by its height and
-/// what the next parabola would add.
+/// The highest place among three and what parabolas find that close in; as soon as it is high enough, or two parabolas
+/// one after another rise no higher.
 fn climb(
     [mut left, mut top, mut right]: [(f64, f64); 3],
     mut height: impl FnMut(f64) -> f64,
-    is_enough: impl Fn(f64, f64) -> bool,
+    is_enough: impl Fn(f64) -> bool,
 ) -> (f64, f64) {
+    // How wide the bracket was two steps ago, and before the last.
+    let (mut earlier, mut before) = (f64::INFINITY, f64::INFINITY);
+    let mut was_level = false;
     for _ in 0..CLIMBS {
         let Some((at, bend)) = vertex([left, top, right]).filter(|_| left.1 <= top.1 && top.1 >= right.1) else {
             break;
         };
-        if is_enough(top.1, bend * (at - top.0).powi(2)) {
+        // One parabola may turn there by chance.
+        let is_level = bend * (at - top.0).powi(2) <= LEVEL * top.1.abs();
+        if is_enough(top.1) || is_level && was_level {
             break;
         }
-        // Beside the highest so far, where the parabola ends there.
-        let room = BESIDE_TOP * (right.0 - left.0);
+        was_level = is_level;
+        let width = right.0 - left.0;
         let wider = (right.0 - top.0) - (top.0 - left.0);
-        let at = if (at - top.0).abs() > room { at } else { top.0 + room.copysign(wider) };
+        let at = if width > 0.5 * earlier {
+            // Parabolas creep along what is flatter than they are.
+            top.0 + GOLDEN * if wider > 0.0 { right.0 - top.0 } else { left.0 - top.0 }
+        } else if (at - top.0).abs() > BESIDE_TOP * width {
+            at
+        } else {
+            // Beside the highest so far, where the parabola ends there.
+            top.0 + (BESIDE_TOP * width).copysign(wider)
+        };
+        (earlier, before) = (before, width);
         let here = (at, height(at));
         match (here.1 > top.1, at > top.0) {
             (true, true) => (left, top) = (top, here),
@@ -123,29 +139,42 @@ pub(crate) fn highest(
         if !(values[1] >= least && values[1] >= values[0] && values[1] >= values[2]) {
             continue;
         }
-        let middle = at[1];
-        // From the nearer of both ends, so that no digit of a gap is lost.
-        let from = |at: &Station| if middle.gap < middle.x { middle.gap - at.gap } else { at.x - middle.x };
-        let beside = |step: f64| Station { x: middle.x + step, gap: middle.gap - step };
-        let three = [(from(&at[0]), values[0]), (0.0, values[1]), (from(&at[2]), values[2])];
-        let (step, height) = climb(three, |step| value(beside(step)), |height, more| more <= LEVEL * height.abs());
-        if height > best.1 {
-            best = (beside(step), height);
+        let found = if at[0].x == 0.0 {
+            // Of an even function parabolas tell more by the squares of the distances.
+            let three = [0, 1, 2].map(|i| (at[i].x.powi(2), values[i]));
+            let (square, height) = climb(three, |square| value(from_middle(square, at[0])), |_| false);
+            (from_middle(square, at[0]), height)
+        } else {
+            let middle = at[1];
+            // From the nearer of both ends, so that no digit of a gap is lost.
+            let from = |at: &Station| if middle.gap < middle.x { middle.gap - at.gap } else { at.x - middle.x };
+            let beside = |step: f64| Station { x: middle.x + step, gap: middle.gap - step };
+            let three = [(from(&at[0]), values[0]), (0.0, values[1]), (from(&at[2]), values[2])];
+            let (step, height) = climb(three, |step| value(beside(step)), |_| false);
+            (beside(step), height)
+        };
+        if found.1 > best.1 {
+            best = found;
         }
     }
     if let [middle, next, over, ..] = at
         && middle.x == 0.0
         && values[0] >= least
     {
-        let beside = |square: f64| Station { x: square.sqrt(), gap: middle.gap - square.sqrt() };
         let three = [(0.0, values[0]), (next.x.powi(2), values[1]), (over.x.powi(2), values[2])];
-        if let Some((square, height)) = top_beside_middle(three, |square| value(beside(square)))
+        if let Some((square, height)) = top_beside_middle(three, |square| value(from_middle(square, *middle)))
             && height > best.1
         {
-            best = (beside(square), height);
+            best = (from_middle(square, *middle), height);
         }
     }
     Some(best)
+}
+
+/// A place by the square of its distance from the middle.
+fn from_middle(square: f64, middle: Station) -> Station {
+    let x = square.sqrt();
+    Station { x, gap: middle.gap - x }
 }
 
 /// A top of an even function between the middle and the next of three places, that is no higher: by the squares of
@@ -202,6 +231,24 @@ mod tests {
             let (found, top) = highest(&at, &mut Vec::new(), |most| 0.5 * most, values_into).unwrap();
             let true_top = p((((1.0 + 3.6 * t.powi(2)).sqrt() - 1.0) / 1.8).sqrt());
             assert!((top - true_top).abs() < 1e-7 * t.powi(4) + 1e-15, "{t}: {top} at {}, {true_top}", found.x);
+        }
+    }
+
+    /// Nearly a quartic, on which parabolas creep.
+    #[test]
+    fn a_flat_top_is_climbed_from_wherever_its_bracket_is() {
+        let t = 0.1183_f64;
+        let p = |x: f64| 1.0 + 1.1e-4 * (2.0 * (x / t).powi(2) - (x / t).powi(4)) - 0.2 * x.powi(6);
+        let highest = (0..=4000).map(|i| p(0.11 + 4e-6 * f64::from(i))).fold(0.0, f64::max);
+        for i in 0..=20 {
+            for k in 0..=20 {
+                let (at, right) = (0.03 + 0.006 * f64::from(i), 0.17 + 0.01 * f64::from(k));
+                if p(at) <= p(0.0) || p(at) <= p(right) {
+                    continue;
+                }
+                let (_, top) = climb([0.0, at, right].map(|x| (x, p(x))), p, |_| false);
+                assert!(highest - top < 1e-12, "{at} between 0 and {right}: {:e} too low", highest - top);
+            }
         }
     }
 

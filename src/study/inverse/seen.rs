@@ -74,9 +74,15 @@ impl Question<'_> {
             Wanted::Maximum => -number,
             Wanted::HalfPlaneWithin(share) => {
                 let plane = solve(&half_plane(&solution.scene)?);
-                let reference = plane.number(&self.find.quantity).filter(|reference| *reference != 0.0);
-                let reference = reference
+                let reference = plane
+                    .number(&self.find.quantity)
                     .ok_or_else(|| format!("{} has no value on a half-plane to compare with", self.find.quantity))?;
+                if reference == 0.0 {
+                    return Err(format!(
+                        "{} is 0 on a half-plane: nothing is within a share of that",
+                        self.find.quantity
+                    ));
+                }
                 (number / reference - 1.0).abs() - share
             }
         };
