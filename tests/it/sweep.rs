@@ -749,6 +749,11 @@ fn the_thickness_from_which_depths_are_those_of_the_half_plane() {
     let find = "field = \"layer.thickness\"\nfrom = 1.0\nto = 1000.0\nquantity = \"load.indentation\"\nhalf_plane_within = 0.01";
     let reason = found(&grounded, find)["reason"].as_str().unwrap().to_owned();
     assert!(reason.contains("load.indentation has no value on a half-plane"), "{reason}");
+    let find =
+        "field = \"layer.thickness\"\nfrom = 1.0\nto = 1000.0\nquantity = \"edge.ratio\"\nhalf_plane_within = 0.01";
+    let round = grounded.replace("type = \"flat\"\nhalf_width = 1.0", "type = \"cylinder\"\nradius = 10.0");
+    let reason = found(&round, find)["reason"].as_str().unwrap().to_owned();
+    assert!(reason.contains("edge.ratio is 0 on a half-plane"), "under a round punch: {reason}");
 }
 
 /// `f(b)` of a flat punch over Poisson's ratio has its least where its derivative changes sign: neighbours lie above.

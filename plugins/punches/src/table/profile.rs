@@ -221,6 +221,13 @@ impl PunchShape for Profile {
                 short(*at)
             )
         });
-        strays.into_iter().chain(sparse).collect()
+        let slope = self.pieces.first().map(|piece| piece.slope).filter(|_| !self.corners.is_empty());
+        let corner = slope.map(|slope| {
+            format!(
+                "the shape fitted to the punch's heights has a corner at x = 0, of slope {slope:.1e} on either side: \
+                 the pressure is unbounded there"
+            )
+        });
+        strays.into_iter().chain(corner).chain(sparse).collect()
     }
 }
