@@ -4,7 +4,7 @@ use arrayvec::ArrayVec;
 use slipzone_api::Station;
 
 /// Parabolas through a place between two that are lower.
-const CLIMBS: usize = 20;
+const CLIMBS: usize = 12;
 /// How near to that place the next one may be, over the distance of those two.
 const BESIDE_TOP: f64 = 0.02;
 /// Share of the wider side of a bracket at which it is cut where parabolas do not halve it: the golden section.
@@ -14,7 +14,7 @@ const TOO_LOW: f64 = -0.7;
 /// How often it is looked nearer to the middle for a top beside it, at half the distance each time.
 const NEARER: usize = 2;
 /// A climb ends where the parabola rises no higher than this beside the top.
-const LEVEL: f64 = 1e-13;
+const LEVEL: f64 = 1e-12;
 /// Share of the highest value that a top among samples reaches if it may be the highest between them.
 pub(crate) const NEARLY: f64 = 0.75;
 
@@ -133,26 +133,14 @@ pub(crate) fn highest(
         values_into(&[at], &mut one);
         one[0]
     };
-    let mut best = at.iter().copied().zip(values.iter().copied()).max_by(|one, other| one.1.total_cmp(&other.1))?;
+    let most = at.iter().zip(&*values).max_by(|one, other| one.1.total_cmp(other.1))?;
+    let mut best = (*most.0, *most.1);
     let least = least(best.1);
     for (at, values) in at.windows(3).zip(values.windows(3)) {
         if !(values[1] >= least && values[1] >= values[0] && values[1] >= values[2]) {
             continue;
         }
-        let found = if at[0].x == 0.0 {
-            // Of an even function parabolas tell more by the squares of the distances.
-            let three = [0, 1, 2].map(|i| (at[i].x.powi(2), values[i]));
-            let (square, height) = climb(three, |square| value(from_middle(square, at[0])), |_| false);
-            (from_middle(square, at[0]), height)
-        } else {
-            let middle = at[1];
-            // From the nearer of both ends, so that no digit of a gap is lost.
-            let from = |at: &Station| if middle.gap < middle.x { middle.gap - at.gap } else { at.x - middle.x };
-            let beside = |step: f64| Station { x: middle.x + step, gap: middle.gap - step };
-            let three = [(from(&at[0]), values[0]), (0.0, values[1]), (from(&at[2]), values[2])];
-            let (step, height) = climb(three, |step| value(beside(step)), |_| false);
-            (beside(step), height)
-        };
+        let found = highest_among([at[0], at[1], at[2]], [values[0], values[1], values[2]], &mut value);
         if found.1 > best.1 {
             best = found;
         }
@@ -169,6 +157,23 @@ pub(crate) fn highest(
         }
     }
     Some(best)
+}
+
+/// The top among three stations of which the second is no lower than the others.
+fn highest_among(at: [Station; 3], values: [f64; 3], mut value: impl FnMut(Station) -> f64) -> (Station, f64) {
+    let middle = at[1];
+    if middle.gap < middle.x {
+        // From the edge, so that no digit of a gap is lost.
+        let beside = |step: f64| Station { x: middle.x + step, gap: middle.gap - step };
+        let three = [0, 1, 2].map(|i| (middle.gap - at[i].gap, values[i]));
+        let (step, height) = climb(three, |step| value(beside(step)), |_| false);
+        return (beside(step), height);
+    }
+    // Of an even function parabolas tell more by the squares of the distances.
+    let half_width = Station { x: 0.0, gap: middle.x + middle.gap };
+    let three = [0, 1, 2].map(|i| (at[i].x.powi(2), values[i]));
+    let (square, height) = climb(three, |square| value(from_middle(square, half_width)), |_| false);
+    (from_middle(square, half_width), height)
 }
 
 /// A place by the square of its distance from the middle.
@@ -246,7 +251,11 @@ mod tests {
                 if p(at) <= p(0.0) || p(at) <= p(right) {
                     continue;
                 }
-                let (_, top) = climb([0.0, at, right].map(|x| (x, p(x))), p, |_| false);
+                let places = [0.0, at, right].map(|x| Station { x, gap: 1.0 - x });
+                let values_into = |at: &[Station], out: &mut [f64]| {
+                    out.iter_mut().zip(at).for_each(|(out, at)| *out = p(at.x));
+                };
+                let (_, top) = highest(&places, &mut Vec::new(), |most| 0.5 * most, values_into).unwrap();
                 assert!(highest - top < 1e-12, "{at} between 0 and {right}: {:e} too low", highest - top);
             }
         }
