@@ -7,8 +7,6 @@ use slipzone_api::Station;
 const CLIMBS: usize = 12;
 /// How near to that place the next one may be, over the distance of those two.
 const BESIDE_TOP: f64 = 0.02;
-/// Share of the wider side of a bracket at which it is cut where parabolas do not halve it: the golden section.
-const GOLDEN: f64 = 0.381_966_011_250_105;
 /// Tops lower than this are not climbed on the way to zero.
 const TOO_LOW: f64 = -0.7;
 /// How often it is looked nearer to the middle for a top beside it, at half the distance each time.
@@ -81,8 +79,6 @@ fn climb(
     mut height: impl FnMut(f64) -> f64,
     is_enough: impl Fn(f64) -> bool,
 ) -> (f64, f64) {
-    // How wide the bracket was two steps ago, and before the last.
-    let (mut earlier, mut before) = (f64::INFINITY, f64::INFINITY);
     let mut was_level = false;
     for _ in 0..CLIMBS {
         let Some((at, bend)) = vertex([left, top, right]).filter(|_| left.1 <= top.1 && top.1 >= right.1) else {
@@ -94,18 +90,10 @@ fn climb(
             break;
         }
         was_level = is_level;
-        let width = right.0 - left.0;
+        // Beside the highest so far, where the parabola ends there.
+        let room = BESIDE_TOP * (right.0 - left.0);
         let wider = (right.0 - top.0) - (top.0 - left.0);
-        let at = if width > 0.5 * earlier {
-            // Parabolas creep along what is flatter than they are.
-            top.0 + GOLDEN * if wider > 0.0 { right.0 - top.0 } else { left.0 - top.0 }
-        } else if (at - top.0).abs() > BESIDE_TOP * width {
-            at
-        } else {
-            // Beside the highest so far, where the parabola ends there.
-            top.0 + (BESIDE_TOP * width).copysign(wider)
-        };
-        (earlier, before) = (before, width);
+        let at = if (at - top.0).abs() > room { at } else { top.0 + room.copysign(wider) };
         let here = (at, height(at));
         match (here.1 > top.1, at > top.0) {
             (true, true) => (left, top) = (top, here),
