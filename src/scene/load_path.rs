@@ -309,8 +309,8 @@ mod tests {
             assert_eq!(path.last(), Load::Indentation(most), "to the last bit");
             let values: Vec<Positive> = path.loads().map(Load::value).collect();
             assert!(values.is_sorted_by(|one, next| one < next), "{points} points");
-            let first = most.get() / points as f64;
-            assert!((values[0].get() / first - 1.0).abs() < 1e-14, "as many digits as one types");
+            let first = to_fifteen_digits(most.get() / points as f64);
+            assert_eq!(values[0], positive(first), "a product in place of a quotient");
         }
         let path = LoadPath::until(Load::Indentation(positive(0.02)), 20).expect("a path");
         assert_eq!(path.load(8), Load::Indentation(positive(0.009)), "and not 0.009000000000000001");

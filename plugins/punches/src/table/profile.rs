@@ -221,11 +221,11 @@ impl PunchShape for Profile {
                 short(*at)
             )
         });
-        let slope = self.pieces.first().map(|piece| piece.slope).filter(|_| !self.corners.is_empty());
-        let corner = slope.map(|slope| {
+        let corner = self.corners.first().and(self.pieces.first()).map(|piece| {
             format!(
-                "the shape fitted to the punch's heights has a corner at x = 0, of slope {slope:.1e} on either side: \
-                 the pressure is unbounded there"
+                "the shape fitted to the punch's heights has a corner at x = 0, of slope {:.1e} on either side: \
+                 the pressure is unbounded there",
+                piece.slope
             )
         });
         strays.into_iter().chain(corner).chain(sparse).collect()
